@@ -1,0 +1,1 @@
+#include "codegen/image_writer.hpp"

@@ -1,0 +1,20 @@
+// From the checked machine to the bytes of an image.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "validator/machine.hpp"
+
+namespace axisc::codegen {
+
+struct ImageOptions {
+  bool strip = false;               ///< leave out names, source map and self-tests
+  std::uint32_t image_version = 0;  ///< monotonic counter of the machine's maker
+};
+
+/// Byte-identical for equal machines and options, on every host and at every optimisation level.
+[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options);
+
+}  // namespace axisc::codegen

@@ -1,0 +1,1 @@
+#include "design/filter_design.hpp"

@@ -1,0 +1,1 @@
+#include "diagnostics/source_text.hpp"

@@ -1,0 +1,76 @@
+// One source file as it was read: its bytes never change, everything else is a view.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnostics/span.hpp"
+
+namespace axisc {
+
+/// UTF-8 where the bytes are valid UTF-8, else windows-1252: real lists carry umlauts in single-byte encodings.
+enum class Encoding : std::uint8_t { utf8, utf8_with_mark, windows_1252 };
+
+/// The text of one source. Offsets count bytes from the start of the file, the byte order mark included.
+class SourceText {
+ public:
+  /// `name` is what findings show: the path as the user or the machine file wrote it.
+  SourceText(std::string name, std::string bytes);
+
+  [[nodiscard]] std::string const& name() const { return name_; }
+  [[nodiscard]] std::string_view bytes() const { return bytes_; }
+  [[nodiscard]] Encoding encoding() const { return encoding_; }
+  /// Offset of the first byte behind a byte order mark.
+  [[nodiscard]] std::uint32_t text_begin() const { return encoding_ == Encoding::utf8_with_mark ? 3 : 0; }
+
+  /// Cost: a binary search over line starts and the code points of one line. The line table is built at the first
+  /// call (one pass), so one SourceText serves one thread at a time.
+  [[nodiscard]] Position position(std::uint32_t offset) const;
+  /// Bytes of line `line` (from 1) without its line end.
+  [[nodiscard]] Span line_span(std::uint32_t line) const;
+  [[nodiscard]] std::uint32_t line_count() const;
+
+  [[nodiscard]] std::string_view slice(Span span) const {
+    return std::string_view(bytes_).substr(span.begin, span.size());
+  }
+  /// The bytes of `span` as UTF-8.
+  [[nodiscard]] std::string utf8(Span span) const;
+  /// `text` (UTF-8) in this source's encoding; a character that windows-1252 lacks becomes '?'.
+  [[nodiscard]] std::string encode(std::string_view text) const;
+
+ private:
+  std::vector<std::uint32_t> const& line_starts() const;
+
+  std::string name_;
+  std::string bytes_;
+  Encoding encoding_;
+  mutable std::vector<std::uint32_t> line_starts_;
+};
+
+enum class SourceId : std::uint32_t {};
+
+/// All sources of one run of the checker; ids and references stay valid while it lives.
+class SourceSet {
+ public:
+  SourceId add(SourceText text) {
+    texts_.push_back(std::move(text));
+    return static_cast<SourceId>(texts_.size() - 1);
+  }
+  [[nodiscard]] SourceText const& operator[](SourceId id) const { return texts_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] std::size_t size() const { return texts_.size(); }
+
+ private:
+  std::deque<SourceText> texts_;
+};
+
+/// A span in one source of a set.
+struct Place {
+  SourceId source{};
+  Span span;
+  friend constexpr auto operator<=>(Place const&, Place const&) = default;
+};
+
+}  // namespace axisc

@@ -1,0 +1,1 @@
+#include "diagnostics/text.hpp"

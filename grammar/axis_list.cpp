@@ -1,0 +1,1 @@
+#include "grammar/axis_list.hpp"

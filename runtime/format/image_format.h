@@ -1,0 +1,46 @@
+/* Constants of the image format, made from fields.inc: AXIM_HEADER_... as enumerators. C and C++. */
+#ifndef AXISRT_IMAGE_FORMAT_H
+#define AXISRT_IMAGE_FORMAT_H
+
+#include <stdint.h>
+
+enum {
+  axim_major = 1,
+  axim_minor = 0,
+  axim_alignment = 64,
+  axim_flag_optional = 1,
+  axim_most_delay = 100,
+  axim_most_sections = 6,
+  axim_most_filters = 3,
+
+/* axim_<record>_size */
+#define AXIM_RECORD(record, size, meaning) axim_##record##_size = (size),
+#define AXIM_FIELD(record, field, type, offset, meaning)
+#define AXIM_SECTION(name, kind, record, flags, meaning)
+#include "runtime/format/fields.inc"
+#undef AXIM_RECORD
+#undef AXIM_FIELD
+#undef AXIM_SECTION
+
+/* axim_<record>_<field> is the field's offset in its record */
+#define AXIM_RECORD(record, size, meaning)
+#define AXIM_FIELD(record, field, type, offset, meaning) axim_##record##_##field = (offset),
+#define AXIM_SECTION(name, kind, record, flags, meaning)
+#include "runtime/format/fields.inc"
+#undef AXIM_RECORD
+#undef AXIM_FIELD
+#undef AXIM_SECTION
+
+/* axim_kind_<section> */
+#define AXIM_RECORD(record, size, meaning)
+#define AXIM_FIELD(record, field, type, offset, meaning)
+#define AXIM_SECTION(name, kind, record, flags, meaning) axim_kind_##name = (kind),
+#include "runtime/format/fields.inc"
+#undef AXIM_RECORD
+#undef AXIM_FIELD
+#undef AXIM_SECTION
+
+  axim_format_end_ = 0
+};
+
+#endif

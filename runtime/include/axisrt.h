@@ -1,0 +1,133 @@
+/* axisrt: executes the filters of a coefficient image, one call per NC cycle.
+ *
+ * Life of a controller task:
+ *   at start   axisrt_memory_size, axisrt_create (verifies the image, runs its self-tests, copies the coefficients)
+ *   per axis   axisrt_reset to the axis' actual position, before its first step
+ *   per cycle  axisrt_step, axisrt_step_interface
+ *
+ * The caller owns all memory; nothing here allocates, locks, does input or output, throws or recurses.
+ * All calls for one runtime come from one task. Arrays have one entry per axis, in image order.
+ * Positions are in the list's unit (0.1 um or 1e-4 degree), |position| <= 2^53.
+ *
+ * Coefficient convention: H(z) = (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), stored in increment form
+ * (see docs/image-format.md).
+ */
+#ifndef AXISRT_H
+#define AXISRT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a call returns. 0 is good; values never change meaning. */
+typedef enum axisrt_status {
+  AXISRT_OK = 0,
+
+  /* The image (axisrt_verify, axisrt_memory_size, axisrt_create). */
+  AXISRT_TOO_SHORT = 1,            /* fewer bytes than a header, or than the header's total size */
+  AXISRT_WRONG_MAGIC = 2,          /* does not begin with "AXIM" */
+  AXISRT_WRONG_VERSION = 3,        /* another major version of the format */
+  AXISRT_WRONG_SIZE = 4,           /* total size and given size disagree */
+  AXISRT_WRONG_CHECKSUM = 5,       /* header or payload was changed */
+  AXISRT_OUT_OF_BOUNDS = 6,        /* an offset, a count or an index points outside */
+  AXISRT_OVERLAP = 7,              /* sections overlap or are not aligned to 64 bytes */
+  AXISRT_NOT_FINITE = 8,           /* a stored number is NaN or infinite */
+  AXISRT_UNSTABLE = 9,             /* a section that need not settle */
+  AXISRT_KERNEL_TOO_LONG = 10,     /* a delay or kernel longer than the format allows */
+  AXISRT_UNKNOWN_KIND = 11,        /* a filter, port, axis type or mandatory section of unknown kind */
+  AXISRT_INCONSISTENT_CYCLE = 12,  /* cycle time zero or beyond 1 s */
+  AXISRT_MISALIGNED = 13,          /* image or memory is not aligned to 64 bytes */
+
+  /* axisrt_create. */
+  AXISRT_OTHER_CYCLE_TIME = 20,  /* the image was made for another NC cycle time */
+  AXISRT_SELF_TEST_FAILED = 21,  /* this processor does not compute what the image demands */
+  AXISRT_MEMORY_TOO_SMALL = 22,
+  AXISRT_BAD_ARGUMENT = 23,      /* null pointer, axis number too large, structure of unknown size */
+
+  /* The cycle. The step was done all the same, unless it says otherwise. */
+  AXISRT_BAD_INPUT = 40,  /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
+  AXISRT_NOT_RESET = 41   /* the axis was never reset: its output repeats the input, nothing was filtered */
+} axisrt_status;
+
+/* One sentence in English, for logs; never null. May be called anywhere. */
+const char* axisrt_status_text(axisrt_status status);
+/* The constant's own name, "AXISRT_OK". */
+const char* axisrt_status_name(axisrt_status status);
+
+/* Version of this interface; changes when a program must be rebuilt. */
+#define AXISRT_ABI_VERSION 1u
+uint32_t axisrt_abi_version(void);
+
+#define AXISRT_ALIGNMENT 64u
+
+/* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64 bytes.
+ * Cost: one pass for the checksum, one over the content. Not in the cycle. */
+axisrt_status axisrt_verify(const void* image, size_t size);
+
+typedef struct axisrt axisrt;
+
+typedef struct axisrt_config {
+  uint32_t size;           /* sizeof(axisrt_config) */
+  uint32_t cycle_time_ns;  /* the controller's real NC cycle time; an image for another one is refused */
+  const void* image;       /* aligned to 64 bytes; only read, and not needed after create, except for names */
+  size_t image_size;
+  void* memory;            /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
+  size_t memory_size;
+} axisrt_config;
+
+/* Bytes that create needs for this image; `memory` and `memory_size` of the configuration are not looked at.
+ * Verifies the image. Not in the cycle. */
+axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
+
+/* Verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
+ * stepped before it was reset. On failure *runtime is null. Not in the cycle. */
+axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
+
+uint32_t axisrt_axis_count(const axisrt* runtime);
+uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
+/* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image. */
+const char* axisrt_axis_name(const axisrt* runtime, uint32_t axis, size_t* length);
+/* 1 if the axis has a filter on its additional interface, else 0. */
+int axisrt_has_interface(const axisrt* runtime, uint32_t axis);
+
+/* Puts every setpoint filter into the steady state for `position`: the next output for that setpoint is the steady
+ * output (for DC gain 1 the position itself, exactly). Cost: the axis' states. May be called in the cycle. */
+axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position);
+
+/* The same for the additional interface (steady at `value`). axisrt_reset does not touch it. */
+axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value);
+
+/* Shifts the origin of an axis by `offset` without any effect on the motion (modulo axes): setpoints and outputs
+ * from now on are larger by `offset`. Exact when the shifted positions are representable. */
+axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
+
+/* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint. `in` may equal `out`. `status` may be null,
+ * else status[axis] receives what happened to that axis. Returns the worst of them.
+ * Cost: constant for a given image, whatever the values are. */
+axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
+
+/* One NC cycle of the additional interface; axes without a filter there pass through. */
+axisrt_status axisrt_step_interface(axisrt* runtime, const double* in, double* out, uint8_t* status);
+
+#define AXISRT_MOST_FILTERS 3u
+
+typedef struct axisrt_axis_state {
+  double unfiltered;                         /* the setpoint that went in (the last good one) */
+  double filtered;                           /* what came out */
+  double filter_output[AXISRT_MOST_FILTERS]; /* output of each filter of the cascade, in order */
+  uint32_t filters;                          /* how many of them there are */
+  uint32_t filters_on;                       /* bit i: filter i of the cascade works */
+  uint32_t settled;                          /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
+  uint32_t reset_done;                       /* 1 if the axis was reset since create */
+} axisrt_axis_state;
+
+/* Cost: constant. May be called in the cycle. */
+axisrt_status axisrt_get_axis_state(const axisrt* runtime, uint32_t axis, axisrt_axis_state* state);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,111 @@
+// The catalogue of all axis parameters: what exists, of which type, in which range.
+//
+// The facts stand in axis-parameters.json; a generator turns them at build time into constant tables with a perfect
+// hash over all concrete names, so that nothing is parsed or allocated when the program starts.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::schema {
+
+enum class DataType : std::uint8_t { boolean, uns08, uns16, uns32, uns64, sgn08, sgn16, sgn32, sgn64, real64, string };
+
+/// "UNS32".
+[[nodiscard]] std::string_view data_type_name(DataType type);
+[[nodiscard]] constexpr bool is_integer(DataType type) { return type >= DataType::uns08 && type <= DataType::sgn64; }
+
+/// A word of an enumeration; some have no documented number.
+struct Symbol {
+  std::string_view word;
+  std::optional<int> number;
+};
+
+/// One row of the catalogue: an index into parameters().
+enum class ParameterId : std::uint16_t {};
+/// One concrete parameter: a row with its indices, `filter[2].order`. Dense from 0 to slot_count() - 1.
+enum class Slot : std::uint16_t {};
+
+struct Limit {
+  enum class Kind : std::uint8_t { none, number, parameter };
+  Kind kind = Kind::none;
+  bool open = false;         ///< the limit itself is not allowed
+  double number = 0;         ///< for Kind::number; limits of the data type are written out as numbers
+  std::uint16_t p_axis = 0;  ///< for Kind::parameter: the number of the limiting parameter
+};
+
+struct Parameter {
+  std::string_view name;       ///< pattern: `filter[].order`
+  std::uint16_t p_axis = 0;    ///< 140 for P-AXIS-00140; 0 where no number is documented
+  DataType type{};
+  std::string_view default_text;      ///< as documented; empty where none is
+  bool has_default = false;
+  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
+  std::string_view unit_translatory;  ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
+  std::string_view unit_rotary;       ///< the same for rotary axes and spindles
+  Limit minimum;
+  Limit maximum;
+  std::span<Symbol const> symbols;  ///< words of an enumeration; FALSE and TRUE for booleans
+  std::uint16_t max_length = 0;     ///< of a string, in characters; 0 where none is documented
+  std::string_view axis_types;      ///< "TR" where the parameter is not for every type; empty means all
+  std::string_view since;           ///< build that introduced it; empty where it is as old as the catalogue
+  Slot first_slot{};
+  std::uint16_t slots = 1;
+
+  [[nodiscard]] std::size_t index_count() const { return array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U; }
+  [[nodiscard]] bool is_enumeration() const { return !symbols.empty() && type != DataType::boolean; }
+};
+
+[[nodiscard]] std::span<Parameter const> parameters();
+[[nodiscard]] Parameter const& parameter(ParameterId id);
+[[nodiscard]] std::size_t slot_count();
+
+/// "P-AXIS-00140"; empty for 0.
+[[nodiscard]] std::string p_axis_text(std::uint16_t number);
+
+/// What a name in a list means.
+struct NameLookup {
+  enum class Status : std::uint8_t {
+    found,
+    unknown,             ///< no such parameter
+    index_out_of_range,  ///< `index_position` says which index, `array_size` how many entries there are
+    index_missing,       ///< array parameter without (all of) its indices
+    index_superfluous,   ///< index on a scalar
+  };
+  Status status = Status::unknown;
+  bool case_folded = false;  ///< matches only after case folding
+  ParameterId parameter{};
+  Slot slot{};
+  std::array<std::uint32_t, 2> index{};
+  std::uint8_t index_position = 0;
+  std::uint16_t array_size = 0;
+};
+
+/// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
+/// `name` is syntactically right: identifiers joined by dots, each with at most one index.
+[[nodiscard]] NameLookup find(std::string_view name);
+
+/// All rows with that number (several names may share one); empty when there is none.
+[[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis);
+
+[[nodiscard]] ParameterId parameter_of(Slot slot);
+[[nodiscard]] std::array<std::uint32_t, 2> indices_of(Slot slot);
+/// `filter[2].order`.
+[[nodiscard]] std::string slot_name(Slot slot);
+/// Slot of a row with these indices; the indices are in range.
+[[nodiscard]] Slot slot_of(ParameterId id, std::uint32_t first_index = 0, std::uint32_t second_index = 0);
+
+/// True for a word that some enumeration knows (LOWPASS, TRUE).
+[[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word);
+
+/// Known names that a mistyped one may have meant, best first, at most three; the indices of `name` are kept.
+[[nodiscard]] std::vector<std::string> suggest_names(std::string_view name);
+/// The same among the words of one enumeration.
+[[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::string_view word);
+
+}  // namespace axisc::schema

@@ -1,0 +1,91 @@
+// One table of rules. A rule looks and reports; the engine decides what is shown.
+//
+// The engine applies, in this order: disabled codes and `axisc: allow` comments; rules that another finding on the same
+// subject silences (`silenced_by`); and for each token only the finding of the highest rank, so that one mistake gives one
+// message (a warning never hides an error; within one severity AX1, AX4, AX3, AX2002/2003/2004/2007/2015, AX2005; inside AX3
+// range errors before unused or rounded; else the lower code). Findings of a default list that several axes share are merged.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "design/units.hpp"
+#include "diagnostics/finding.hpp"
+#include "validator/effective_values.hpp"
+#include "validator/filter_view.hpp"
+#include "validator/machine.hpp"
+
+namespace axisc::validator {
+
+struct Rule;
+
+/// Collects what rules say. A rule fills the finding that add() returns; code, name, severity, control message number
+/// and axis are set already.
+class Report {
+ public:
+  explicit Report(std::vector<Finding>& findings) : findings_(findings) {}
+  /// At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
+  Finding& add(EffectiveValue const& at, Message message);
+  Finding& add(Place place, Message message);
+
+  Rule const* rule = nullptr;  ///< set by the engine
+  std::string axis;            ///< set by the engine
+
+ private:
+  std::vector<Finding>& findings_;
+};
+
+/// What a rule about one list sees.
+struct ListContext {
+  LoadedList const& list;
+  SourceText const& source;
+};
+
+/// What a rule about one axis sees.
+struct AxisContext {
+  std::string const& name;
+  AxisType type;
+  EffectiveValues const& values;
+  design::CycleTime cycle_time;  ///< the assumed 1 ms where none is known
+  SourceSet const& sources;
+  LoadedList const* default_list;  ///< may be null
+  LoadedList const& axis_list;
+};
+
+/// What a rule about one standard filter sees; every filter that a list touches is shown once.
+struct FilterContext {
+  AxisContext const& axis;
+  FilterView const& filter;
+};
+
+/// What a filter rule may need beside the values.
+enum class Needs : std::uint8_t { nothing = 0, cycle_time = 1 };
+
+using ListCheck = void (*)(ListContext const&, Report&);
+using AxisCheck = void (*)(AxisContext const&, Report&);
+using FilterCheck = void (*)(FilterContext const&, Report&);
+/// monostate: reported by the reading of machine files or by the program itself, not by a check.
+using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck>;
+
+struct Rule {
+  Code code{};
+  std::string_view name;
+  Severity severity = Severity::error;
+  std::string_view control;  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
+  Needs needs = Needs::nothing;
+  std::span<Code const> silenced_by;  ///< for the same filter: when one of these was reported, this rule says nothing
+  Check check;
+};
+
+/// All rules, by rising code.
+[[nodiscard]] std::span<Rule const> rules();
+/// The row of a code; null when there is none.
+[[nodiscard]] Rule const* find_rule(Code code);
+
+/// What `axisc explain` prints for a code: Markdown, one page per language (text/pages).
+[[nodiscard]] std::string_view rule_page(Code code, Language language);
+
+}  // namespace axisc::validator
