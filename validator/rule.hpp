@@ -85,7 +85,4 @@ struct Rule {
 /// The row of a code; null when there is none.
 [[nodiscard]] Rule const* find_rule(Code code);
 
-/// What `axisc explain` prints for a code: Markdown, one page per language (text/pages).
-[[nodiscard]] std::string_view rule_page(Code code, Language language);
-
 }  // namespace axisc::validator
