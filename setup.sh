@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# Installs what is missing from Debian packages. Does nothing, and needs no rights, where everything is there.
+#   ./setup.sh        what building and testing needs
+#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache pkg-config
+  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libvalijson-dev
+  catch2 librapidcheck-dev
+)
+if [ "${1:-}" = ci ]; then
+  packages+=(
+    clang clang-format clang-tidy libclang-rt-14-dev
+    g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
+  )
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "setup.sh: these packages are missing: ${missing[*]}" >&2
+    echo "setup.sh: run 'apt-get install --no-install-recommends ${missing[*]}' as root" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+echo "setup.sh: installing ${missing[*]}"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! { "${as_root[@]}" apt-get update &&
+       "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+  tail -20 "$log" >&2
+  echo "setup.sh: the packages could not be installed" >&2
+  exit 1
+fi
