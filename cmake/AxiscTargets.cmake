@@ -1,5 +1,11 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
+find_program(AXISC_CCACHE ccache)
+if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_C_COMPILER_LAUNCHER "${AXISC_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${AXISC_CCACHE}")
+endif()
+
 function(axisc_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF C_STANDARD 11 C_EXTENSIONS OFF)
@@ -7,6 +13,9 @@ function(axisc_compile_options target)
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(AXISC_DEVELOPER)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+  endif()
+  if(AXISC_BUILD_FUZZ)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
   endif()
   if(AXISC_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
