@@ -1,14 +1,14 @@
 // A finding is data: what is wrong, where, what the control would do, and what to write instead.
 #pragma once
 
+#include "diagnostics/source_text.hpp"
+#include "diagnostics/text.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "diagnostics/source_text.hpp"
-#include "diagnostics/text.hpp"
 
 namespace axisc {
 
@@ -43,9 +43,9 @@ struct Fix {
 
 /// What the control does with the same input.
 struct ControlReaction {
-  std::string message;             ///< its message numbers, "50663" or "50663/60311"; empty where it has none
+  std::string message;  ///< its message numbers, "50663" or "50663/60311"; empty where it has none
   std::optional<Message> reaction;  ///< in words
-  std::string value;               ///< the value it would run with; empty where none is known
+  std::string value;                ///< the value it would run with; empty where none is known
 };
 
 struct Finding {

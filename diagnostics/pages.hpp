@@ -1,14 +1,14 @@
 // The pages behind the codes: what `axisc explain` prints and docs/rules.md collects.
 #pragma once
 
-#include <string_view>
-
 #include "diagnostics/finding.hpp"
+
+#include <string_view>
 
 namespace axisc {
 
-/// Markdown without the heading; empty when there is no page. The pages stand in text/pages/<en|de>/AXNNNN.md and are
-/// embedded when the program is built.
+/// Markdown without the heading; empty when there is no page. The pages stand in text/pages/<en|de>/AXNNNN.md
+/// and are embedded when the program is built.
 [[nodiscard]] std::string_view page(Code code, Language language);
 
 }  // namespace axisc

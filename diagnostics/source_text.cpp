@@ -1,1 +1,94 @@
 #include "diagnostics/source_text.hpp"
+
+#include "diagnostics/utf8.hpp"
+#include "diagnostics/windows_1252.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace axisc {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+Encoding encoding_of(std::string_view bytes) {
+  if (valid_utf8_prefix(bytes) != bytes.size()) return Encoding::windows_1252;
+  return bytes.starts_with(byte_order_mark) ? Encoding::utf8_with_mark : Encoding::utf8;
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string name, std::string bytes)
+    : name_(std::move(name)),
+      bytes_(std::move(bytes)),
+      encoding_(encoding_of(bytes_)),
+      text_begin_(std::string_view(bytes_).starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
+
+std::vector<std::uint32_t> const& SourceText::line_starts() const {
+  if (line_starts_.empty()) {
+    line_starts_.push_back(0);
+    for (std::size_t end = bytes_.find('\n'); end != std::string::npos; end = bytes_.find('\n', end + 1)) {
+      line_starts_.push_back(static_cast<std::uint32_t>(end + 1));
+    }
+  }
+  return line_starts_;
+}
+
+Position SourceText::position(std::uint32_t offset) const {
+  std::uint32_t const at = std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
+  auto const& starts = line_starts();
+  auto const line =
+      static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), at) - starts.begin());
+  std::uint32_t const begin = std::max(starts[line - 1], text_begin_);
+
+  Position position{.line = line, .column = at - begin + 1};
+  if (encoding_ != Encoding::windows_1252) {
+    // Continuation bytes up to and including `at` belong to characters that began before.
+    std::string_view const before = slice({.begin = begin, .end = at});
+    auto inside = std::count_if(before.begin(), before.end(), is_continuation_byte);
+    if (at < bytes_.size() && is_continuation_byte(bytes_[at])) ++inside;
+    position.column -= static_cast<std::uint32_t>(inside);
+  }
+  return position;
+}
+
+Span SourceText::line_span(std::uint32_t line) const {
+  auto const size = static_cast<std::uint32_t>(bytes_.size());
+  auto const& starts = line_starts();
+  if (line == 0 || line > starts.size()) return {.begin = size, .end = size};
+  bool const is_last = line == starts.size();
+  Span span{.begin = std::max(starts[line - 1], text_begin_), .end = is_last ? size : starts[line] - 1};
+  if (!is_last && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
+  return span;
+}
+
+std::uint32_t SourceText::line_count() const {
+  return static_cast<std::uint32_t>(line_starts().size());
+}
+
+std::string SourceText::utf8(Span span) const {
+  std::string_view const bytes = slice(span);
+  if (encoding_ != Encoding::windows_1252) return repair_utf8(bytes);
+  std::string text;
+  text.reserve(bytes.size());
+  for (char const byte : bytes) append_utf8(text, decode_windows_1252(byte));
+  return text;
+}
+
+std::string SourceText::encode(std::string_view text) const {
+  if (encoding_ != Encoding::windows_1252) return std::string(text);
+  std::string bytes;
+  bytes.reserve(text.size());
+  while (!text.empty()) {
+    DecodedCharacter const character = decode_utf8(text);
+    bytes += encode_windows_1252(character.value).value_or('?');
+    text.remove_prefix(character.size);
+  }
+  return bytes;
+}
+
+}  // namespace axisc

@@ -1,42 +1,50 @@
 // One source file as it was read: its bytes never change, everything else is a view.
 #pragma once
 
+#include "diagnostics/span.hpp"
+
 #include <cstdint>
 #include <deque>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
-
-#include "diagnostics/span.hpp"
 
 namespace axisc {
 
-/// UTF-8 where the bytes are valid UTF-8, else windows-1252: real lists carry umlauts in single-byte encodings.
+/// UTF-8 where the bytes are valid UTF-8, else windows-1252: real lists carry umlauts in single-byte
+/// encodings.
 enum class Encoding : std::uint8_t { utf8, utf8_with_mark, windows_1252 };
 
 /// The text of one source. Offsets count bytes from the start of the file, the byte order mark included.
 class SourceText {
  public:
-  /// `name` is what findings show: the path as the user or the machine file wrote it.
+  /// `name` is what findings show: the path as the user or the machine file wrote it. `bytes` are at most 4
+  /// GiB - 1 long (offsets have 32 bits; the reader of files refuses long before). Cost: one pass that finds
+  /// the encoding.
   SourceText(std::string name, std::string bytes);
 
   [[nodiscard]] std::string const& name() const { return name_; }
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
   [[nodiscard]] Encoding encoding() const { return encoding_; }
-  /// Offset of the first byte behind a byte order mark.
-  [[nodiscard]] std::uint32_t text_begin() const { return encoding_ == Encoding::utf8_with_mark ? 3 : 0; }
+  /// Offset of the first byte behind a byte order mark. A marked file whose bytes are not all UTF-8 is
+  /// windows-1252, but its mark is no text either.
+  [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
-  /// Cost: a binary search over line starts and the code points of one line. The line table is built at the first
-  /// call (one pass), so one SourceText serves one thread at a time.
+  /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
+  /// place behind it. Cost: a binary search over line starts and the code points of one line. The line table
+  /// is built at the first call (one pass), so one SourceText serves one thread at a time.
   [[nodiscard]] Position position(std::uint32_t offset) const;
-  /// Bytes of line `line` (from 1) without its line end.
+  /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
+  /// the end of the file for a line that is not there.
   [[nodiscard]] Span line_span(std::uint32_t line) const;
+  /// At least 1: the empty line behind a last line end counts, so that every offset has its line.
   [[nodiscard]] std::uint32_t line_count() const;
 
   [[nodiscard]] std::string_view slice(Span span) const {
     return std::string_view(bytes_).substr(span.begin, span.size());
   }
-  /// The bytes of `span` as UTF-8.
+  /// The bytes of `span` as well-formed UTF-8; what cannot be decoded becomes U+FFFD.
   [[nodiscard]] std::string utf8(Span span) const;
   /// `text` (UTF-8) in this source's encoding; a character that windows-1252 lacks becomes '?'.
   [[nodiscard]] std::string encode(std::string_view text) const;
@@ -47,6 +55,7 @@ class SourceText {
   std::string name_;
   std::string bytes_;
   Encoding encoding_;
+  std::uint32_t text_begin_;
   mutable std::vector<std::uint32_t> line_starts_;
 };
 
@@ -59,7 +68,9 @@ class SourceSet {
     texts_.push_back(std::move(text));
     return static_cast<SourceId>(texts_.size() - 1);
   }
-  [[nodiscard]] SourceText const& operator[](SourceId id) const { return texts_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] SourceText const& operator[](SourceId id) const {
+    return texts_[static_cast<std::size_t>(id)];
+  }
   [[nodiscard]] std::size_t size() const { return texts_.size(); }
 
  private:

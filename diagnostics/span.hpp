@@ -16,7 +16,8 @@ struct Span {
   friend constexpr auto operator<=>(Span const&, Span const&) = default;
 };
 
-/// Line and column, both counted from 1; columns count Unicode code points, so a tab or an umlaut is one column.
+/// Line and column, both counted from 1; columns count Unicode code points, so a tab or an umlaut is one
+/// column.
 struct Position {
   std::uint32_t line = 1;
   std::uint32_t column = 1;

@@ -1,1 +1,63 @@
 #include "diagnostics/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace axisc {
+namespace {
+
+struct Entry {
+  std::string_view key;
+  std::string_view english;
+  std::string_view german;
+};
+
+constexpr std::array entries{
+#define AXISC_TEXT(key, english, german) Entry{#key, english, german},
+#include "diagnostics/text/all.inc"
+#undef AXISC_TEXT
+};
+static_assert(entries.size() == static_cast<std::size_t>(Text::count_));
+
+// Appends what stands at the front of `rest`, a brace or a placeholder, and removes it.
+void render_brace(std::string_view& rest, Message const& message, std::string& rendered) {
+  bool const is_doubled = rest.size() > 1 && rest[1] == rest[0];
+  std::size_t const close = rest.find('}');
+  if (is_doubled || rest.front() == '}' || close == std::string_view::npos) {
+    rendered += rest.front();
+    rest.remove_prefix(is_doubled ? 2 : 1);
+    return;
+  }
+  std::string_view const name = rest.substr(1, close - 1);
+  auto const found = std::find_if(message.arguments.begin(), message.arguments.end(),
+                                  [name](Argument const& argument) { return argument.name == name; });
+  rendered += found == message.arguments.end() ? rest.substr(0, close + 1) : std::string_view(found->value);
+  rest.remove_prefix(close + 1);
+}
+
+}  // namespace
+
+std::string_view text_template(Text text, Language language) {
+  Entry const& entry = entries.at(static_cast<std::size_t>(text));
+  return language == Language::german ? entry.german : entry.english;
+}
+
+std::string_view text_key(Text text) {
+  return entries.at(static_cast<std::size_t>(text)).key;
+}
+
+std::string render(Message const& message, Language language) {
+  std::string_view rest = text_template(message.text, language);
+  std::string rendered;
+  while (!rest.empty()) {
+    std::size_t const plain = std::min(rest.find_first_of("{}"), rest.size());
+    rendered += rest.substr(0, plain);
+    rest.remove_prefix(plain);
+    if (!rest.empty()) render_brace(rest, message, rendered);
+  }
+  return rendered;
+}
+
+}  // namespace axisc

@@ -1,9 +1,12 @@
 // Every sentence the program can say, in English and German.
 //
 // The sentences stand in text/*.inc, both languages side by side:
-//     AXISC_TEXT(ax3005, "the delay must be shorter than {limit}", "die Verzögerung muss kürzer als {limit} sein")
-// which makes Text::ax3005. `{limit}` is a placeholder that a Message fills; both languages name the same ones.
-// `{{` and `}}` print single braces. Names: `axNNNN` for the headline of a code, `axNNNN_…` for what stands beside it.
+//     AXISC_TEXT(ax3005, "the delay must be shorter than {limit}", "die Verzögerung muss kürzer als {limit}
+//     sein")
+// which makes Text::ax3005. `{limit}` is a placeholder that a Message fills; both languages name the same
+// ones.
+// `{{` and `}}` print single braces. Names: `axNNNN` for the headline of a code, `axNNNN_…` for what stands
+// beside it.
 #pragma once
 
 #include <cstdint>
