@@ -12,6 +12,7 @@ enum {
   axim_most_delay = 100,
   axim_most_sections = 6,
   axim_most_filters = 3,
+  axim_most_samples = 1024,
 
 /* axim_<record>_size */
 #define AXIM_RECORD(record, size, meaning) axim_##record##_size = (size),
