@@ -1,0 +1,111 @@
+#include "diagnostics/fix_preview.hpp"
+
+#include "diagnostics/utf8.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+Lines split(std::string_view text) {
+  Lines lines;
+  while (true) {
+    std::size_t const end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (end < text.size() && line.ends_with('\r')) line.remove_suffix(1);
+    lines.emplace_back(line);
+    if (end == text.size()) return lines;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::size_t first_difference(std::string_view left, std::string_view right) {
+  std::size_t at = 0;
+  for (; !left.empty() && !right.empty(); ++at) {
+    DecodedCharacter const character = decode_utf8(left);
+    if (left.substr(0, character.size) != right.substr(0, character.size)) break;
+    left.remove_prefix(character.size);
+    right.remove_prefix(character.size);
+  }
+  return at;
+}
+
+// Leaves only the lines in the middle that differ, and returns how many equal ones stood before them.
+std::uint32_t drop_equal_lines(Lines& before, Lines& after) {
+  while (!before.empty() && !after.empty() && before.back() == after.back()) {
+    before.pop_back();
+    after.pop_back();
+  }
+  auto const [end_before, end_after] =
+      std::mismatch(before.begin(), before.end(), after.begin(), after.end());
+  auto const dropped = end_before - before.begin();
+  before.erase(before.begin(), end_before);
+  after.erase(after.begin(), end_after);
+  return static_cast<std::uint32_t>(dropped);
+}
+
+void add_lines(PreviewBlock& block, Lines const& lines, Lines const& opposite, std::uint32_t number,
+               bool added) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    block.lines.push_back(
+        {.number = number + static_cast<std::uint32_t>(i),
+         .added = added,
+         .text = lines[i],
+         .first_change = i < opposite.size() ? first_difference(lines[i], opposite[i]) : 0});
+  }
+}
+
+// The edits [first, end) all touch the lines from that of *first to `last_line`.
+template <class Iterator>
+PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, SourceText const& source) {
+  PreviewBlock block{
+      .source = first->place.source, .begin = source.position(first->place.span.begin), .lines = {}};
+  Span const region{.begin = source.line_span(block.begin.line).begin,
+                    .end = source.line_span(last_line).end};
+  std::string edited;
+  std::uint32_t copied = region.begin;
+  for (auto edit = first; edit != end; ++edit) {
+    edited += source.utf8({.begin = copied, .end = std::max(copied, edit->place.span.begin)});
+    edited += edit->text;
+    copied = std::max(copied, edit->place.span.end);
+  }
+  edited += source.utf8({.begin = copied, .end = std::max(copied, region.end)});
+
+  Lines before = split(source.utf8(region));
+  Lines after = split(edited);
+  std::uint32_t const number = block.begin.line + drop_equal_lines(before, after);
+  add_lines(block, before, after, number, false);
+  add_lines(block, after, before, number, true);
+  return block;
+}
+
+}  // namespace
+
+std::vector<PreviewBlock> preview(Fix const& fix, SourceSet const& sources) {
+  std::vector<Edit> edits = fix.edits;
+  std::stable_sort(edits.begin(), edits.end(),
+                   [](Edit const& left, Edit const& right) { return left.place < right.place; });
+  std::vector<PreviewBlock> blocks;
+  for (auto first = edits.cbegin(); first != edits.cend();) {
+    SourceText const& source = sources[first->place.source];
+    std::uint32_t last_line = source.position(first->place.span.end).line;
+    auto end = first + 1;
+    while (end != edits.cend() && end->place.source == first->place.source &&
+           source.position(end->place.span.begin).line <= last_line) {
+      last_line = std::max(last_line, source.position(end->place.span.end).line);
+      ++end;
+    }
+    blocks.push_back(block_of(first, end, last_line, source));
+    first = end;
+  }
+  return blocks;
+}
+
+}  // namespace axisc

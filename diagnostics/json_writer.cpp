@@ -1,0 +1,115 @@
+#include "diagnostics/location.hpp"
+#include "diagnostics/writers.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json string_or_null(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json as_json(Related const& related, SourceSet const& sources, Language language) {
+  Location const location = locate(related.place, sources);
+  return {{"file", location.file},
+          {"line", location.begin.line},
+          {"column", location.begin.column},
+          {"message", render(related.message, language)}};
+}
+
+Json as_json(Edit const& edit, SourceSet const& sources) {
+  Location const location = locate(edit.place, sources);
+  return {
+      {"file", location.file},         {"line", location.begin.line},       {"column", location.begin.column},
+      {"end_line", location.end.line}, {"end_column", location.end.column}, {"text", edit.text}};
+}
+
+Json as_json(std::optional<Fix> const& fix, SourceSet const& sources, Language language) {
+  if (!fix) return {};
+  Json edits = Json::array();
+  for (Edit const& edit : fix->edits) edits.push_back(as_json(edit, sources));
+  return {{"title", render(fix->title, language)}, {"edits", std::move(edits)}};
+}
+
+Json as_json(std::optional<ControlReaction> const& control, Language language) {
+  if (!control) return {};
+  return {{"message", string_or_null(control->message)},
+          {"reaction", control->reaction ? Json(render(*control->reaction, language)) : Json()},
+          {"value", string_or_null(control->value)}};
+}
+
+// The label is a note whose place is the finding's own; help is a note that advises.
+Json notes_of(Finding const& finding, Language language) {
+  Json notes = Json::array();
+  if (finding.label) notes.push_back(render(*finding.label, language));
+  for (Message const& note : finding.notes) notes.push_back(render(note, language));
+  for (Message const& help : finding.help) notes.push_back(render(help, language));
+  return notes;
+}
+
+Json as_json(Finding const& finding, SourceSet const& sources, Language language) {
+  std::optional<Location> location;
+  if (finding.place) location = locate(*finding.place, sources);
+  Json related = Json::array();
+  for (Related const& place : finding.related) related.push_back(as_json(place, sources, language));
+  return {{"code", code_text(finding.code)},
+          {"name", finding.name},
+          {"severity", severity_name(finding.severity)},
+          {"message", render(finding.message, language)},
+          {"file", string_or_null(file_of(finding, sources))},
+          {"line", location ? Json(location->begin.line) : Json()},
+          {"column", location ? Json(location->begin.column) : Json()},
+          {"end_line", location ? Json(location->end.line) : Json()},
+          {"end_column", location ? Json(location->end.column) : Json()},
+          {"parameter", string_or_null(finding.parameter)},
+          {"p_axis", string_or_null(finding.p_axis)},
+          {"axis", string_or_null(finding.axis)},
+          {"control", as_json(finding.control, language)},
+          {"notes", notes_of(finding, language)},
+          {"related", std::move(related)},
+          {"fix", as_json(finding.fix, sources, language)}};
+}
+
+// Line breaks inside strings are escaped, so every one here is between tokens.
+void append_indented(std::string& text, Json const& value, std::string_view indent) {
+  std::string const dumped = value.dump(2, ' ', false, Json::error_handler_t::replace);
+  std::string_view rest = dumped;
+  while (true) {
+    std::size_t const end = std::min(rest.find('\n'), rest.size() - 1) + 1;
+    text.append(rest.substr(0, end));
+    rest.remove_prefix(end);
+    if (rest.empty()) return;
+    text.append(indent);
+  }
+}
+
+}  // namespace
+
+// One document of all findings would take several kilobytes of memory for each; here only one finding is a
+// tree at a time.
+std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, std::size_t files,
+                       WriteOptions const& options) {
+  std::string text = "{\n  \"version\": 1,\n  \"diagnostics\": [";
+  for (Finding const& finding : findings) {
+    text += &finding == &findings.front() ? "\n    " : ",\n    ";
+    append_indented(text, as_json(finding, sources, options.language), "    ");
+  }
+  text += findings.empty() ? "],\n  \"summary\": " : "\n  ],\n  \"summary\": ";
+  FindingCounts const counts = count(findings);
+  append_indented(
+      text,
+      {{"files", files}, {"errors", counts.errors}, {"warnings", counts.warnings}, {"notes", counts.notes}},
+      "  ");
+  return text + "\n}\n";
+}
+
+}  // namespace axisc

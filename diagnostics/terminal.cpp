@@ -1,0 +1,74 @@
+#include "diagnostics/terminal.hpp"
+
+#include "diagnostics/utf8.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace axisc {
+namespace {
+
+bool is_control(char32_t character) {
+  return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0x2028 ||
+         character == 0x2029;
+}
+
+// A reader must see the characters in the order in which the control reads them.
+bool turns_direction(char32_t character) {
+  return (character >= 0x202A && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069) ||
+         character == 0x200E || character == 0x200F || character == 0x061C;
+}
+
+std::string_view escape_of(Style style) {
+  switch (style) {
+    case Style::error:
+      return "\x1b[1;31m";
+    case Style::warning:
+      return "\x1b[1;33m";
+    case Style::note:
+      return "\x1b[1;36m";
+    case Style::gutter:
+      return "\x1b[1;34m";
+    case Style::added:
+      return "\x1b[32m";
+    case Style::removed:
+      return "\x1b[31m";
+    case Style::strong:
+      break;
+  }
+  return "\x1b[1m";
+}
+
+}  // namespace
+
+void append_printable(std::string& text, char32_t character) {
+  constexpr char32_t picture_of_null = 0x2400;
+  constexpr char32_t picture_of_delete = 0x2421;
+  if (character < 0x20) {
+    append_utf8(text, picture_of_null + character);
+  } else if (character == 0x7F) {
+    append_utf8(text, picture_of_delete);
+  } else if (is_control(character) || turns_direction(character)) {
+    append_utf8(text, replacement_character);
+  } else {
+    append_utf8(text, character);
+  }
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  while (!text.empty()) {
+    DecodedCharacter const character = decode_utf8(text);
+    append_printable(shown, character.value);
+    text.remove_prefix(character.size);
+  }
+  return shown;
+}
+
+std::string Painter::operator()(Style style, std::string_view text) const {
+  if (!color_ || text.empty()) return std::string(text);
+  return std::string(escape_of(style)).append(text).append("\x1b[0m");
+}
+
+}  // namespace axisc

@@ -1,0 +1,231 @@
+#include "diagnostics/fix_preview.hpp"
+#include "diagnostics/location.hpp"
+#include "diagnostics/shown_line.hpp"
+#include "diagnostics/terminal.hpp"
+#include "diagnostics/writers.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+namespace {
+
+Style style_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return Style::error;
+    case Severity::warning:
+      return Style::warning;
+    case Severity::note:
+      break;
+  }
+  return Style::note;
+}
+
+Text word_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return Text::word_error;
+    case Severity::warning:
+      return Text::word_warning;
+    case Severity::note:
+      break;
+  }
+  return Text::word_note;
+}
+
+/// How a place is pointed at: the finding's own with carets in its colour, the others with dashes.
+struct Pointer {
+  std::string_view arrow;
+  char mark;
+  Style style;
+};
+
+constexpr Pointer related_pointer{.arrow = ":::", .mark = '-', .style = Style::gutter};
+
+class TextWriter {
+ public:
+  TextWriter(Finding const& finding, SourceSet const& sources, WriteOptions const& options)
+      : finding_(finding), sources_(sources), language_(options.language), paint_(options.color) {
+    if (finding.fix) blocks_ = preview(*finding.fix, sources);
+    gutter_width_ = std::to_string(largest_line_number()).size();
+  }
+
+  std::string write() && {
+    write_headline();
+    if (finding_.place) {
+      Pointer const pointer{.arrow = "-->", .mark = '^', .style = style_of(finding_.severity)};
+      write_place(*finding_.place, pointer, finding_.label ? sentence(*finding_.label) : std::string());
+    } else if (!finding_.file.empty()) {
+      write_arrow("-->", printable(finding_.file));
+    }
+    for (Related const& related : finding_.related) {
+      write_empty_gutter();
+      write_place(related.place, related_pointer, sentence(related.message));
+    }
+    write_below();
+    return std::move(out_);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t largest_line_number() const {
+    std::uint32_t largest = 1;
+    auto const take = [&](Place const& place) {
+      largest = std::max(largest, locate(place, sources_).begin.line);
+    };
+    if (finding_.place) take(*finding_.place);
+    for (Related const& related : finding_.related) take(related.place);
+    for (PreviewBlock const& block : blocks_) {
+      for (PreviewLine const& line : block.lines) largest = std::max(largest, line.number);
+    }
+    return largest;
+  }
+
+  [[nodiscard]] std::string sentence(Message const& message) const {
+    return printable(render(message, language_));
+  }
+  [[nodiscard]] std::string word(Text text) const {
+    return render({.text = text, .arguments = {}}, language_);
+  }
+
+  void write_headline() {
+    std::string const head = word(word_of(finding_.severity)) + '[' + code_text(finding_.code) + ']';
+    out_ += paint_(style_of(finding_.severity), head);
+    out_ += paint_(Style::strong, ": " + sentence(finding_.message));
+    out_ += '\n';
+  }
+
+  void write_arrow(std::string_view arrow, std::string const& target) {
+    out_ += std::string(gutter_width_, ' ');
+    out_ += paint_(Style::gutter, arrow);
+    out_ += ' ' + target + '\n';
+  }
+
+  void write_arrow(std::string_view arrow, std::string_view file, Position position) {
+    write_arrow(
+        arrow, printable(file) + ':' + std::to_string(position.line) + ':' + std::to_string(position.column));
+  }
+
+  void write_empty_gutter() {
+    out_ += std::string(gutter_width_ + 1, ' ');
+    out_ += paint_(Style::gutter, "|");
+    out_ += '\n';
+  }
+
+  [[nodiscard]] std::string numbered(std::uint32_t line) const {
+    std::string const number = std::to_string(line);
+    return std::string(gutter_width_ - number.size(), ' ') + number + ' ';
+  }
+
+  void write_place(Place const& place, Pointer const& pointer, std::string const& label) {
+    Location const location = locate(place, sources_);
+    write_arrow(pointer.arrow, location.file, location.begin);
+    write_empty_gutter();
+
+    SourceText const& source = sources_[place.source];
+    std::size_t const begin = location.begin.column - 1;
+    std::size_t const end =
+        location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
+    std::string const line = source.utf8(source.line_span(location.begin.line));
+    ShownLine const shown = show_line(line, {.begin = begin, .end = end});
+    out_ += paint_(Style::gutter, numbered(location.begin.line) + '|');
+    out_ += ' ' + shown.text + '\n';
+
+    std::string marks(shown.width, pointer.mark);
+    if (!label.empty()) marks += ' ' + label;
+    out_ += std::string(gutter_width_ + 1, ' ');
+    out_ += paint_(Style::gutter, "|");
+    out_ += ' ' + shown.indent + paint_(pointer.style, marks) + '\n';
+  }
+
+  void write_below() {
+    bool const is_empty =
+        finding_.notes.empty() && finding_.help.empty() && !finding_.fix && control_text().empty();
+    if (is_empty) return;
+    if (finding_.place || !finding_.related.empty()) write_empty_gutter();
+    for (Message const& note : finding_.notes) write_line_below("", sentence(note));
+    if (std::string const control = control_text(); !control.empty()) {
+      write_line_below(word(Text::word_control) + ": ", control);
+    }
+    for (Message const& help : finding_.help) write_line_below(word(Text::word_help) + ": ", sentence(help));
+    if (finding_.fix) write_fix();
+  }
+
+  void write_line_below(std::string const& head, std::string const& text) {
+    out_ += std::string(gutter_width_ + 1, ' ');
+    out_ += paint_(Style::gutter, "=");
+    out_ += ' ' + paint_(Style::strong, head) + text + '\n';
+  }
+
+  /// "message 50663: the filter is switched off; runs with 0".
+  [[nodiscard]] std::string control_text() const {
+    if (!finding_.control) return {};
+    ControlReaction const& control = *finding_.control;
+    std::string text;
+    if (!control.message.empty()) {
+      bool const is_one = control.message.find('/') == std::string::npos;
+      text += sentence({.text = is_one ? Text::control_message : Text::control_messages,
+                        .arguments = {{.name = "number", .value = control.message}}});
+    }
+    if (control.reaction) {
+      if (!text.empty()) text += ": ";
+      text += sentence(*control.reaction);
+    }
+    if (!control.value.empty()) {
+      if (!text.empty()) text += "; ";
+      text +=
+          sentence({.text = Text::control_value, .arguments = {{.name = "value", .value = control.value}}});
+    }
+    return text;
+  }
+
+  void write_fix() {
+    write_line_below(word(Text::word_fix) + ": ", sentence(finding_.fix->title));
+    for (PreviewBlock const& block : blocks_) {
+      if (!finding_.place || finding_.place->source != block.source) {
+        write_arrow(related_pointer.arrow, sources_[block.source].name(), block.begin);
+      }
+      bool const replaces = std::any_of(block.lines.begin(), block.lines.end(),
+                                        [](PreviewLine const& line) { return line.added; });
+      for (PreviewLine const& line : block.lines) {
+        // The finding's own line stands above already.
+        bool const is_shown_above = replaces && !line.added && is_own_line(block.source, line.number);
+        if (!is_shown_above) write_preview_line(line);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_own_line(SourceId source, std::uint32_t line) const {
+    return finding_.place && finding_.place->source == source &&
+           locate(*finding_.place, sources_).begin.line == line;
+  }
+
+  void write_preview_line(PreviewLine const& line) {
+    ShownLine const shown = show_line(line.text, {.begin = line.first_change, .end = line.first_change});
+    Style const style = line.added ? Style::added : Style::removed;
+    out_ += paint_(Style::gutter, numbered(line.number));
+    out_ += paint_(style, line.added ? "+" : "-");
+    if (!shown.text.empty()) out_ += ' ' + paint_(style, shown.text);
+    out_ += '\n';
+  }
+
+  Finding const& finding_;
+  SourceSet const& sources_;
+  Language language_;
+  Painter paint_;
+  std::vector<PreviewBlock> blocks_;
+  std::size_t gutter_width_ = 1;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string write_text(Finding const& finding, SourceSet const& sources, WriteOptions const& options) {
+  return TextWriter(finding, sources, options).write();
+}
+
+}  // namespace axisc
