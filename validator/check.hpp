@@ -1,15 +1,16 @@
-// The one call that most users of this folder need: sources in, findings and (when there is no error) a machine out.
+// The one call that most users of this folder need: sources in, findings and (when there is no error) a
+// machine out.
 #pragma once
-
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "validator/files.hpp"
 #include "validator/machine.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace axisc::validator {
 
@@ -21,15 +22,16 @@ struct CheckOptions {
 };
 
 struct CheckResult {
-  std::vector<Finding> findings;     ///< in output order
-  std::optional<Machine> machine;    ///< only without errors
-  bool cycle_time_assumed = false;   ///< 1 ms was assumed, and a rule needed it
+  std::vector<Finding> findings;        ///< in output order
+  std::optional<Machine> machine;       ///< only without errors
+  bool cycle_time_assumed = false;      ///< 1 ms was assumed, and a rule needed it
   std::optional<FileError> unreadable;  ///< the input itself could not be read: exit status 2
-  std::vector<std::string> files;    ///< every file that was read, in order (for dependency files)
+  std::vector<std::string> files;       ///< every file that was read, in order (for dependency files)
 };
 
-/// `path` ends in .json and has a key "axes": a machine file; else one axis list. `sources` receives every text read.
-/// Never throws for bad input.
-[[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources);
+/// `path` ends in .json and has a key "axes": a machine file; else one axis list. `sources` receives every
+/// text read. Never throws for bad input.
+[[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
+                                SourceSet& sources);
 
 }  // namespace axisc::validator

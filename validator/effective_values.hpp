@@ -1,22 +1,26 @@
-// Internal defaults, then the default list, then the axis' own list: what the control would run with, and why.
+// Internal defaults, then the default list, then the axis' own list: what the control would run with, and
+// why.
 #pragma once
-
-#include <cstdint>
-#include <optional>
-#include <vector>
 
 #include "diagnostics/source_text.hpp"
 #include "grammar/axis_list.hpp"
 #include "schema/catalogue.hpp"
+#include "validator/reading.hpp"
 #include "validator/value.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace axisc::validator {
 
-/// A list that was read: its source, its tree, and its role.
+/// A list that was read: its source, its tree, its role, and what each assignment means.
 struct LoadedList {
   SourceId source{};
   grammar::AxisList tree;
   bool is_default_list = false;
+  std::vector<Reading> readings;  ///< one per assignment of the tree
 };
 
 enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
@@ -29,8 +33,8 @@ struct EffectiveValue {
   std::optional<Place> value_place;  ///< the token in the list that counts; none for the internal default
   std::optional<Place> name_place;
   std::uint32_t line = 0;
-  /// A list sets the parameter, but the line cannot be used (it has a finding of its own). Rules that need the value
-  /// stay silent: one mistake, one message. `value` is then that of the earlier stage.
+  /// A list sets the parameter, but the line cannot be used (it has a finding of its own). Rules that need
+  /// the value stay silent: one mistake, one message. `value` is then that of the earlier stage.
   bool unusable = false;
   bool referenced = false;  ///< the value came through a reference to another parameter
 
@@ -43,17 +47,48 @@ class EffectiveValues {
   EffectiveValues();
   /// Value of one slot. Cost: constant.
   [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const;
-  /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue.
-  [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0, std::uint32_t second_index = 0) const;
-  /// What lists set, in the order of the lines (default list first).
+  /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
+  /// range.
+  [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0,
+                                         std::uint32_t second_index = 0) const;
+  /// What lists set, in the order in which the lines that count stand (default list first).
   [[nodiscard]] std::vector<schema::Slot> const& set_slots() const { return set_slots_; }
 
+  /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
+  /// references.
   EffectiveValue& edit(schema::Slot slot);
+  /// Brings set_slots() into the order of the lines; call it after the last edit().
+  void order_set_slots();
 
  private:
   std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
   std::vector<EffectiveValue> entries_;
   std::vector<schema::Slot> set_slots_;
 };
+
+/// Slot of a pattern of the catalogue with its indices.
+[[nodiscard]] schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index = 0,
+                                   std::uint32_t second_index = 0);
+
+/// What went wrong with a reference (AX2010..AX2014).
+enum class ReferenceTrouble : std::uint8_t { unresolvable, circular, wrong_type, wrong_index, other_unit };
+
+struct ReferenceProblem {
+  ReferenceTrouble trouble{};
+  schema::Slot slot{};                 ///< the parameter whose value is the reference
+  std::uint32_t p_axis = 0;            ///< what it names
+  std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
+  std::vector<schema::Slot> circle;    ///< the other members of a circle
+};
+
+struct MergedValues {
+  EffectiveValues values;
+  std::vector<ReferenceProblem> reference_problems;
+};
+
+/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units
+/// that AX2014 compares. Cost: linear in the assignments.
+[[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
+                                       bool rotary);
 
 }  // namespace axisc::validator

@@ -1,4 +1,5 @@
-// Where sources come from: the disk for the command line, editor buffers for a language server, a map in tests.
+// Where sources come from: the disk for the command line, editor buffers for a language server, a map in
+// tests.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,17 @@
 
 namespace axisc::validator {
 
-enum class FileError : std::uint8_t { not_found, is_folder, no_permission, not_readable, too_large, line_too_long, binary, utf16, image };
+enum class FileError : std::uint8_t {
+  not_found,
+  is_folder,
+  no_permission,
+  not_readable,
+  too_large,
+  line_too_long,
+  binary,
+  utf16,
+  image
+};
 
 /// Longest file that is read.
 inline constexpr std::uint64_t largest_file = 1ULL << 30U;

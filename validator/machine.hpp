@@ -1,17 +1,17 @@
-// The checked machine: what the image is made from. No strings to interpret, no number without unit, optional where a
-// feature is off. A Machine exists only when no error was found.
+// The checked machine: what the image is made from. No strings to interpret, no number without unit, optional
+// where a feature is off. A Machine exists only when no error was found.
 #pragma once
+
+#include "design/filter_specification.hpp"
+#include "design/units.hpp"
+#include "validator/effective_values.hpp"
+#include "validator/filter_view.hpp"
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "design/filter_specification.hpp"
-#include "design/units.hpp"
-#include "validator/effective_values.hpp"
-#include "validator/filter_view.hpp"
 
 namespace axisc::validator {
 
@@ -35,11 +35,12 @@ struct AxisConfiguration {
   std::string name;
   std::uint32_t number = 1;  ///< kopf.achs_nr
   AxisType type = AxisType::translatory;
-  std::vector<ConfiguredFilter> filters;            ///< active filter[i], in order of i
-  std::vector<ConfiguredFilter> interface_filters;  ///< active lr_param.add_interface.filter[i], and only if the interface is on
-  double position_window = 0.4;   ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
-  double velocity_limit = 0;      ///< P-AXIS-00212, µm/s or 1e-3 °/s
-  double acceleration_limit = 0;  ///< P-AXIS-00008, mm/s² or °/s²
+  std::vector<ConfiguredFilter> filters;  ///< active filter[i], in order of i
+  std::vector<ConfiguredFilter>
+      interface_filters;         ///< active lr_param.add_interface.filter[i], and only if the interface is on
+  double position_window = 0.4;  ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
+  double velocity_limit = 0;     ///< P-AXIS-00212, µm/s or 1e-3 °/s
+  double acceleration_limit = 0;     ///< P-AXIS-00008, mm/s² or °/s²
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 

@@ -1,16 +1,11 @@
 // One table of rules. A rule looks and reports; the engine decides what is shown.
 //
-// The engine applies, in this order: disabled codes and `axisc: allow` comments; rules that another finding on the same
-// subject silences (`silenced_by`); and for each token only the finding of the highest rank, so that one mistake gives one
-// message (a warning never hides an error; within one severity AX1, AX4, AX3, AX2002/2003/2004/2007/2015, AX2005; inside AX3
-// range errors before unused or rounded; else the lower code). Findings of a default list that several axes share are merged.
+// The engine applies, in this order: disabled codes and `axisc: allow` comments; rules that another finding
+// on the same subject silences (`silenced_by`); and for each token only the finding of the highest rank, so
+// that one mistake gives one message (a warning never hides an error; within one severity AX1, AX4, AX3,
+// AX2002/2003/2004/2007/2015, AX2005; inside AX3 range errors before unused or rounded; else the lower code).
+// Findings of a default list that several axes share are merged.
 #pragma once
-
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <variant>
-#include <vector>
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
@@ -18,18 +13,27 @@
 #include "validator/filter_view.hpp"
 #include "validator/machine.hpp"
 
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
 namespace axisc::validator {
 
 struct Rule;
 
-/// Collects what rules say. A rule fills the finding that add() returns; code, name, severity, control message number
-/// and axis are set already.
+/// Collects what rules say. A rule fills the finding that add() returns; code, name, severity, control
+/// message number and axis are set already.
 class Report {
  public:
   explicit Report(std::vector<Finding>& findings) : findings_(findings) {}
   /// At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
+  /// At `place`, about the parameter in `slot`.
+  Finding& add(Place place, schema::Slot slot, Message message);
 
   Rule const* rule = nullptr;  ///< set by the engine
   std::string axis;            ///< set by the engine
@@ -76,9 +80,14 @@ struct Rule {
   Severity severity = Severity::error;
   std::string_view control;  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
-  std::span<Code const> silenced_by;  ///< for the same filter: when one of these was reported, this rule says nothing
+  std::span<Code const>
+      silenced_by;  ///< for the same filter: when one of these was reported, this rule says nothing
   Check check;
 };
+
+/// codes<3001, 3040>: for the column `silenced_by`.
+template <std::uint16_t... numbers>
+inline constexpr std::array<Code, sizeof...(numbers)> codes{static_cast<Code>(numbers)...};
 
 /// All rules, by rising code.
 [[nodiscard]] std::span<Rule const> rules();

@@ -1,20 +1,68 @@
-// A parameter's value with its type resolved.
+// A parameter's value with its type resolved, and how the text of a list becomes one.
 #pragma once
-
-#include <cstdint>
-#include <string>
 
 #include "schema/catalogue.hpp"
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
 namespace axisc::validator {
 
-/// Numbers of every kind, booleans and numbered symbols carry `number`; words and strings carry `text` as well.
-/// Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
+/// Numbers of every kind, booleans and numbered symbols carry `number`; words and strings carry `text` as
+/// well. Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
 struct Value {
   double number = 0;
   std::string text;  ///< string, or the word of a symbol (also when the list wrote its number)
 
   [[nodiscard]] bool flag() const { return number != 0; }
 };
+
+enum class NumberStatus : std::uint8_t {
+  good,
+  not_a_number,
+  leading_zero,       ///< 007: illegal for the control
+  exponent_too_big,   ///< 1e999
+  out_of_data_range,  ///< an integer that does not fit the data type
+};
+
+struct NumberReading {
+  NumberStatus status = NumberStatus::not_a_number;
+  double number = 0;
+};
+
+/// A decimal or hexadecimal integer for the integer type `type`.
+[[nodiscard]] NumberReading read_integer(std::string_view text, schema::DataType type);
+/// A real, correctly rounded: the nearest double. Integers, decimal or hexadecimal, are reals too.
+[[nodiscard]] NumberReading read_real(std::string_view text);
+/// True where the whole of `text` is one integer or real, as a second value behind the first would be.
+[[nodiscard]] bool is_complete_number(std::string_view text);
+
+struct DataRange {
+  double lowest = 0;
+  double highest = 0;
+};
+/// Range of an integer type; exact but for the 64-bit types, whose limits are rounded to double.
+[[nodiscard]] DataRange data_range(schema::DataType type);
+
+struct SymbolReading {
+  schema::Symbol const* symbol = nullptr;  ///< null where no word fits
+  bool folded = false;                     ///< fits only after case folding
+};
+/// A word among the symbols of a boolean or an enumeration.
+[[nodiscard]] SymbolReading read_symbol(schema::Parameter const& parameter, std::string_view word);
+/// A number among the symbols; null where none has it. `0` and `1` also mean FALSE and TRUE.
+[[nodiscard]] schema::Symbol const* symbol_of_number(schema::Parameter const& parameter, double number);
+[[nodiscard]] Value value_of(schema::Symbol const& symbol);
+
+/// True for the few enumerations whose words are bits of a mask: their documented default is a number, their
+/// words have none. They accept any number and words joined by `|`.
+[[nodiscard]] bool is_bit_mask(schema::Parameter const& parameter);
+
+/// The documented default; none where the catalogue has none, or where it is not a plain value.
+[[nodiscard]] std::optional<Value> default_value(schema::Parameter const& parameter);
+/// The number behind a default of the form `P-AXIS-00008`; 0 for every other default.
+[[nodiscard]] std::uint16_t default_reference(schema::Parameter const& parameter);
 
 }  // namespace axisc::validator

@@ -1,0 +1,75 @@
+#include "validator/effective_values.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <string>
+#include <tuple>
+
+namespace axisc::validator {
+namespace {
+
+std::vector<EffectiveValue> internal_defaults() {
+  std::vector<EffectiveValue> defaults(schema::slot_count());
+  for (std::size_t i = 0; i < defaults.size(); ++i) {
+    auto const slot = static_cast<schema::Slot>(i);
+    schema::Parameter const& parameter = schema::parameter(schema::parameter_of(slot));
+    defaults[i].slot = slot;
+    defaults[i].value = default_value(parameter).value_or(Value{});
+  }
+  return defaults;
+}
+
+EffectiveValue const& internal_default(schema::Slot slot) {
+  static std::vector<EffectiveValue> const defaults = internal_defaults();
+  return defaults[static_cast<std::size_t>(slot)];
+}
+
+}  // namespace
+
+EffectiveValues::EffectiveValues() : entry_of_slot_(schema::slot_count(), 0) {}
+
+EffectiveValue const& EffectiveValues::operator[](schema::Slot slot) const {
+  std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+  return entry == 0 ? internal_default(slot) : entries_[entry - 1];
+}
+
+EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_t first_index,
+                                          std::uint32_t second_index) const {
+  return (*this)[slot_at(pattern, first_index, second_index)];
+}
+
+EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
+  std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+  if (entry == 0) {
+    entries_.push_back(internal_default(slot));
+    entry = static_cast<std::uint32_t>(entries_.size());
+    set_slots_.push_back(slot);
+  }
+  return entries_[entry - 1];
+}
+
+void EffectiveValues::order_set_slots() {
+  std::sort(set_slots_.begin(), set_slots_.end(), [this](schema::Slot left, schema::Slot right) {
+    EffectiveValue const& a = (*this)[left];
+    EffectiveValue const& b = (*this)[right];
+    return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
+  });
+}
+
+schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {
+  std::string name;
+  name.reserve(pattern.size() + 4);
+  std::uint32_t index = first_index;
+  for (char const c : pattern) {
+    if (c == ']') {
+      name += std::to_string(index);
+      index = second_index;
+    }
+    name += c;
+  }
+  schema::NameLookup const lookup = schema::find(name);
+  assert(lookup.status == schema::NameLookup::Status::found);
+  return lookup.slot;
+}
+
+}  // namespace axisc::validator

@@ -1,1 +1,0 @@
-#include "validator/rule.hpp"

@@ -1,0 +1,56 @@
+// What the assignments of one list mean, judged line by line with the catalogue: before any other line is
+// looked at.
+#pragma once
+
+#include "diagnostics/source_text.hpp"
+#include "grammar/axis_list.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/value.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace axisc::validator {
+
+enum class ReadingStatus : std::uint8_t {
+  value,              ///< `value` holds what the control reads
+  reference,          ///< the value of another parameter, to be looked up in the effective values
+  not_judged,         ///< the name is unknown, so nothing is known about the value
+  decimal_comma,      ///< AX1005
+  malformed_number,   ///< AX1006, `number` says why
+  comment_in_string,  ///< AX1009, `trouble` is the text that needs a `(`
+  wrong_type,         ///< AX2003
+  out_of_data_range,  ///< AX2004
+  unknown_symbol,     ///< AX2007
+};
+
+struct Reading {
+  schema::NameLookup name;
+  ReadingStatus status = ReadingStatus::not_judged;
+  NumberStatus number = NumberStatus::good;
+  Value value;
+  bool symbol_folded = false;  ///< the symbol fits only after case folding (AX1010)
+  bool quoted = false;         ///< the text stands in quotes
+  Span text;  ///< the value as the control reads it: the token, or the whole of a free string
+  Span trouble;
+
+  [[nodiscard]] bool known() const { return name.status == schema::NameLookup::Status::found; }
+  /// The line gives its parameter a value, directly or by reference.
+  [[nodiscard]] bool usable() const {
+    return known() && (status == ReadingStatus::value || status == ReadingStatus::reference);
+  }
+  /// The row is known, even where the index is wrong.
+  [[nodiscard]] bool row_known() const { return name.status != schema::NameLookup::Status::unknown; }
+};
+
+/// A reference as it stands in a list: P-AXIS-00212.1.
+struct Reference {
+  std::uint32_t p_axis = 0;
+  std::uint32_t index = 0;
+};
+[[nodiscard]] Reference read_reference(std::string_view text);
+
+/// One reading for each assignment, in the same order. Cost: one look-up and one conversion per line.
+[[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list);
+
+}  // namespace axisc::validator

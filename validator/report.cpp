@@ -1,0 +1,33 @@
+#include "validator/rule.hpp"
+
+#include <utility>
+
+namespace axisc::validator {
+
+Finding& Report::add(Place place, Message message) {
+  Finding& finding = findings_.emplace_back();
+  finding.code = rule->code;
+  finding.name = rule->name;
+  finding.severity = rule->severity;
+  finding.place = place;
+  finding.message = std::move(message);
+  finding.axis = axis;
+  if (!rule->control.empty()) {
+    finding.control = ControlReaction{.message = std::string(rule->control), .reaction = {}, .value = {}};
+  }
+  return finding;
+}
+
+Finding& Report::add(Place place, schema::Slot slot, Message message) {
+  Finding& finding = add(place, std::move(message));
+  finding.parameter = schema::slot_name(slot);
+  finding.p_axis = schema::p_axis_text(schema::parameter(schema::parameter_of(slot)).p_axis);
+  return finding;
+}
+
+Finding& Report::add(EffectiveValue const& at, Message message) {
+  Place const place = at.value_place ? *at.value_place : at.name_place.value_or(Place{});
+  return add(place, at.slot, std::move(message));
+}
+
+}  // namespace axisc::validator
