@@ -1,16 +1,16 @@
 // From a specification to second-order sections (or a pure delay), with the figures that engineers ask for.
 //
 // Transfer functions are written  H(z) = (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2).
-// Sections are handed on in increment form (spec "filter mathematics", realisation), because direct forms in double
-// lose seven digits at low frequencies and large positions.
+// Sections are handed on in increment form (spec "filter mathematics", realisation), because direct forms in
+// double lose seven digits at low frequencies and large positions.
 #pragma once
+
+#include "design/filter_specification.hpp"
 
 #include <complex>
 #include <cstdint>
-#include <span>
+#include <utility>
 #include <vector>
-
-#include "design/filter_specification.hpp"
 
 namespace axisc::design {
 
@@ -51,9 +51,9 @@ struct FilterDesign {
   std::uint32_t delay_cycles = 0;          ///< for Realisation::delay
   Share share;
 
-  double pole_radius = 0;          ///< largest |pole|, 0 where there is none
-  double dc_gain = 1;              ///< with the share
-  double group_delay_cycles = 0;   ///< at 0 Hz, with the share, in NC cycles; 0 where dc_gain is 0
+  double pole_radius = 0;         ///< largest |pole|, 0 where there is none
+  double dc_gain = 1;             ///< with the share
+  double group_delay_cycles = 0;  ///< at 0 Hz, with the share, in NC cycles; 0 where dc_gain is 0
 };
 
 /// Double is quick and enough for rules; exact works with 50 decimal digits and rounds once, for images.

@@ -1,9 +1,9 @@
 // What a standard filter shall do, in the words of the axis list (manual "axis filters", sections 2.1 and 3).
 #pragma once
 
-#include <cstdint>
-
 #include "design/units.hpp"
+
+#include <cstdint>
 
 namespace axisc::design {
 
@@ -38,10 +38,20 @@ struct FilterSpecification {
   friend constexpr bool operator==(FilterSpecification const&, FilterSpecification const&) = default;
 };
 
-[[nodiscard]] constexpr bool uses_frequency(FilterType type) { return type <= FilterType::allpass; }
-[[nodiscard]] constexpr bool uses_prototype(FilterType type) { return type <= FilterType::allpass; }
-[[nodiscard]] constexpr bool uses_quality(FilterType type) { return type == FilterType::bandpass || type == FilterType::bandstop; }
-[[nodiscard]] constexpr bool uses_time_constant(FilterType type) { return type >= FilterType::pt1; }
-[[nodiscard]] constexpr bool computes_order(FilterType type) { return type >= FilterType::pt1; }
+[[nodiscard]] constexpr bool uses_frequency(FilterType type) {
+  return type <= FilterType::allpass;
+}
+[[nodiscard]] constexpr bool uses_prototype(FilterType type) {
+  return type <= FilterType::allpass;
+}
+[[nodiscard]] constexpr bool uses_quality(FilterType type) {
+  return type == FilterType::bandpass || type == FilterType::bandstop;
+}
+[[nodiscard]] constexpr bool uses_time_constant(FilterType type) {
+  return type >= FilterType::pt1;
+}
+[[nodiscard]] constexpr bool computes_order(FilterType type) {
+  return type >= FilterType::pt1;
+}
 
 }  // namespace axisc::design

@@ -25,7 +25,16 @@ struct CycleTime {
   /// 0.5/T: what a characteristic frequency must stay below.
   [[nodiscard]] constexpr Hertz nyquist() const { return {0.5e9 / nanoseconds}; }
   /// A time as a number of cycles.
-  [[nodiscard]] constexpr double cycles(Microseconds time) const { return time.value * 1e3 / nanoseconds; }
+  [[nodiscard]] constexpr double cycles(Microseconds time) const { return cycles_in<double>(time); }
+  template <typename Number>
+  [[nodiscard]] constexpr Number cycles_in(Microseconds time) const {
+    return Number(time.value) * 1000 / Number(nanoseconds);
+  }
+  /// f·T: the part of its period that a frequency advances in a cycle.
+  template <typename Number>
+  [[nodiscard]] constexpr Number periods_in(Hertz frequency) const {
+    return Number(frequency.value) * Number(nanoseconds) / 1'000'000'000;
+  }
   friend constexpr auto operator<=>(CycleTime const&, CycleTime const&) = default;
 };
 

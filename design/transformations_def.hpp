@@ -1,0 +1,160 @@
+// From prototype poles to the sections of low-, high-, all-pass and band filters.
+//
+// s is normalised to the pre-warped characteristic frequency, so that the bilinear transform reads
+//     s = (1/t) (1 - z^-1)/(1 + z^-1),  t = tan(π f T)
+#pragma once
+
+#include "design/prototypes_def.hpp"
+#include "design/section_def.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace axisc::design {
+
+/// Denominator c0 + c1 s + c2 s² of a section; first order where c2 = 0.
+template <typename Number>
+struct Denominator {
+  Number c0{0};
+  Number c1{0};
+  Number c2{0};
+  bool first_order = false;
+};
+
+/// What is left of the numerator when the constant part is taken off: of H - 1, or of an H that blocks it.
+template <typename Number>
+struct Numerator {
+  Number n1{0};
+  Number n2{0};
+};
+
+/// (n1 s + n2 s²)/(c0 + c1 s + c2 s²), discretised. With w = 1 - z^-1, s = w/(t (2 - w)):
+///     numerator    w (2 n1 t + (n2 - n1 t) w)
+///     denominator  4 c0 t² + (2 c1 t - 4 c0 t²) w + (c0 t² - c1 t + c2) w²
+/// and both are divided by N, the denominator's value at w = 1. No coefficient of the denominator is a
+/// difference.
+template <typename Number>
+[[nodiscard]] Section<Number> bilinear(Denominator<Number> const& c, Numerator<Number> const& n,
+                                       Number const& t) {
+  Number const slope = n.n1 / (2 * c.c0 * t);
+  if (c.first_order) {
+    Number const N = c.c0 * t + c.c1;
+    return {.p = n.n1 / N, .q = Number(0), .k = 2 * c.c0 * t / N, .b = Number(1), .slope = slope};
+  }
+  Number const N = c.c0 * t * t + c.c1 * t + c.c2;
+  return {.p = (n.n1 * t + n.n2) / N,
+          .q = (n.n1 * t - n.n2) / N,
+          .k = 4 * c.c0 * t * t / N,
+          .b = 2 * c.c1 * t / N,
+          .slope = slope};
+}
+
+/// Conjugate pairs become one factor each, real poles two a factor; a last one alone is of first order.
+template <typename Number>
+[[nodiscard]] std::vector<Denominator<Number>> pair_poles(Poles<Number> const& poles) {
+  std::vector<Denominator<Number>> factors;
+  std::vector<Number> real;
+  for (auto const& p : poles) {
+    if (p.im == 0) {
+      real.push_back(p.re);
+    } else {
+      factors.push_back({square_of_magnitude(p), -2 * p.re, Number(1)});
+    }
+  }
+  std::size_t i = 0;
+  for (; i + 1 < real.size(); i += 2)
+    factors.push_back({real[i] * real[i + 1], -(real[i] + real[i + 1]), Number(1)});
+  if (i < real.size()) factors.push_back({-real[i], Number(1), Number(0), true});
+  return factors;
+}
+
+/// Π c0/(c0 + c1 s + c2 s²)
+template <typename Number>
+[[nodiscard]] std::vector<Section<Number>> lowpass(Poles<Number> const& poles, Number const& t) {
+  std::vector<Section<Number>> sections;
+  for (auto const& c : pair_poles(poles)) sections.push_back(bilinear(c, {-c.c1, -c.c2}, t));
+  return sections;
+}
+
+/// The low-pass with s → 1/s: Π c0 s²/(c2 + c1 s + c0 s²)
+template <typename Number>
+[[nodiscard]] std::vector<Section<Number>> highpass(Poles<Number> const& poles, Number const& t) {
+  std::vector<Section<Number>> sections;
+  for (auto const& c : pair_poles(poles)) {
+    sections.push_back(c.first_order ? bilinear({c.c1, c.c0, Number(0), true}, {c.c0, Number(0)}, t)
+                                     : bilinear({c.c2, c.c1, c.c0}, {Number(0), c.c0}, t));
+  }
+  return sections;
+}
+
+/// Π (c0 - c1 s + c2 s²)/(c0 + c1 s + c2 s²)
+template <typename Number>
+[[nodiscard]] std::vector<Section<Number>> allpass(Poles<Number> const& poles, Number const& t) {
+  std::vector<Section<Number>> sections;
+  for (auto const& c : pair_poles(poles)) sections.push_back(bilinear(c, {-2 * c.c1, Number(0)}, t));
+  return sections;
+}
+
+/// The band filters' s → Q (s + 1/s) makes of a conjugate pair of prototype poles two of them, s1 and 1/s1
+/// with
+///     s1² - (p/Q) s1 + 1 = 0
+/// The result is the s1 with the larger magnitude; the denominator of the other one is the mirror image.
+template <typename Number>
+[[nodiscard]] Denominator<Number> split_pair(ComplexNumber<Number> const& p, Number const& Q) {
+  using Complex = ComplexNumber<Number>;
+  Complex const one{Number(1), Number(0)};
+  Complex const half{p.re / (2 * Q), p.im / (2 * Q)};
+  Complex const root = square_root((half - one) * (half + one));
+  bool const same_direction = half.re * root.re + half.im * root.im >= 0;
+  Complex const s1 = same_direction ? half + root : half - root;
+  return {square_of_magnitude(s1), -2 * s1.re, Number(1)};
+}
+
+template <typename Number>
+[[nodiscard]] Denominator<Number> mirrored(Denominator<Number> const& c) {
+  return {c.c2, c.c1, c.c0};
+}
+
+/// One zero at z = 1 and one at z = -1 a section; each section has magnitude 1 at s = j, all together gain 1.
+template <typename Number>
+[[nodiscard]] std::vector<Section<Number>> bandpass(Poles<Number> const& poles, Number const& Q,
+                                                    Number const& t) {
+  using std::sqrt;
+  std::vector<Section<Number>> sections;
+  for (auto const& p : poles) {
+    if (p.im == 0) {
+      sections.push_back(bilinear({Q, -p.re, Q}, {-p.re, Number(0)}, t));
+      continue;
+    }
+    Denominator<Number> const c = split_pair(p, Q);
+    Number const detuning = c.c0 - c.c2;
+    Numerator<Number> const n{sqrt(detuning * detuning + c.c1 * c.c1), Number(0)};
+    sections.push_back(bilinear(c, n, t));
+    sections.push_back(bilinear(mirrored(c), n, t));
+  }
+  return sections;
+}
+
+/// Zeros at s = ±j in every section, gain 1 at s = 0 in every section. 1/p takes the place of the band-pass'
+/// p.
+template <typename Number>
+[[nodiscard]] std::vector<Section<Number>> bandstop(Poles<Number> const& poles, Number const& Q,
+                                                    Number const& t) {
+  std::vector<Section<Number>> sections;
+  for (auto const& p : poles) {
+    if (p.im == 0) {
+      Number const c1 = -1 / p.re;
+      sections.push_back(bilinear({Q, c1, Q}, {-c1, Number(0)}, t));
+      continue;
+    }
+    Number const magnitude = square_of_magnitude(p);
+    Denominator<Number> const c = split_pair(ComplexNumber<Number>{p.re / magnitude, p.im / magnitude}, Q);
+    Number const detuning = c.c0 - c.c2;
+    sections.push_back(bilinear(c, {-c.c1, detuning}, t));
+    sections.push_back(bilinear(mirrored(c), {-c.c1, -detuning}, t));
+  }
+  return sections;
+}
+
+}  // namespace axisc::design
