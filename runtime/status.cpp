@@ -1,3 +1,93 @@
 #include "axisrt.h"
 
-uint32_t axisrt_abi_version(void) { return AXISRT_ABI_VERSION; }
+const char* axisrt_status_text(axisrt_status status) {
+  switch (status) {
+    case AXISRT_OK:
+      return "No error.";
+    case AXISRT_TOO_SHORT:
+      return "The image is shorter than its header says.";
+    case AXISRT_WRONG_MAGIC:
+      return "These bytes are not an image.";
+    case AXISRT_WRONG_VERSION:
+      return "The image has another major version of the format.";
+    case AXISRT_WRONG_SIZE:
+      return "The image is longer than its header says.";
+    case AXISRT_WRONG_CHECKSUM:
+      return "The image was changed or damaged after it was written.";
+    case AXISRT_OUT_OF_BOUNDS:
+      return "An offset, a count or a value in the image is outside its range.";
+    case AXISRT_OVERLAP:
+      return "Sections of the image overlap or are not aligned.";
+    case AXISRT_NOT_FINITE:
+      return "A number in the image is not finite.";
+    case AXISRT_UNSTABLE:
+      return "A filter section in the image is not stable.";
+    case AXISRT_KERNEL_TOO_LONG:
+      return "A delay in the image is longer than the format allows.";
+    case AXISRT_UNKNOWN_KIND:
+      return "The image contains a kind of content that this runtime does not know.";
+    case AXISRT_INCONSISTENT_CYCLE:
+      return "The image's cycle time is not between 1 ns and 1 s.";
+    case AXISRT_MISALIGNED:
+      return "The image or the memory is not aligned to 64 bytes.";
+    case AXISRT_OTHER_CYCLE_TIME:
+      return "The image was made for another NC cycle time.";
+    case AXISRT_SELF_TEST_FAILED:
+      return "This processor does not compute what the image demands.";
+    case AXISRT_MEMORY_TOO_SMALL:
+      return "The memory is smaller than axisrt_memory_size demands.";
+    case AXISRT_BAD_ARGUMENT:
+      return "An argument is null, out of range or of unknown size.";
+    case AXISRT_BAD_INPUT:
+      return "A position is not finite or beyond 2^53.";
+    case AXISRT_NOT_RESET:
+      return "The axis was never reset to a position.";
+  }
+  return "Unknown status.";
+}
+
+const char* axisrt_status_name(axisrt_status status) {
+  switch (status) {
+    case AXISRT_OK:
+      return "AXISRT_OK";
+    case AXISRT_TOO_SHORT:
+      return "AXISRT_TOO_SHORT";
+    case AXISRT_WRONG_MAGIC:
+      return "AXISRT_WRONG_MAGIC";
+    case AXISRT_WRONG_VERSION:
+      return "AXISRT_WRONG_VERSION";
+    case AXISRT_WRONG_SIZE:
+      return "AXISRT_WRONG_SIZE";
+    case AXISRT_WRONG_CHECKSUM:
+      return "AXISRT_WRONG_CHECKSUM";
+    case AXISRT_OUT_OF_BOUNDS:
+      return "AXISRT_OUT_OF_BOUNDS";
+    case AXISRT_OVERLAP:
+      return "AXISRT_OVERLAP";
+    case AXISRT_NOT_FINITE:
+      return "AXISRT_NOT_FINITE";
+    case AXISRT_UNSTABLE:
+      return "AXISRT_UNSTABLE";
+    case AXISRT_KERNEL_TOO_LONG:
+      return "AXISRT_KERNEL_TOO_LONG";
+    case AXISRT_UNKNOWN_KIND:
+      return "AXISRT_UNKNOWN_KIND";
+    case AXISRT_INCONSISTENT_CYCLE:
+      return "AXISRT_INCONSISTENT_CYCLE";
+    case AXISRT_MISALIGNED:
+      return "AXISRT_MISALIGNED";
+    case AXISRT_OTHER_CYCLE_TIME:
+      return "AXISRT_OTHER_CYCLE_TIME";
+    case AXISRT_SELF_TEST_FAILED:
+      return "AXISRT_SELF_TEST_FAILED";
+    case AXISRT_MEMORY_TOO_SMALL:
+      return "AXISRT_MEMORY_TOO_SMALL";
+    case AXISRT_BAD_ARGUMENT:
+      return "AXISRT_BAD_ARGUMENT";
+    case AXISRT_BAD_INPUT:
+      return "AXISRT_BAD_INPUT";
+    case AXISRT_NOT_RESET:
+      return "AXISRT_NOT_RESET";
+  }
+  return "unknown";
+}

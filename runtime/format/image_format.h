@@ -1,4 +1,4 @@
-/* Constants of the image format, made from fields.inc: AXIM_HEADER_... as enumerators. C and C++. */
+/* Constants of the image format, made from fields.inc: axim_header_... as enumerators. C and C++. */
 #ifndef AXISRT_IMAGE_FORMAT_H
 #define AXISRT_IMAGE_FORMAT_H
 
@@ -12,7 +12,15 @@ enum {
   axim_most_delay = 100,
   axim_most_sections = 6,
   axim_most_filters = 3,
+  axim_most_interface_filters = 1,
   axim_most_samples = 1024,
+
+  axim_realisation_pass_through = 0,
+  axim_realisation_sections = 1,
+  axim_realisation_delay = 2,
+
+  axim_port_setpoint = 0,
+  axim_port_interface = 1,
 
 /* axim_<record>_size */
 #define AXIM_RECORD(record, size, meaning) axim_##record##_size = (size),
@@ -23,9 +31,9 @@ enum {
 #undef AXIM_FIELD
 #undef AXIM_SECTION
 
-/* axim_<record>_<field> is the field's offset in its record */
+/* axim_<record>_<field>_offset, in its record */
 #define AXIM_RECORD(record, size, meaning)
-#define AXIM_FIELD(record, field, type, offset, meaning) axim_##record##_##field = (offset),
+#define AXIM_FIELD(record, field, type, offset, meaning) axim_##record##_##field##_offset = (offset),
 #define AXIM_SECTION(name, kind, record, flags, meaning)
 #include "runtime/format/fields.inc"
 #undef AXIM_RECORD

@@ -1,0 +1,25 @@
+#include "axisrt.h"
+#include "runtime/runtime_object.hpp"
+
+uint32_t axisrt_abi_version(void) {
+  return AXISRT_ABI_VERSION;
+}
+
+uint32_t axisrt_axis_count(axisrt const* runtime) {
+  return runtime == nullptr ? 0 : runtime->axis_count;
+}
+
+uint32_t axisrt_cycle_time_ns(axisrt const* runtime) {
+  return runtime == nullptr ? 0 : runtime->cycle_time_ns;
+}
+
+char const* axisrt_axis_name(axisrt const* runtime, uint32_t axis, size_t* length) {
+  bool const exists = runtime != nullptr && axis < runtime->axis_count && runtime->axes[axis].name_size > 0;
+  if (length != nullptr) *length = exists ? runtime->axes[axis].name_size : 0;
+  return exists ? reinterpret_cast<char const*>(runtime->names + runtime->axes[axis].name_offset) : "";
+}
+
+int axisrt_has_interface(axisrt const* runtime, uint32_t axis) {
+  if (runtime == nullptr || axis >= runtime->axis_count) return 0;
+  return runtime->additional_interface.chains[axis].filter_count > 0 ? 1 : 0;
+}
