@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axisc {
 namespace {
@@ -22,18 +23,18 @@ constexpr std::array entries{
 static_assert(entries.size() == static_cast<std::size_t>(Text::count_));
 
 // Appends what stands at the front of `rest`, a brace or a placeholder, and removes it.
-void render_brace(std::string_view& rest, Message const& message, std::string& rendered) {
+void fill_brace(std::string_view& rest, std::vector<Argument> const& arguments, std::string& filled) {
   bool const is_doubled = rest.size() > 1 && rest[1] == rest[0];
   std::size_t const close = rest.find('}');
   if (is_doubled || rest.front() == '}' || close == std::string_view::npos) {
-    rendered += rest.front();
+    filled += rest.front();
     rest.remove_prefix(is_doubled ? 2 : 1);
     return;
   }
   std::string_view const name = rest.substr(1, close - 1);
-  auto const found = std::find_if(message.arguments.begin(), message.arguments.end(),
+  auto const found = std::find_if(arguments.begin(), arguments.end(),
                                   [name](Argument const& argument) { return argument.name == name; });
-  rendered += found == message.arguments.end() ? rest.substr(0, close + 1) : std::string_view(found->value);
+  filled += found == arguments.end() ? rest.substr(0, close + 1) : std::string_view(found->value);
   rest.remove_prefix(close + 1);
 }
 
@@ -48,16 +49,19 @@ std::string_view text_key(Text text) {
   return entries.at(static_cast<std::size_t>(text)).key;
 }
 
-std::string render(Message const& message, Language language) {
-  std::string_view rest = text_template(message.text, language);
-  std::string rendered;
-  while (!rest.empty()) {
-    std::size_t const plain = std::min(rest.find_first_of("{}"), rest.size());
-    rendered += rest.substr(0, plain);
-    rest.remove_prefix(plain);
-    if (!rest.empty()) render_brace(rest, message, rendered);
+std::string fill(std::string_view sentence, std::vector<Argument> const& arguments) {
+  std::string filled;
+  while (!sentence.empty()) {
+    std::size_t const plain = std::min(sentence.find_first_of("{}"), sentence.size());
+    filled += sentence.substr(0, plain);
+    sentence.remove_prefix(plain);
+    if (!sentence.empty()) fill_brace(sentence, arguments, filled);
   }
-  return rendered;
+  return filled;
+}
+
+std::string render(Message const& message, Language language) {
+  return fill(text_template(message.text, language), message.arguments);
 }
 
 }  // namespace axisc

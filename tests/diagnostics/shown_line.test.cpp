@@ -1,0 +1,78 @@
+#include "diagnostics/shown_line.hpp"
+
+#include "support/catch.hpp"
+
+#include <string>
+
+using namespace axisc;
+
+namespace {
+
+std::string repeated(std::string_view text, std::size_t times) {
+  std::string result;
+  for (; times > 0; --times) result += text;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a short line is shown whole") {
+  ShownLine const shown = show_line("name  value", {.begin = 6, .end = 11});
+  CHECK(shown.text == "name  value");
+  CHECK(shown.indent == std::string(6, ' '));
+  CHECK(shown.width == 5);
+}
+
+TEST_CASE("characters are counted, not bytes") {
+  ShownLine const shown = show_line("Güte µ€😀 5", {.begin = 9, .end = 10});
+  CHECK(shown.indent == std::string(9, ' '));
+  CHECK(shown.width == 1);
+}
+
+TEST_CASE("tabs are repeated under the line") {
+  ShownLine const shown = show_line("\tname\tvalue", {.begin = 6, .end = 11});
+  CHECK(shown.text == "\tname\tvalue");
+  CHECK(shown.indent == "\t    \t");
+}
+
+TEST_CASE("control characters are shown as pictures of the same width") {
+  ShownLine const shown = show_line("a\x01\x1b[31m value", {.begin = 8, .end = 13});
+  CHECK(shown.text == "a␁␛[31m value");
+  CHECK(shown.indent.size() == 8);
+}
+
+TEST_CASE("an empty part is one character wide") {
+  CHECK(show_line("abc", {.begin = 1, .end = 1}).width == 1);
+  CHECK(show_line("abc", {.begin = 3, .end = 3}).indent.size() == 3);
+  CHECK(show_line("", {.begin = 0, .end = 0}).width == 1);
+  CHECK(show_line("abc", {.begin = 99, .end = 120}).indent.size() == 3);
+}
+
+TEST_CASE("a part that goes on behind the line ends with it") {
+  CHECK(show_line("abcdef", {.begin = 2, .end = std::string::npos}).width == 4);
+}
+
+TEST_CASE("long lines are cut around the marked part") {
+  std::string const line = repeated("ü", 400) + "VALUE" + repeated("µ", 400);
+  ShownLine const shown = show_line(line, {.begin = 400, .end = 405});
+  CHECK(shown.text == "…" + repeated("ü", 53) + "VALUE" + repeated("µ", longest_shown_line - 58) + "…");
+  CHECK(shown.indent.size() == 54);
+  CHECK(shown.width == 5);
+}
+
+TEST_CASE("only the side that is too long is cut") {
+  std::string const line(161, 'x');
+  ShownLine const front = show_line(line, {.begin = 0, .end = 1});
+  CHECK(front.text == std::string(160, 'x') + "…");
+  CHECK(front.indent.empty());
+  ShownLine const back = show_line(line, {.begin = 160, .end = 161});
+  CHECK(back.text == "…" + std::string(160, 'x'));
+  CHECK(back.indent.size() == 160);
+  CHECK(show_line(std::string(160, 'x'), {.begin = 159, .end = 160}).text == std::string(160, 'x'));
+}
+
+TEST_CASE("a marked part longer than the shown line is cut with it") {
+  ShownLine const shown = show_line(std::string(1000, 'x'), {.begin = 100, .end = 1000});
+  CHECK(shown.indent.size() == 54);
+  CHECK(shown.width == longest_shown_line - 53);
+}

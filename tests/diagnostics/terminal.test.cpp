@@ -1,0 +1,25 @@
+#include "diagnostics/terminal.hpp"
+
+#include "support/catch.hpp"
+
+#include <string>
+
+using namespace axisc;
+using namespace std::string_literals;
+
+TEST_CASE("text for a terminal holds nothing that steers it") {
+  CHECK(printable("12 µs €😀") == "12 µs €😀");
+  CHECK(printable("a\x1b[31mb\n\t\r\x7f"s) == "a␛[31mb␊␉␍␡");
+  CHECK(printable("\0"s) == "␀");
+  CHECK(printable("\xC2\x9B") == "\xEF\xBF\xBD");
+  CHECK(printable("\xFF") == "\xEF\xBF\xBD");
+  CHECK(printable("\xE2\x80\xAE") == "\xEF\xBF\xBD");
+  CHECK(printable("\xE2\x80\xA8") == "\xEF\xBF\xBD");
+}
+
+TEST_CASE("colours are put around words only where they are wanted") {
+  CHECK(Painter(false)(Style::error, "x") == "x");
+  CHECK(Painter(true)(Style::error, "x") == "\x1b[1;31mx\x1b[0m");
+  CHECK(Painter(true)(Style::warning, "x") == "\x1b[1;33mx\x1b[0m");
+  CHECK(Painter(true)(Style::note, "").empty());
+}

@@ -1,0 +1,102 @@
+#include "diagnostics/text.hpp"
+
+#include "diagnostics/terminal.hpp"
+#include "diagnostics/utf8.hpp"
+#include "example_findings.hpp"
+#include "support/catch.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+
+using namespace axisc;
+using axisc::test::say;
+
+namespace {
+
+// The names of a template's placeholders; nothing when its braces are not balanced.
+std::optional<std::set<std::string>> placeholders(std::string_view text) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '{' && text[i] != '}') continue;
+    if (i + 1 < text.size() && text[i + 1] == text[i]) {
+      ++i;
+      continue;
+    }
+    std::size_t const close = text.find('}', i);
+    if (text[i] == '}' || close == std::string_view::npos) return std::nullopt;
+    std::string const name(text.substr(i + 1, close - i - 1));
+    if (name.empty() ||
+        name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
+      return std::nullopt;
+    }
+    names.insert(name);
+    i = close;
+  }
+  return names;
+}
+
+std::vector<Text> all_texts() {
+  std::vector<Text> texts;
+  for (std::uint16_t i = 0; i < static_cast<std::uint16_t>(Text::count_); ++i)
+    texts.push_back(static_cast<Text>(i));
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("every text stands in both languages and names the same placeholders") {
+  for (Text const text : all_texts()) {
+    std::string_view const english = text_template(text, Language::english);
+    std::string_view const german = text_template(text, Language::german);
+    INFO(text_key(text) << ": " << english << " | " << german);
+    CHECK_FALSE(english.empty());
+    CHECK_FALSE(german.empty());
+    auto const in_english = placeholders(english);
+    auto const in_german = placeholders(german);
+    CHECK(in_english.has_value());
+    CHECK(in_german.has_value());
+    CHECK(in_english == in_german);
+  }
+}
+
+TEST_CASE("every text is well-formed and has neither line ends nor blanks around it") {
+  for (Text const text : all_texts()) {
+    for (Language const language : {Language::english, Language::german}) {
+      std::string_view const sentence = text_template(text, language);
+      INFO(text_key(text) << ": " << sentence);
+      CHECK(valid_utf8_prefix(sentence) == sentence.size());
+      CHECK(printable(sentence) == sentence);
+      CHECK((sentence.empty() || (sentence.front() != ' ' && sentence.back() != ' ')));
+    }
+  }
+}
+
+TEST_CASE("texts print numbers and braces as they are given") {
+  CHECK(render(say("12 ms"), Language::english) == "12 ms");
+  CHECK(render(say("{text} {{ }}"), Language::german) == "{text} {{ }}");
+  CHECK(render({.text = Text::control_message, .arguments = {{.name = "number", .value = "50663"}}},
+               Language::german) == "Meldung 50663");
+}
+
+TEST_CASE("a placeholder without a value stays") {
+  CHECK(render({.text = Text::fixed_placeholder, .arguments = {}}, Language::english) == "{text}");
+  CHECK(render({.text = Text::fixed_placeholder, .arguments = {{.name = "other", .value = "1"}}},
+               Language::english) == "{text}");
+}
+
+TEST_CASE("doubled braces print single ones") {
+  std::vector<Argument> const arguments{{.name = "a", .value = "1"}, {.name = "b", .value = "2"}};
+  CHECK(fill("{a} of {b}", arguments) == "1 of 2");
+  CHECK(fill("{b}{a}{b}", arguments) == "212");
+  CHECK(fill("{{a}} is {a}", arguments) == "{a} is 1");
+  CHECK(fill("{{{a}}}", arguments) == "{1}");
+  CHECK(fill("}} {{", arguments) == "} {");
+  CHECK(fill("a lone } or { stays", arguments) == "a lone } or { stays");
+  CHECK(fill("", arguments).empty());
+}
+
+TEST_CASE("keys are the names of the enumeration") {
+  CHECK(text_key(Text::fixed_placeholder) == "fixed_placeholder");
+  CHECK(text_key(Text::summary_nothing) == "summary_nothing");
+}
