@@ -1,1 +1,196 @@
 #include "grammar/axis_list.hpp"
+
+#include "grammar/axis_list_def.hpp"
+#include "grammar/character_class.hpp"
+#include "grammar/directive_finder.hpp"
+#include "grammar/invalid_character.hpp"
+#include "grammar/line_splitter.hpp"
+#include "grammar/must.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+namespace axisc::grammar {
+namespace {
+
+constexpr std::size_t typical_line = 40;
+constexpr std::size_t largest_reservation = 1U << 14U;
+
+std::string_view without_blanks(std::string_view text) {
+  while (!text.empty() && is(character::blank, text.front())) text.remove_prefix(1);
+  while (!text.empty() && is(character::blank, text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view first_word(std::string_view line) {
+  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
+}
+
+/// Runs one parser of the grammar from the start of `line`; no attribute, no expectations.
+template <typename Parser>
+std::string_view matched(Parser const& parser, std::string_view line) {
+  char const* position = line.data();
+  if (!parser.parse(position, line.data() + line.size(), x3::unused, x3::unused, x3::unused)) return {};
+  return line.substr(0, static_cast<std::size_t>(position - line.data()));
+}
+
+/// `text` begins at a value token: up to the first `(` outside quotes.
+std::string_view up_to_parenthesis(std::string_view text) {
+  std::size_t position = text.find_first_of("\"(");
+  while (position != std::string_view::npos && text[position] == '"') {
+    std::size_t const closing = text.find('"', position + 1);
+    position =
+        closing == std::string_view::npos ? text.find('(', position) : text.find_first_of("\"(", closing + 1);
+  }
+  return without_blanks(text.substr(0, position));
+}
+
+class Reader {
+ public:
+  Reader(std::string_view bytes, std::uint32_t text_begin, bool windows_1252)
+      : bytes_(bytes), windows_1252_(windows_1252), splitter_(bytes.substr(text_begin)), directives_(bytes) {
+    list_.assignments.reserve(std::min(bytes.size() / typical_line, largest_reservation));
+  }
+
+  AxisList read() && {
+    for (std::string_view line; splitter_.next(line);) {
+      std::string_view const text = without_blanks(line);
+      if (text.empty()) continue;
+      if (list_.end_marker) {
+        read_behind_end(text);
+      } else {
+        read_line(text);
+      }
+    }
+    list_.lines = splitter_.number();
+    return std::move(list_);
+  }
+
+ private:
+  void read_line(std::string_view line) {
+    bool const invalid = report_invalid_character(line);
+    if (line.front() == '#') {
+      keep_directive(line, true);
+    } else if (std::string_view const end = matched(syntax::end_marker, line); !end.empty()) {
+      read_end(line, end, invalid);
+    } else if (invalid) {
+      keep_directive(comment_of_broken(line), false);
+    } else {
+      read_assignment(line);
+    }
+  }
+
+  bool report_invalid_character(std::string_view line) {
+    auto const found = find_invalid_character(line, windows_1252_);
+    if (found) problem(ProblemKind::invalid_character, line.substr(found->begin, found->size()));
+    return found.has_value();
+  }
+
+  void read_assignment(std::string_view line) {
+    syntax::AssignmentLine parsed;
+    Failure failure;
+    char const* position = line.data();
+    syntax::assignment.parse(position, line.data() + line.size(), x3::make_context<FailureTag>(failure),
+                             x3::unused, parsed);
+    if (failure.where != nullptr) {
+      report(failure, line);
+      keep_directive(comment_of_broken(line), false);
+      return;
+    }
+    std::string_view const from_value =
+        line.substr(static_cast<std::size_t>(parsed.value.text.begin() - line.data()));
+    std::string_view const trailer = view(parsed.trailer.text);
+    list_.assignments.push_back({.name = span(view(parsed.name)),
+                                 .value = span(view(parsed.value.text)),
+                                 .trailer = span(trailer),
+                                 .free_text = span(up_to_parenthesis(from_value)),
+                                 .kind = parsed.value.kind,
+                                 .trailer_kind = parsed.trailer.kind,
+                                 .line = splitter_.number()});
+    keep_directive(trailer, false);
+  }
+
+  void report(Failure const& failure, std::string_view line) {
+    std::string_view const rest = line.substr(static_cast<std::size_t>(failure.where - line.data()));
+    switch (failure.kind) {
+      case ProblemKind::malformed_index:
+        return problem(failure.kind, matched(syntax::broken_index, rest));
+      case ProblemKind::unterminated_string:
+        return problem(failure.kind, rest);
+      default:
+        return problem(failure.kind, first_word(line));
+    }
+  }
+
+  void read_end(std::string_view line, std::string_view end, bool invalid) {
+    list_.end_marker = span(end);
+    std::string_view const behind = without_blanks(line.substr(end.size()));
+    if (behind.empty()) return;
+    if (behind.front() == '#' || behind.front() == '(') {
+      keep_directive(behind, false);
+    } else if (!invalid) {
+      report_text_behind_end(behind);
+    }
+  }
+
+  /// The control does not read on, so neither characters nor syntax matter here.
+  void read_behind_end(std::string_view line) {
+    if (line.front() != '#') report_text_behind_end(line);
+  }
+
+  void report_text_behind_end(std::string_view text) {
+    if (!text_behind_end_reported_) problem(ProblemKind::text_after_end, text);
+    text_behind_end_reported_ = true;
+  }
+
+  /// A line that could not be read may still carry a directive: from the first thing that looks like a
+  /// comment.
+  static std::string_view comment_of_broken(std::string_view line) {
+    std::size_t const opener = std::min({line.find('('), line.find('#'), line.find("/*"), line.size()});
+    return line.substr(opener);
+  }
+
+  void keep_directive(std::string_view comment, bool whole_line) {
+    if (!directives_.within(span(comment))) return;
+    list_.directives.push_back(
+        {.comment = span(comment), .whole_line = whole_line, .line = splitter_.number()});
+  }
+
+  void problem(ProblemKind kind, std::string_view text) {
+    list_.problems.push_back({.kind = kind, .span = span(text), .line = splitter_.number()});
+  }
+
+  [[nodiscard]] static std::string_view view(syntax::Range const& range) {
+    return {range.begin(), static_cast<std::size_t>(range.size())};
+  }
+
+  [[nodiscard]] Span span(std::string_view text) const {
+    auto const begin = static_cast<std::uint32_t>(text.data() - bytes_.data());
+    return {.begin = begin, .end = begin + static_cast<std::uint32_t>(text.size())};
+  }
+
+  std::string_view bytes_;
+  bool windows_1252_;
+  LineSplitter splitter_;
+  DirectiveFinder directives_;
+  AxisList list_;
+  bool text_behind_end_reported_ = false;
+};
+
+}  // namespace
+
+AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252) {
+  return Reader(bytes, text_begin, windows_1252).read();
+}
+
+std::size_t longest_line_in(std::string_view bytes) {
+  std::size_t longest = 0;
+  LineSplitter splitter(bytes);
+  for (std::string_view line; splitter.next(line);) longest = std::max(longest, line.size());
+  return longest;
+}
+
+}  // namespace axisc::grammar

@@ -1,25 +1,27 @@
-// An axis parameter list as a tree with spans. The grammar knows how a list is written, not which parameters exist.
+// An axis parameter list as a tree with spans. The grammar knows how a list is written, not which parameters
+// exist.
 //
 // Reading never stops: every line is judged by itself, and a line with a problem contributes no assignment.
-// What only the catalogue can decide stays open here: whether a word is a symbol or a free string, and therefore
-// where a comment behind it may begin. For that an assignment carries the token and the rest of the line.
+// What only the catalogue can decide stays open here: whether a word is a symbol or a free string, and
+// therefore where a comment behind it may begin. For that an assignment carries the token and the rest of the
+// line.
 #pragma once
+
+#include "diagnostics/span.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/span.hpp"
-
 namespace axisc::grammar {
 
 enum class ValueKind : std::uint8_t {
-  integer,           ///< 20, -5, +5
-  hexadecimal,       ///< 0x400001
-  real,              ///< 1.8, .5, 1., 3.000000e+001
-  word,              ///< LOWPASS, TRUE, X_Achse: begins with a letter or underscore, ends at a blank or the line's end
-  quoted,            ///< "name (with bracket)"; the span includes the quotes
+  integer,      ///< 20, -5, +5
+  hexadecimal,  ///< 0x400001
+  real,         ///< 1.8, .5, 1., 3.000000e+001
+  word,    ///< LOWPASS, TRUE, X_Achse: begins with a letter or underscore, ends at a blank or the line's end
+  quoted,  ///< "name (with bracket)"; the span includes the quotes
   reference,         ///< P-AXIS-00212 or P-AXIS-00212.0
   decimal_comma,     ///< 1,8
   malformed_number,  ///< begins like a number and is none: 12abc, 0x, 1e, 007
@@ -31,17 +33,18 @@ enum class TrailerKind : std::uint8_t { none, parenthesis, hash, slash_star, tex
 
 /// `name value [trailer]`. All spans are byte offsets into the parsed bytes.
 struct Assignment {
-  Span name;              ///< as written: `filter[0].order`
-  Span value;             ///< the value token
-  Span trailer;           ///< text behind the value token, without surrounding blanks; empty if there is none
-  Span free_text;         ///< from the value token to the first `(` or the line's end, without trailing blanks
+  Span name;       ///< as written: `filter[0].order`
+  Span value;      ///< the value token
+  Span trailer;    ///< text behind the value token, without surrounding blanks; empty if there is none
+  Span free_text;  ///< from the value token to the first `(` or the line's end, without trailing blanks
   ValueKind kind = ValueKind::word;
   TrailerKind trailer_kind = TrailerKind::none;
   std::uint32_t line = 0;  ///< from 1
 };
 
 enum class ProblemKind : std::uint8_t {
-  invalid_character,    ///< AX1001: control character, NUL, lone CR, or a byte that the encoding does not define
+  invalid_character,    ///< AX1001: control character, NUL, lone CR, or a byte that the encoding does not
+                        ///< define
   expected_name,        ///< AX1002
   expected_value,       ///< AX1003: span is the name
   malformed_index,      ///< AX1004: span is from `[` to the end of the broken index
@@ -73,9 +76,9 @@ struct AxisList {
 /// Longest line that is read, in bytes (a longer one is AX9003 for the file).
 inline constexpr std::size_t longest_line = 1U << 20U;
 
-/// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are letters
-/// and which are undefined. Cost: one pass, linear also in the number of problems.
-/// The caller has checked that no line is longer than `longest_line` (see `longest_line_in`).
+/// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
+/// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has
+/// checked that no line is longer than `longest_line` (see `longest_line_in`).
 [[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
 
 /// Length of the longest line of `bytes`.

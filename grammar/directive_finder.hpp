@@ -1,0 +1,43 @@
+// Finds the comments that speak to this program. Hardly any line has one, so the text is searched for the
+// rare colon of "axisc:" and not line by line.
+#pragma once
+
+#include "diagnostics/span.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axisc::grammar {
+
+class DirectiveFinder {
+ public:
+  explicit DirectiveFinder(std::string_view bytes) : bytes_(bytes) { advance(0); }
+
+  /// True if "axisc:" stands inside `comment`. Comments are asked for in the order of the text; all questions
+  /// together cost one search through it.
+  [[nodiscard]] bool within(Span comment) {
+    if (next_ < comment.begin) advance(comment.begin);
+    return next_ != std::string_view::npos && next_ + introducer.size() <= comment.end;
+  }
+
+ private:
+  static constexpr std::string_view introducer = "axisc:";
+
+  void advance(std::size_t from) {
+    std::size_t colon = from;
+    while ((colon = bytes_.find(':', colon)) != std::string_view::npos) {
+      ++colon;
+      if (colon >= from + introducer.size() && bytes_.substr(0, colon).ends_with(introducer)) {
+        next_ = colon - introducer.size();
+        return;
+      }
+    }
+    next_ = std::string_view::npos;
+  }
+
+  std::string_view bytes_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace axisc::grammar
