@@ -7,4 +7,28 @@ set(axisc_rules_text_and_parameter
 
 # Filters and what was designed from them: AX3, AX6.
 set(axisc_rules_filter
+  filter_view.cpp
+  rules/allpass_prototype.cpp
+  rules/bandstop_overshoot.cpp
+  rules/blocks_constant_part.cpp
+  rules/characteristic_frequency.cpp
+  rules/delay_too_long.cpp
+  rules/designed_filter.cpp
+  rules/enabled_without_order.cpp
+  rules/filter_order_for_type.cpp
+  rules/filter_words.cpp
+  rules/fir_view.cpp
+  rules/frequency_above_nyquist.cpp
+  rules/frequency_zero.cpp
+  rules/interface_disabled.cpp
+  rules/interface_filter_invalid_default.cpp
+  rules/long_settling.cpp
+  rules/order_without_enable.cpp
+  rules/overshooting_prototype.cpp
+  rules/peak_gain.cpp
+  rules/share_zero.cpp
+  rules/stability_reserve.cpp
+  rules/time_constant_below_cycle.cpp
+  rules/undocumented_type.cpp
+  rules/unused_parameter.cpp
 )

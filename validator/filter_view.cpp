@@ -1,0 +1,151 @@
+#include "validator/filter_view.hpp"
+
+#include "schema/catalogue.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::uint32_t setpoint_filters = 3;
+constexpr std::uint32_t interface_filters = 1;
+constexpr int hsc_prototype = 5;
+constexpr int hsc_mean = 8;
+
+EffectiveValue const& value_of(EffectiveValues const& values, FilterPort port, std::uint32_t index,
+                               std::string_view member) {
+  std::string pattern(port == FilterPort::setpoint ? "filter[]." : "lr_param.add_interface.filter[].");
+  return values.at(pattern.append(member), index);
+}
+
+bool is_standard(int type) {
+  return (type >= static_cast<int>(design::FilterType::lowpass) &&
+          type <= static_cast<int>(design::FilterType::pt1)) ||
+         type == static_cast<int>(design::FilterType::pt2) ||
+         type == static_cast<int>(design::FilterType::time_delay);
+}
+
+bool order_fits(design::FilterType type, double order) {
+  if (design::computes_order(type)) return order >= 1;
+  return order >= 1 && order <= (design::uses_quality(type) ? 3 : 6);
+}
+
+bool time_constant_fits(design::FilterType type, design::Microseconds time, design::CycleTime cycle_time) {
+  double const cycles = cycle_time.cycles(time);
+  return type == design::FilterType::time_delay ? cycles >= 0 && cycles < 6 : cycles >= 1;
+}
+
+}  // namespace
+
+FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uint32_t index_)
+    : port(port_),
+      index(index_),
+      enable(value_of(values, port_, index_, "enable")),
+      order(value_of(values, port_, index_, "order")),
+      prototype(value_of(values, port_, index_, "prototype")),
+      type(value_of(values, port_, index_, "type")),
+      frequency(value_of(values, port_, index_, "fg_f0")),
+      quality(value_of(values, port_, index_, "guete")),
+      share(value_of(values, port_, index_, "share_percent")),
+      time_constant(value_of(values, port_, index_, "time_constant")) {}
+
+bool FilterView::touched() const {
+  auto const values = all();
+  return std::any_of(values.begin(), values.end(), [](EffectiveValue const* value) { return value->set(); });
+}
+
+bool FilterView::is_hsc() const {
+  return !prototype.unusable && static_cast<int>(prototype.value.number) == hsc_prototype;
+}
+
+int FilterView::type_number() const {
+  if (port == FilterPort::setpoint && !type.set() && is_hsc()) return hsc_mean;
+  return static_cast<int>(type.value.number);
+}
+
+std::string_view FilterView::type_word() const {
+  auto const symbols = schema::parameter(schema::parameter_of(type.slot)).symbols;
+  int const number = type_number();
+  auto const symbol = std::find_if(symbols.begin(), symbols.end(),
+                                   [number](schema::Symbol const& known) { return known.number == number; });
+  return symbol == symbols.end() ? std::string_view(type.value.text) : symbol->word;
+}
+
+std::optional<design::FilterType> FilterView::standard_type() const {
+  int const number = type_number();
+  if (is_hsc() || !is_standard(number)) return std::nullopt;
+  return static_cast<design::FilterType>(number);
+}
+
+bool FilterView::active() const {
+  return !unusable() && enable.value.flag() && order.value.number > 0 && standard_type().has_value();
+}
+
+bool FilterView::type_unusable() const {
+  return type.unusable || (port == FilterPort::setpoint && !type.set() && prototype.unusable);
+}
+
+bool FilterView::unusable() const {
+  return enable.unusable || order.unusable || type_unusable();
+}
+
+EffectiveValue const& FilterView::anchor(EffectiveValue const& wanted) const {
+  if (wanted.set()) return wanted;
+  if (enable.set()) return enable;
+  auto const values = all();
+  auto const first = std::min_element(values.begin(), values.end(),
+                                      [](EffectiveValue const* left, EffectiveValue const* right) {
+                                        return std::tuple(!left->set(), left->origin, left->line) <
+                                               std::tuple(!right->set(), right->origin, right->line);
+                                      });
+  return **first;
+}
+
+std::optional<design::FilterSpecification> FilterView::specification(design::CycleTime cycle_time) const {
+  if (!active() || share.unusable) return std::nullopt;
+  design::FilterSpecification specification;
+  specification.type = *standard_type();
+  if (!order_fits(specification.type, order.value.number)) return std::nullopt;
+  specification.order = static_cast<std::uint32_t>(order.value.number);
+  specification.share_percent = share.value.number;
+  if (specification.share_percent < 0 || specification.share_percent > 100) return std::nullopt;
+
+  if (design::uses_prototype(specification.type)) {
+    if (prototype.unusable) return std::nullopt;
+    specification.prototype = static_cast<design::Prototype>(static_cast<int>(prototype.value.number));
+  }
+  if (design::uses_frequency(specification.type)) {
+    specification.frequency = design::Hertz{frequency.value.number};
+    bool const fits =
+        specification.frequency > design::Hertz{0} && specification.frequency < cycle_time.nyquist();
+    if (frequency.unusable || !fits) return std::nullopt;
+  }
+  if (design::uses_quality(specification.type)) {
+    specification.quality = quality.value.number;
+    bool const fits = specification.quality >= 1 && specification.quality <= 10;
+    if (quality.unusable || !fits) return std::nullopt;
+  }
+  if (design::uses_time_constant(specification.type)) {
+    specification.time_constant = design::Microseconds{time_constant.value.number};
+    bool const fits = time_constant_fits(specification.type, specification.time_constant, cycle_time);
+    if (time_constant.unusable || !fits) return std::nullopt;
+  }
+  return specification;
+}
+
+std::vector<FilterView> touched_filters(EffectiveValues const& values) {
+  std::vector<FilterView> filters;
+  auto const add = [&](FilterPort port, std::uint32_t count) {
+    for (std::uint32_t index = 0; index < count; ++index) {
+      FilterView const filter(values, port, index);
+      if (filter.touched()) filters.push_back(filter);
+    }
+  };
+  add(FilterPort::setpoint, setpoint_filters);
+  add(FilterPort::additional_interface, interface_filters);
+  return filters;
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,33 @@
+#include "validator/rules/designed_filter.hpp"
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double noticeable = 0.01;
+
+}  // namespace
+
+void bandstop_overshoot(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  if (!filter.active() || filter.port != FilterPort::setpoint) return;
+  if (filter.standard_type() != design::FilterType::bandstop) return;
+  auto const overshoot = step_overshoot(filter, context.axis.cycle_time);
+  if (!overshoot || *overshoot <= noticeable) return;
+  Finding& finding =
+      report.add(filter.anchor(filter.type),
+                 {Text::ax6004, {{"filter", filter_name(filter)}, {"overshoot", percent(*overshoot)}}});
+  finding.label = Message{Text::filter_overshoot, {{"overshoot", percent(*overshoot)}}};
+  EffectiveValue const& limit = context.axis.values.at("kenngr.dyn_monitoring_v_err");
+  if (!limit.unusable) {
+    finding.notes.push_back({Text::ax6004_monitoring,
+                             {{"p_axis", parameter_number(limit)},
+                              {"parameter", parameter_name(limit)},
+                              {"limit", percent(limit.value.number / 1000)}}});
+  }
+  finding.help.push_back(
+      {Text::ax6004_help, {{"order", parameter_name(filter.order)}, {"p_axis", parameter_number(limit)}}});
+}
+
+}  // namespace axisc::validator::checks

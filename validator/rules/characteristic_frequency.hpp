@@ -1,0 +1,24 @@
+// Every characteristic frequency that something of an axis is designed with.
+#pragma once
+
+#include "validator/rule.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator::checks {
+
+/// References stay valid while the EffectiveValues live.
+struct CharacteristicFrequency {
+  EffectiveValue const& frequency;
+  EffectiveValue const& anchor;      ///< where a finding about it stands
+  std::string user;                  ///< what uses it, as a list writes it: "LOWPASS", "filter_fir.type 3"
+  std::string_view nyquist_message;  ///< the control's number for one that is too high
+};
+
+/// Of the active standard filters, a configured HSC NoVib or windowed sinc, and the active stages of the
+/// Improved Position Control, where a list or a meaningful default gives one.
+[[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(EffectiveValues const& values);
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,42 @@
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <cmath>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double shortest_refused_cycles = 6;
+
+}  // namespace
+
+void delay_too_long(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  EffectiveValue const& time = filter.time_constant;
+  if (filter.type_unusable() || time.unusable) return;
+  if (filter.standard_type() != design::FilterType::time_delay) return;
+  if (!filter.active() && !configured(time)) return;
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  double const cycles = cycle_time.cycles({time.value.number});
+  if (cycles < shortest_refused_cycles) return;
+
+  double const limit = shortest_refused_cycles * cycle_time.microseconds();
+  Finding& finding = report.add(filter.anchor(time), {Text::ax3005, {}});
+  finding.label = Message{Text::filter_time_in_cycles,
+                          {{"time", microseconds(time.value.number)},
+                           {"milliseconds", milliseconds(time.value.number)},
+                           {"cycles", number(cycles)},
+                           {"cycle", microseconds(cycle_time.microseconds())}}};
+  finding.notes.push_back({Text::ax3005_limit,
+                           {{"p_axis", parameter_number(time)},
+                            {"limit", microseconds(limit)},
+                            {"milliseconds", milliseconds(limit)}}});
+  note_default(finding, time);
+  relate_type(finding, filter);
+  finding.help.push_back({Text::ax3005_help_longest,
+                          {{"parameter", parameter_name(time)}, {"longest", number(std::ceil(limit) - 1)}}});
+  if (filter.port == FilterPort::setpoint) finding.help.push_back({Text::ax3005_help_fir, {}});
+  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,84 @@
+#include "validator/rules/filter_words.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace axisc::validator::checks {
+
+std::string parameter_name(EffectiveValue const& value) {
+  return schema::slot_name(value.slot);
+}
+
+std::string parameter_number(EffectiveValue const& value) {
+  return schema::p_axis_text(schema::parameter(schema::parameter_of(value.slot)).p_axis);
+}
+
+std::string filter_name(FilterView const& filter) {
+  std::string const enable = parameter_name(filter.enable);
+  return enable.substr(0, enable.rfind('.'));
+}
+
+std::string symbol_word(EffectiveValue const& value) {
+  if (!value.value.text.empty()) return value.value.text;
+  schema::Parameter const& parameter = schema::parameter(schema::parameter_of(value.slot));
+  schema::Symbol const* const symbol = symbol_of_number(parameter, value.value.number);
+  return symbol != nullptr ? std::string(symbol->word) : number(value.value.number);
+}
+
+std::string number(double value) {
+  return format_rounded(value, 6);
+}
+
+std::string percent(double share) {
+  double const value = share * 100;
+  double const rounded = std::round(value * 10) / 10;
+  return std::abs(value) < 0.1 ? format_rounded(value, 2) : format_rounded(rounded, 6);
+}
+
+std::string microseconds(double value) {
+  return number(value) + " µs";
+}
+
+std::string milliseconds(double value) {
+  return number(value / 1e3) + " ms";
+}
+
+bool configured(EffectiveValue const& value) {
+  if (!value.set() || value.unusable) return false;
+  auto const standard = default_value(schema::parameter(schema::parameter_of(value.slot)));
+  return !standard || standard->number != value.value.number;
+}
+
+void react(Finding& finding, std::string_view messages, Message reaction, std::string value) {
+  finding.control = ControlReaction{
+      .message = std::string(messages), .reaction = std::move(reaction), .value = std::move(value)};
+}
+
+void note_default(Finding& finding, EffectiveValue const& value) {
+  if (value.set()) return;
+  std::string const standard = value.value.text.empty() ? number(value.value.number) : value.value.text;
+  finding.notes.push_back(
+      {Text::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
+}
+
+void relate_type(Finding& finding, FilterView const& filter) {
+  if (filter.type.value_place) {
+    finding.related.push_back({*filter.type.value_place, {Text::filter_type_here, {}}});
+    return;
+  }
+  finding.notes.push_back(
+      {Text::filter_type_default,
+       {{"parameter", parameter_name(filter.type)}, {"type", std::string(filter.type_word())}}});
+}
+
+std::string_view time_constant_message(FilterContext const& context) {
+  if (context.filter.port == FilterPort::additional_interface) return "70451";
+  return context.axis.type == AxisType::spindle ? "60311" : "50663";
+}
+
+}  // namespace axisc::validator::checks

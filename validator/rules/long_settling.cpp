@@ -1,0 +1,78 @@
+#include "design/filter_analysis.hpp"
+#include "validator/rules/designed_filter.hpp"
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double longest_seconds = 10;
+constexpr double tolerance = 1e-4;
+constexpr double smallest_reserve = 1e-9;
+
+// Repeated and neighbouring poles settle later than one pole of their radius, by less than this factor: 18
+// equal poles, the most that three filters have, need 4.4 times as long.
+constexpr double repeated_poles = 16;
+// A pole that decays a hundred times slower than allowed has hardly begun to move after ten seconds.
+constexpr double hopeless = 100;
+
+enum class Settling : std::uint8_t { in_time, late };
+
+struct Result {
+  Settling settling = Settling::in_time;
+  std::optional<double> seconds;  ///< none where it was not measured
+};
+
+// Cycles until radius^n falls below the tolerance.
+double decay_cycles(double radius) {
+  return radius > 0 ? std::log(tolerance) / std::log(radius) : 0;
+}
+
+Result settling(std::vector<ChainLink> const& chain, double radius, design::CycleTime cycle_time) {
+  double const allowed = longest_seconds / cycle_time.seconds();
+  double const decay = decay_cycles(radius);
+  if (decay * repeated_poles <= allowed) return {};
+  if (decay > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
+  auto const filters = designs(chain);
+  auto const longest = static_cast<std::uint64_t>(4 * allowed);
+  auto const figures = design::step_figures(filters, longest, tolerance);
+  if (!figures.settling_cycles) return {.settling = Settling::late, .seconds = std::nullopt};
+  auto const cycles = static_cast<double>(*figures.settling_cycles);
+  if (cycles <= allowed) return {};
+  return {.settling = Settling::late, .seconds = cycles * cycle_time.seconds()};
+}
+
+}  // namespace
+
+void long_settling(AxisContext const& axis, Report& report) {
+  auto const chain = setpoint_chain(axis.values, axis.cycle_time);
+  if (chain.empty()) return;
+  auto const slowest =
+      std::max_element(chain.begin(), chain.end(), [](ChainLink const& left, ChainLink const& right) {
+        return left.design.pole_radius < right.design.pole_radius;
+      });
+  // AX6001 speaks of such a filter.
+  if (1 - slowest->design.pole_radius < smallest_reserve) return;
+  Result const result = settling(chain, slowest->design.pole_radius, axis.cycle_time);
+  if (result.settling == Settling::in_time) return;
+
+  FilterView const& filter = slowest->filter;
+  Finding& finding = report.add(filter.anchor(filter.type), {Text::ax6003, {}});
+  finding.label = Message{Text::ax6003_label, {{"filter", filter_name(filter)}}};
+  if (result.seconds) {
+    finding.notes.push_back({Text::ax6003_measured, {{"seconds", number(*result.seconds)}}});
+  }
+  bool const by_frequency = design::uses_frequency(*filter.standard_type());
+  EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
+  finding.notes.push_back({by_frequency ? Text::ax6003_frequency : Text::ax6003_time,
+                           {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});
+  if (cause.value_place) {
+    finding.related.push_back({*cause.value_place, {Text::ax6003_cause_here, {}}});
+  }
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,33 @@
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/fir_view.hpp"
+
+#include <string>
+
+namespace axisc::validator::checks {
+namespace {
+
+bool works(FilterView const& filter) {
+  return filter.active() || (filter.is_hsc() && filter.port == FilterPort::setpoint);
+}
+
+void check(EffectiveValue const& share, std::string filter, EffectiveValue const& enable, Report& report) {
+  if (share.unusable || share.value.number != 0) return;
+  Finding& finding = report.add(share, {Text::ax3015, {{"filter", std::move(filter)}}});
+  finding.label = Message{Text::ax3015_label, {}};
+  finding.notes.push_back({Text::ax3015_limit, {{"p_axis", parameter_number(share)}}});
+  finding.help.push_back({Text::ax3015_help, {{"enable", parameter_name(enable)}}});
+  react(finding, "", {Text::filter_reaction_inactive, {}});
+}
+
+}  // namespace
+
+void share_zero(AxisContext const& axis, Report& report) {
+  for (FilterView const& filter : touched_filters(axis.values)) {
+    if (works(filter)) check(filter.share, filter_name(filter), filter.enable, report);
+  }
+  FirView const fir(axis.values);
+  if (fir.configured()) check(fir.share, "filter_fir", fir.enable, report);
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,35 @@
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/designed_filter.hpp"
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double smallest_reserve = 1e-9;
+
+}  // namespace
+
+void stability_reserve(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  auto const design = designed(filter, context.axis.cycle_time);
+  if (!design) return;
+  double const reserve = 1 - design->pole_radius;
+  if (reserve >= smallest_reserve) return;
+  bool const by_frequency = design::uses_frequency(*filter.standard_type());
+  EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
+  Finding& finding =
+      report.add(filter.anchor(filter.enable),
+                 {Text::ax6001, {{"filter", filter_name(filter)}, {"reserve", format_rounded(reserve, 2)}}});
+  finding.label = Message{Text::ax6001_label, {{"reserve", format_rounded(reserve, 2)}}};
+  finding.notes.push_back({Text::ax6001_limit, {}});
+  if (cause.value_place) {
+    finding.related.push_back(
+        {*cause.value_place, {by_frequency ? Text::ax6001_frequency_here : Text::ax6001_time_here, {}}});
+  }
+  finding.help.push_back({by_frequency ? Text::ax6001_help_frequency : Text::ax6001_help_time,
+                          {{"parameter", parameter_name(cause)}}});
+  react(finding, "50564", {Text::filter_reaction_refused, {}});
+}
+
+}  // namespace axisc::validator::checks

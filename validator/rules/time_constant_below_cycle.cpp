@@ -1,0 +1,50 @@
+#include "validator/rules/filter_checks.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace axisc::validator::checks {
+namespace {
+
+bool is_lag(FilterView const& filter) {
+  auto const type = filter.standard_type();
+  return type == design::FilterType::pt1 || type == design::FilterType::pt2;
+}
+
+}  // namespace
+
+void time_constant_below_cycle(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  EffectiveValue const& time = filter.time_constant;
+  if (filter.type_unusable() || time.unusable || !is_lag(filter)) return;
+  if (!filter.active() && !configured(time)) return;
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  double const cycles = cycle_time.cycles({time.value.number});
+  if (cycles >= 1) return;
+
+  std::string const cycle = microseconds(cycle_time.microseconds());
+  std::string const type(filter.type_word());
+  double const shortest = std::ceil(cycle_time.microseconds());
+  double const cut_off = 1e6 / (2 * std::numbers::pi * shortest);
+  Finding& finding = report.add(filter.anchor(time), {Text::ax3004, {{"type", type}}});
+  finding.label = Message{Text::filter_time_in_cycles,
+                          {{"time", microseconds(time.value.number)},
+                           {"milliseconds", milliseconds(time.value.number)},
+                           {"cycles", number(cycles)},
+                           {"cycle", cycle}}};
+  finding.notes.push_back({Text::ax3004_limit,
+                           {{"p_axis", parameter_number(time)},
+                            {"limit", cycle},
+                            {"milliseconds", milliseconds(cycle_time.microseconds())},
+                            {"type", type}}});
+  note_default(finding, time);
+  relate_type(finding, filter);
+  finding.help.push_back({Text::ax3004_help,
+                          {{"parameter", parameter_name(time)},
+                           {"shortest", number(shortest)},
+                           {"frequency", number(std::round(cut_off))}}});
+  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+}
+
+}  // namespace axisc::validator::checks
