@@ -1,5 +1,11 @@
-// An image read back into plain values, for `inspect`, `response` and comparisons. The runtime does not use this.
+// An image read back into plain values, for `inspect`, `response` and comparisons. The runtime does not use
+// this.
 #pragma once
+
+#include "axisrt.h"
+#include "design/filter_design.hpp"
+#include "design/filter_specification.hpp"
+#include "design/units.hpp"
 
 #include <array>
 #include <cstddef>
@@ -9,11 +15,6 @@
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "axisrt.h"
-#include "design/filter_design.hpp"
-#include "design/filter_specification.hpp"
-#include "design/units.hpp"
 
 namespace axisc::codegen {
 

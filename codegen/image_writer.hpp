@@ -1,11 +1,11 @@
 // From the checked machine to the bytes of an image.
 #pragma once
 
+#include "validator/machine.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "validator/machine.hpp"
 
 namespace axisc::codegen {
 
@@ -15,6 +15,7 @@ struct ImageOptions {
 };
 
 /// Byte-identical for equal machines and options, on every host and at every optimisation level.
-[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options);
+[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine,
+                                                 ImageOptions const& options);
 
 }  // namespace axisc::codegen

@@ -1,0 +1,66 @@
+// The real-time runtime for programs that may allocate: it owns image and memory, and executes axisrt itself,
+// so that `run`, plots and tests show what a controller would do.
+#pragma once
+
+#include "axisrt.h"
+#include "codegen/aligned_bytes.hpp"
+#include "design/units.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <variant>
+
+namespace axisc::codegen {
+
+class RuntimeHost {
+ public:
+  /// Copies and verifies the image and runs its self-tests. Without `cycle_time` the controller is taken to
+  /// run at the image's own. Throws std::bad_alloc only.
+  [[nodiscard]] static std::variant<RuntimeHost, axisrt_status> create(
+      std::span<std::byte const> image, std::optional<design::CycleTime> cycle_time = std::nullopt);
+
+  [[nodiscard]] std::uint32_t axis_count() const { return axisrt_axis_count(runtime_); }
+  [[nodiscard]] design::CycleTime cycle_time() const { return {axisrt_cycle_time_ns(runtime_)}; }
+  /// Empty in a stripped image.
+  [[nodiscard]] std::string_view axis_name(std::uint32_t axis) const;
+  [[nodiscard]] bool has_interface(std::uint32_t axis) const {
+    return axisrt_has_interface(runtime_, axis) != 0;
+  }
+  /// Bytes that a controller has to provide.
+  [[nodiscard]] std::size_t memory_size() const { return memory_.size(); }
+
+  [[nodiscard]] axisrt_status reset(std::uint32_t axis, double position) {
+    return axisrt_reset(runtime_, axis, position);
+  }
+  [[nodiscard]] axisrt_status reset_interface(std::uint32_t axis, double value) {
+    return axisrt_reset_interface(runtime_, axis, value);
+  }
+  /// All axes, their interfaces too; the worst status.
+  [[nodiscard]] axisrt_status reset_all(double position);
+  [[nodiscard]] axisrt_status rebase(std::uint32_t axis, double offset) {
+    return axisrt_rebase(runtime_, axis, offset);
+  }
+
+  /// One cycle. The spans have axis_count() entries (`status` may be empty), `in` may be `out`; other sizes
+  /// are AXISRT_BAD_ARGUMENT.
+  [[nodiscard]] axisrt_status step(std::span<double const> in, std::span<double> out,
+                                   std::span<std::uint8_t> status = {});
+  [[nodiscard]] axisrt_status step_interface(std::span<double const> in, std::span<double> out,
+                                             std::span<std::uint8_t> status = {});
+
+  [[nodiscard]] std::variant<axisrt_axis_state, axisrt_status> axis_state(std::uint32_t axis) const;
+
+ private:
+  RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtime);
+  [[nodiscard]] bool fits(std::span<double const> in, std::span<double> out,
+                          std::span<std::uint8_t> status) const;
+
+  AlignedBytes image_;
+  AlignedBytes memory_;
+  axisrt* runtime_;  ///< lies in memory_
+};
+
+}  // namespace axisc::codegen

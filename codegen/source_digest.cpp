@@ -1,0 +1,49 @@
+#include "codegen/source_digest.hpp"
+
+#include "codegen/record.hpp"
+
+#include <sodium/crypto_hash_sha256.h>
+
+namespace axisc::codegen {
+namespace {
+
+static_assert(std::tuple_size_v<Sha256> == crypto_hash_sha256_BYTES);
+
+class Hash {
+ public:
+  Hash() { crypto_hash_sha256_init(&state_); }
+  void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
+  void add(std::span<std::byte const> bytes) {
+    crypto_hash_sha256_update(&state_, reinterpret_cast<unsigned char const*>(bytes.data()), bytes.size());
+  }
+  Sha256 finish() {
+    Sha256 digest{};
+    crypto_hash_sha256_final(&state_, digest.data());
+    return digest;
+  }
+
+ private:
+  crypto_hash_sha256_state state_{};
+};
+
+}  // namespace
+
+Sha256 sha256(std::string_view bytes) {
+  Hash hash;
+  hash.add(bytes);
+  return hash.finish();
+}
+
+Sha256 source_digest(std::span<validator::MachineList const> lists) {
+  Hash hash;
+  for (validator::MachineList const& list : lists) {
+    std::array<std::byte, 1 + sizeof(std::uint64_t)> separator{};
+    store_little_endian(std::span(separator).subspan(1), std::uint64_t{list.content.size()});
+    hash.add(list.name);
+    hash.add(separator);
+    hash.add(list.content);
+  }
+  return hash.finish();
+}
+
+}  // namespace axisc::codegen

@@ -1,0 +1,20 @@
+// SHA-256 over what an image was made from: names and bytes of its lists, never where they lie.
+#pragma once
+
+#include "validator/machine.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace axisc::codegen {
+
+using Sha256 = std::array<std::uint8_t, 32>;
+
+[[nodiscard]] Sha256 sha256(std::string_view bytes);
+
+/// For each list its name, a zero byte, its size as little-endian u64, its bytes.
+[[nodiscard]] Sha256 source_digest(std::span<validator::MachineList const> lists);
+
+}  // namespace axisc::codegen
