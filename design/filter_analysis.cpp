@@ -44,8 +44,10 @@ Value section_at(IncrementSection const& section, bool blocks_constant, Point co
   Complex const& w = at.w;
   Complex const a = w * w + at.u * (k + b * w);
   Complex const da_du = -(2.0 * w - (k + b * w) + b * at.u);
-  Complex const m = (p + q * at.u) * w;
-  Complex const dm_du = q * w - (p + q * at.u);
+  Complex const numerator =
+      (p + q) - q * w;  // p + q u; p and q nearly cancel at low characteristic frequencies
+  Complex const m = numerator * w;
+  Complex const dm_du = q * w - numerator;
   Complex const g = m / a;
   Complex const dg_du = (dm_du - g * da_du) / a;
   if (blocks_constant)

@@ -29,9 +29,8 @@ struct StepFigures {
   double overshoot = 0;  ///< largest excess of the step response above its final value, as a share of the
                          ///< final value; 0 where the final value is 0
   double peak_gain = 0;  ///< Σ|h[n]|: no bounded input is amplified more
-  std::optional<std::uint64_t>
-      settling_cycles;  ///< first cycle from which the step response stays within
-                        ///< `tolerance` of its final value; none: not within `longest`
+  std::optional<std::uint64_t> settling_cycles;  ///< first cycle from which the step response stays within
+      ///< `tolerance` of its final value; none: not within `longest`
 };
 
 /// Cost: proportional to settling time; at most `longest` cycles.

@@ -46,10 +46,10 @@ struct Share {
 
 struct FilterDesign {
   Realisation realisation = Realisation::pass_through;
-  std::vector<IncrementSection> sections;  ///< by rising pole radius
-  bool blocks_constant = false;            ///< every section has H(1) = 0 (high-pass and band-pass)
-  std::uint32_t delay_cycles = 0;          ///< for Realisation::delay
-  Share share;
+  std::vector<IncrementSection> sections{};  ///< by rising pole radius
+  bool blocks_constant = false;              ///< every section has H(1) = 0 (high-pass and band-pass)
+  std::uint32_t delay_cycles = 0;            ///< for Realisation::delay
+  Share share{};
 
   double pole_radius = 0;         ///< largest |pole|, 0 where there is none
   double dc_gain = 1;             ///< with the share

@@ -29,20 +29,25 @@ struct Numerator {
   Number n2{0};
 };
 
+/// Value at w = 1 of the discretised denominator, by which a section's coefficients are divided.
+template <typename Number>
+[[nodiscard]] Number normaliser(Denominator<Number> const& c, Number const& t) {
+  return c.first_order ? Number(c.c0 * t + c.c1) : Number(c.c0 * t * t + c.c1 * t + c.c2);
+}
+
 /// (n1 s + n2 s²)/(c0 + c1 s + c2 s²), discretised. With w = 1 - z^-1, s = w/(t (2 - w)):
 ///     numerator    w (2 n1 t + (n2 - n1 t) w)
 ///     denominator  4 c0 t² + (2 c1 t - 4 c0 t²) w + (c0 t² - c1 t + c2) w²
-/// and both are divided by N, the denominator's value at w = 1. No coefficient of the denominator is a
+/// and both are divided by N. No coefficient of the denominator is a
 /// difference.
 template <typename Number>
 [[nodiscard]] Section<Number> bilinear(Denominator<Number> const& c, Numerator<Number> const& n,
                                        Number const& t) {
   Number const slope = n.n1 / (2 * c.c0 * t);
+  Number const N = normaliser(c, t);
   if (c.first_order) {
-    Number const N = c.c0 * t + c.c1;
     return {.p = n.n1 / N, .q = Number(0), .k = 2 * c.c0 * t / N, .b = Number(1), .slope = slope};
   }
-  Number const N = c.c0 * t * t + c.c1 * t + c.c2;
   return {.p = (n.n1 * t + n.n2) / N,
           .q = (n.n1 * t - n.n2) / N,
           .k = 4 * c.c0 * t * t / N,
@@ -116,7 +121,9 @@ template <typename Number>
   return {c.c2, c.c1, c.c0};
 }
 
-/// One zero at z = 1 and one at z = -1 a section; each section has magnitude 1 at s = j, all together gain 1.
+/// One zero at z = 1 and one at z = -1 a section, gain 1 at s = j of all together. Two sections of one pair
+/// have the gain m s/D(s) each, m = |D(j)|, and share it such that both have the same p = m t/sqrt(N1 N2),
+/// which never exceeds 1.
 template <typename Number>
 [[nodiscard]] std::vector<Section<Number>> bandpass(Poles<Number> const& poles, Number const& Q,
                                                     Number const& t) {
@@ -128,10 +135,12 @@ template <typename Number>
       continue;
     }
     Denominator<Number> const c = split_pair(p, Q);
+    Denominator<Number> const mirror = mirrored(c);
     Number const detuning = c.c0 - c.c2;
-    Numerator<Number> const n{sqrt(detuning * detuning + c.c1 * c.c1), Number(0)};
-    sections.push_back(bilinear(c, n, t));
-    sections.push_back(bilinear(mirrored(c), n, t));
+    Number const m = sqrt(detuning * detuning + c.c1 * c.c1);
+    Number const balance = sqrt(normaliser(c, t) / normaliser(mirror, t));
+    sections.push_back(bilinear(c, {m * balance, Number(0)}, t));
+    sections.push_back(bilinear(mirror, {m / balance, Number(0)}, t));
   }
   return sections;
 }

@@ -1,0 +1,88 @@
+// What the image's loader demands holds for everything the ranges allow.
+#include "design/filter_analysis.hpp"
+#include "support/catch.hpp"
+#include "tests/design/specifications.hpp"
+
+#include <cmath>
+
+namespace {
+
+using namespace axisc::design;
+
+bool loads(IncrementSection const& s) {
+  return s.k > 0 && s.b > 0 && s.b < 2 && 4 - s.k - 2 * s.b > 0 && std::abs(s.p) <= 64 && std::abs(s.q) <= 64;
+}
+
+void check_design(Case const& c, Precision precision) {
+  FilterDesign const design = design_filter(c.specification, c.cycle_time, precision);
+  INFO(c);
+  bool good = design.pole_radius < 1 && std::isfinite(design.group_delay_cycles);
+  double previous = 0;
+  for (IncrementSection const& section : design.sections) {
+    good = good && loads(section);
+    auto const [first, second] = poles(section);
+    double const radius = std::max(std::abs(first), std::abs(second));
+    // Double poles split by the square root of the rounding.
+    good = good && radius > previous - 1e-6;
+    previous = radius;
+  }
+  CHECK(good);
+}
+
+}  // namespace
+
+TEST_CASE("ten thousand quick designs are stable and ordered by rising pole radius") {
+  RandomCases cases(1);
+  for (int i = 0; i < 10'000; ++i) check_design(cases.next(), Precision::quick);
+}
+
+TEST_CASE("some hundred exact designs are stable and ordered by rising pole radius") {
+  RandomCases cases(2);
+  for (int i = 0; i < 400; ++i) check_design(cases.next(), Precision::exact);
+}
+
+TEST_CASE("the ends of the ranges") {
+  for (std::uint32_t const nanoseconds : {62'500U, 4'000'000U}) {
+    CycleTime const cycle_time{nanoseconds};
+    for (double const frequency : {0.1, 0.499 / cycle_time.seconds()})
+      for (FilterType const type : every_type)
+        for (Prototype const prototype : every_prototype)
+          for (double const quality : {1.0, 10.0}) {
+            auto specification = filter_of(type, prototype, highest_order(type), frequency, quality);
+            specification.time_constant = {type == FilterType::time_delay ? 5.99 * cycle_time.microseconds()
+                                                                          : 4294967295.0};
+            check_design({specification, cycle_time}, Precision::exact);
+          }
+  }
+}
+
+TEST_CASE("poles that rounding moves onto the unit circle are reported there") {
+  CycleTime const cycle_time{1'000'000};
+  for (FilterType const type : {FilterType::lowpass, FilterType::highpass, FilterType::bandstop}) {
+    auto const specification =
+        filter_of(type, Prototype::butterworth, 2, std::nextafter(cycle_time.nyquist().value, 0.0), 3);
+    for (Precision const precision : {Precision::quick, Precision::exact}) {
+      FilterDesign const design = design_filter(specification, cycle_time, precision);
+      CHECK(design.pole_radius >= 1 - 1e-9);
+    }
+  }
+}
+
+TEST_CASE("quick and exact designs respond alike") {
+  RandomCases cases(3);
+  for (int i = 0; i < 300; ++i) {
+    Case const c = cases.next();
+    FilterDesign const quick = design_filter(c.specification, c.cycle_time, Precision::quick);
+    FilterDesign const exact = design_filter(c.specification, c.cycle_time, Precision::exact);
+    INFO(c);
+    REQUIRE(quick.sections.size() == exact.sections.size());
+    CHECK(quick.group_delay_cycles == Approx(exact.group_delay_cycles).epsilon(1e-9));
+    CHECK(quick.pole_radius == Approx(exact.pole_radius).epsilon(1e-9));
+    for (double const share : {1e-4, 0.01, 0.2, 0.8}) {
+      Hertz const frequency{share * c.cycle_time.nyquist().value};
+      auto const expected = response(exact, frequency, c.cycle_time);
+      CHECK(std::abs(response(quick, frequency, c.cycle_time) - expected) <
+            1e-9 * (1e-3 + std::abs(expected)));
+    }
+  }
+}
