@@ -26,8 +26,7 @@ void bandstop_overshoot(FilterContext const& context, Report& report) {
                               {"parameter", parameter_name(limit)},
                               {"limit", percent(limit.value.number / 1000)}}});
   }
-  finding.help.push_back(
-      {Text::ax6004_help, {{"order", parameter_name(filter.order)}, {"p_axis", parameter_number(limit)}}});
+  finding.help.push_back({Text::ax6004_help, {{"p_axis", parameter_number(limit)}}});
 }
 
 }  // namespace axisc::validator::checks

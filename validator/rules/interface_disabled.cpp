@@ -1,6 +1,8 @@
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
 
+#include <tuple>
+
 namespace axisc::validator::checks {
 
 void interface_disabled(FilterContext const& context, Report& report) {
@@ -9,10 +11,15 @@ void interface_disabled(FilterContext const& context, Report& report) {
   if (filter.enable.unusable || !filter.enable.value.flag()) return;
   EffectiveValue const& interface = context.axis.values.at("lr_param.add_interface.enable");
   if (interface.unusable || interface.value.flag()) return;
-  Finding& finding = report.add(interface, {Text::ax3041, {{"filter", filter_name(filter)}}});
-  finding.label = Message{Text::ax3041_label, {}};
-  if (filter.enable.value_place) {
-    finding.related.push_back({*filter.enable.value_place, {Text::ax3041_filter_here, {}}});
+  bool const filter_last =
+      std::tuple(interface.origin, interface.line) < std::tuple(filter.enable.origin, filter.enable.line);
+  EffectiveValue const& last = filter_last ? filter.enable : interface;
+  EffectiveValue const& first = filter_last ? interface : filter.enable;
+  Finding& finding = report.add(last, {Text::ax3041, {{"filter", filter_name(filter)}}});
+  finding.label = Message{filter_last ? Text::ax3041_filter_here : Text::ax3041_interface_here, {}};
+  if (first.value_place) {
+    finding.related.push_back(
+        {*first.value_place, {filter_last ? Text::ax3041_interface_here : Text::ax3041_filter_here, {}}});
   }
   finding.help.push_back({Text::ax3041_help, {{"interface", parameter_name(interface)}}});
   react(finding, "", {Text::ax3041_reaction, {}});

@@ -61,7 +61,7 @@ void long_settling(AxisContext const& axis, Report& report) {
   if (result.settling == Settling::in_time) return;
 
   FilterView const& filter = slowest->filter;
-  Finding& finding = report.add(filter.anchor(filter.type), {Text::ax6003, {}});
+  Finding& finding = report.add(filter.anchor(filter.enable), {Text::ax6003, {}});
   finding.label = Message{Text::ax6003_label, {{"filter", filter_name(filter)}}};
   if (result.seconds) {
     finding.notes.push_back({Text::ax6003_measured, {{"seconds", number(*result.seconds)}}});
