@@ -21,6 +21,7 @@ struct LoadedList {
   grammar::AxisList tree;
   bool is_default_list = false;
   std::vector<Reading> readings;  ///< one per assignment of the tree
+  std::vector<LostAssignment> lost;
 };
 
 enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
@@ -70,14 +71,23 @@ class EffectiveValues {
 [[nodiscard]] schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index = 0,
                                    std::uint32_t second_index = 0);
 
-/// What went wrong with a reference (AX2010..AX2014).
-enum class ReferenceTrouble : std::uint8_t { unresolvable, circular, wrong_type, wrong_index, other_unit };
+/// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
+enum class ReferenceTrouble : std::uint8_t {
+  unresolvable,
+  circular,
+  wrong_type,
+  wrong_index,
+  other_unit,  ///< the only one that leaves the value usable
+  out_of_data_range,
+};
 
 struct ReferenceProblem {
   ReferenceTrouble trouble{};
-  schema::Slot slot{};                 ///< the parameter whose value is the reference
-  std::uint32_t p_axis = 0;            ///< what it names
+  schema::Slot slot{};       ///< the parameter whose value is the reference
+  std::uint32_t p_axis = 0;  ///< what it names
+  std::uint32_t index = 0;
   std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
+  double number = 0;                   ///< out_of_data_range: the value there
   std::vector<schema::Slot> circle;    ///< the other members of a circle
 };
 

@@ -8,6 +8,8 @@
 #include "validator/value.hpp"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace axisc::validator {
@@ -18,21 +20,31 @@ enum class ReadingStatus : std::uint8_t {
   not_judged,         ///< the name is unknown, so nothing is known about the value
   decimal_comma,      ///< AX1005
   malformed_number,   ///< AX1006, `number` says why
-  comment_in_string,  ///< AX1009, `trouble` is the text that needs a `(`
+  comment_in_string,  ///< AX1009, see `trouble`
   wrong_type,         ///< AX2003
   out_of_data_range,  ///< AX2004
   unknown_symbol,     ///< AX2007
 };
+
+/// A reference as it stands in a list: P-AXIS-00212.1.
+struct Reference {
+  std::uint32_t p_axis = 0;
+  std::uint32_t index = 0;
+};
+[[nodiscard]] Reference read_reference(std::string_view text);
 
 struct Reading {
   schema::NameLookup name;
   ReadingStatus status = ReadingStatus::not_judged;
   NumberStatus number = NumberStatus::good;
   Value value;
+  Reference reference;         ///< for ReadingStatus::reference
   bool symbol_folded = false;  ///< the symbol fits only after case folding (AX1010)
   bool quoted = false;         ///< the text stands in quotes
-  Span text;  ///< the value as the control reads it: the token, or the whole of a free string
-  Span trouble;
+  Span text;     ///< the value as the control reads it: the token, or the whole of a free string
+  Span trouble;  ///< text behind a symbol or in a string that was meant as a comment (AX1009)
+
+  std::vector<std::string> suggestions;  ///< for an unknown name: what may be meant, best first
 
   [[nodiscard]] bool known() const { return name.status == schema::NameLookup::Status::found; }
   /// The line gives its parameter a value, directly or by reference.
@@ -43,14 +55,25 @@ struct Reading {
   [[nodiscard]] bool row_known() const { return name.status != schema::NameLookup::Status::unknown; }
 };
 
-/// A reference as it stands in a list: P-AXIS-00212.1.
-struct Reference {
-  std::uint32_t p_axis = 0;
-  std::uint32_t index = 0;
-};
-[[nodiscard]] Reference read_reference(std::string_view text);
-
-/// One reading for each assignment, in the same order. Cost: one look-up and one conversion per line.
+/// One reading for each assignment, in the same order. Cost: one look-up and one conversion per line;
+/// suggestions are made for the first thousand unknown names only.
 [[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list);
+
+/// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
+/// parameter is meant to be is unknown then, so rules that need it have to stay silent.
+struct LostAssignment {
+  schema::Slot slot{};
+  Span name;
+  std::uint32_t line = 0;
+  bool guessed =
+      false;  ///< the name had to be guessed: counts only where the list does not set the parameter
+};
+[[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
+                                                           grammar::AxisList const& list,
+                                                           std::vector<Reading> const& readings);
+
+/// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,
+/// `lr_param.improved_position_control`. `name` may be misspelt behind its family.
+[[nodiscard]] bool is_compiled_family(std::string_view name);
 
 }  // namespace axisc::validator

@@ -57,6 +57,7 @@ struct AxisContext {
   SourceSet const& sources;
   LoadedList const* default_list;  ///< may be null
   LoadedList const& axis_list;
+  std::vector<ReferenceProblem> const& reference_problems;
 };
 
 /// What a rule about one standard filter sees; every filter that a list touches is shown once.

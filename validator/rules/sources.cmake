@@ -3,6 +3,25 @@
 # Text, parameters and files: AX1, AX2, AX4020, AX9.
 set(axisc_rules_text_and_parameter
   rules/table.cpp
+  rules/helpers.cpp
+  rules/axis_type_mismatch.cpp
+  rules/comment_in_string.cpp
+  rules/comment_names_other_parameter.cpp
+  rules/decimal_comma.cpp
+  rules/duplicate_parameter.cpp
+  rules/index_out_of_range.cpp
+  rules/letter_case.cpp
+  rules/limit_by_parameter.cpp
+  rules/malformed_number.cpp
+  rules/out_of_data_range.cpp
+  rules/out_of_range.cpp
+  rules/references.cpp
+  rules/string_too_long.cpp
+  rules/suspicious_trailer.cpp
+  rules/syntax_problems.cpp
+  rules/unknown_parameter.cpp
+  rules/unknown_symbol.cpp
+  rules/wrong_type.cpp
 )
 
 # Filters and what was designed from them: AX3, AX6.

@@ -1,0 +1,107 @@
+#include "validator/reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace axisc::validator {
+namespace {
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// The name with every index made whole: `filter[0.order` and `filter[ 0 ].order` are filter[0].order; an
+/// index without number is 0.
+std::string with_whole_indices(std::string_view line) {
+  std::string name;
+  std::size_t i = 0;
+  while (i < line.size() && (is_name_character(line[i]) || line[i] == '[')) {
+    if (line[i] != '[') {
+      name += line[i++];
+      continue;
+    }
+    std::size_t const end = std::min(line.find_first_of(".]", i), line.size());
+    std::string digits;
+    for (char const c : line.substr(i, end - i)) {
+      if (is_digit(c)) digits += c;
+    }
+    name += '[' + (digits.empty() ? "0" : digits) + ']';
+    i = end < line.size() && line[end] == ']' ? end + 1 : end;
+  }
+  return name;
+}
+
+bool is_well_formed(std::string_view name) {
+  return !name.empty() && name.front() != '.' && name.back() != '.' &&
+         name.find("..") == std::string_view::npos;
+}
+
+std::optional<schema::Slot> slot_of_name(std::string_view name) {
+  using Status = schema::NameLookup::Status;
+  if (!is_well_formed(name)) return std::nullopt;
+  schema::NameLookup const lookup = schema::find(name);
+  switch (lookup.status) {
+    case Status::found:
+      return lookup.slot;
+    case Status::index_missing:
+    case Status::index_superfluous:
+      return schema::slot_of(lookup.parameter);
+    case Status::unknown:
+    case Status::index_out_of_range:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::AxisList const& list,
+                                             std::vector<Reading> const& readings) {
+  using grammar::ProblemKind;
+  std::vector<LostAssignment> lost;
+  for (grammar::Problem const& problem : list.problems) {
+    if (problem.kind == ProblemKind::text_after_end || problem.kind == ProblemKind::expected_name) continue;
+    Span line = source.line_span(problem.line);
+    std::string_view const text = source.slice(line);
+    std::size_t const blanks = text.find_first_not_of(" \t");
+    if (blanks == std::string_view::npos) continue;
+    line.begin += static_cast<std::uint32_t>(blanks);
+    std::string const name = with_whole_indices(source.slice(line));
+    line.end = std::min(line.end, line.begin + static_cast<std::uint32_t>(name.size()));
+    if (auto const slot = slot_of_name(name)) {
+      lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});
+    }
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    Reading const& reading = readings[i];
+    grammar::Assignment const& assignment = list.assignments[i];
+    std::optional<schema::Slot> slot;
+    if (!reading.row_known()) {
+      if (!reading.suggestions.empty()) slot = slot_of_name(reading.suggestions.front());
+    } else if (!reading.known()) {
+      slot = slot_of_name(source.slice(assignment.name));
+    }
+    if (slot)
+      lost.push_back({.slot = *slot, .name = assignment.name, .line = assignment.line, .guessed = true});
+  }
+  return lost;
+}
+
+bool is_compiled_family(std::string_view name) {
+  constexpr std::array<std::string_view, 5> families = {
+      "filter", "filter_fir", "vib_guard", "lr_param.add_interface", "lr_param.improved_position_control"};
+  return std::any_of(families.begin(), families.end(), [name](std::string_view family) {
+    if (name.substr(0, family.size()) != family) return false;
+    std::string_view const rest = name.substr(family.size());
+    return rest.empty() || rest.front() == '.' || rest.front() == '[';
+  });
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,68 @@
+#include "validator/effective_values.hpp"
+#include "validator/references.hpp"
+
+namespace axisc::validator {
+namespace {
+
+class Merger {
+ public:
+  void add(LoadedList const& list) {
+    list_ = &list;
+    origin_ = list.is_default_list ? Origin::default_list : Origin::axis_list;
+    for (std::size_t i = 0; i < list.readings.size(); ++i) {
+      if (list.readings[i].known()) assign(list.tree.assignments[i], list.readings[i]);
+    }
+    for (LostAssignment const& lost : list.lost) lose(lost);
+  }
+
+  MergedValues finish(bool rotary) {
+    MergedValues merged;
+    merged.reference_problems = resolve_references(values_, pending_, rotary);
+    values_.order_set_slots();
+    merged.values = std::move(values_);
+    return merged;
+  }
+
+ private:
+  void assign(grammar::Assignment const& assignment, Reading const& reading) {
+    EffectiveValue& entry = values_.edit(reading.name.slot);
+    entry.origin = origin_;
+    entry.value_place = Place{.source = list_->source, .span = assignment.value};
+    entry.name_place = Place{.source = list_->source, .span = assignment.name};
+    entry.line = assignment.line;
+    entry.unusable = !reading.usable();
+    pending_.erase(reading.name.slot);
+    if (reading.status == ReadingStatus::value) entry.value = reading.value;
+    if (reading.status == ReadingStatus::reference) pending_[reading.name.slot] = reading.reference;
+  }
+
+  void lose(LostAssignment const& lost) {
+    EffectiveValue const& current = values_[lost.slot];
+    bool const set_here = current.origin == origin_;
+    if (set_here && (lost.guessed || current.line > lost.line)) return;
+    EffectiveValue& entry = values_.edit(lost.slot);
+    pending_.erase(lost.slot);
+    entry.unusable = true;
+    if (set_here) return;
+    entry.origin = origin_;
+    entry.value_place = std::nullopt;
+    entry.name_place = Place{.source = list_->source, .span = lost.name};
+    entry.line = lost.line;
+  }
+
+  LoadedList const* list_ = nullptr;
+  Origin origin_ = Origin::axis_list;
+  EffectiveValues values_;
+  PendingReferences pending_;
+};
+
+}  // namespace
+
+MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list, bool rotary) {
+  Merger merger;
+  if (default_list != nullptr) merger.add(*default_list);
+  merger.add(axis_list);
+  return merger.finish(rotary);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,68 @@
+#include "validator/rules/helpers.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/units_text.hpp"
+
+namespace axisc::validator {
+
+std::string written_name(ListContext const& context, grammar::Assignment const& assignment) {
+  return context.source.utf8(assignment.name);
+}
+
+std::string p_axis_of(Reading const& reading) {
+  return reading.row_known() ? schema::p_axis_text(schema::parameter(reading.name.parameter).p_axis)
+                             : std::string{};
+}
+
+Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
+                Reading const& reading, Span span, Message text) {
+  Place const place = place_of(context, span);
+  if (reading.known()) return report.add(place, reading.name.slot, std::move(text));
+  Finding& finding = report.add(place, std::move(text));
+  finding.parameter = written_name(context, assignment);
+  finding.p_axis = p_axis_of(reading);
+  return finding;
+}
+
+void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, std::string value) {
+  if (!finding.control) finding.control.emplace();
+  finding.control->reaction = message(text, std::move(arguments));
+  finding.control->value = std::move(value);
+}
+
+Fix replace_by(Place place, std::string text, Message title, FixSafety safety) {
+  Fix fix;
+  fix.title = std::move(title);
+  fix.edits.push_back({.place = place, .text = std::move(text)});
+  fix.safety = safety;
+  return fix;
+}
+
+std::string range_text(schema::Limit const& minimum, schema::Limit const& maximum, std::string_view unit,
+                       bool physical_units) {
+  auto const number = [&](schema::Limit const& limit) {
+    return physical_units ? physical(limit.number, unit) : format_exact(limit.number);
+  };
+  bool const below = minimum.kind == schema::Limit::Kind::number;
+  bool const above = maximum.kind == schema::Limit::Kind::number;
+  if (below && above) {
+    return number(minimum) + (minimum.open ? " < x " : " ≤ x ") + (maximum.open ? "< " : "≤ ") +
+           number(maximum);
+  }
+  if (below) return (minimum.open ? "> " : "≥ ") + number(minimum);
+  return (maximum.open ? "< " : "≤ ") + number(maximum);
+}
+
+bool violates_minimum(double value, double limit, bool open) {
+  return open ? value <= limit : value < limit;
+}
+bool violates_maximum(double value, double limit, bool open) {
+  return open ? value >= limit : value > limit;
+}
+
+bool is_default_or_off(schema::Parameter const& parameter, double value) {
+  std::optional<Value> const standard = default_value(parameter);
+  return standard && standard->number == value;
+}
+
+}  // namespace axisc::validator

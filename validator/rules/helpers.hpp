@@ -1,0 +1,59 @@
+// What the checks of AX1 and AX2 share.
+#pragma once
+
+#include "validator/rule.hpp"
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace axisc::validator {
+
+[[nodiscard]] inline Message message(Text text, std::vector<Argument> arguments = {}) {
+  return {.text = text, .arguments = std::move(arguments)};
+}
+
+[[nodiscard]] inline Place place_of(ListContext const& context, Span span) {
+  return {.source = context.list.source, .span = span};
+}
+
+/// The name as the list writes it.
+[[nodiscard]] std::string written_name(ListContext const& context, grammar::Assignment const& assignment);
+
+/// A finding at `span` of the line of `assignment`, about its parameter where that is known.
+Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
+                Reading const& reading, Span span, Message text);
+
+/// "P-AXIS-00140" of the row, empty where nothing is known.
+[[nodiscard]] std::string p_axis_of(Reading const& reading);
+
+void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
+
+/// A fix of one edit.
+[[nodiscard]] Fix replace_by(Place place, std::string text, Message title,
+                             FixSafety safety = FixSafety::changes_behaviour);
+
+/// The lists of an axis in the order in which they count; the first may be null.
+[[nodiscard]] inline std::array<LoadedList const*, 2> lists_of(AxisContext const& context) {
+  return {context.default_list, &context.axis_list};
+}
+
+/// Calls `visit(assignment, reading)` for every assignment of a list.
+template <typename Visit>
+void for_each_reading(LoadedList const& list, Visit visit) {
+  for (std::size_t i = 0; i < list.readings.size(); ++i) visit(list.tree.assignments[i], list.readings[i]);
+}
+
+/// "5 ≤ x < 8" without the x where only one side is limited: "≥ 5".
+[[nodiscard]] std::string range_text(schema::Limit const& minimum, schema::Limit const& maximum,
+                                     std::string_view unit, bool physical_units);
+
+[[nodiscard]] bool violates_minimum(double value, double limit, bool open);
+[[nodiscard]] bool violates_maximum(double value, double limit, bool open);
+
+/// Real lists write "off" as the default value, or as 0 where that is the default.
+[[nodiscard]] bool is_default_or_off(schema::Parameter const& parameter, double value);
+
+}  // namespace axisc::validator

@@ -1,0 +1,25 @@
+#include "validator/rules/checks.hpp"
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator {
+
+void checks::index_out_of_range(ListContext const& context, Report& report) {
+  using Status = schema::NameLookup::Status;
+  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+    if (!reading.row_known() || reading.known()) return;
+    schema::NameLookup const& name = reading.name;
+    std::string const pattern(schema::parameter(name.parameter).name);
+    Message text =
+        message(name.status == Status::index_missing ? Text::ax2002_missing : Text::ax2002_superfluous,
+                {{"parameter", pattern}});
+    if (name.status == Status::index_out_of_range) {
+      text = message(Text::ax2002, {{"index", std::to_string(name.index.at(name.index_position))},
+                                    {"parameter", pattern},
+                                    {"last", std::to_string(name.array_size - 1)}});
+    }
+    Finding& finding = add_at(context, report, assignment, reading, assignment.name, std::move(text));
+    set_reaction(finding, Text::ax2002_reaction);
+  });
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,61 @@
+#include "validator/rules/checks.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/units_text.hpp"
+
+namespace axisc::validator {
+namespace {
+
+bool out_of_range(schema::Parameter const& parameter, double value) {
+  using Kind = schema::Limit::Kind;
+  schema::Limit const& minimum = parameter.minimum;
+  schema::Limit const& maximum = parameter.maximum;
+  bool const low = minimum.kind == Kind::number && violates_minimum(value, minimum.number, minimum.open);
+  bool const high = maximum.kind == Kind::number && violates_maximum(value, maximum.number, maximum.open);
+  return (low || high) && !is_default_or_off(parameter, value);
+}
+
+/// The default list belongs to no axis: its axis number is 0 or missing, whatever the range of the others.
+bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& parameter, double value) {
+  return list.is_default_list && parameter.name == "kopf.achs_nr" && value == 0;
+}
+
+void judge(AxisContext const& context, Report& report, Place place, schema::Slot slot, double value) {
+  schema::Parameter const& parameter = schema::parameter(schema::parameter_of(slot));
+  if (!out_of_range(parameter, value)) return;
+  std::string_view const unit = unit_of(parameter, context.type);
+  std::string const range = range_text(parameter.minimum, parameter.maximum, unit, true);
+  Finding& finding = report.add(
+      place, slot, message(Text::ax2005, {{"parameter", schema::slot_name(slot)}, {"range", range}}));
+  finding.label = message(Text::parameter_value_in_unit, {{"value", physical(value, unit)}});
+  if (is_scaled(unit)) {
+    std::string const raw = range_text(parameter.minimum, parameter.maximum, unit, false);
+    finding.notes.push_back(message(Text::ax2005_raw, {{"range", raw}}));
+  }
+}
+
+bool is_number(schema::Parameter const& parameter) {
+  return schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
+}
+
+}  // namespace
+
+void checks::out_of_range(AxisContext const& context, Report& report) {
+  for (LoadedList const* const list : lists_of(context)) {
+    if (list == nullptr) continue;
+    for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+      if (!reading.known() || reading.status != ReadingStatus::value) return;
+      schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+      if (!is_number(parameter) || is_number_of_default_list(*list, parameter, reading.value.number)) return;
+      judge(context, report, {.source = list->source, .span = assignment.value}, reading.name.slot,
+            reading.value.number);
+    });
+  }
+  for (schema::Slot const slot : context.values.set_slots()) {
+    EffectiveValue const& value = context.values[slot];
+    if (!value.referenced || value.unusable) continue;
+    if (!is_number(schema::parameter(schema::parameter_of(slot)))) continue;
+    judge(context, report, *value.value_place, slot, value.value.number);
+  }
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,120 @@
+// AX2010 to AX2014: values that name another parameter.
+#include "validator/rules/checks.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/units_text.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator {
+namespace {
+
+schema::Parameter const& row_of(schema::Slot slot) {
+  return schema::parameter(schema::parameter_of(slot));
+}
+
+/// "P-AXIS-00212" as the reference names it, also where no such number exists.
+std::string named(ReferenceProblem const& problem) {
+  std::string digits = std::to_string(problem.p_axis);
+  if (digits.size() < 5) digits.insert(0, 5 - digits.size(), '0');
+  return "P-AXIS-" + digits;
+}
+
+template <typename Visit>
+void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visit visit) {
+  for (ReferenceProblem const& problem : context.reference_problems) {
+    if (problem.trouble == trouble) visit(problem, context.values[problem.slot]);
+  }
+}
+
+std::string name_of(ReferenceProblem const& problem) {
+  return schema::slot_name(problem.slot);
+}
+
+void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
+  if (!problem.target) return;
+  std::string const name = schema::slot_name(*problem.target);
+  finding.notes.push_back(message(Text::reference_target, {{"p_axis", named(problem)}, {"name", name}}));
+  if (auto const& place = context.values[*problem.target].value_place) {
+    finding.related.push_back(
+        {.place = *place, .message = message(Text::reference_target_here, {{"name", name}})});
+  }
+}
+
+}  // namespace
+
+void checks::reference_unresolvable(AxisContext const& context, Report& report) {
+  for_each_problem(context, ReferenceTrouble::unresolvable,
+                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+                     Message const text =
+                         problem.target
+                             ? message(Text::ax2010_no_value, {{"name", schema::slot_name(*problem.target)},
+                                                               {"p_axis", named(problem)}})
+                             : message(Text::ax2010, {{"p_axis", named(problem)}});
+                     set_reaction(report.add(value, text), Text::reference_lost);
+                   });
+}
+
+void checks::reference_circular(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
+        Finding& finding = report.add(value, message(text, {{"parameter", name_of(problem)}}));
+        set_reaction(finding, Text::reference_lost);
+        for (schema::Slot const member : problem.circle) {
+          finding.related.push_back(
+              {.place = *context.values[member].value_place,
+               .message = message(Text::ax2011_member, {{"parameter", schema::slot_name(member)}})});
+        }
+      });
+}
+
+void checks::reference_type(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::wrong_type,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Finding& finding = report.add(
+            value, message(Text::ax2012,
+                           {{"parameter", name_of(problem)},
+                            {"type", std::string(schema::data_type_name(row_of(problem.slot).type))},
+                            {"p_axis", named(problem)},
+                            {"other", std::string(schema::data_type_name(row_of(*problem.target).type))}}));
+        set_reaction(finding, Text::reference_lost);
+        add_target(context, finding, problem);
+      });
+}
+
+void checks::reference_index(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::wrong_index,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        std::uint16_t entries = 0;
+        for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(problem.p_axis))) {
+          entries = std::max(entries, schema::parameter(id).array[0]);
+        }
+        Message text = message(Text::ax2013_scalar,
+                               {{"p_axis", named(problem)}, {"index", std::to_string(problem.index)}});
+        if (entries != 0) {
+          text = message(Text::ax2013, {{"p_axis", named(problem)},
+                                        {"last", std::to_string(entries - 1)},
+                                        {"index", std::to_string(problem.index)}});
+        }
+        set_reaction(report.add(value, std::move(text)), Text::reference_lost);
+      });
+}
+
+void checks::reference_unit(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::other_unit,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Finding& finding = report.add(
+            value,
+            message(Text::ax2014, {{"parameter", name_of(problem)},
+                                   {"unit", std::string(unit_of(row_of(problem.slot), context.type))},
+                                   {"p_axis", named(problem)},
+                                   {"other", std::string(unit_of(row_of(*problem.target), context.type))}}));
+        set_reaction(finding, Text::ax2014_reaction);
+        add_target(context, finding, problem);
+      });
+}
+
+}  // namespace axisc::validator
