@@ -8,7 +8,7 @@
 namespace axisc {
 
 /// Markdown without the heading; empty when there is no page. The pages stand in text/pages/<en|de>/AXNNNN.md
-/// and are embedded when the program is built.
+/// and are embedded when the program is built; a first line "# …" is left out. Cost: a binary search.
 [[nodiscard]] std::string_view page(Code code, Language language);
 
 }  // namespace axisc

@@ -81,7 +81,7 @@ class SourceSet {
 struct Place {
   SourceId source{};
   Span span;
-  friend constexpr auto operator<=>(Place const&, Place const&) = default;
+  friend constexpr auto operator<=>(Place const&, Place const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 }  // namespace axisc

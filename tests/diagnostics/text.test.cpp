@@ -60,13 +60,15 @@ TEST_CASE("every text stands in both languages and names the same placeholders")
   }
 }
 
-TEST_CASE("every text is well-formed and has neither line ends nor blanks around it") {
+TEST_CASE("every text is one line of well-formed UTF-8 without blanks around it") {
   for (Text const text : all_texts()) {
+    // What the commands print about themselves may have several lines.
+    bool const is_help = text_key(text).starts_with("cli_");
     for (Language const language : {Language::english, Language::german}) {
       std::string_view const sentence = text_template(text, language);
       INFO(text_key(text) << ": " << sentence);
       CHECK(valid_utf8_prefix(sentence) == sentence.size());
-      CHECK(printable(sentence) == sentence);
+      CHECK((is_help || printable(sentence) == sentence));
       CHECK((sentence.empty() || (sentence.front() != ' ' && sentence.back() != ' ')));
     }
   }
