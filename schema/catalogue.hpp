@@ -14,11 +14,25 @@
 
 namespace axisc::schema {
 
-enum class DataType : std::uint8_t { boolean, uns08, uns16, uns32, uns64, sgn08, sgn16, sgn32, sgn64, real64, string };
+enum class DataType : std::uint8_t {
+  boolean,
+  uns08,
+  uns16,
+  uns32,
+  uns64,
+  sgn08,
+  sgn16,
+  sgn32,
+  sgn64,
+  real64,
+  string
+};
 
 /// "UNS32".
 [[nodiscard]] std::string_view data_type_name(DataType type);
-[[nodiscard]] constexpr bool is_integer(DataType type) { return type >= DataType::uns08 && type <= DataType::sgn64; }
+[[nodiscard]] constexpr bool is_integer(DataType type) {
+  return type >= DataType::uns08 && type <= DataType::sgn64;
+}
 
 /// A word of an enumeration; some have no documented number.
 struct Symbol {
@@ -40,20 +54,24 @@ struct Limit {
 };
 
 struct Parameter {
-  std::string_view name;       ///< pattern: `filter[].order`
-  std::uint16_t p_axis = 0;    ///< 140 for P-AXIS-00140; 0 where no number is documented
+  std::string_view name;     ///< pattern: `filter[].order`
+  std::uint16_t p_axis = 0;  ///< 140 for P-AXIS-00140; 0 where no number is documented
   DataType type{};
-  std::string_view default_text;      ///< as documented; empty where none is
+  std::string_view default_text;  ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
   bool has_default = false;
   std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
-  std::string_view unit_translatory;  ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
-  std::string_view unit_rotary;       ///< the same for rotary axes and spindles
+  std::string_view
+      unit_translatory;          ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
+  std::string_view unit_rotary;  ///< the same for rotary axes and spindles
   Limit minimum;
   Limit maximum;
-  std::span<Symbol const> symbols;  ///< words of an enumeration; FALSE and TRUE for booleans
-  std::uint16_t max_length = 0;     ///< of a string, in characters; 0 where none is documented
-  std::string_view axis_types;      ///< "TR" where the parameter is not for every type; empty means all
-  std::string_view since;           ///< build that introduced it; empty where it is as old as the catalogue
+  std::span<Symbol const>
+      symbols;  ///< words of an enumeration; for booleans FALSE, TRUE and further words for 0 and 1
+  std::span<Symbol const>
+      number_names;              ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
+  std::uint16_t max_length = 0;  ///< of a string, in characters; 0 where none is documented
+  std::string_view axis_types;   ///< "TR" where the parameter is not for every type; empty means all
+  std::string_view since;        ///< build that introduced it; empty where it is as old as the catalogue
   Slot first_slot{};
   std::uint16_t slots = 1;
 
@@ -82,8 +100,9 @@ struct NameLookup {
   ParameterId parameter{};
   Slot slot{};
   std::array<std::uint32_t, 2> index{};
-  std::uint8_t index_position = 0;
-  std::uint16_t array_size = 0;
+  std::uint8_t index_position =
+      0;  ///< 0 or 1: of the offending index, counted in the row's name (superfluous: in `name`)
+  std::uint16_t array_size = 0;  ///< of that index; 0 where it is superfluous
 };
 
 /// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
@@ -106,6 +125,7 @@ struct NameLookup {
 /// Known names that a mistyped one may have meant, best first, at most three; the indices of `name` are kept.
 [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name);
 /// The same among the words of one enumeration.
-[[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::string_view word);
+[[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
+                                                            std::string_view word);
 
 }  // namespace axisc::schema

@@ -1,0 +1,45 @@
+// axisc_schema_generator DATA SCHEMA OUTPUT: turns axis-parameters.json into constant tables while building. Exit
+// status 1 and one line per mistake when the data is wrong.
+#include "schema/generator/catalogue_data.hpp"
+#include "schema/generator/table_writer.hpp"
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::string read_file(std::string const& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw axisc::schema::generator::DataError("cannot read " + path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void write_file(std::string const& path, std::string const& text) {
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  file << text << std::flush;
+  if (!file) throw axisc::schema::generator::DataError("cannot write " + path);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  std::vector<std::string> const arguments(argv, argv + argc);
+  if (arguments.size() != 4) {
+    std::cerr << "usage: axisc_schema_generator DATA SCHEMA OUTPUT\n";
+    return 2;
+  }
+  try {
+    auto const parameters =
+        axisc::schema::generator::read_catalogue(read_file(arguments[1]), read_file(arguments[2]));
+    write_file(arguments[3], axisc::schema::generator::write_tables(parameters));
+  } catch (std::exception const& error) {
+    std::cerr << arguments[1] << ":\n" << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,255 @@
+#include "schema/generator/table_writer.hpp"
+
+#include "schema/generator/perfect_hash.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace axisc::schema::generator {
+namespace {
+
+std::string quoted(std::string const& text) {
+  std::string literal = "\"";
+  for (char const byte : text) {
+    if (byte == '"' || byte == '\\') literal += '\\';
+    literal += byte;
+  }
+  return literal + '"';
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
+  return text;
+}
+
+std::string without_brackets(std::string const& name) {
+  std::string bare;
+  std::copy_if(name.begin(), name.end(), std::back_inserter(bare),
+               [](char byte) { return byte != '[' && byte != ']'; });
+  return bare;
+}
+
+/// One concrete parameter.
+struct Entry {
+  std::string name;
+  std::size_t parameter = 0;
+  std::array<std::uint32_t, 2> index{};
+};
+
+/// `filter[].order` with 2 is `filter[2].order`.
+std::string concrete_name(std::string const& pattern, std::array<std::uint32_t, 2> const& index) {
+  std::string name;
+  std::size_t position = 0;
+  for (char const byte : pattern) {
+    name += byte;
+    if (byte == '[') name += std::to_string(index.at(position++));
+  }
+  return name;
+}
+
+std::vector<Entry> concrete_parameters(std::vector<ParameterData> const& parameters) {
+  std::vector<Entry> entries;
+  for (std::size_t row = 0; row < parameters.size(); ++row) {
+    auto const& array = parameters[row].array;
+    std::uint32_t const first_size = array.empty() ? 1 : array[0];
+    std::uint32_t const second_size = array.size() < 2 ? 1 : array[1];
+    for (std::uint32_t i = 0; i < first_size; ++i) {
+      for (std::uint32_t j = 0; j < second_size; ++j) {
+        entries.push_back(
+            {.name = concrete_name(parameters[row].name, {i, j}), .parameter = row, .index = {i, j}});
+      }
+    }
+  }
+  return entries;
+}
+
+class TableWriter {
+ public:
+  explicit TableWriter(std::vector<ParameterData> const& parameters)
+      : parameters_(parameters), entries_(concrete_parameters(parameters)) {
+    out_.precision(std::numeric_limits<double>::max_digits10);
+  }
+
+  std::string write() && {
+    out_ << "// Generated from axis-parameters.json. Edit that file instead.\n\n";
+    write_symbols();
+    write_parameters();
+    write_entries();
+    write_hash();
+    write_bare_names();
+    write_numbers();
+    write_words();
+    return std::move(out_).str();
+  }
+
+ private:
+  using Symbols = std::vector<SymbolData>;
+
+  /// Many parameters share their words; each set stands once.
+  void write_symbol_set(Symbols const& symbols) {
+    std::string text;
+    for (SymbolData const& symbol : symbols) {
+      text += "    {" + quoted(symbol.word) + ", " +
+              (symbol.number ? std::to_string(*symbol.number) : "std::nullopt") + "},\n";
+    }
+    auto const [known, is_new] = symbol_sets_.emplace(text, "symbols_" + std::to_string(symbol_sets_.size()));
+    if (is_new && !symbols.empty())
+      out_ << "constexpr Symbol " << known->second << "[] = {\n" << text << "};\n";
+    set_names_.push_back(symbols.empty() ? "{}" : known->second);
+  }
+
+  void write_symbols() {
+    for (ParameterData const& parameter : parameters_) {
+      write_symbol_set(parameter.symbols);
+      write_symbol_set(parameter.number_names);
+    }
+  }
+
+  void write_limit(char const* member, std::optional<LimitData> const& limit) {
+    out_ << ", ." << member << " = ";
+    if (!limit) {
+      out_ << "{}";
+      return;
+    }
+    out_ << "{.kind = Limit::Kind::" << (limit->number ? "number" : "parameter")
+         << ", .open = " << (limit->open ? "true" : "false") << ", .number = " << limit->number.value_or(0)
+         << ", .p_axis = " << limit->p_axis << "}";
+  }
+
+  void write_text(char const* member, std::string const& text) {
+    out_ << ", ." << member << " = " << quoted(text);
+  }
+
+  void write_parameters() {
+    out_ << "\nconstexpr Parameter parameter_table[] = {\n";
+    std::size_t first_slot = 0;
+    for (std::size_t row = 0; row < parameters_.size(); ++row) first_slot += write_parameter(row, first_slot);
+    out_ << "};\n";
+  }
+
+  /// Returns the number of slots of the row.
+  std::size_t write_parameter(std::size_t row, std::size_t first_slot) {
+    ParameterData const& parameter = parameters_[row];
+    auto array = parameter.array;
+    std::size_t const slots =
+        std::accumulate(array.begin(), array.end(), std::size_t{1}, std::multiplies<>());
+    array.resize(2);
+    out_ << "    {.name = " << quoted(parameter.name) << ", .p_axis = " << parameter.p_axis
+         << ", .type = DataType::" << lower_case(parameter.type);
+    write_text("default_text", parameter.default_text.value_or(""));
+    out_ << ", .has_default = " << (parameter.default_text ? "true" : "false");
+    out_ << ", .array = {" << array[0] << ", " << array[1] << "}";
+    write_text("unit_translatory", parameter.unit_translatory);
+    write_text("unit_rotary", parameter.unit_rotary);
+    write_limit("minimum", parameter.minimum);
+    write_limit("maximum", parameter.maximum);
+    out_ << ", .symbols = " << set_names_[2 * row] << ", .number_names = " << set_names_[2 * row + 1];
+    out_ << ", .max_length = " << parameter.max_length;
+    write_text("axis_types", parameter.axis_types);
+    write_text("since", parameter.since);
+    out_ << ", .first_slot = Slot{" << first_slot << "}, .slots = " << slots << "},\n";
+    return slots;
+  }
+
+  void write_entries() {
+    out_ << "\nconstexpr std::string_view slot_name_table[] = {\n";
+    for (Entry const& entry : entries_) out_ << "    " << quoted(entry.name) << ",\n";
+    out_ << "};\n\nconstexpr SlotRow slot_table[] = {\n";
+    for (Entry const& entry : entries_) {
+      out_ << "    {ParameterId{" << entry.parameter << "}, {" << entry.index[0] << ", " << entry.index[1]
+           << "}},\n";
+    }
+    out_ << "};\n";
+  }
+
+  void write_hash() {
+    std::vector<std::string> names;
+    for (Entry const& entry : entries_) names.push_back(entry.name);
+    PerfectHash const hash = make_perfect_hash(names);
+    out_ << "\nconstexpr HashGeometry hash_geometry{.buckets = " << hash.geometry.buckets
+         << ", .places = " << hash.geometry.places << "};\n";
+    write_values("std::uint16_t", "displacement_table", hash.displacements);
+    out_ << "// Slot + 1 per place, 0 where the place is free.\n";
+    write_values("std::uint16_t", "place_table", hash.entries);
+  }
+
+  template <typename Value>
+  void write_values(char const* type, char const* name, std::vector<Value> const& values) {
+    constexpr std::size_t values_in_line = 20;
+    out_ << "\nconstexpr " << type << " " << name << "[] = {";
+    for (std::size_t i = 0; i < values.size(); ++i)
+      out_ << (i % values_in_line == 0 ? "\n    " : " ") << values[i] << ",";
+    out_ << "\n};\n";
+  }
+
+  void write_bare_names() {
+    std::vector<std::tuple<std::string, std::size_t, std::size_t>> bare;
+    for (std::size_t row = 0; row < parameters_.size(); ++row) {
+      bare.emplace_back(without_brackets(parameters_[row].name), parameters_[row].array.size(), row);
+    }
+    std::sort(bare.begin(), bare.end());
+    out_ << "\n// By name without brackets, fewer indices first.\nconstexpr BareName bare_name_table[] = {\n";
+    for (auto const& [name, indices, row] : bare)
+      out_ << "    {" << quoted(name) << ", ParameterId{" << row << "}},\n";
+    out_ << "};\n";
+  }
+
+  void write_numbers() {
+    std::map<std::uint16_t, std::vector<std::size_t>> rows_of_number;
+    for (std::size_t row = 0; row < parameters_.size(); ++row) {
+      if (parameters_[row].p_axis != 0) rows_of_number[parameters_[row].p_axis].push_back(row);
+    }
+    std::vector<std::size_t> starts{0};
+    out_ << "\n// Rows by number; the rows of number n begin at number_start_table[n] and end where those of "
+            "n + 1 begin.\n"
+         << "constexpr ParameterId number_table[] = {\n";
+    std::size_t count = 0;
+    for (auto const& [number, rows] : rows_of_number) {
+      starts.resize(number + 1U, count);
+      for (std::size_t const row : rows) out_ << "    ParameterId{" << row << "},\n";
+      count += rows.size();
+      starts.push_back(count);
+    }
+    out_ << "};\n";
+    write_values("std::uint16_t", "number_start_table", starts);
+  }
+
+  void write_words() {
+    std::set<std::string> words;
+    for (ParameterData const& parameter : parameters_) {
+      for (SymbolData const& symbol : parameter.symbols) words.insert(symbol.word);
+    }
+    out_ << "\nconstexpr std::string_view word_table[] = {\n";
+    for (std::string const& word : words) out_ << "    " << quoted(word) << ",\n";
+    out_ << "};\n";
+  }
+
+  std::vector<ParameterData> const& parameters_;
+  std::vector<Entry> entries_;
+  std::map<std::string, std::string> symbol_sets_;  ///< name of the table by its text
+  std::vector<std::string> set_names_;              ///< symbols and number names of each row
+  std::ostringstream out_;
+};
+
+}  // namespace
+
+std::string write_tables(std::vector<ParameterData> const& parameters) {
+  return TableWriter(parameters).write();
+}
+
+}  // namespace axisc::schema::generator

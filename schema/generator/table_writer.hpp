@@ -1,0 +1,14 @@
+// Writes the checked catalogue as constant tables in C++.
+#pragma once
+
+#include "schema/generator/catalogue_data.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::schema::generator {
+
+/// The text of catalogue_tables.inc, which catalogue.cpp includes. Equal data gives equal text.
+[[nodiscard]] std::string write_tables(std::vector<ParameterData> const& parameters);
+
+}  // namespace axisc::schema::generator
