@@ -15,12 +15,11 @@ struct Entry {
   std::string_view german;
 };
 
-constexpr std::array entries{
+constexpr std::array<Entry, static_cast<std::size_t>(Text::count_)> entries{{
 #define AXISC_TEXT(key, english, german) Entry{#key, english, german},
 #include "diagnostics/text/all.inc"
 #undef AXISC_TEXT
-};
-static_assert(entries.size() == static_cast<std::size_t>(Text::count_));
+}};
 
 // Appends what stands at the front of `rest`, a brace or a placeholder, and removes it.
 void fill_brace(std::string_view& rest, std::vector<Argument> const& arguments, std::string& filled) {
