@@ -44,7 +44,7 @@ void copy_sections(ImageView const& view, Section* sections) {
   for (uint32_t i = 0; i < view.coefficients.count; ++i) {
     Record<record::coefficients> const record = view.coefficients[i];
     sections[i] = {.p = record[field::coefficients::p],
-                   .q = record[field::coefficients::q],
+                   .g = record[field::coefficients::p] + record[field::coefficients::q],
                    .k = record[field::coefficients::k],
                    .b = record[field::coefficients::b]};
   }
@@ -92,7 +92,7 @@ void make_states(ImageView const& view, Chain const* interface_chains, ChainStat
   for (uint32_t i = 0; i < view.axes.count; ++i) {
     setpoint[i] = ChainState{};
     additional_interface[i] = ChainState{};
-    additional_interface[i].reset_done = mask_if(interface_chains[i].filter_count == 0);
+    additional_interface[i].reset_done = interface_chains[i].filter_count == 0 ? all_set : 0;
   }
 }
 

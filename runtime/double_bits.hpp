@@ -1,4 +1,4 @@
-// Questions about a double that are answered on its bits, so that no processor answers them by a branch.
+// Questions about a double that are answered on its bits, as masks for selections without a branch.
 #pragma once
 
 #include <bit>
@@ -6,11 +6,22 @@
 
 namespace axisc::runtime {
 
-/// All bits set or none; what selections are made with.
+/// All bits set or none.
 using Mask = uint64_t;
 
-[[nodiscard]] constexpr Mask mask_if(bool condition) {
-  return 0U - static_cast<Mask>(condition);
+inline constexpr Mask all_set = ~Mask{0};
+
+/// The same mask, of which a compiler knows nothing: else it turns selections back into branches where it thinks that
+/// one side is the usual one. Costs no instruction.
+[[nodiscard]] inline Mask opaque(Mask mask) {
+#if defined(__GNUC__)
+  __asm__("" : "+r"(mask));
+#endif
+  return mask;
+}
+
+[[nodiscard]] inline Mask mask_if_less(uint64_t a, uint64_t b) {
+  return opaque(0U - static_cast<Mask>(a < b));
 }
 
 [[nodiscard]] constexpr Mask select(Mask mask, Mask if_set, Mask if_clear) {
@@ -22,6 +33,11 @@ using Mask = uint64_t;
       select(mask, std::bit_cast<uint64_t>(if_set), std::bit_cast<uint64_t>(if_clear)));
 }
 
+/// The value or 0.
+[[nodiscard]] constexpr double keep(Mask mask, double value) {
+  return std::bit_cast<double>(mask & std::bit_cast<uint64_t>(value));
+}
+
 /// Bits of |value|: ordered like |value|, infinity behind every number and NaN behind infinity.
 [[nodiscard]] constexpr uint64_t magnitude_bits(double value) {
   return std::bit_cast<uint64_t>(value) & 0x7FFF'FFFF'FFFF'FFFFU;
@@ -31,13 +47,26 @@ using Mask = uint64_t;
   return std::bit_cast<double>(magnitude_bits(value));
 }
 
-[[nodiscard]] constexpr bool is_finite(double value) {
-  return magnitude_bits(value) < 0x7FF0'0000'0000'0000U;
+/// |value| < limit; clear for NaN. Expects 0 <= limit.
+[[nodiscard]] inline Mask mask_if_below(double value, double limit) {
+  return mask_if_less(magnitude_bits(value), std::bit_cast<uint64_t>(limit));
 }
 
-/// |value| <= limit; false for NaN. Expects 0 <= limit.
-[[nodiscard]] constexpr bool is_within(double value, double limit) {
-  return magnitude_bits(value) <= std::bit_cast<uint64_t>(limit);
+/// |value| <= limit; clear for NaN. Expects 0 <= limit.
+[[nodiscard]] inline Mask mask_if_within(double value, double limit) {
+  return ~mask_if_less(std::bit_cast<uint64_t>(limit), magnitude_bits(value));
+}
+
+[[nodiscard]] inline Mask mask_if_finite(double value) {
+  return mask_if_less(magnitude_bits(value), 0x7FF0'0000'0000'0000U);
+}
+
+[[nodiscard]] inline bool is_within(double value, double limit) {
+  return mask_if_within(value, limit) != 0;
+}
+
+[[nodiscard]] inline bool is_finite(double value) {
+  return mask_if_finite(value) != 0;
 }
 
 }  // namespace axisc::runtime

@@ -30,7 +30,7 @@ struct Signal {
   double base, sum, d;
 };
 
-[[nodiscard]] constexpr double value_of(Signal const& signal) {
+[[nodiscard]] inline double value_of(Signal const& signal) {
   return signal.base + signal.sum;
 }
 
@@ -51,13 +51,13 @@ struct Filter {
   double direct_low;  ///< what rounding took from it
 };
 
-[[nodiscard]] constexpr Signal join_passing(Filter const& filter, Signal const& in, CascadeSignal filtered) {
+[[nodiscard]] inline Signal join_passing(Filter const& filter, Signal const& in, CascadeSignal filtered) {
   return {.base = in.base,
           .sum = filter.share * filtered.sum + filter.direct * in.sum,
           .d = filter.share * filtered.d + filter.direct * in.d};
 }
 
-[[nodiscard]] constexpr Signal join_blocking(Filter const& filter, Signal const& in, CascadeSignal filtered) {
+[[nodiscard]] inline Signal join_blocking(Filter const& filter, Signal const& in, CascadeSignal filtered) {
   Twofold const base = exact_product(filter.direct, in.base);
   double const low = base.low + filter.direct_low * in.base;
   return {.base = base.high,
@@ -65,7 +65,7 @@ struct Filter {
           .d = filter.share * filtered.d + filter.direct * in.d};
 }
 
-[[nodiscard]] constexpr Signal join_delay(Filter const& filter, Signal const& in, Signal const& delayed) {
+[[nodiscard]] inline Signal join_delay(Filter const& filter, Signal const& in, Signal const& delayed) {
   double const distance = (in.base - delayed.base) + in.sum;
   return {.base = delayed.base,
           .sum = filter.share * delayed.sum + filter.direct * distance,
@@ -73,17 +73,17 @@ struct Filter {
 }
 
 /// The signal that stood here `delay_cycles` ago; the present one takes its place.
-[[nodiscard]] constexpr Signal exchange_oldest(Filter const& filter, Signal const& in) {
+[[nodiscard]] inline Signal exchange_oldest(Filter const& filter, Signal const& in) {
   uint32_t const position = *filter.oldest;
   uint32_t const next = position + 1;
-  *filter.oldest = next & static_cast<uint32_t>(mask_if(next != filter.delay_cycles));
+  *filter.oldest = next & static_cast<uint32_t>(mask_if_less(next, filter.delay_cycles));
   Signal const delayed = filter.ring[position];
   filter.ring[position] = in;
   return delayed;
 }
 
 /// One cycle. Which path is taken depends on the image alone.
-[[nodiscard]] constexpr Signal run_filter(Filter const& filter, Signal const& in) {
+[[nodiscard]] inline Signal run_filter(Filter const& filter, Signal const& in) {
   CascadeSignal const cascade{.sum = in.sum, .d = in.d};
   switch (filter.kind) {
     case FilterKind::passing_sections:
@@ -101,7 +101,7 @@ struct Filter {
 }
 
 /// What comes out for a signal that has always been `in`, with in.d = 0. Does not touch the states.
-[[nodiscard]] constexpr Signal steady_output(Filter const& filter, Signal const& in) {
+[[nodiscard]] inline Signal steady_output(Filter const& filter, Signal const& in) {
   switch (filter.kind) {
     case FilterKind::passing_sections:
       return join_passing(filter, in, {.sum = in.sum, .d = 0});

@@ -15,7 +15,7 @@ void reset_chain(Chain const& chain, ChainState& state, double position) {
   }
   state.input = position;
   state.output = value_of(signal);
-  state.reset_done = mask_if(true);
+  state.reset_done = all_set;
 }
 
 axisrt_status reset_port(axisrt const* runtime, Port const& port, uint32_t axis, double position) {

@@ -10,14 +10,19 @@
 //
 //     de = p d + r,   e += de,   r = de + q d - k e - b de
 //
-// (r is what the next cycle adds to p d: de[n+1] = p d[n+1] + q d[n] + (1 - b) de[n] - k e[n]). Every term is
-// of the size of the motion, never of the position: next to z = 1 nothing cancels, and at rest e and r go to
-// zero.
+// (r is what the next cycle adds to p d: de[n+1] = p d[n+1] + q d[n] + (1 - b) de[n] - k e[n]). Every term is of the
+// size of the motion, never of the position: next to z = 1 nothing cancels, and at rest e and r go to zero.
 //
-// States that are smaller than 2^-500 become zero, so that none ends in a limit cycle of subnormal numbers,
-// and states that are larger than 2^500 or not finite become zero, so that no image that passed verification
-// can overflow: increments grow by a factor of at most 1 + 64 a section, 18 sections by less than 2^109, and
-// 2^500 * 2^109 is finite. Both are one comparison and one selection on the bits.
+// One cancellation is left: of low frequencies p and q are close to -1 and 1, so that after a jump de and q d take each
+// other away, and what rounding left of them lasts as a velocity. With g = p + q = k G(1), which is as exact as p and q,
+// the same recursion has only small terms:
+//
+//     de = p d + r,   e += de,   r += g d - k e - b de
+//
+// States of which both are smaller than 2^-500 become zero, so that none ends in a limit cycle of subnormal numbers.
+// A state that is larger than 2^500 or not finite becomes zero, so that no image that passed verification can overflow:
+// increments grow by a factor of at most 1 + 64 a section, 18 sections by less than 2^109, and 2^500 * 2^109 is finite.
+// All of it is arithmetic on the bits, without a branch.
 #pragma once
 
 #include "runtime/double_bits.hpp"
@@ -30,7 +35,7 @@ namespace axisc::runtime {
 
 /// Coefficients, shared by all filters with the same section.
 struct Section {
-  double p, q, k, b;
+  double p, g, k, b;
 };
 
 /// States, one per section of every filter. Zero is the steady state for any constant input.
@@ -43,26 +48,24 @@ struct CascadeSignal {
   double sum, d;
 };
 
-[[nodiscard]] constexpr double bounded_state(double value) {
-  constexpr auto smallest = std::bit_cast<uint64_t>(smallest_state);
-  constexpr auto largest = std::bit_cast<uint64_t>(largest_state);
-  // Wraps around for what is too small, so that one comparison tests both ends.
-  bool const keeps = magnitude_bits(value) - smallest <= largest - smallest;
-  return std::bit_cast<double>(std::bit_cast<uint64_t>(value) & mask_if(keeps));
+[[nodiscard]] inline SectionState bounded(SectionState state) {
+  Mask const rests = mask_if_below(state.e, smallest_state) & mask_if_below(state.r, smallest_state);
+  return {.e = keep(~rests & mask_if_within(state.e, largest_state), state.e),
+          .r = keep(~rests & mask_if_within(state.r, largest_state), state.r)};
 }
 
-/// One cycle of a section: its e and de. The order of the operations is part of the image format.
-[[nodiscard]] constexpr CascadeSignal run_section(Section const& section, SectionState& state, double d) {
+/// One cycle of a section: its e and de.
+[[nodiscard]] inline CascadeSignal run_section(Section const& section, SectionState& state, double d) {
   double const de = section.p * d + state.r;
   double const e = state.e + de;
-  state.r = bounded_state(de + section.q * d - section.k * e - section.b * de);
-  state.e = bounded_state(e);
+  double const r = state.r + (section.g * d - section.k * e - section.b * de);
+  state = bounded({.e = e, .r = r});
   return {.sum = e, .d = de};
 }
 
 /// Sections with H(1) = 1: each adds to the signal.
-[[nodiscard]] constexpr CascadeSignal run_passing_cascade(Section const* sections, SectionState* states,
-                                                          uint32_t count, CascadeSignal signal) {
+[[nodiscard]] inline CascadeSignal run_passing_cascade(Section const* sections, SectionState* states,
+                                                       uint32_t count, CascadeSignal signal) {
   for (uint32_t i = 0; i < count; ++i) {
     CascadeSignal const added = run_section(sections[i], states[i], signal.d);
     signal.sum += added.sum;
@@ -72,8 +75,8 @@ struct CascadeSignal {
 }
 
 /// Sections with H(1) = 0: each replaces the signal.
-[[nodiscard]] constexpr CascadeSignal run_blocking_cascade(Section const* sections, SectionState* states,
-                                                           uint32_t count, CascadeSignal signal) {
+[[nodiscard]] inline CascadeSignal run_blocking_cascade(Section const* sections, SectionState* states,
+                                                        uint32_t count, CascadeSignal signal) {
   for (uint32_t i = 0; i < count; ++i) signal = run_section(sections[i], states[i], signal.d);
   return signal;
 }

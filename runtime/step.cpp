@@ -6,11 +6,11 @@
 namespace axisc::runtime {
 namespace {
 
-uint32_t larger(uint32_t a, uint32_t b) {
-  return static_cast<uint32_t>(select(mask_if(a < b), Mask{b}, Mask{a}));
+Mask larger(Mask a, Mask b) {
+  return select(mask_if_less(a, b), b, a);
 }
 
-/// The setpoint a chain is run with moves its base, sum starts at zero. Returns the chain's output.
+/// One cycle of one chain; returns its output.
 double run_chain(Chain const& chain, ChainState& state, double setpoint) {
   Signal signal{.base = setpoint, .sum = 0, .d = setpoint - state.input};
   for (uint32_t i = 0; i < chain.filter_count; ++i) {
@@ -21,24 +21,24 @@ double run_chain(Chain const& chain, ChainState& state, double setpoint) {
   return value_of(signal);
 }
 
-/// Everything that depends on values is selected, not branched to. A chain that was never reset runs too, on
+/// What happened to the axis, as a number of axisrt_status. Everything that depends on values is selected, not branched to. A chain that was never reset runs too, on
 /// the zeros of create, and its output is not used.
-uint32_t step_axis(Chain const& chain, ChainState& state, double in, double& out) {
+Mask step_axis(Chain const& chain, ChainState& state, double in, double& out) {
   Mask const is_reset = state.reset_done;
-  Mask const is_good = mask_if(is_within(in, largest_position));
-  Mask const is_repeatable = mask_if(is_finite(in));
+  Mask const is_good = mask_if_within(in, largest_position);
+  Mask const is_repeatable = mask_if_finite(in);
 
   state.output = run_chain(chain, state, select(is_good & is_reset, in, state.input));
-  out = select(is_reset, state.output, select(is_repeatable, in, 0.0));
+  out = select(is_reset, state.output, keep(is_repeatable, in));
   Mask const status_if_reset = select(is_good, Mask{AXISRT_OK}, Mask{AXISRT_BAD_INPUT});
-  return static_cast<uint32_t>(select(is_reset, status_if_reset, Mask{AXISRT_NOT_RESET}));
+  return select(is_reset, status_if_reset, Mask{AXISRT_NOT_RESET});
 }
 
 axisrt_status step_port(uint32_t axis_count, Port const& port, double const* in, double* out,
                         uint8_t* status) {
-  uint32_t worst = AXISRT_OK;
+  Mask worst = AXISRT_OK;
   for (uint32_t axis = 0; axis < axis_count; ++axis) {
-    uint32_t const happened = step_axis(port.chains[axis], port.states[axis], in[axis], out[axis]);
+    Mask const happened = step_axis(port.chains[axis], port.states[axis], in[axis], out[axis]);
     if (status != nullptr) status[axis] = static_cast<uint8_t>(happened);
     worst = larger(worst, happened);
   }

@@ -1,0 +1,54 @@
+/* The interface as a C11 program sees it: every function and every structure is used here. */
+#include <stdint.h>
+#include <string.h>
+
+#include "axisrt.h"
+
+/* Runs the first axis of an image from rest to `target` and gives back where it arrives. */
+int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target, double* arrived);
+
+_Static_assert(sizeof(axisrt_axis_state) == 56, "the layout of axisrt_axis_state is part of the interface");
+
+int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target, double* arrived) {
+  double in[8] = {0};
+  double out[8] = {0};
+  uint8_t status[8] = {0};
+  size_t needed = 0;
+  size_t alignment = 0;
+  size_t length = 0;
+  uint32_t axis = 0;
+  int cycle = 0;
+  axisrt* runtime = NULL;
+  axisrt_axis_state state;
+  axisrt_config config;
+
+  memset(&config, 0, sizeof config);
+  config.size = sizeof config;
+  config.cycle_time_ns = 1000000;
+  config.image = image;
+  config.image_size = image_size;
+  config.memory = memory;
+  config.memory_size = memory_size;
+
+  if (axisrt_abi_version() != AXISRT_ABI_VERSION) return 1;
+  if (axisrt_verify(image, image_size) != AXISRT_OK) return 2;
+  if (axisrt_memory_size(&config, &needed, &alignment) != AXISRT_OK || needed > memory_size) return 3;
+  if (axisrt_create(&config, &runtime) != AXISRT_OK) return 4;
+  if (axisrt_cycle_time_ns(runtime) != 1000000 || axisrt_axis_count(runtime) > 8) return 5;
+  if (axisrt_axis_name(runtime, 0, &length)[0] != 'X' || length != 1) return 6;
+
+  for (axis = 0; axis < axisrt_axis_count(runtime); ++axis) {
+    if (axisrt_reset(runtime, axis, 0.0) != AXISRT_OK) return 7;
+    if (axisrt_has_interface(runtime, axis) && axisrt_reset_interface(runtime, axis, 0.0) != AXISRT_OK) return 8;
+  }
+  if (axisrt_rebase(runtime, 0, 0.0) != AXISRT_OK) return 9;
+  in[0] = target;
+  for (cycle = 0; cycle < 2000; ++cycle) {
+    if (axisrt_step(runtime, in, out, status) != AXISRT_OK || status[0] != AXISRT_OK) return 10;
+    if (axisrt_step_interface(runtime, in, out + 4, status) != AXISRT_OK) return 11;
+  }
+  if (axisrt_get_axis_state(runtime, 0, &state) != AXISRT_OK || state.filtered != out[0]) return 12;
+  if (strcmp(axisrt_status_name(AXISRT_OK), "AXISRT_OK") != 0 || strlen(axisrt_status_text(AXISRT_OK)) == 0) return 13;
+  *arrived = out[0];
+  return 0;
+}

@@ -1,0 +1,152 @@
+#include "axisrt.h"
+#include "support/catch.hpp"
+#include "tests/runtime/test_runtime.hpp"
+
+#include <string>
+
+using namespace axisc::test;
+
+namespace {
+
+/// A configuration that works; tests change one thing.
+struct Prepared {
+  Prepared() : image(write_image(complete_image())), memory(1 << 16) {
+    config = {.size = sizeof(axisrt_config),
+              .cycle_time_ns = 1'000'000,
+              .image = image.data(),
+              .image_size = image.size(),
+              .memory = memory.data(),
+              .memory_size = memory.size()};
+  }
+  axisrt_status create() { return axisrt_create(&config, &runtime); }
+
+  AlignedMemory image;
+  AlignedMemory memory;
+  axisrt_config config{};
+  axisrt* runtime = nullptr;
+};
+
+}  // namespace
+
+TEST_CASE("create makes a runtime that knows its axes") {
+  Prepared prepared;
+  REQUIRE(prepared.create() == AXISRT_OK);
+  CHECK(axisrt_axis_count(prepared.runtime) == 2);
+  CHECK(axisrt_cycle_time_ns(prepared.runtime) == 1'000'000);
+  CHECK(axisrt_has_interface(prepared.runtime, 0) == 0);
+  CHECK(axisrt_has_interface(prepared.runtime, 1) == 1);
+  CHECK(axisrt_has_interface(prepared.runtime, 2) == 0);
+  std::size_t length = 0;
+  char const* const name = axisrt_axis_name(prepared.runtime, 1, &length);
+  CHECK(std::string(name, length) == "Spindel ä");
+  CHECK(axisrt_axis_name(prepared.runtime, 2, &length) != nullptr);
+  CHECK(length == 0);
+}
+
+TEST_CASE("a stripped image has no names but works") {
+  ImageRecord image = complete_image();
+  image.strip = true;
+  TestRuntime runtime(write_image(image));
+  REQUIRE(runtime.status == AXISRT_OK);
+  std::size_t length = 1;
+  CHECK(axisrt_axis_name(runtime.runtime, 0, &length) != nullptr);
+  CHECK(length == 0);
+}
+
+TEST_CASE("the memory that memory_size demands is enough, and one byte less is not") {
+  Prepared prepared;
+  std::size_t bytes = 0;
+  std::size_t alignment = 0;
+  REQUIRE(axisrt_memory_size(&prepared.config, &bytes, &alignment) == AXISRT_OK);
+  CHECK(alignment == AXISRT_ALIGNMENT);
+  CHECK(bytes % alignment == 0);
+  AlignedMemory exact(bytes);
+  prepared.config.memory = exact.data();
+  prepared.config.memory_size = bytes;
+  CHECK(prepared.create() == AXISRT_OK);
+  prepared.config.memory_size = bytes - 1;
+  CHECK(prepared.create() == AXISRT_MEMORY_TOO_SMALL);
+  CHECK(prepared.runtime == nullptr);
+}
+
+TEST_CASE("an image for another cycle time is refused") {
+  Prepared prepared;
+  prepared.config.cycle_time_ns = 2'000'000;
+  CHECK(prepared.create() == AXISRT_OTHER_CYCLE_TIME);
+  CHECK(prepared.runtime == nullptr);
+}
+
+TEST_CASE("create refuses what cannot be used") {
+  Prepared prepared;
+  std::size_t bytes = 0;
+  SECTION("another size of the configuration") {
+    prepared.config.size += 8;
+  }
+  SECTION("no memory") {
+    prepared.config.memory = nullptr;
+  }
+  SECTION("no image") {
+    prepared.config.image = nullptr;
+  }
+  CHECK(prepared.create() == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_create(nullptr, &prepared.runtime) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_create(&prepared.config, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_memory_size(&prepared.config, nullptr, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_memory_size(nullptr, &bytes, &bytes) == AXISRT_BAD_ARGUMENT);
+}
+
+TEST_CASE("memory at an odd address is refused") {
+  Prepared prepared;
+  prepared.config.memory = prepared.memory.data() + 8;
+  prepared.config.memory_size -= 8;
+  CHECK(prepared.create() == AXISRT_MISALIGNED);
+}
+
+TEST_CASE("create and memory_size hand on what verify says") {
+  Prepared prepared;
+  prepared.config.image_size -= 64;
+  std::size_t bytes = 0;
+  std::size_t alignment = 0;
+  CHECK(prepared.create() == AXISRT_TOO_SHORT);
+  CHECK(axisrt_memory_size(&prepared.config, &bytes, &alignment) == AXISRT_TOO_SHORT);
+}
+
+TEST_CASE("the image is only read and not needed after create, except for names") {
+  Bytes const bytes = write_image(complete_image());
+  Prepared prepared;
+  TestRuntime other(bytes);
+  REQUIRE(prepared.create() == AXISRT_OK);
+  CHECK(std::equal(bytes.begin(), bytes.end(), prepared.image.data()));
+  std::fill_n(prepared.image.data(), prepared.image.size(), std::uint8_t{0});
+  axisrt_reset(prepared.runtime, 0, 0);
+  axisrt_reset(other.runtime, 0, 0);
+  for (int i = 0; i < 20; ++i) {
+    double const in[] = {100.0 * i, 0};
+    double out[2] = {};
+    axisrt_step(prepared.runtime, in, out, nullptr);
+    REQUIRE(out[0] == other.step(100.0 * i));
+  }
+}
+
+TEST_CASE("functions without a runtime answer harmlessly") {
+  double value = 0;
+  axisrt_axis_state state{};
+  CHECK(axisrt_axis_count(nullptr) == 0);
+  CHECK(axisrt_cycle_time_ns(nullptr) == 0);
+  CHECK(axisrt_has_interface(nullptr, 0) == 0);
+  CHECK(axisrt_axis_name(nullptr, 0, nullptr) != nullptr);
+  CHECK(axisrt_reset(nullptr, 0, 0) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_reset_interface(nullptr, 0, 0) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_rebase(nullptr, 0, 0) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_step(nullptr, &value, &value, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_step_interface(nullptr, &value, &value, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_get_axis_state(nullptr, 0, &state) == AXISRT_BAD_ARGUMENT);
+  Prepared prepared;
+  REQUIRE(prepared.create() == AXISRT_OK);
+  CHECK(axisrt_step(prepared.runtime, nullptr, &value, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_step_interface(prepared.runtime, &value, nullptr, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_reset(prepared.runtime, 2, 0) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_reset_interface(prepared.runtime, 2, 0) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_get_axis_state(prepared.runtime, 0, nullptr) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_get_axis_state(prepared.runtime, 2, &state) == AXISRT_BAD_ARGUMENT);
+}

@@ -1,0 +1,90 @@
+// Nothing of the runtime allocates, neither in the cycle nor before it.
+#include "support/catch.hpp"
+#include "tests/runtime/test_runtime.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+using namespace axisc::test;
+
+namespace {
+std::atomic<unsigned> allocations{0};
+}
+
+extern "C" {
+void* __real_malloc(std::size_t size);
+void* __real_calloc(std::size_t count, std::size_t size);
+void* __real_realloc(void* memory, std::size_t size);
+void __real_free(void* memory);
+void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __real_calloc(count, size);
+}
+void* __wrap_realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __real_realloc(memory, size);
+}
+void __wrap_free(void* memory) {
+  ++allocations;
+  __real_free(memory);
+}
+}
+
+void* operator new(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (memory == nullptr) std::abort();
+  return memory;
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+TEST_CASE("the counter counts") {
+  unsigned const before = allocations;
+  delete new int(1);
+  CHECK(allocations >= before + 2);
+}
+
+TEST_CASE("no function of the runtime allocates") {
+  AlignedMemory const image(write_image(complete_image()));
+  AlignedMemory memory(1 << 16);
+  axisrt_config const config{.size = sizeof(axisrt_config),
+                             .cycle_time_ns = 1'000'000,
+                             .image = image.data(),
+                             .image_size = image.size(),
+                             .memory = memory.data(),
+                             .memory_size = memory.size()};
+  axisrt* runtime = nullptr;
+  axisrt_axis_state state{};
+  double in[2] = {};
+  double out[2] = {};
+  std::uint8_t status[2] = {};
+  std::size_t size = 0;
+
+  unsigned const before = allocations;
+  axisrt_memory_size(&config, &size, &size);
+  axisrt_create(&config, &runtime);
+  for (std::uint32_t axis = 0; axis < 2; ++axis) axisrt_reset(runtime, axis, 10);
+  axisrt_reset_interface(runtime, 1, 10);
+  for (int i = 0; i < 1000; ++i) {
+    in[0] = in[1] = i;
+    axisrt_step(runtime, in, out, status);
+    axisrt_step_interface(runtime, in, out, status);
+    axisrt_get_axis_state(runtime, 0, &state);
+  }
+  axisrt_rebase(runtime, 0, -100);
+  unsigned const after = allocations;
+
+  CHECK(after == before);
+  CHECK(runtime != nullptr);
+  CHECK(state.reset_done == 1);
+}

@@ -1,0 +1,58 @@
+#include "axisrt.h"
+#include "support/catch.hpp"
+
+#include <set>
+#include <string>
+
+namespace {
+
+constexpr axisrt_status all_statuses[] = {AXISRT_OK,
+                                          AXISRT_TOO_SHORT,
+                                          AXISRT_WRONG_MAGIC,
+                                          AXISRT_WRONG_VERSION,
+                                          AXISRT_WRONG_SIZE,
+                                          AXISRT_WRONG_CHECKSUM,
+                                          AXISRT_OUT_OF_BOUNDS,
+                                          AXISRT_OVERLAP,
+                                          AXISRT_NOT_FINITE,
+                                          AXISRT_UNSTABLE,
+                                          AXISRT_KERNEL_TOO_LONG,
+                                          AXISRT_UNKNOWN_KIND,
+                                          AXISRT_INCONSISTENT_CYCLE,
+                                          AXISRT_MISALIGNED,
+                                          AXISRT_OTHER_CYCLE_TIME,
+                                          AXISRT_SELF_TEST_FAILED,
+                                          AXISRT_MEMORY_TOO_SMALL,
+                                          AXISRT_BAD_ARGUMENT,
+                                          AXISRT_BAD_INPUT,
+                                          AXISRT_NOT_RESET};
+
+}  // namespace
+
+TEST_CASE("every status has a text and a name of its own") {
+  std::set<std::string> texts;
+  std::set<std::string> names;
+  for (axisrt_status const status : all_statuses) {
+    std::string const text = axisrt_status_text(status);
+    std::string const name = axisrt_status_name(status);
+    CHECK(text.back() == '.');
+    CHECK(name.rfind("AXISRT_", 0) == 0);
+    texts.insert(text);
+    names.insert(name);
+  }
+  CHECK(texts.size() == std::size(all_statuses));
+  CHECK(names.size() == std::size(all_statuses));
+}
+
+TEST_CASE("the list of statuses is complete") {
+  std::size_t known = 0;
+  for (int value = 0; value < 256; ++value) {
+    known += std::string(axisrt_status_name(static_cast<axisrt_status>(value))) != "unknown" ? 1 : 0;
+  }
+  CHECK(known == std::size(all_statuses));
+}
+
+TEST_CASE("a number that is no status has a text, too") {
+  CHECK(std::string(axisrt_status_text(static_cast<axisrt_status>(39))) == "Unknown status.");
+  CHECK(std::string(axisrt_status_name(static_cast<axisrt_status>(39))) == "unknown");
+}

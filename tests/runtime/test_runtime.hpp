@@ -1,0 +1,82 @@
+// A runtime made from an image, with its memory.
+#pragma once
+
+#include "axisrt.h"
+#include "runtime/aligned_memory.hpp"
+#include "runtime/exact_filter.hpp"
+#include "runtime/image_builder.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace axisc::test {
+
+class TestRuntime {
+ public:
+  explicit TestRuntime(Bytes const& image, std::uint32_t cycle_time_ns = 1'000'000)
+      : image_(std::make_unique<AlignedMemory>(image)) {
+    axisrt_config config{.size = sizeof(axisrt_config),
+                         .cycle_time_ns = cycle_time_ns,
+                         .image = image_->data(),
+                         .image_size = image_->size(),
+                         .memory = nullptr,
+                         .memory_size = 0};
+    std::size_t alignment = 0;
+    status = axisrt_memory_size(&config, &memory_size, &alignment);
+    if (status != AXISRT_OK) return;
+    memory_ = std::make_unique<AlignedMemory>(memory_size);
+    config.memory = memory_->data();
+    config.memory_size = memory_size;
+    status = axisrt_create(&config, &runtime);
+  }
+
+  /// One cycle of the first axis.
+  double step(double in) {
+    std::vector<double> const inputs(axisrt_axis_count(runtime), in);
+    std::vector<double> outputs(inputs.size());
+    status = axisrt_step(runtime, inputs.data(), outputs.data(), nullptr);
+    return outputs.front();
+  }
+  double step_interface(double in) {
+    std::vector<double> const inputs(axisrt_axis_count(runtime), in);
+    std::vector<double> outputs(inputs.size());
+    status = axisrt_step_interface(runtime, inputs.data(), outputs.data(), nullptr);
+    return outputs.front();
+  }
+  [[nodiscard]] axisrt_axis_state state(std::uint32_t axis = 0) const {
+    axisrt_axis_state state{};
+    static_cast<void>(axisrt_get_axis_state(runtime, axis, &state));
+    return state;
+  }
+
+  axisrt* runtime = nullptr;
+  axisrt_status status = AXISRT_OK;
+  std::size_t memory_size = 0;
+
+ private:
+  std::unique_ptr<AlignedMemory> image_;
+  std::unique_ptr<AlignedMemory> memory_;
+};
+
+/// An image of one axis with these filters on its setpoint.
+inline Bytes one_axis_image(std::vector<ExactFilter> const& filters,
+                            std::uint32_t cycle_time_ns = 1'000'000) {
+  AxisRecord axis;
+  axis.name = "X";
+  for (ExactFilter const& filter : filters) {
+    axis.filters.push_back(filter.record());
+    axis.filters.back().index = static_cast<std::uint32_t>(axis.filters.size() - 1);
+  }
+  ImageRecord image;
+  image.cycle_time_ns = cycle_time_ns;
+  image.axes.push_back(std::move(axis));
+  return write_image(image);
+}
+
+/// Two axes with everything in it that an image may have: sections of both kinds, a delay, a share, an interface filter,
+/// self-tests, names and a source map.
+[[nodiscard]] ImageRecord complete_image();
+
+}  // namespace axisc::test
