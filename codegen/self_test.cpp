@@ -81,11 +81,12 @@ class FilterModel {
     for (std::size_t i = 0; i < states_.size(); ++i) {
       design::IncrementSection const& section = filter_.sections[i];
       State& state = states_[i];
+      // As the runtime computes it: r += (p + q) d - k e - b de.
       Number const de = Arithmetic::multiply_add(section.p, d, state.r);
       state.e += de;
-      state.r = Arithmetic::multiply_add(section.q, d, de);
-      state.r = Arithmetic::multiply_add(-section.k, state.e, state.r);
-      state.r = Arithmetic::multiply_add(-section.b, de, state.r);
+      Number change = (Number(section.p) + Number(section.q)) * d;
+      change = Arithmetic::multiply_add(-section.k, state.e, change);
+      state.r += Arithmetic::multiply_add(-section.b, de, change);
       d = filter_.blocks_constant ? de : Number(d + de);
       sum = filter_.blocks_constant ? state.e : Number(sum + state.e);
     }

@@ -1,0 +1,103 @@
+// Images of every format version that ever landed. A committed image is never made anew: what is out in the field has to
+// be read for good.
+#include "codegen/image_contents.hpp"
+#include "codegen/image_writer.hpp"
+#include "codegen/runtime_host.hpp"
+#include "machines.hpp"
+#include "naive_image.hpp"
+#include "support/golden.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace axisc::codegen {
+namespace {
+
+constexpr char const* whole_image = "tests/data/images/v1.0-sample.axim";
+constexpr char const* stripped_image = "tests/data/images/v1.0-sample-stripped.axim";
+
+std::vector<std::byte> bytes_of(std::string const& path) {
+  std::string const text = test::read_source_file(path);
+  std::vector<std::byte> bytes(text.size());
+  std::transform(text.begin(), text.end(), bytes.begin(),
+                 [](char octet) { return static_cast<std::byte>(octet); });
+  return bytes;
+}
+
+/// `image` as if this version of the compiler had written it.
+std::vector<std::byte> with_version_of(std::vector<std::byte> image, std::vector<std::byte> const& other) {
+  constexpr std::ptrdiff_t version = 80;
+  constexpr std::ptrdiff_t header_checksum = 12;
+  constexpr std::size_t section_count = 28;
+  std::copy_n(other.begin() + version, 16, image.begin() + version);
+  std::fill_n(image.begin() + header_checksum, 4, std::byte{0});
+  std::size_t const table_end = 128 + 32 * std::to_integer<std::size_t>(image[section_count]);
+  std::uint32_t const checksum = test::naive_crc32c(image, 0, table_end);
+  for (std::size_t i = 0; i < 4; ++i) {
+    image[static_cast<std::size_t>(header_checksum) + i] =
+        static_cast<std::byte>(checksum >> (8 * i) & 0xFFU);
+  }
+  return image;
+}
+
+void write_if_missing(char const* path, ImageOptions const& options) {
+  std::filesystem::path const file = std::filesystem::path(AXISC_SOURCE_DIR) / path;
+  if (!test::update_golden() || std::filesystem::exists(file)) return;
+  std::filesystem::create_directories(file.parent_path());
+  std::vector<std::byte> const image = write_image(test::sample_machine(), options);
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<char const*>(image.data()), static_cast<std::streamsize>(image.size()));
+}
+
+}  // namespace
+
+TEST_CASE("today's compiler still writes the images of format 1.0", "[image][golden]") {
+  auto const [path, strip] =
+      GENERATE(table<char const*, bool>({{whole_image, false}, {stripped_image, true}}));
+  ImageOptions const options{.strip = strip, .image_version = 3};
+  write_if_missing(path, options);
+  std::vector<std::byte> const golden = bytes_of(path);
+  std::vector<std::byte> const today = write_image(test::sample_machine(), options);
+  CHECK(golden.size() == today.size());
+  bool const equal = with_version_of(golden, today) == today;
+  CHECK(equal);
+}
+
+TEST_CASE("an image of format 1.0 is read", "[image][golden]") {
+  ImageContents const contents = test::contents_of(bytes_of(whole_image));
+  CHECK(contents.format_major == 1);
+  CHECK(contents.format_minor == 0);
+  CHECK(contents.compiler_version == "0.1.0");
+  CHECK(contents.cycle_time.nanoseconds == 1'000'000);
+  CHECK(contents.image_version == 3);
+  REQUIRE(contents.axes.size() == 4);
+  CHECK(contents.axes[0].name == "X");
+  CHECK(contents.axes[2].name == "Ä");
+  CHECK(contents.axes[2].type == 2);
+  CHECK(contents.axes[0].filters[0].specification.type == design::FilterType::bandstop);
+  CHECK(contents.axes[0].filters[0].specification.frequency.value == 47);
+  CHECK(contents.axes[0].values[1].name == "filter[0].order");
+  CHECK(contents.axes[0].values[1].list == "axes/x.lis");
+  CHECK(contents.lists[2].name == "axes/ä.lis");
+
+  CHECK(test::contents_of(bytes_of(stripped_image)).axes[0].filters.size() == 2);
+}
+
+TEST_CASE("an image of format 1.0 runs", "[image][golden]") {
+  RuntimeHost runtime = test::runtime_for(bytes_of(whole_image));
+  REQUIRE(runtime.axis_count() == 4);
+  CHECK(runtime.axis_name(1) == "Y");
+  CHECK(runtime.reset_all(1e9) == AXISRT_OK);
+  std::array<double, 4> const setpoints = {1e9, 1e9, 1e9, 1e9};
+  std::array<double, 4> outputs{};
+  CHECK(runtime.step(setpoints, outputs) == AXISRT_OK);
+  CHECK(outputs[0] == 1e9);
+  CHECK(outputs[1] == 0.875e9);
+  CHECK(outputs[2] == 1e9);
+  CHECK(outputs[3] == 1e9);
+}
+
+}  // namespace axisc::codegen

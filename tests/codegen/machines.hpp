@@ -1,0 +1,49 @@
+// Checked machines without lists, for the tests of this folder.
+#pragma once
+
+#include "codegen/image_contents.hpp"
+#include "codegen/runtime_host.hpp"
+#include "validator/machine.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace axisc::test {
+
+/// Three axes and a spindle: shared and own sections, shares, a pure delay, the additional interface, a source map
+/// with repeated texts, an axis without filters.
+[[nodiscard]] validator::Machine sample_machine();
+
+/// One translatory axis X with these filters as filter[0], filter[1], ...
+[[nodiscard]] validator::Machine machine_with(std::vector<design::FilterSpecification> const& filters,
+                                              design::CycleTime cycle_time);
+
+/// Uniform numbers that are the same with every standard library.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  /// 0 <= x < 1.
+  [[nodiscard]] double unit() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
+  [[nodiscard]] double between(double low, double high) { return low + (high - low) * unit(); }
+  [[nodiscard]] std::uint32_t below(std::uint32_t count) {
+    return static_cast<std::uint32_t>(unit() * count);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// Any standard filter within its documented ranges, frequencies down to `lowest`.
+[[nodiscard]] design::FilterSpecification random_filter(Random& random, design::CycleTime cycle_time,
+                                                        design::Hertz lowest);
+/// A cycle time from 125 µs to 4 ms, one to four axes with up to three filters and an interface filter each.
+[[nodiscard]] validator::Machine random_machine(Random& random, double lowest_frequency_times_cycle);
+
+/// Fails the test when there is none.
+[[nodiscard]] codegen::RuntimeHost runtime_for(std::span<std::byte const> image);
+[[nodiscard]] codegen::ImageContents contents_of(std::span<std::byte const> image);
+
+}  // namespace axisc::test

@@ -1,0 +1,110 @@
+#include "codegen/runtime_host.hpp"
+
+#include "codegen/image_writer.hpp"
+#include "machines.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace axisc::codegen {
+namespace {
+
+std::vector<std::byte> sample_image() {
+  return write_image(test::sample_machine(), {});
+}
+
+axisrt_status refusal(std::variant<RuntimeHost, axisrt_status> const& result) {
+  return std::holds_alternative<axisrt_status>(result) ? std::get<axisrt_status>(result) : AXISRT_OK;
+}
+
+}  // namespace
+
+TEST_CASE("a runtime knows its axes", "[runtime-host]") {
+  RuntimeHost const runtime = test::runtime_for(sample_image());
+  CHECK(runtime.axis_count() == 4);
+  CHECK(runtime.cycle_time().nanoseconds == 1'000'000);
+  CHECK(runtime.axis_name(2) == "Ä");
+  CHECK(runtime.axis_name(4).empty());
+  CHECK(runtime.has_interface(0));
+  CHECK_FALSE(runtime.has_interface(1));
+  CHECK(runtime.memory_size() > 0);
+}
+
+TEST_CASE("a runtime refuses what it cannot run", "[runtime-host]") {
+  std::vector<std::byte> image = sample_image();
+  CHECK(refusal(RuntimeHost::create(image, design::CycleTime{1'000'000})) == AXISRT_OK);
+  CHECK(refusal(RuntimeHost::create(image, design::CycleTime{500'000})) == AXISRT_OTHER_CYCLE_TIME);
+  CHECK(refusal(RuntimeHost::create({})) == AXISRT_TOO_SHORT);
+  image.back() ^= std::byte{1};
+  CHECK(refusal(RuntimeHost::create(image)) == AXISRT_WRONG_CHECKSUM);
+}
+
+TEST_CASE("axes are reset before they are filtered", "[runtime-host]") {
+  RuntimeHost runtime = test::runtime_for(sample_image());
+  std::array<double, 4> const setpoints = {100, 100, 100, 100};
+  std::array<double, 4> outputs{};
+  std::array<std::uint8_t, 4> status{};
+  CHECK(runtime.step(setpoints, outputs, status) == AXISRT_NOT_RESET);
+  CHECK(outputs == setpoints);
+
+  CHECK(runtime.reset(0, 100) == AXISRT_OK);
+  CHECK(runtime.step(setpoints, outputs, status) == AXISRT_NOT_RESET);
+  CHECK(status ==
+        std::array<std::uint8_t, 4>{AXISRT_OK, AXISRT_NOT_RESET, AXISRT_NOT_RESET, AXISRT_NOT_RESET});
+  CHECK(runtime.reset_all(100) == AXISRT_OK);
+  CHECK(runtime.step(setpoints, outputs, status) == AXISRT_OK);
+  CHECK(runtime.reset(4, 0) == AXISRT_BAD_ARGUMENT);
+}
+
+TEST_CASE("arrays have one entry per axis", "[runtime-host]") {
+  RuntimeHost runtime = test::runtime_for(sample_image());
+  CHECK(runtime.reset_all(0) == AXISRT_OK);
+  std::array<double, 5> values{};
+  std::array<std::uint8_t, 3> status{};
+  std::span<double> const four = std::span(values).first(4);
+  CHECK(runtime.step(values, four) == AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step(four, values) == AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step(four, four, status) == AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step_interface(four, values) == AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step(four, four) == AXISRT_OK);
+}
+
+TEST_CASE("a runtime can be moved", "[runtime-host]") {
+  RuntimeHost first = test::runtime_for(sample_image());
+  CHECK(first.reset_all(7) == AXISRT_OK);
+  RuntimeHost second = std::move(first);
+  std::array<double, 4> values = {7, 7, 7, 7};
+  CHECK(second.step(values, values) == AXISRT_OK);
+  CHECK(values[0] == 7);
+  auto const state = second.axis_state(0);
+  REQUIRE(std::holds_alternative<axisrt_axis_state>(state));
+  CHECK(std::get<axisrt_axis_state>(state).filters == 2);
+  CHECK(std::get<axisrt_axis_state>(state).settled == 1);
+  CHECK(std::holds_alternative<axisrt_status>(second.axis_state(4)));
+}
+
+TEST_CASE("a bad setpoint is reported and does no harm", "[runtime-host]") {
+  RuntimeHost runtime = test::runtime_for(sample_image());
+  CHECK(runtime.reset_all(5) == AXISRT_OK);
+  std::array<double, 4> values = {5, std::numeric_limits<double>::quiet_NaN(), 5, 5};
+  std::array<std::uint8_t, 4> status{};
+  CHECK(runtime.step(values, values, status) == AXISRT_BAD_INPUT);
+  CHECK(status[1] == AXISRT_BAD_INPUT);
+  CHECK(std::isfinite(values[1]));
+}
+
+TEST_CASE("the additional interface has filters of its own", "[runtime-host]") {
+  RuntimeHost runtime = test::runtime_for(sample_image());
+  CHECK(runtime.reset_all(0) == AXISRT_OK);
+  std::array<double, 4> const step = {1, 1, 1, 1};
+  std::array<double, 4> outputs{};
+  CHECK(runtime.step_interface(step, outputs) == AXISRT_OK);
+  CHECK(outputs[0] > 0);
+  CHECK(outputs[0] < 0.01);
+  CHECK(outputs[1] == 1);
+}
+
+}  // namespace axisc::codegen
