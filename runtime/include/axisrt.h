@@ -27,29 +27,30 @@ typedef enum axisrt_status {
   AXISRT_OK = 0,
 
   /* The image (axisrt_verify, axisrt_memory_size, axisrt_create). */
-  AXISRT_TOO_SHORT = 1,            /* fewer bytes than a header, or than the header's total size */
-  AXISRT_WRONG_MAGIC = 2,          /* does not begin with "AXIM" */
-  AXISRT_WRONG_VERSION = 3,        /* another major version of the format */
-  AXISRT_WRONG_SIZE = 4,           /* total size and given size disagree */
-  AXISRT_WRONG_CHECKSUM = 5,       /* header or payload was changed */
-  AXISRT_OUT_OF_BOUNDS = 6,        /* an offset, a count or an index points outside */
-  AXISRT_OVERLAP = 7,              /* sections overlap or are not aligned to 64 bytes */
-  AXISRT_NOT_FINITE = 8,           /* a stored number is NaN or infinite */
-  AXISRT_UNSTABLE = 9,             /* a section that need not settle */
-  AXISRT_KERNEL_TOO_LONG = 10,     /* a delay or kernel longer than the format allows */
-  AXISRT_UNKNOWN_KIND = 11,        /* a filter, port, axis type or mandatory section of unknown kind */
-  AXISRT_INCONSISTENT_CYCLE = 12,  /* cycle time zero or beyond 1 s */
-  AXISRT_MISALIGNED = 13,          /* image or memory is not aligned to 64 bytes */
+  AXISRT_TOO_SHORT = 1,        /* fewer bytes than a header, or than the header's total size */
+  AXISRT_WRONG_MAGIC = 2,      /* does not begin with "AXIM" */
+  AXISRT_WRONG_VERSION = 3,    /* another major version of the format */
+  AXISRT_WRONG_SIZE = 4,       /* total size and given size disagree */
+  AXISRT_WRONG_CHECKSUM = 5,   /* header or payload was changed */
+  AXISRT_OUT_OF_BOUNDS = 6,    /* an offset, count, index or value out of range; a section missing or twice */
+  AXISRT_OVERLAP = 7,          /* sections overlap or are not aligned to 64 bytes */
+  AXISRT_NOT_FINITE = 8,       /* a stored number is NaN or infinite */
+  AXISRT_UNSTABLE = 9,         /* a section that need not settle, or with |p| or |q| above 64 */
+  AXISRT_KERNEL_TOO_LONG = 10, /* a delay or kernel longer than the format allows */
+  AXISRT_UNKNOWN_KIND = 11,    /* a filter, port, axis type or mandatory section of unknown kind */
+  AXISRT_INCONSISTENT_CYCLE = 12, /* cycle time zero or beyond 1 s */
+  AXISRT_MISALIGNED = 13,         /* image or memory is not aligned to 64 bytes */
 
   /* axisrt_create. */
-  AXISRT_OTHER_CYCLE_TIME = 20,  /* the image was made for another NC cycle time */
-  AXISRT_SELF_TEST_FAILED = 21,  /* this processor does not compute what the image demands */
+  AXISRT_OTHER_CYCLE_TIME = 20, /* the image was made for another NC cycle time */
+  AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
-  AXISRT_BAD_ARGUMENT = 23,      /* null pointer, axis number too large, structure of unknown size */
+  AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
-  AXISRT_BAD_INPUT = 40,  /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
-  AXISRT_NOT_RESET = 41   /* the axis was never reset: its output repeats the input, nothing was filtered */
+  AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
+  /* The axis was never reset: its output repeats the input (0 for one that is not finite), nothing was filtered. */
+  AXISRT_NOT_RESET = 41
 } axisrt_status;
 
 /* One sentence in English, for logs; never null. May be called anywhere. */
@@ -64,48 +65,62 @@ uint32_t axisrt_abi_version(void);
 #define AXISRT_ALIGNMENT 64u
 
 /* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64 bytes.
+ * What it accepts can be created and stepped without any fault, whoever wrote it.
+ * Returns AXISRT_OK, one of the image's statuses, or AXISRT_BAD_ARGUMENT for a null pointer.
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
 
 typedef struct axisrt axisrt;
 
 typedef struct axisrt_config {
-  uint32_t size;           /* sizeof(axisrt_config) */
-  uint32_t cycle_time_ns;  /* the controller's real NC cycle time; an image for another one is refused */
-  const void* image;       /* aligned to 64 bytes; only read, and not needed after create, except for names */
+  uint32_t size;          /* sizeof(axisrt_config) */
+  uint32_t cycle_time_ns; /* the controller's real NC cycle time; an image for another one is refused */
+  const void* image;      /* aligned to 64 bytes; only read, and not needed after create, except for names */
   size_t image_size;
-  void* memory;            /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
+  void* memory; /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
   size_t memory_size;
 } axisrt_config;
 
-/* Bytes that create needs for this image; `memory` and `memory_size` of the configuration are not looked at.
- * Verifies the image. Not in the cycle. */
+/* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
+ * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
+ * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much. Cost as axisrt_verify. Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 
 /* Verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
- * stepped before it was reset. On failure *runtime is null. Not in the cycle. */
+ * stepped before it was reset. On failure *runtime is null. Needs no counterpart: the memory is the caller's.
+ * Returns what axisrt_verify returns, or one of the statuses of create. Cost: as axisrt_verify, the coefficients, the
+ * self-tests' cycles. Not in the cycle. */
 axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
 
+/* What was created; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 uint32_t axisrt_axis_count(const axisrt* runtime);
 uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
-/* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image. */
+/* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image; never null. */
 const char* axisrt_axis_name(const axisrt* runtime, uint32_t axis, size_t* length);
 /* 1 if the axis has a filter on its additional interface, else 0. */
 int axisrt_has_interface(const axisrt* runtime, uint32_t axis);
 
 /* Puts every setpoint filter into the steady state for `position`: the next output for that setpoint is the steady
- * output (for DC gain 1 the position itself, exactly). Cost: the axis' states. May be called in the cycle. */
+ * output (for DC gain 1 the position itself, exactly). AXISRT_BAD_INPUT, and nothing is changed, if the position is not
+ * finite or beyond 2^53. Cost: the axis' states. May be called in the cycle. */
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position);
 
-/* The same for the additional interface (steady at `value`). axisrt_reset does not touch it. */
+/* The same for the additional interface (steady at `value`). axisrt_reset does not touch it. An axis without a filter
+ * there needs no reset. */
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value);
 
 /* Shifts the origin of an axis by `offset` without any effect on the motion (modulo axes): setpoints and outputs
- * from now on are larger by `offset`. Exact when the shifted positions are representable. */
+ * from now on are larger by `offset` (outputs of a chain whose DC gain is not 1, by that gain times `offset`). Exact when
+ * the shifted positions are representable. AXISRT_NOT_RESET before a reset; AXISRT_BAD_INPUT if the offset or the shifted
+ * setpoint is not finite or beyond 2^53; nothing is changed then. Cost: the axis' delays. May be called in the cycle. */
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
 
-/* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint. `in` may equal `out`. `status` may be null,
- * else status[axis] receives what happened to that axis. Returns the worst of them.
+/* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was reset. `in`
+ * may equal `out`. `status` may be null, else status[axis] receives what happened to that axis. Returns the worst of
+ * them, or AXISRT_BAD_ARGUMENT for a null pointer.
+ * Error against the exact filter: at most ulp(max(|in|, |out|))/2 + 2^-42 D, where D is the largest |out - in| since the
+ * last rest (for chains that block the constant part: the largest distance of `in` from there). At rest a chain with DC
+ * gain 1 ends at out == in, exactly and for good.
  * Cost: constant for a given image, whatever the values are. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
@@ -120,11 +135,11 @@ typedef struct axisrt_axis_state {
   double filter_output[AXISRT_MOST_FILTERS]; /* output of each filter of the cascade, in order */
   uint32_t filters;                          /* how many of them there are */
   uint32_t filters_on;                       /* bit i: filter i of the cascade works */
-  uint32_t settled;                          /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
-  uint32_t reset_done;                       /* 1 if the axis was reset since create */
+  uint32_t settled;    /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
+  uint32_t reset_done; /* 1 if the axis was reset since create */
 } axisrt_axis_state;
 
-/* Cost: constant. May be called in the cycle. */
+/* AXISRT_BAD_ARGUMENT for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 axisrt_status axisrt_get_axis_state(const axisrt* runtime, uint32_t axis, axisrt_axis_state* state);
 
 #ifdef __cplusplus

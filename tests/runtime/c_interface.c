@@ -1,15 +1,17 @@
 /* The interface as a C11 program sees it: every function and every structure is used here. */
+#include "axisrt.h"
+
 #include <stdint.h>
 #include <string.h>
 
-#include "axisrt.h"
-
 /* Runs the first axis of an image from rest to `target` and gives back where it arrives. */
-int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target, double* arrived);
+int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target,
+                    double* arrived);
 
 _Static_assert(sizeof(axisrt_axis_state) == 56, "the layout of axisrt_axis_state is part of the interface");
 
-int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target, double* arrived) {
+int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target,
+                    double* arrived) {
   double in[8] = {0};
   double out[8] = {0};
   uint8_t status[8] = {0};
@@ -39,7 +41,8 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
 
   for (axis = 0; axis < axisrt_axis_count(runtime); ++axis) {
     if (axisrt_reset(runtime, axis, 0.0) != AXISRT_OK) return 7;
-    if (axisrt_has_interface(runtime, axis) && axisrt_reset_interface(runtime, axis, 0.0) != AXISRT_OK) return 8;
+    if (axisrt_has_interface(runtime, axis) && axisrt_reset_interface(runtime, axis, 0.0) != AXISRT_OK)
+      return 8;
   }
   if (axisrt_rebase(runtime, 0, 0.0) != AXISRT_OK) return 9;
   in[0] = target;
@@ -48,7 +51,8 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
     if (axisrt_step_interface(runtime, in, out + 4, status) != AXISRT_OK) return 11;
   }
   if (axisrt_get_axis_state(runtime, 0, &state) != AXISRT_OK || state.filtered != out[0]) return 12;
-  if (strcmp(axisrt_status_name(AXISRT_OK), "AXISRT_OK") != 0 || strlen(axisrt_status_text(AXISRT_OK)) == 0) return 13;
+  if (strcmp(axisrt_status_name(AXISRT_OK), "AXISRT_OK") != 0 || strlen(axisrt_status_text(AXISRT_OK)) == 0)
+    return 13;
   *arrived = out[0];
   return 0;
 }
