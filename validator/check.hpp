@@ -21,15 +21,23 @@ struct CheckOptions {
   std::vector<Code> disabled;
 };
 
-struct CheckResult {
-  std::vector<Finding> findings;        ///< in output order
-  std::optional<Machine> machine;       ///< only without errors
-  bool cycle_time_assumed = false;      ///< 1 ms was assumed, and a rule needed it
-  std::optional<FileError> unreadable;  ///< the input itself could not be read: exit status 2
-  std::vector<std::string> files;       ///< every file that was read, in order (for dependency files)
+/// A feature that a list configures and that an image cannot hold yet; `compile` refuses then.
+struct NotCompiled {
+  Place place;
+  Message feature;  ///< "the FIR filter of axis X"
 };
 
-/// `path` ends in .json and has a key "axes": a machine file; else one axis list. `sources` receives every
+struct CheckResult {
+  std::vector<Finding> findings;          ///< in output order
+  std::optional<Machine> machine;         ///< only without errors
+  std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
+  bool cycle_time_known = false;          ///< the options or the machine file give it
+  bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it
+  std::optional<FileError> unreadable;    ///< the input itself could not be read: exit status 2
+  std::vector<std::string> files;         ///< every file that was read, in order (for dependency files)
+};
+
+/// `path` ends in .json and holds an object: a machine file; else one axis list. `sources` receives every
 /// text read. Never throws for bad input.
 [[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);

@@ -96,9 +96,9 @@ struct MergedValues {
   std::vector<ReferenceProblem> reference_problems;
 };
 
-/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units
-/// that AX2014 compares. Cost: linear in the assignments.
+/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
+/// AX2014 compares; where it is not given, the lists' own axis type does. Cost: linear in the assignments.
 [[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
-                                       bool rotary);
+                                       std::optional<bool> rotary);
 
 }  // namespace axisc::validator

@@ -18,6 +18,9 @@ namespace axisc::validator {
 /// Values are the numbers of P-AXIS-00018.
 enum class AxisType : std::uint8_t { translatory = 1, rotary = 2, spindle = 4 };
 
+/// What the lists say: P-AXIS-00018.
+[[nodiscard]] AxisType axis_type_of(EffectiveValues const& values);
+
 /// Where one value of a list came from; the image's source map.
 struct SourcedValue {
   std::string name;        ///< `filter[0].order`

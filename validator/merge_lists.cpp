@@ -1,4 +1,5 @@
 #include "validator/effective_values.hpp"
+#include "validator/machine.hpp"
 #include "validator/references.hpp"
 
 namespace axisc::validator {
@@ -15,9 +16,10 @@ class Merger {
     for (LostAssignment const& lost : list.lost) lose(lost);
   }
 
-  MergedValues finish(bool rotary) {
+  MergedValues finish(std::optional<bool> rotary) {
     MergedValues merged;
-    merged.reference_problems = resolve_references(values_, pending_, rotary);
+    merged.reference_problems = resolve_references(
+        values_, pending_, rotary.value_or(axis_type_of(values_) != AxisType::translatory));
     values_.order_set_slots();
     merged.values = std::move(values_);
     return merged;
@@ -58,7 +60,19 @@ class Merger {
 
 }  // namespace
 
-MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list, bool rotary) {
+AxisType axis_type_of(EffectiveValues const& values) {
+  switch (static_cast<int>(values.at("kenngr.achs_typ").value.number)) {
+    case 2:
+      return AxisType::rotary;
+    case 4:
+      return AxisType::spindle;
+    default:
+      return AxisType::translatory;
+  }
+}
+
+MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
+                         std::optional<bool> rotary) {
   Merger merger;
   if (default_list != nullptr) merger.add(*default_list);
   merger.add(axis_list);

@@ -1,0 +1,162 @@
+#include "validator/engine.hpp"
+
+#include "diagnostics/writers.hpp"
+#include "validator/precedence.hpp"
+#include "validator/suppression.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+/// Whether a rule that needs T has anything to look at: an active standard filter, a configured FIR or HSC filter, an
+/// enabled Improved Position Control.
+bool uses_cycle_time(EffectiveValues const& values) {
+  for (FilterView const& filter : touched_filters(values)) {
+    if (filter.active() || (filter.port == FilterPort::setpoint && filter.is_hsc())) return true;
+  }
+  return values.at("filter_fir.type").value.number != 0 ||
+         values.at("lr_param.improved_position_control.enable").value.flag();
+}
+
+class Engine {
+ public:
+  Engine(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources)
+      : machine_(machine),
+        options_(options),
+        sources_(sources),
+        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {}
+
+  EngineResult run() {
+    for (Finding const& finding : machine_.findings)
+      raw_.push_back({.finding = finding, .subject = std::nullopt});
+    run_list_checks();
+    if (!machine_.default_list_missing) {
+      for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
+    }
+    decide();
+    sort_findings(result_.findings);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool enabled(Rule const& rule) const {
+    bool const shown = options_.pedantic || rule.severity != Severity::note;
+    return shown && std::find(options_.disabled.begin(), options_.disabled.end(), rule.code) ==
+                        options_.disabled.end();
+  }
+
+  /// Calls a check and keeps what it reports.
+  template <typename CheckFunction, typename Context>
+  void call(Rule const& rule, CheckFunction check, Context const& context, std::string const& axis,
+            std::optional<Subject> subject) {
+    std::vector<Finding> found;
+    Report report(found);
+    report.rule = &rule;
+    report.axis = axis;
+    check(context, report);
+    bool const assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
+    for (Finding& finding : found) {
+      if (assumed) finding.notes.push_back({.text = Text::cycle_time_assumed_note, .arguments = {}});
+      raw_.push_back({.finding = std::move(finding), .subject = subject});
+    }
+  }
+
+  /// The axis that alone uses a list; empty where several do.
+  [[nodiscard]] std::string owner_of(std::size_t list) const {
+    std::string owner;
+    bool found = machine_.default_list == list;
+    for (LoadedAxis const& axis : machine_.axes) {
+      if (axis.list != list) continue;
+      if (found) return {};
+      found = true;
+      owner = axis.name;
+    }
+    return owner;
+  }
+
+  void run_list_checks() {
+    for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
+      LoadedList const& list = machine_.lists[i].list;
+      ListContext const context{.list = list, .source = sources_[list.source]};
+      std::string const owner = owner_of(i);
+      for (Rule const& rule : rules()) {
+        auto const* const check = std::get_if<ListCheck>(&rule.check);
+        if (check != nullptr && enabled(rule)) call(rule, *check, context, owner, std::nullopt);
+      }
+    }
+  }
+
+  void run_axis(std::size_t index) {
+    LoadedAxis const& axis = machine_.axes[index];
+    EffectiveValues const& values = axis.merged.values;
+    AxisContext const context{.name = axis.name,
+                              .type = axis.type,
+                              .values = values,
+                              .cycle_time = cycle_time_,
+                              .sources = sources_,
+                              .default_list = machine_.list_of_defaults(),
+                              .axis_list = machine_.lists[axis.list].list,
+                              .reference_problems = axis.merged.reference_problems};
+    std::vector<FilterView> const filters = touched_filters(values);
+    result_.cycle_time_needed = result_.cycle_time_needed || uses_cycle_time(values);
+    for (Rule const& rule : rules()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
+        call(rule, *check, context, axis.name, std::nullopt);
+      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
+        for (FilterView const& filter : filters) {
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = filter}, axis.name,
+               Subject{.axis = index, .port = filter.port, .filter = filter.index});
+        }
+      }
+    }
+  }
+
+  void decide() {
+    std::vector<RawFinding> standing = std::move(raw_);
+    auto const is_disabled = [this](RawFinding const& raw) {
+      Rule const* const rule = find_rule(raw.finding.code);
+      return rule != nullptr && !enabled(*rule);
+    };
+    standing.erase(std::remove_if(standing.begin(), standing.end(), is_disabled), standing.end());
+
+    Suppressions suppressions;
+    for (NamedList const& list : machine_.lists) suppressions.add(sources_[list.list.source], list.list);
+    auto const is_silenced = [&](RawFinding const& raw) {
+      return suppressions.silences(raw.finding, sources_);
+    };
+    standing.erase(std::remove_if(standing.begin(), standing.end(), is_silenced), standing.end());
+
+    report_unused(suppressions, standing);
+    drop_replaced(standing);
+    merge_shared(standing);
+    keep_highest_per_token(standing);
+    for (RawFinding& raw : standing) result_.findings.push_back(std::move(raw.finding));
+  }
+
+  void report_unused(Suppressions& suppressions, std::vector<RawFinding>& standing) const {
+    if (!enabled(*find_rule(Code{1013}))) return;
+    std::vector<Finding> unused;
+    suppressions.report_unused(
+        sources_, [this](Code code) { return enabled(*find_rule(code)); }, unused);
+    for (Finding& finding : unused)
+      standing.push_back({.finding = std::move(finding), .subject = std::nullopt});
+  }
+
+  LoadedMachine const& machine_;
+  CheckOptions const& options_;
+  SourceSet const& sources_;
+  design::CycleTime cycle_time_;
+  std::vector<RawFinding> raw_;
+  EngineResult result_;
+};
+
+}  // namespace
+
+EngineResult run_rules(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources) {
+  return Engine(machine, options, sources).run();
+}
+
+}  // namespace axisc::validator

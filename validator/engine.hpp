@@ -1,0 +1,34 @@
+// Runs the table of rules over lists, axes and filters, and decides which findings stand.
+#pragma once
+
+#include "validator/loading.hpp"
+#include "validator/rule.hpp"
+
+#include <vector>
+
+namespace axisc::validator {
+
+/// What a finding is about, for rules that silence each other on one filter.
+struct Subject {
+  std::size_t axis = 0;
+  FilterPort port = FilterPort::setpoint;
+  std::uint32_t filter = 0;
+  friend auto operator<=>(Subject const&, Subject const&) = default;
+};
+
+/// A finding as its rule reported it, before the engine decides.
+struct RawFinding {
+  Finding finding;
+  std::optional<Subject> subject;  ///< none for rules that do not look at one filter
+};
+
+struct EngineResult {
+  std::vector<Finding> findings;   ///< in output order
+  bool cycle_time_needed = false;  ///< a rule that needs T looked at something
+};
+
+/// Every rule over everything that was loaded. Cost: one pass of each rule over what it looks at, plus sorting.
+[[nodiscard]] EngineResult run_rules(LoadedMachine const& machine, CheckOptions const& options,
+                                     SourceSet const& sources);
+
+}  // namespace axisc::validator

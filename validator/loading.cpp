@@ -1,0 +1,203 @@
+#include "validator/loading.hpp"
+
+#include "grammar/axis_list.hpp"
+#include "validator/closest_word.hpp"
+#include "validator/rule.hpp"
+
+#include <filesystem>
+#include <map>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::string_view separators = "/\\";
+
+std::string_view file_name(std::string_view path) {
+  std::size_t const separator = path.find_last_of(separators);
+  return separator == std::string_view::npos ? path : path.substr(separator + 1);
+}
+
+std::string_view without_extension(std::string_view name) {
+  std::size_t const point = name.find_last_of('.');
+  return point == std::string_view::npos || point == 0 ? name : name.substr(0, point);
+}
+
+bool is_absolute(std::string_view path) {
+  bool const drive = path.size() > 1 && path[1] == ':';
+  return drive || (!path.empty() && separators.find(path.front()) != std::string_view::npos);
+}
+
+/// `name` as seen from the folder of `path`.
+std::string beside(std::string const& path, std::string const& name) {
+  if (is_absolute(name)) return name;
+  return path.substr(0, path.size() - file_name(path).size()) + name;
+}
+
+bool ends_in_json(std::string_view path) {
+  constexpr std::string_view extension = ".json";
+  if (path.size() < extension.size()) return false;
+  return equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+}
+
+std::variant<std::string, FileError> read_text(Files& files, std::string const& path) {
+  std::variant<std::string, FileError> bytes = files.read(path);
+  if (auto const* const text = std::get_if<std::string>(&bytes)) {
+    std::variant<std::monostate, FileError> const problem = check_text(*text);
+    if (auto const* const error = std::get_if<FileError>(&problem)) return *error;
+  }
+  return bytes;
+}
+
+LoadedList parse(SourceSet const& sources, SourceId source) {
+  SourceText const& text = sources[source];
+  LoadedList list;
+  list.source = source;
+  list.tree =
+      grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
+  list.readings = read_assignments(text, list.tree);
+  list.lost = lost_assignments(text, list.tree, list.readings);
+  return list;
+}
+
+Text text_of(FileError error) {
+  switch (error) {
+    case FileError::not_found:
+      return Text::ax4020_not_found;
+    case FileError::is_folder:
+      return Text::ax4020_is_folder;
+    case FileError::no_permission:
+      return Text::ax4020_no_permission;
+    case FileError::not_readable:
+      return Text::ax4020_not_readable;
+    case FileError::too_large:
+      return Text::ax4020_too_large;
+    case FileError::line_too_long:
+      return Text::ax4020_line_too_long;
+    case FileError::binary:
+      return Text::ax4020_binary;
+    case FileError::utf16:
+      return Text::ax4020_utf16;
+    case FileError::image:
+      return Text::ax4020_image;
+  }
+  return Text::ax4020_not_readable;
+}
+
+class Loader {
+ public:
+  Loader(Files& files, CheckOptions const& options, SourceSet& sources)
+      : files_(files), options_(options), sources_(sources) {}
+
+  std::variant<LoadedMachine, FileError> load(std::string const& path) {
+    std::variant<std::string, FileError> bytes = read_text(files_, path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+    machine_.path = path;
+    machine_.name = without_extension(file_name(path));
+    machine_.files.push_back(path);
+    std::string& text = std::get<std::string>(bytes);
+    bool const is_machine = ends_in_json(path) && looks_like_machine_file(text);
+    SourceId const source = sources_.add(SourceText(path, std::move(text)));
+    if (is_machine) {
+      load_machine(source);
+    } else {
+      load_single(source);
+    }
+    if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+    return std::move(machine_);
+  }
+
+ private:
+  void load_single(SourceId source) {
+    machine_.lists.push_back(
+        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source)});
+    LoadedAxis& axis = add_axis(0, std::nullopt);
+    EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
+    bool const named = name.set() && !name.unusable && !name.value.text.empty();
+    axis.name = named ? name.value.text : machine_.name;
+    machine_.name = axis.name;
+  }
+
+  void load_machine(SourceId source) {
+    MachineFile const file = read_machine_file(sources_, source, machine_.findings);
+    if (file.machine) machine_.name = file.machine->text;
+    machine_.cycle_time = file.cycle_time;
+    if (file.default_list) {
+      machine_.default_list = list_named(*file.default_list);
+      machine_.default_list_missing = !machine_.default_list;
+      if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
+      by_path_.clear();
+    }
+    for (MachineFileAxis const& named : file.axes) {
+      std::optional<std::size_t> const list = list_named(named.list);
+      if (!list) continue;
+      add_axis(*list, named.type).name = named.name.text;
+    }
+    for (LocatedText const& program : file.programs) require_program(program);
+    for (MachineFileGroup const& group : file.groups) {
+      for (LocatedText const& program : group.programs) require_program(program);
+    }
+  }
+
+  LoadedAxis& add_axis(std::size_t list, std::optional<AxisType> type) {
+    if (options_.axis_type) type = options_.axis_type;
+    std::optional<bool> rotary;
+    if (type) rotary = *type != AxisType::translatory;
+    LoadedAxis& axis = machine_.axes.emplace_back();
+    axis.list = list;
+    axis.merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
+    axis.type = type.value_or(axis_type_of(axis.merged.values));
+    return axis;
+  }
+
+  /// Index of the list; a file that several axes name is read once.
+  std::optional<std::size_t> list_named(LocatedText const& name) {
+    std::string const path = beside(machine_.path, name.text);
+    std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
+    auto const known = by_path_.find(key);
+    if (known != by_path_.end()) return known->second;
+    std::variant<std::string, FileError> bytes = read_text(files_, path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) {
+      missing(name, *error);
+      return std::nullopt;
+    }
+    machine_.files.push_back(path);
+    SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+    std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
+    machine_.lists.push_back({.name = shown, .list = parse(sources_, source)});
+    by_path_.emplace(key, machine_.lists.size() - 1);
+    return machine_.lists.size() - 1;
+  }
+
+  void require_program(LocatedText const& name) {
+    std::string const path = beside(machine_.path, name.text);
+    std::variant<std::string, FileError> const bytes = read_text(files_, path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) {
+      missing(name, *error);
+    } else {
+      machine_.files.push_back(path);
+    }
+  }
+
+  void missing(LocatedText const& name, FileError error) {
+    machine_.complete = false;
+    Report report(machine_.findings);
+    report.rule = find_rule(Code{4020});
+    report.add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
+  }
+
+  Files& files_;
+  CheckOptions const& options_;
+  SourceSet& sources_;
+  LoadedMachine machine_;
+  std::map<std::string, std::size_t> by_path_;
+};
+
+}  // namespace
+
+std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+                                            CheckOptions const& options, SourceSet& sources) {
+  return Loader(files, options, sources).load(path);
+}
+
+}  // namespace axisc::validator

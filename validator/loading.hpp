@@ -1,0 +1,48 @@
+// From a path to lists that were read and merged: what the rules look at.
+#pragma once
+
+#include "validator/check.hpp"
+#include "validator/effective_values.hpp"
+#include "validator/machine_file.hpp"
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+struct NamedList {
+  std::string name;  ///< as the machine file names it; the file's own name for a single list
+  LoadedList list;
+};
+
+struct LoadedAxis {
+  std::string name;
+  AxisType type = AxisType::translatory;
+  std::size_t list = 0;  ///< index into LoadedMachine::lists
+  MergedValues merged;
+};
+
+struct LoadedMachine {
+  std::string name;
+  std::string path;  ///< the input
+  std::optional<design::CycleTime> cycle_time;
+  std::deque<NamedList> lists;  ///< each file once, in the order in which they were read
+  std::optional<std::size_t> default_list;
+  bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
+  bool complete = true;               ///< every file that is named was read
+  std::vector<LoadedAxis> axes;
+  std::vector<Finding> findings;  ///< AX4020
+  std::vector<std::string> files;
+
+  [[nodiscard]] LoadedList const* list_of_defaults() const {
+    return default_list ? &lists[*default_list].list : nullptr;
+  }
+};
+
+/// Reads the input and every file that it names. An error only where the input itself cannot be read.
+[[nodiscard]] std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+                                                          CheckOptions const& options, SourceSet& sources);
+
+}  // namespace axisc::validator

@@ -1,0 +1,111 @@
+#include "validator/suppression.hpp"
+
+#include "validator/rule.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+struct Word {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+bool is_code_character(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+}
+
+/// Offset behind `axisc: allow`; npos where the comment says something else.
+std::size_t behind_allow(std::string_view comment) {
+  constexpr std::string_view mark = "axisc:";
+  constexpr std::string_view allow = "allow";
+  std::size_t const at = comment.find(mark);
+  if (at == std::string_view::npos) return at;
+  std::size_t const word = comment.find_first_not_of(blanks, at + mark.size());
+  if (word == std::string_view::npos || comment.substr(word, allow.size()) != allow)
+    return std::string_view::npos;
+  std::size_t const end = word + allow.size();
+  return end == comment.size() || !is_code_character(comment[end]) ? end : std::string_view::npos;
+}
+
+/// The words of `AX3005, AX2005 because …`: the first one, and each one behind a comma.
+std::vector<Word> words_of(std::string_view comment, std::size_t from) {
+  std::vector<Word> words;
+  std::size_t at = from;
+  while (true) {
+    std::size_t const begin = comment.find_first_not_of(blanks, at);
+    if (begin == std::string_view::npos || !is_code_character(comment[begin])) break;
+    std::size_t end = begin;
+    while (end < comment.size() && is_code_character(comment[end])) ++end;
+    words.push_back({.begin = begin, .end = end});
+    at = comment.find_first_not_of(blanks, end);
+    if (at == std::string_view::npos || comment[at] != ',') break;
+    ++at;
+  }
+  return words;
+}
+
+/// "AX3005" as 3005; 0 for anything else.
+Code code_of(std::string_view word) {
+  std::uint16_t number = 0;
+  if (word.size() != 6 || word.substr(0, 2) != "AX") return Code{};
+  auto const [end, error] = std::from_chars(word.data() + 2, word.data() + word.size(), number);
+  return end == word.data() + word.size() && error == std::errc{} ? static_cast<Code>(number) : Code{};
+}
+
+}  // namespace
+
+void Suppressions::add(SourceText const& source, LoadedList const& list) {
+  std::vector<Allowance>& allowances = allowances_[list.source];
+  for (grammar::Directive const& directive : list.tree.directives) {
+    std::string_view const comment = source.slice(directive.comment);
+    std::size_t const from = behind_allow(comment);
+    if (from == std::string_view::npos) continue;
+    std::vector<Word> words = words_of(comment, from);
+    if (words.empty()) words.push_back({.begin = from, .end = from});
+    for (Word const& word : words) {
+      Allowance allowance;
+      allowance.code = code_of(comment.substr(word.begin, word.end - word.begin));
+      allowance.known = find_rule(allowance.code) != nullptr;
+      allowance.next_line = directive.whole_line;
+      allowance.line = directive.line + (directive.whole_line ? 1 : 0);
+      allowance.place = {.source = list.source,
+                         .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
+                                  .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
+      allowances.push_back(allowance);
+    }
+  }
+}
+
+bool Suppressions::silences(Finding const& finding, SourceSet const& sources) {
+  if (!finding.place) return false;
+  auto const allowances = allowances_.find(finding.place->source);
+  if (allowances == allowances_.end() || allowances->second.empty()) return false;
+  std::uint32_t const line = sources[finding.place->source].position(finding.place->span.begin).line;
+  bool silenced = false;
+  for (Allowance& allowance : allowances->second) {
+    if (allowance.code != finding.code || allowance.line != line) continue;
+    allowance.used = true;
+    silenced = true;
+  }
+  return silenced;
+}
+
+Finding Suppressions::unused(Allowance const& allowance, SourceSet const& sources) {
+  std::vector<Finding> findings;
+  Report report(findings);
+  report.rule = find_rule(Code{1013});
+  std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
+  Text text = allowance.next_line ? Text::ax1013_next_line : Text::ax1013;
+  if (!allowance.known) text = word.empty() ? Text::ax1013_empty : Text::ax1013_unknown;
+  Message message{.text = text, .arguments = {}};
+  if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
+  report.add(allowance.place, std::move(message));
+  return std::move(findings.front());
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,51 @@
+// Comments that silence: `axisc: allow AX3005, AX2005`.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+#include "validator/effective_values.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator {
+
+/// One code of one comment.
+struct Allowance {
+  Code code{};
+  bool known = false;      ///< there is such a rule
+  bool next_line = false;  ///< the comment stands alone and speaks for the line below
+  std::uint32_t line = 0;  ///< the line that it silences
+  Place place;             ///< of the code within the comment
+  bool used = false;
+};
+
+/// All allowances of the lists of a run.
+class Suppressions {
+ public:
+  void add(SourceText const& source, LoadedList const& list);
+
+  /// True where an allowance silences the finding; it counts as used then.
+  bool silences(Finding const& finding, SourceSet const& sources);
+
+  /// AX1013 for everything that silenced nothing. Codes for which `counts` is false are not judged: what cannot be
+  /// reported in this run cannot be silenced either.
+  template <typename Counts>
+  void report_unused(SourceSet const& sources, Counts counts, std::vector<Finding>& findings) {
+    for (auto& [source, allowances] : allowances_) {
+      for (Allowance& allowance : allowances) {
+        if (allowance.used || (allowance.known && !counts(allowance.code))) continue;
+        Finding finding = unused(allowance, sources);
+        if (!silences(finding, sources)) findings.push_back(std::move(finding));
+      }
+    }
+  }
+
+ private:
+  static Finding unused(Allowance const& allowance, SourceSet const& sources);
+
+  std::map<SourceId, std::vector<Allowance>> allowances_;
+};
+
+}  // namespace axisc::validator
