@@ -3,36 +3,57 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace axisc::schema {
+namespace {
+
+void drop_common_ends(std::string_view& a, std::string_view& b) {
+  while (!a.empty() && !b.empty() && a.front() == b.front()) {
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    a.remove_suffix(1);
+    b.remove_suffix(1);
+  }
+}
+
+}  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
   std::size_t const beyond = limit + 1;
-  std::size_t const difference = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
-  if (difference > limit) return beyond;
+  if (std::max(a.size(), b.size()) > longest_compared) return a == b ? 0 : beyond;
+  drop_common_ends(a, b);
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.size() - a.size() > limit) return beyond;
 
-  // Rows i-2, i-1 and i of the usual table.
-  std::vector<std::size_t> before_last(b.size() + 1);
-  std::vector<std::size_t> last(b.size() + 1);
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
+  // The usual table, of which three rows are kept. Only cells within `limit` of the diagonal can count; the cells beside
+  // that band hold a value that is never the smallest.
+  constexpr std::size_t infinite = 4 * longest_compared;
+  std::array<std::array<std::size_t, longest_compared + 2>, 3>
+      rows;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::swap(before_last, last);
-    std::swap(last, row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
+    auto& row = rows[i % 3];
+    auto const& last = rows[(i + 2) % 3];
+    auto const& before_last = rows[(i + 1) % 3];
+    std::size_t const first = i > limit ? i - limit : 1;
+    std::size_t const end = std::min(b.size(), i + limit);
+    row[first - 1] = i <= limit ? i : infinite;
+    std::size_t smallest = row[first - 1];
+    for (std::size_t j = first; j <= end; ++j) {
       std::size_t const replacement = last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       row[j] = std::min({replacement, last[j] + 1, row[j - 1] + 1});
       bool const swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
+      smallest = std::min(smallest, row[j]);
     }
-    if (*std::min_element(row.begin(), row.end()) > limit) return beyond;
+    row[end + 1] = infinite;
+    if (smallest > limit) return beyond;
   }
-  return std::min(row[b.size()], beyond);
+  return std::min(rows[a.size() % 3][b.size()], beyond);
 }
 
 }  // namespace axisc::schema

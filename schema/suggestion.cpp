@@ -4,21 +4,23 @@
 #include "schema/indexed_name.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace axisc::schema {
 namespace {
 
 constexpr std::size_t most_suggestions = 3;
-/// Beyond any name of the catalogue: nothing resembles it, and comparing would take time.
-constexpr std::size_t longest_name = 128;
+/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may stand for an underscore. More
+/// are worth `another_word` in addition.
+constexpr std::size_t few_slips = 2;
+constexpr std::size_t another_word = 2;
 /// Of a symbol: fewer letters begin too many words.
 constexpr std::size_t shortest_beginning = 3;
 
@@ -28,6 +30,8 @@ constexpr std::size_t missing_part = 2;     ///< the part is not there at all
 constexpr std::size_t foreign_part = 4;     ///< another word: the parameter is known, but in another family
 /// Suggestions that are this much worse than the best are left out.
 constexpr std::size_t tolerance_to_best = 1;
+/// Up to this many other families are worth naming whatever they are called.
+constexpr std::size_t clear_families = 2;
 
 /// True if the shorter word is one or several whole words of the longer: `filter` in `filter_fir`.
 bool resembles(std::string_view a, std::string_view b) {
@@ -39,21 +43,20 @@ bool resembles(std::string_view a, std::string_view b) {
   return (at == 0 || b[at - 1] == '_') && (end == b.size() || b[end] == '_');
 }
 
-std::vector<std::string_view> split_pattern(std::string_view pattern) {
-  std::vector<std::string_view> parts;
-  while (!pattern.empty()) {
-    std::string_view const part = take_part(pattern);
-    parts.push_back(part.substr(0, part.find('[')));
-  }
-  return parts;
-}
-
-std::string bare_pattern(std::string_view pattern) {
+/// A known name taken apart, in storage that is used again for the next one.
+struct KnownName {
   std::string bare;
-  std::copy_if(pattern.begin(), pattern.end(), std::back_inserter(bare),
-               [](char c) { return c != '[' && c != ']'; });
-  return bare;
-}
+  std::vector<std::string_view> parts;
+
+  void assign(std::string_view pattern) {
+    bare.clear();
+    parts.clear();
+    for (char const byte : pattern) {
+      if (byte != '[' && byte != ']') bare += byte;
+    }
+    for (std::string_view rest = bare; !rest.empty();) parts.push_back(take_part(rest));
+  }
+};
 
 /// Compares the parts of two names from the last one on. None when they have too little in common.
 std::optional<std::size_t> part_distance(IndexedName const& name,
@@ -109,30 +112,35 @@ std::vector<Candidate> candidates_for(IndexedName const& name) {
   std::size_t const indices = given_indices(name).size();
   std::size_t const slip_limit = tolerable_distance(bare.size());
   std::vector<Candidate> candidates;
+  KnownName known;
   for (Parameter const& parameter : parameters()) {
-    std::string const known = bare_pattern(parameter.name);
-    auto cost = part_distance(name, split_pattern(parameter.name));
-    std::size_t const slips = edit_distance(bare, known, slip_limit);
-    if (slips <= slip_limit) cost = std::min(cost.value_or(slips), slips);
+    known.assign(parameter.name);
+    auto cost = part_distance(name, known.parts);
+    std::size_t const slips = edit_distance(bare, known.bare, slip_limit);
+    if (slips <= slip_limit) {
+      std::size_t const whole_cost = slips <= few_slips ? slips : slips + another_word;
+      cost = std::min(cost.value_or(whole_cost), whole_cost);
+    }
     if (!cost) continue;
     std::size_t const wanted = parameter.index_count();
     candidates.push_back({.cost = *cost,
                           .index_difference = wanted > indices ? wanted - indices : indices - wanted,
-                          .text_distance = edit_distance(bare, known, bare.size() + known.size()),
+                          .text_distance = edit_distance(bare, known.bare, bare.size() + known.bare.size()),
                           .parameter = &parameter});
   }
   std::sort(candidates.begin(), candidates.end(), is_better);
   return candidates;
 }
 
-/// A quantity that many families have (`enable`) says nothing about the family that was meant.
+/// Leaves the best. A quantity that many families have (`enable`) says nothing about the family that was meant, so
+/// of those only the ones whose family is spelled alike stay.
 void drop_arbitrary(std::vector<Candidate>& candidates, std::size_t name_size) {
   if (candidates.empty()) return;
   std::size_t const worst = candidates.front().cost + tolerance_to_best;
   std::erase_if(candidates, [worst](Candidate const& candidate) { return candidate.cost > worst; });
-  if (candidates.size() <= most_suggestions) return;
+  if (candidates.size() <= clear_families) return;
   std::erase_if(candidates, [name_size](Candidate const& candidate) {
-    return candidate.cost >= foreign_part && 2 * candidate.text_distance > name_size;
+    return candidate.cost >= foreign_part && 2 * candidate.text_distance >= name_size;
   });
 }
 
@@ -165,7 +173,7 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
 }  // namespace
 
 std::vector<std::string> suggest_names(std::string_view name) {
-  if (name.size() > longest_name) return {};
+  if (name.size() > longest_compared) return {};
   std::string const folded = lower_case(name);
   auto const parts = split_name(folded);
   if (!parts) return {};
@@ -182,7 +190,7 @@ std::vector<std::string> suggest_names(std::string_view name) {
 }
 
 std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::string_view word) {
-  if (word.size() > longest_name) return {};
+  if (word.size() > longest_compared) return {};
   std::string const folded = lower_case(word);
   std::vector<std::pair<std::size_t, std::string_view>> near;
   for (Symbol const& symbol : parameter.symbols) {

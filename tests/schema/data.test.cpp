@@ -1,0 +1,80 @@
+// The tables hold exactly what the data file says; read here by another path than the generator's.
+#include "schema/catalogue.hpp"
+#include "support/catch.hpp"
+
+#include <cstddef>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace axisc::schema;
+
+nlohmann::json read_data() {
+  std::ifstream file(std::string(AXISC_SOURCE_DIR) + "/schema/axis-parameters.json");
+  REQUIRE(file.good());
+  return nlohmann::json::parse(file).at("parameters");
+}
+
+void check_limit(Limit const& limit, nlohmann::json const& row, std::string const& key) {
+  std::string const open_key = "exclusive_" + key;
+  bool const open = row.contains(open_key);
+  if (!open && !row.contains(key)) {
+    REQUIRE(limit.kind == Limit::Kind::none);
+    return;
+  }
+  REQUIRE(limit.open == open);
+  auto const& value = row.at(open ? open_key : key);
+  if (value.is_number()) {
+    REQUIRE(limit.kind == Limit::Kind::number);
+    REQUIRE(limit.number == value.get<double>());
+  } else if (value.get<std::string>().starts_with("P-AXIS-")) {
+    REQUIRE(limit.kind == Limit::Kind::parameter);
+    REQUIRE(p_axis_text(limit.p_axis) == value.get<std::string>());
+    REQUIRE_FALSE(find_number(limit.p_axis).empty());
+  } else {
+    REQUIRE(limit.kind == Limit::Kind::number);
+    std::string const type = value.get<std::string>().substr(4, 5);
+    if (type == "UNS16") REQUIRE(limit.number == std::numeric_limits<std::uint16_t>::max());
+    if (type == "UNS32") REQUIRE(limit.number == std::numeric_limits<std::uint32_t>::max());
+    if (type == "SGN16") REQUIRE(std::abs(limit.number) >= std::numeric_limits<std::int16_t>::max());
+    if (type == "SGN32") REQUIRE(std::abs(limit.number) >= std::numeric_limits<std::int32_t>::max());
+    REQUIRE((limit.number < 0) == value.get<std::string>().starts_with("MIN"));
+  }
+}
+
+TEST_CASE("the tables repeat the data file row by row") {
+  auto const rows = read_data();
+  REQUIRE(rows.size() == parameters().size());
+  CHECK(rows.size() == 791);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Parameter const& parameter = parameters()[i];
+    auto const& row = rows[i];
+    INFO(parameter.name);
+    REQUIRE(parameter.name == row.at("name").get<std::string>());
+    REQUIRE(p_axis_text(parameter.p_axis) == row.value("id", ""));
+    REQUIRE(data_type_name(parameter.type) == row.at("type").get<std::string>());
+    REQUIRE(parameter.has_default == row.contains("default"));
+    REQUIRE(parameter.default_text == row.value("default", ""));
+    REQUIRE(parameter.max_length == row.value("max_length", 0));
+    REQUIRE(parameter.since == row.value("since", ""));
+    std::size_t const own_symbols = row.contains("symbols") ? row.at("symbols").size() : 0;
+    REQUIRE(parameter.symbols.size() == own_symbols + (parameter.type == DataType::boolean ? 2U : 0U));
+    for (Symbol const& symbol : parameter.symbols) {
+      if (!row.contains("symbols") || !row.at("symbols").contains(symbol.word)) continue;
+      auto const& number = row.at("symbols").at(std::string(symbol.word));
+      REQUIRE(symbol.number.has_value() == !number.is_null());
+      if (symbol.number) REQUIRE(*symbol.number == number.get<int>());
+    }
+    auto const array = row.value("array", nlohmann::json::array());
+    REQUIRE(parameter.index_count() == array.size());
+    for (std::size_t k = 0; k < array.size(); ++k) REQUIRE(parameter.array.at(k) == array[k].get<int>());
+    check_limit(parameter.minimum, row, "minimum");
+    check_limit(parameter.maximum, row, "maximum");
+  }
+}
+
+}  // namespace

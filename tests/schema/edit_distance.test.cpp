@@ -1,0 +1,79 @@
+#include "schema/edit_distance.hpp"
+
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using axisc::schema::edit_distance;
+using axisc::schema::tolerable_distance;
+
+TEST_CASE("one slip is a distance of one") {
+  CHECK(edit_distance("order", "order", 3) == 0);
+  CHECK(edit_distance("oder", "order", 3) == 1);
+  CHECK(edit_distance("orrder", "order", 3) == 1);
+  CHECK(edit_distance("otder", "order", 3) == 1);
+  CHECK(edit_distance("oredr", "order", 3) == 1);
+}
+
+TEST_CASE("slips add up, and a swapped pair is not edited again") {
+  CHECK(edit_distance("", "abc", 5) == 3);
+  CHECK(edit_distance("kitten", "sitting", 5) == 3);
+  CHECK(edit_distance("ca", "abc", 5) == 3);
+}
+
+TEST_CASE("distances beyond the limit are not told apart") {
+  CHECK(edit_distance("kitten", "sitting", 2) == 3);
+  CHECK(edit_distance("abc", "xyz", 0) == 1);
+  CHECK(edit_distance("a", std::string(1000, 'a'), 4) == 5);
+}
+
+/// The textbook's table, whole.
+std::size_t plain_distance(std::string const& a, std::string const& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] =
+          std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  }
+  return d[a.size()][b.size()];
+}
+
+TEST_CASE("the band gives what the whole table gives") {
+  std::mt19937 random(1);
+  auto const word = [&random] {
+    std::string text(random() % 9, ' ');
+    for (char& byte : text) byte = static_cast<char>('a' + random() % 3);
+    return text;
+  };
+  for (int round = 0; round < 20000; ++round) {
+    std::string const a = word();
+    std::string const b = word();
+    std::size_t const expected = plain_distance(a, b);
+    for (std::size_t const limit : {0U, 1U, 2U, 4U, 20U}) {
+      INFO(a << " " << b << " " << limit);
+      REQUIRE(edit_distance(a, b, limit) == std::min(expected, limit + 1));
+    }
+  }
+}
+
+TEST_CASE("longer words tolerate more slips") {
+  CHECK(tolerable_distance(0) == 1);
+  CHECK(tolerable_distance(5) == 1);
+  CHECK(tolerable_distance(6) == 2);
+  CHECK(tolerable_distance(100) == 4);
+}
+
+}  // namespace

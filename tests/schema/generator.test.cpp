@@ -1,0 +1,116 @@
+// The generator turns good data into tables and refuses bad data with a line that says what is wrong.
+#include "support/catch.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace {
+
+std::filesystem::path working_folder() {
+  auto folder = std::filesystem::path(AXISC_BINARY_DIR) / "test_schema_generator";
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+std::string read(std::filesystem::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool contains(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
+
+struct Outcome {
+  bool accepted = false;
+  std::string message;
+  std::string tables;
+};
+
+Outcome generate(std::string const& data) {
+  auto const folder = working_folder();
+  std::ofstream(folder / "data.json", std::ios::binary) << data;
+  std::filesystem::remove(folder / "tables.inc");
+  std::string const quote = "\"";
+  std::string const command = quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() +
+                              "\" \"" + AXISC_SOURCE_DIR + "/schema/axis-parameters.schema.json\" \"" +
+                              (folder / "tables.inc").string() + "\" 2> \"" + (folder / "message").string() +
+                              quote;
+  bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
+  return {accepted, read(folder / "message"), read(folder / "tables.inc")};
+}
+
+std::string document(std::string const& rows) {
+  return R"({"version": 1, "parameters": [)" + rows + "]}";
+}
+
+void refuses(std::string const& data, std::string const& reason) {
+  Outcome const outcome = generate(data);
+  INFO(data);
+  CHECK_FALSE(outcome.accepted);
+  CHECK(contains(outcome.message, reason));
+  CHECK(outcome.tables.empty());
+}
+
+TEST_CASE("good data becomes tables, equal data equal tables") {
+  std::string const data =
+      document(R"({"id": "P-AXIS-00001", "name": "a[].b", "type": "UNS08", "array": [2], "default": "1"},
+    {"name": "a.c", "type": "STRING", "symbols": {"ONE": 1, "TWO": null}, "default": "TWO"},
+    {"name": "x", "type": "UNS32", "minimum": 1, "exclusive_maximum": "P-AXIS-00001", "default": "0x10"})");
+  Outcome const first = generate(data);
+  CHECK(first.message.empty());
+  CHECK(first.accepted);
+  CHECK(contains(first.tables, "\"a[1].b\""));
+  CHECK(contains(first.tables, "{\"TWO\", std::nullopt}"));
+  CHECK(generate(data).tables == first.tables);
+}
+
+TEST_CASE("what is no JSON") {
+  refuses("", "parse error");
+  refuses(R"({"version": 1, "parameters": [})", "line 1");
+}
+
+TEST_CASE("what the JSON schema forbids") {
+  refuses("[]", "");
+  refuses(R"({"version": 2, "parameters": [{"name": "a", "type": "UNS08"}]})", "version");
+  refuses(document(""), "parameters");
+  refuses(document(R"({"name": "a"})"), "type");
+  refuses(document(R"({"name": "a", "type": "UNS12"})"), "type");
+  refuses(document(R"({"name": "A", "type": "UNS08"})"), "name");
+  refuses(document(R"({"name": "a", "type": "UNS08", "defualt": "1"})"), "defualt");
+  refuses(document(R"({"name": "a", "type": "UNS08", "minimum": 1, "exclusive_minimum": 1})"), "[0]");
+  refuses(document(R"json({"name": "a", "type": "UNS08", "minimum": "MIN(UNS12)"})json"), "minimum");
+  refuses(document(R"({"id": "P-AXIS-1", "name": "a", "type": "UNS08"})"), "id");
+  refuses(document(R"({"name": "a[]", "type": "UNS08", "array": [0]})"), "array");
+  refuses(document(R"({"name": "a", "type": "UNS08", "since": "3075"})"), "since");
+}
+
+TEST_CASE("what contradicts itself") {
+  refuses(document(R"({"name": "a", "type": "UNS08"}, {"name": "a", "type": "UNS08"})"),
+          "a: name stands twice");
+  refuses(document(R"({"name": "a[]", "type": "UNS08"})"), "array sizes");
+  refuses(document(R"({"name": "a", "type": "UNS08", "array": [2]})"), "array sizes");
+  refuses(document(R"({"name": "a", "type": "UNS08", "maximum": "P-AXIS-00002"})"), "names no parameter");
+  refuses(document(R"({"name": "a", "type": "UNS08", "minimum": 3, "maximum": 2})"), "above the maximum");
+  refuses(document(R"({"name": "a", "type": "STRING", "minimum": 3})"), "limits are for numbers");
+  refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "BOOLEAN", "default": "2"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "BOOLEAN", "symbols": {"TRUE": 1}})"), "TRUE stands twice");
+  refuses(document(R"({"name": "a", "type": "UNS08", "default": "-1"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "UNS08", "default": "1.5"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "UNS08", "default": "P-AXIS-00009"})"), "names no parameter");
+  refuses(document(R"({"name": "a", "type": "UNS08", "symbols": {"X": 1}})"), "symbols are for");
+  refuses(document(R"({"name": "a", "type": "UNS08", "max_length": 3})"), "max_length");
+}
+
+TEST_CASE("all mistakes are named in one run") {
+  Outcome const outcome = generate(
+      document(R"({"name": "a[]", "type": "UNS08"}, {"name": "b", "type": "UNS08", "max_length": 3})"));
+  CHECK(contains(outcome.message, "a[]: "));
+  CHECK(contains(outcome.message, "b: "));
+}
+
+}  // namespace
