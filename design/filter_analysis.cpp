@@ -50,8 +50,9 @@ Value section_at(IncrementSection const& section, bool blocks_constant, Point co
   Complex const dm_du = q * w - numerator;
   Complex const g = m / a;
   Complex const dg_du = (dm_du - g * da_du) / a;
-  if (blocks_constant)
+  if (blocks_constant) {
     return {g, dg_du, std::abs(m) <= cancelled * std::abs(w) * (std::abs(p) + std::abs(q))};
+  }
   return {1.0 + g, dg_du, std::abs(1.0 + g) <= cancelled * (1 + std::abs(g))};
 }
 
@@ -81,8 +82,9 @@ Value filter_at(FilterDesign const& filter, double theta) {
   }
   Point const at = point_at(theta);
   Value full;
-  for (IncrementSection const& section : filter.sections)
+  for (IncrementSection const& section : filter.sections) {
     full = full * section_at(section, filter.blocks_constant, at);
+  }
   return blended(filter.share, full);
 }
 

@@ -17,23 +17,27 @@ namespace axisc::design {
 struct ResponsePoint {
   double magnitude = 1;
   double phase_rad = 0;      ///< -π..π
-  double group_delay_s = 0;  ///< NaN where the magnitude is 0
+  double group_delay_s = 0;  ///< NaN where the magnitude is 0, or rounding of 0
 };
 
 /// Response of filters in series.
 [[nodiscard]] ResponsePoint chain_response(std::span<FilterDesign const> chain, Hertz frequency,
                                            CycleTime cycle_time);
 
-/// What a step and an impulse show, computed with the chain's own sections in double.
+/// What a unit step and a unit impulse show, computed with the chain's own sections in double.
 struct StepFigures {
-  double overshoot = 0;  ///< largest excess of the step response above its final value, as a share of the
-                         ///< final value; 0 where the final value is 0
-  double peak_gain = 0;  ///< Σ|h[n]|: no bounded input is amplified more
-  std::optional<std::uint64_t> settling_cycles;  ///< first cycle from which the step response stays within
-      ///< `tolerance` of its final value; none: not within `longest`
+  /// Largest excess of the step response above its final value, as a share of the final value; 0 where that is 0.
+  double overshoot = 0;
+  /// Σ|h[n]|: no bounded input is amplified more.
+  double peak_gain = 0;
+  /// First cycle from which the step response stays within `tolerance` (a share of the step) of its final value;
+  /// none where it is not certain to do so within `longest` cycles.
+  std::optional<std::uint64_t> settling_cycles;
 };
 
-/// Cost: proportional to settling time; at most `longest` cycles.
+/// Stops as soon as what is left in the states changes none of the figures (13 digits), at the latest after `longest`
+/// cycles: overshoot and peak gain are then those of the time looked at.
+/// Cost: about 5 ns per section and cycle.
 [[nodiscard]] StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest,
                                        double tolerance);
 

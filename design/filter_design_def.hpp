@@ -125,7 +125,7 @@ template <typename Number>
 
   Number slope{0};
   if (specification.type == FilterType::time_delay) {
-    Number const D = cycle_time.cycles_in<Number>(specification.time_constant);
+    auto const D = cycle_time.cycles_in<Number>(specification.time_constant);
     Number const whole = floor(D + Number(0.5));
     if (abs(D - whole) <= Number(integer_delay_tolerance)) {
       if (whole == 0) return {};

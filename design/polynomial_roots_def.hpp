@@ -44,8 +44,9 @@ inline std::vector<ComplexNumber<double>> roots_in_double(Polynomial<double> con
       if (square_of_magnitude(value) == 0) continue;
       Complex const newton = value / derivative;
       Complex repulsion;
-      for (std::size_t j = 0; j < x.size(); ++j)
+      for (std::size_t j = 0; j < x.size(); ++j) {
         if (j != i) repulsion = repulsion + Complex{1, 0} / (x[i] - x[j]);
+      }
       Complex const step = newton / (Complex{1, 0} - newton * repulsion);
       x[i] = x[i] - step;
       moving =

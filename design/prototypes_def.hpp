@@ -44,9 +44,9 @@ template <typename Number>
 /// θ_n(s) = Σ a_k s^k, a_k = (2n - k)! / (2^(n-k) k! (n - k)!), a_n = 1, a_k = a_(k+1) (k + 1)(2n - k) / (2
 /// (n - k)). Exact for the orders of the control.
 template <typename Number>
-[[nodiscard]] Polynomial<Number> reverse_bessel_polynomial(std::uint32_t n) {
+[[nodiscard]] Polynomial<Number> reverse_bessel_polynomial(std::uint64_t n) {
   std::vector<std::uint64_t> a(n + 1, 1);
-  for (std::uint32_t k = n; k-- > 0;) a[k] = a[k + 1] * (k + 1) * (2 * n - k) / (2 * (n - k));
+  for (std::uint64_t k = n; k-- > 0;) a[k] = a[k + 1] * (k + 1) * (2 * n - k) / (2 * (n - k));
   return {a.begin(), a.end()};
 }
 

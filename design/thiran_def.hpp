@@ -55,8 +55,9 @@ template <typename Number>
     }
   }
   std::size_t i = 0;
-  for (; i + 1 < real.size(); i += 2)
+  for (; i + 1 < real.size(); i += 2) {
     sections.push_back(allpass_section<Number>((1 - real[i]) * (1 - real[i + 1]), real[i] * real[i + 1]));
+  }
   if (i < real.size()) {  // (a1 + z^-1)/(1 + a1 z^-1)
     Number const p = -(1 + real[i]);
     Number const k = 1 - real[i];

@@ -68,8 +68,9 @@ template <typename Number>
     }
   }
   std::size_t i = 0;
-  for (; i + 1 < real.size(); i += 2)
+  for (; i + 1 < real.size(); i += 2) {
     factors.push_back({real[i] * real[i + 1], -(real[i] + real[i + 1]), Number(1)});
+  }
   if (i < real.size()) factors.push_back({-real[i], Number(1), Number(0), true});
   return factors;
 }

@@ -71,8 +71,9 @@ TEST_CASE("the response is the stored sections', to 1e-13, down to 0 Hz") {
       Reference const angle = two_pi * c.cycle_time.periods_in<Reference>({frequency});
       Complex const u{cos(angle), -sin(angle)};
       Complex expected{Reference(1), Reference(0)};
-      for (IncrementSection const& section : design.sections)
+      for (IncrementSection const& section : design.sections) {
         expected = expected * response_of(section, design.blocks_constant, u);
+      }
       std::complex<double> const h = response(design, {frequency}, c.cycle_time);
       INFO(c << " at " << frequency << " Hz");
       CHECK(std::abs(h - std::complex<double>(static_cast<double>(expected.re),

@@ -19,8 +19,9 @@ std::vector<FilterDesign> mixed_chain() {
   highpass.share_percent = 40;
   std::vector<FilterDesign> chain;
   for (auto const& specification : {filter_of(FilterType::bandstop, Prototype::butterworth, 2, 30, 2),
-                                    highpass, lag_of(FilterType::time_delay, 2000)})
+                                    highpass, lag_of(FilterType::time_delay, 2000)}) {
     chain.push_back(design_filter(specification, one_millisecond, Precision::exact));
+  }
   return chain;
 }
 

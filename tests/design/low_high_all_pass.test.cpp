@@ -60,16 +60,18 @@ TEST_CASE("an all-pass has magnitude 1 everywhere and gain +1 at 0 Hz") {
       auto const filter = filter_of(FilterType::allpass, prototype, order, 20);
       FilterDesign const design = design_filter(filter, one_millisecond, Precision::exact);
       CHECK(response(design, {0}, one_millisecond) == std::complex<double>(1, 0));
-      for (double frequency = 0.01; frequency < 500; frequency *= 1.7)
+      for (double frequency = 0.01; frequency < 500; frequency *= 1.7) {
         CHECK(std::abs(std::abs(response(design, {frequency}, one_millisecond)) - 1) < 1e-12);
+      }
     }
   }
 }
 
 TEST_CASE("overshoot: none with critical damping, little with Bessel, growing with Butterworth's order") {
   for (std::uint32_t order = 1; order <= 6; ++order) {
-    for (double const frequency : {1.0, 20.0, 99.0})
+    for (double const frequency : {1.0, 20.0, 99.0}) {
       CHECK(overshoot(filter_of(FilterType::lowpass, Prototype::critical_damping, order, frequency)) < 1e-12);
+    }
     double const bessel = overshoot(filter_of(FilterType::lowpass, Prototype::bessel, order, 2));
     if (order > 1) {
       CHECK(bessel > 0.001);

@@ -75,8 +75,9 @@ TEST_CASE("roots of a polynomial: real and complex, small and large") {
   for (Polynomial<Exact> const& factor :
        {Polynomial<Exact>{-Exact(1) / 1024, 1}, Polynomial<Exact>{4, 1}, Polynomial<Exact>{26, -2, 1}}) {
     Polynomial<Exact> product(a.size() + factor.size() - 1);
-    for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t i = 0; i < a.size(); ++i) {
       for (std::size_t j = 0; j < factor.size(); ++j) product[i + j] += a[i] * factor[j];
+    }
     a = product;
   }
   auto const roots = polynomial_roots(a);
@@ -84,8 +85,9 @@ TEST_CASE("roots of a polynomial: real and complex, small and large") {
   for (Complex const& expected :
        {Complex{Exact(1) / 1024, Exact(0)}, Complex{Exact(-4), Exact(0)}, Complex{Exact(1), Exact(5)}}) {
     bool found = false;
-    for (Complex const& root : roots)
+    for (Complex const& root : roots) {
       found = found || square_of_magnitude(root - expected) < Exact("1e-96") * square_of_magnitude(expected);
+    }
     CHECK(found);
   }
 }

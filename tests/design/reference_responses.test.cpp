@@ -69,8 +69,9 @@ struct Deviation {
 Deviation deviation(nlohmann::json const& item, Precision precision) {
   CycleTime const cycle_time{item.at("cycle_time_us").get<std::uint32_t>() * 1000};
   std::vector<FilterDesign> chain;
-  for (auto const& specification : specifications(item.at("list")))
+  for (auto const& specification : specifications(item.at("list"))) {
     chain.push_back(design_filter(specification, cycle_time, precision));
+  }
 
   Deviation worst;
   auto const& frequencies = item.at("frequency_hz");
@@ -82,8 +83,9 @@ Deviation deviation(nlohmann::json const& item, Precision precision) {
         std::max(worst.response, std::abs(std::polar(point.magnitude, point.phase_rad) - expected));
   }
   IncrementFilter filter(chain);
-  for (double const expected : item.at("step"))
+  for (double const expected : item.at("step")) {
     worst.step = std::max(worst.step, std::abs(filter.step(1.0) - expected));
+  }
   return worst;
 }
 

@@ -44,15 +44,18 @@ TEST_CASE("some hundred exact designs are stable and ordered by rising pole radi
 TEST_CASE("the ends of the ranges") {
   for (std::uint32_t const nanoseconds : {62'500U, 4'000'000U}) {
     CycleTime const cycle_time{nanoseconds};
-    for (double const frequency : {0.1, 0.499 / cycle_time.seconds()})
-      for (FilterType const type : every_type)
-        for (Prototype const prototype : every_prototype)
+    for (double const frequency : {0.1, 0.499 / cycle_time.seconds()}) {
+      for (FilterType const type : every_type) {
+        for (Prototype const prototype : every_prototype) {
           for (double const quality : {1.0, 10.0}) {
             auto specification = filter_of(type, prototype, highest_order(type), frequency, quality);
             specification.time_constant = {type == FilterType::time_delay ? 5.99 * cycle_time.microseconds()
                                                                           : 4294967295.0};
             check_design({specification, cycle_time}, Precision::exact);
           }
+        }
+      }
+    }
   }
 }
 

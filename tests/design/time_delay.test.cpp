@@ -27,8 +27,9 @@ TEST_CASE("a fractional delay is an all-pass with exactly that delay at 0 Hz") {
     CHECK(chain_response({&design, 1}, {0}, one_millisecond).group_delay_s ==
           Approx(cycles * 1e-3).epsilon(1e-12));
     CHECK(design.pole_radius < 1);
-    for (double const frequency : {0.1, 40.0, 250.0, 499.0})
+    for (double const frequency : {0.1, 40.0, 250.0, 499.0}) {
       CHECK(std::abs(std::abs(response(design, {frequency}, one_millisecond)) - 1) < 1e-12);
+    }
     std::uint32_t const order = cycles < 1.5 ? 1 : static_cast<std::uint32_t>(cycles + 0.5);
     CHECK(design.sections.size() == (order + 1) / 2);
   }
@@ -57,8 +58,9 @@ TEST_CASE("next to whole cycles the all-pass becomes the pure delay") {
       for (int cycles = 1; cycles <= 5; ++cycles) {
         IncrementFilter filter({delay_of(cycles + off, precision)});
         INFO(cycles << " cycles " << off);
-        for (int n = 0; n < 20; ++n)
+        for (int n = 0; n < 20; ++n) {
           CHECK(std::abs(filter.step(1.0) - (n >= cycles ? 1 : 0)) < 10 * std::abs(off));
+        }
       }
     }
   }
