@@ -1,0 +1,95 @@
+#include "cli/checking.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/quantities.hpp"
+#include "cli/suggestion.hpp"
+#include "validator/rule.hpp"
+
+#include <algorithm>
+#include <thread>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::uint64_t most_threads = 1024;
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& character : result) {
+    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
+  }
+  return result;
+}
+
+Code parse_code(std::string const& word) {
+  std::vector<std::string> codes;
+  for (auto const& rule : validator::rules()) {
+    if (code_text(rule.code) == upper(word) || rule.name == word) return rule.code;
+    codes.push_back(code_text(rule.code));
+    codes.emplace_back(rule.name);
+  }
+  std::vector<std::string_view> const known(codes.begin(), codes.end());
+  auto const meant = closest(word, known);
+  throw Failure({.text = meant.empty() ? Text::cli_unknown_code : Text::cli_unknown_code_meant,
+                 .arguments = {{"code", word}, {"meant", std::string(meant)}}});
+}
+
+validator::AxisType parse_axis_type(std::string const& word) {
+  auto const letter = upper(word);
+  if (letter == "T") return validator::AxisType::translatory;
+  if (letter == "R") return validator::AxisType::rotary;
+  if (letter == "S") return validator::AxisType::spindle;
+  throw Failure({.text = Text::cli_bad_choice,
+                 .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
+}
+
+}  // namespace
+
+void declare_checking(CommandLine& command_line, CheckingWords& words) {
+  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
+  command_line.value("--axis-type", "T|R|S", words.axis_type, Text::cli_opt_axis_type);
+  command_line.choice("--format", {{"text", FindingFormat::text}, {"json", FindingFormat::json}},
+                      words.format, Text::cli_opt_finding_format);
+  command_line.flag("--werror", words.werror, Text::cli_opt_werror);
+  command_line.values("--disable", "CODE[,CODE]", words.disabled, Text::cli_opt_disable);
+  command_line.flag("--pedantic", words.pedantic, Text::cli_opt_pedantic);
+  command_line.value("-j,--jobs", "N", words.threads, Text::cli_opt_jobs);
+  command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+}
+
+validator::CheckOptions check_options(CheckingWords const& words) {
+  validator::CheckOptions options;
+  options.pedantic = words.pedantic;
+  if (words.cycle_time) {
+    options.cycle_time = parse_cycle_time(*words.cycle_time);
+    if (!options.cycle_time) {
+      throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *words.cycle_time}}});
+    }
+  }
+  if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
+  for (auto const& list : words.disabled) {
+    for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
+  }
+  return options;
+}
+
+unsigned thread_count(CheckingWords const& words) {
+  if (!words.threads) return std::max(1U, std::thread::hardware_concurrency());
+  auto const count = parse_count(*words.threads);
+  if (!count || *count == 0 || *count > most_threads) {
+    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "-j"}, {"value", *words.threads}}});
+  }
+  return static_cast<unsigned>(*count);
+}
+
+void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings) {
+  if (!words.quiet) return;
+  std::erase_if(findings, [](Finding const& finding) { return finding.severity == Severity::note; });
+}
+
+bool objectionable(CheckingWords const& words, FindingCounts const& counts) {
+  return counts.errors > 0 || (words.werror && counts.warnings > 0);
+}
+
+}  // namespace axisc::cli

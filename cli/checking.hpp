@@ -1,0 +1,42 @@
+// What `lint` and `compile` have in common: the options of a check and the form of its findings.
+#pragma once
+
+#include "cli/command_line.hpp"
+#include "validator/check.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+enum class FindingFormat : std::uint8_t { text, json };
+
+/// As the user wrote them.
+struct CheckingWords {
+  std::optional<std::string> cycle_time;
+  std::optional<std::string> axis_type;
+  std::optional<std::string> threads;
+  std::vector<std::string> disabled;
+  bool werror = false;
+  bool quiet = false;
+  bool pedantic = false;
+  FindingFormat format = FindingFormat::text;
+};
+
+void declare_checking(CommandLine& command_line, CheckingWords& words);
+
+/// Failure for a value that means nothing.
+[[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
+
+/// Number of threads: -j, else one per core.
+[[nodiscard]] unsigned thread_count(CheckingWords const& words);
+
+/// Takes the notes out for --quiet.
+void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings);
+
+/// True when the findings shall end the program with exit status 1.
+[[nodiscard]] bool objectionable(CheckingWords const& words, FindingCounts const& counts);
+
+}  // namespace axisc::cli

@@ -1,0 +1,238 @@
+#include "cli/command_line.hpp"
+
+#include "axisrt.h"
+#include "cli/failure.hpp"
+#include "cli/suggestion.hpp"
+#include "cli/text_table.hpp"
+#include "runtime/format/image_format.h"
+
+#include <algorithm>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t meaning_column = 30;
+constexpr std::size_t line_width = 100;
+
+std::string joined(std::vector<std::string_view> const& words, std::string_view separator) {
+  std::string text;
+  for (auto const word : words) {
+    if (!text.empty()) text += separator;
+    text += word;
+  }
+  return text;
+}
+
+}  // namespace
+
+struct CommandLine::Declared {
+  CLI::Option* option = nullptr;
+  std::string names;
+  std::string shown;
+  Text meaning{};
+  std::function<void(std::vector<std::string> const&)> take;
+};
+
+struct CommandLine::Parser {
+  CLI::App app;
+  std::vector<Declared> declared;
+};
+
+CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, Language language)
+    : command_(command),
+      purpose_(purpose),
+      examples_(examples),
+      language_(language),
+      parser_(std::make_unique<Parser>()) {
+  parser_->app.set_help_flag();
+  parser_->app.allow_extras();
+  flag("-h,--help", wants_help_, Text::cli_opt_help);
+  flag("--version", wants_version_, Text::cli_opt_version);
+  choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, Text::cli_opt_lang);
+  choice("--color",
+         {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}},
+         color_, Text::cli_opt_color);
+}
+
+CommandLine::~CommandLine() = default;
+
+CommandLine::Declared& CommandLine::declare(std::string_view names, std::string_view shown, Text meaning) {
+  auto& row = parser_->declared.emplace_back();
+  row.names = names;
+  row.shown = shown;
+  row.meaning = meaning;
+  return row;
+}
+
+void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, Text meaning) {
+  auto& row = declare({}, shown, meaning);
+  row.option = parser_->app.add_option("argument")->expected(1);
+  row.take = [&target](std::vector<std::string> const& given) { target = given.front(); };
+}
+
+void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, Text meaning) {
+  auto& row = declare({}, shown, meaning);
+  row.option = parser_->app.add_option("arguments")
+                   ->expected(-1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  row.take = [&target](std::vector<std::string> const& given) { target = given; };
+}
+
+void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
+  auto& row = declare(names, {}, meaning);
+  row.option = parser_->app.add_flag(std::string(names))->disable_flag_override();
+  row.take = [&target](std::vector<std::string> const&) { target = true; };
+}
+
+void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                        Text meaning) {
+  auto& row = declare(names, shown, meaning);
+  row.option = parser_->app.add_option(std::string(names))->take_last();
+  row.take = [&target](std::vector<std::string> const& given) { target = given.back(); };
+}
+
+void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
+                         Text meaning) {
+  auto& row = declare(names, shown, meaning);
+  row.option = parser_->app.add_option(std::string(names))
+                   ->type_size(1)
+                   ->expected(1, 1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  row.take = [&target](std::vector<std::string> const& given) { target = given; };
+}
+
+void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
+                            std::function<void(std::size_t)> take, Text meaning) {
+  auto& row = declare(names, joined(words, "|"), meaning);
+  row.option = parser_->app.add_option(std::string(names))->take_last();
+  row.take = [name = std::string(names), words = std::move(words),
+              take = std::move(take)](std::vector<std::string> const& given) {
+    auto const found = std::find(words.begin(), words.end(), given.back());
+    if (found == words.end()) {
+      throw Failure(
+          {.text = Text::cli_bad_choice,
+           .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
+    }
+    take(static_cast<std::size_t>(found - words.begin()));
+  };
+}
+
+void CommandLine::refuse_unknown() const {
+  auto remaining = parser_->app.remaining();
+  std::erase(remaining, "--");
+  if (remaining.empty()) return;
+  auto const unknown = remaining.front().substr(0, remaining.front().find('='));
+  if (unknown.substr(0, 1) != "-") {
+    throw Failure({.text = Text::cli_superfluous_argument,
+                   .arguments = {{"argument", remaining.front()}, {"command", command_}}});
+  }
+  std::vector<std::string_view> known;
+  for (auto const& row : parser_->declared) {
+    for (std::string_view rest = row.names; !rest.empty();) {
+      auto const comma = std::min(rest.find(','), rest.size());
+      known.push_back(rest.substr(0, comma));
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+  }
+  auto const meant = closest(unknown, known);
+  throw Failure({.text = meant.empty() ? Text::cli_unknown_option : Text::cli_unknown_option_meant,
+                 .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
+}
+
+std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
+  // The parser takes them from the back.
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    parser_->app.parse(reversed);
+  } catch (CLI::ParseError const& error) {
+    std::string const text = error.what();
+    throw Failure({.text = Text::cli_option_value_missing,
+                   .arguments = {{"option", text.substr(0, text.find(':'))}, {"command", command_}}});
+  }
+  for (auto const& row : parser_->declared) {
+    if (row.option->count() > 0 && (row.names == "-h,--help" || row.names == "--version")) row.take({});
+  }
+  if (wants_help_) return help();
+  if (wants_version_) return version_text();
+  refuse_unknown();
+  for (auto const& row : parser_->declared) {
+    if (row.option->count() > 0) row.take(row.option->results());
+  }
+  return std::nullopt;
+}
+
+std::string help_row(std::string_view name, std::string_view meaning) {
+  std::string text = "  " + std::string(name);
+  std::size_t column = 2 + display_width(name);
+  auto const indent = [&] {
+    text.append(meaning_column - column, ' ');
+    column = meaning_column;
+  };
+  if (column + 2 > meaning_column) {
+    text += '\n';
+    column = 0;
+  }
+  indent();
+  bool first = true;
+  for (std::string_view rest = meaning; !rest.empty();) {
+    auto const word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    if (!first && column + 1 + display_width(word) > line_width) {
+      text += '\n';
+      column = 0;
+      indent();
+    } else if (!first) {
+      text += ' ';
+      ++column;
+    }
+    text += word;
+    column += display_width(word);
+    first = false;
+  }
+  return text + '\n';
+}
+
+std::string CommandLine::help() const {
+  auto const say = [this](Text text) { return render({.text = text, .arguments = {}}, language_); };
+  std::string usage =
+      say(Text::cli_help_usage) + ": axisc " + command_ + " [" + say(Text::cli_help_options) + "]";
+  std::string rows;
+  std::string options;
+  for (auto const& row : parser_->declared) {
+    if (row.names.empty()) {
+      usage += " " + row.shown;
+      rows += help_row(row.shown, say(row.meaning));
+      continue;
+    }
+    std::string name = row.names;
+    if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
+    options += help_row(row.shown.empty() ? name : name + " " + row.shown, say(row.meaning));
+  }
+  return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(Text::cli_help_options_heading) + ":\n" +
+         options + "\n" + say(examples_) + "\n";
+}
+
+std::string version_text() {
+  return std::string("axisc ") + AXISC_VERSION + " (image format " + std::to_string(axim_major) + "." +
+         std::to_string(axim_minor) + ", runtime interface " + std::to_string(AXISRT_ABI_VERSION) + ")\n";
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    auto const comma = std::min(text.find(','), text.size());
+    auto part = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+    if (!part.empty()) parts.emplace_back(part);
+  }
+  return parts;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,90 @@
+// The options of one command, declared one by one and then read. The parser (CLI11) stays behind this interface, and
+// only the options of the command at hand are built: all of them would cost more than linting a list.
+#pragma once
+
+#include "cli/surroundings.hpp"
+#include "diagnostics/text.hpp"
+
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace axisc::cli {
+
+class CommandLine {
+ public:
+  /// Declares --help, --version, --lang and --color. `examples` is the last part of the help.
+  CommandLine(std::string_view command, Text purpose, Text examples, Language language);
+  CommandLine(CommandLine const&) = delete;
+  CommandLine& operator=(CommandLine const&) = delete;
+  ~CommandLine();
+
+  // Targets must live until read() returns; what the command line does not name stays as it is.
+
+  /// Words that belong to no option, at most one.
+  void argument(std::string_view shown, std::optional<std::string>& target, Text meaning);
+  /// The same, any number of them.
+  void arguments(std::string_view shown, std::vector<std::string>& target, Text meaning);
+  /// `names` are separated by commas: "-o,--output". `shown` stands for the value in the help.
+  void flag(std::string_view names, bool& target, Text meaning);
+  void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+             Text meaning);
+  /// An option that may be repeated.
+  void values(std::string_view names, std::string_view shown, std::vector<std::string>& target, Text meaning);
+  /// One of a few words.
+  template <class Enumeration>
+  void choice(std::string_view names, std::initializer_list<std::pair<std::string_view, Enumeration>> words,
+              Enumeration& target, Text meaning) {
+    std::vector<std::string_view> keys;
+    std::vector<Enumeration> meanings;
+    for (auto const& [word, value] : words) {
+      keys.push_back(word);
+      meanings.push_back(value);
+    }
+    choice_of(
+        names, std::move(keys), [&target, meanings](std::size_t chosen) { target = meanings[chosen]; },
+        meaning);
+  }
+
+  /// Text to print instead of doing anything (--help, --version), or nothing: go on. Failure for a command line that
+  /// cannot be understood.
+  [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
+
+  [[nodiscard]] std::string help() const;
+  [[nodiscard]] ColorChoice color() const { return color_; }
+
+ private:
+  struct Parser;
+  struct Declared;
+
+  void choice_of(std::string_view names, std::vector<std::string_view> words,
+                 std::function<void(std::size_t)> take, Text meaning);
+  Declared& declare(std::string_view names, std::string_view shown, Text meaning);
+  void refuse_unknown() const;
+
+  std::string command_;
+  Text purpose_;
+  Text examples_;
+  Language language_;
+  ColorChoice color_ = ColorChoice::automatic;
+  bool wants_help_ = false;
+  bool wants_version_ = false;
+  std::unique_ptr<Parser> parser_;
+};
+
+/// "axisc 0.1.0 …" with a line end.
+[[nodiscard]] std::string version_text();
+
+/// Two columns: a name and its meaning, broken into lines of at most 100 columns.
+[[nodiscard]] std::string help_row(std::string_view name, std::string_view meaning);
+
+/// "a,b,c" without blanks around the parts; empty parts are left out.
+[[nodiscard]] std::vector<std::string> split_list(std::string_view text);
+
+}  // namespace axisc::cli

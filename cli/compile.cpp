@@ -1,0 +1,168 @@
+#include "cli/checking.hpp"
+#include "cli/codes.hpp"
+#include "cli/commands.hpp"
+#include "cli/depfile.hpp"
+#include "cli/disk_files.hpp"
+#include "cli/machine_outline.hpp"
+#include "cli/output_file.hpp"
+#include "cli/quantities.hpp"
+#include "codegen/image_writer.hpp"
+#include "diagnostics/writers.hpp"
+
+#include <filesystem>
+#include <limits>
+
+namespace axisc::cli {
+
+namespace {
+
+struct CompileWords {
+  CheckingWords checking;
+  std::optional<std::string> input;
+  std::optional<std::string> output;
+  std::optional<std::string> depfile;
+  std::optional<std::string> image_version;
+  bool strip = false;
+};
+
+codegen::ImageOptions image_options(CompileWords const& words) {
+  codegen::ImageOptions options;
+  options.strip = words.strip;
+  if (!words.image_version) return options;
+  auto const version = parse_count(*words.image_version);
+  if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {
+    throw Failure({.text = Text::cli_bad_image_version, .arguments = {{"value", *words.image_version}}});
+  }
+  options.image_version = static_cast<std::uint32_t>(*version);
+  return options;
+}
+
+/// An image for a guessed cycle time would move every frequency.
+void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
+  bool const is_machine = has_extension(input, ".json");
+  // A machine file with mistakes is judged first: the cycle time may be one of them.
+  if (result.cycle_time_known || (is_machine && !result.machine)) return;
+  throw Failure({.text = is_machine ? Text::cli_machine_cycle_time_missing : Text::cli_cycle_time_missing,
+                 .arguments = {{"file", input}}});
+}
+
+/// A configured filter is never left out silently.
+void require_complete(validator::CheckResult const& result, SourceSet const& sources, Language language) {
+  if (result.not_compiled.empty()) return;
+  auto const& first = result.not_compiled.front();
+  auto const& source = sources[first.place.source];
+  throw Failure({.text = Text::cli_not_compiled,
+                 .arguments = {{"place", source.name() + ":" +
+                                             std::to_string(source.position(first.place.span.begin).line)},
+                               {"feature", render(first.feature, language)}}});
+}
+
+void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {
+  for (auto const& source : sources) {
+    std::error_code error;
+    if (output != "-" && std::filesystem::equivalent(output, source, error)) {
+      throw Failure({.text = Text::cli_output_is_input, .arguments = {{"file", output}}}, cannot_write);
+    }
+  }
+}
+
+std::string_view as_text(std::vector<std::byte> const& bytes) {
+  return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
+}
+
+void write_files(CompileWords const& words, std::vector<std::byte> const& image,
+                 std::vector<std::string> const& sources) {
+  OutputFile output(*words.output);
+  output.write(as_text(image));
+  if (words.depfile) {
+    OutputFile dependencies(*words.depfile);
+    dependencies.write(dependency_rule(*words.output, sources));
+    dependencies.commit();
+  }
+  output.commit();
+}
+
+std::string findings_text(CheckingWords const& words, validator::CheckResult const& result,
+                          SourceSet const& sources, WriteOptions const& options) {
+  auto const counts = count(result.findings);
+  if (words.format == FindingFormat::json)
+    return write_json(result.findings, sources, result.files.size(), options);
+  std::string text;
+  for (auto const& finding : result.findings) text += write_text(finding, sources, options) + "\n";
+  if (!words.quiet && !result.findings.empty())
+    text += write_text_summary(result.files.size(), counts, options);
+  return text;
+}
+
+std::string summary(CompileWords const& words, validator::Machine const& machine, std::size_t bytes,
+                    Language language) {
+  std::size_t filters = 0;
+  for (auto const& axis : machine.axes) filters += axis.filters.size() + axis.interface_filters.size();
+  return render({.text = Text::cli_compiled,
+                 .arguments = {{"file", *words.output},
+                               {"axes", std::to_string(machine.axes.size())},
+                               {"filters", std::to_string(filters)},
+                               {"bytes", std::to_string(bytes)}}},
+                language) +
+         "\n";
+}
+
+void declare(CommandLine& command_line, CompileWords& words) {
+  command_line.argument("INPUT", words.input, Text::cli_arg_input);
+  command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_image_output);
+  command_line.value("--depfile", "FILE", words.depfile, Text::cli_opt_depfile);
+  command_line.flag("--strip", words.strip, Text::cli_opt_strip);
+  command_line.value("--image-version", "N", words.image_version, Text::cli_opt_image_version);
+  declare_checking(command_line, words.checking);
+}
+
+void require_arguments(CompileWords const& words) {
+  for (auto const& [given, shown] :
+       {std::pair(words.input.has_value(), "INPUT"), {words.output.has_value(), "-o"}}) {
+    if (given) continue;
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", shown}, {"command", "compile"}}});
+  }
+  if (has_extension(*words.input, ".nc")) {
+    throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", *words.input}}});
+  }
+}
+
+}  // namespace
+
+ExitStatus compile(Invocation const& invocation) {
+  CompileWords words;
+  CommandLine command_line("compile", Text::cli_compile_purpose, Text::cli_compile_examples,
+                           invocation.language);
+  declare(command_line, words);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  require_arguments(words);
+  auto const options = check_options(words.checking);
+  auto const image = image_options(words);
+  static_cast<void>(
+      thread_count(words.checking));  // accepted for the sake of scripts; one input needs one thread
+
+  DiskFiles files(words.input == "-");
+  SourceSet sources;
+  auto result = validator::check(files, *words.input, options, sources);
+  if (result.unreadable) throw unreadable(*words.input, *result.unreadable);
+  require_cycle_time(*words.input, result);
+  apply_quiet(words.checking, result.findings);
+  WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
+  invocation.streams.err.write(findings_text(words.checking, result, sources, write));
+  if (!result.machine || objectionable(words.checking, count(result.findings))) return ExitStatus::findings;
+
+  require_complete(result, sources, invocation.language);
+  refuse_overwriting(*words.output, result.files);
+  auto const bytes = codegen::write_image(*result.machine, image);
+  write_files(words, bytes, result.files);
+  if (!words.checking.quiet && words.checking.format == FindingFormat::text) {
+    invocation.streams.err.write(summary(words, *result.machine, bytes.size(), invocation.language));
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,45 @@
+#include "cli/console.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/failure.hpp"
+#include "cli/file_descriptor.hpp"
+
+#include <cerrno>
+#include <unistd.h>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+Text reason(int error) {
+  switch (error) {
+    case EPIPE:
+      return Text::cli_stdout_closed_pipe;
+    case ENOSPC:
+      return Text::cli_stdout_no_space;
+    case EBADF:
+      return Text::cli_stdout_closed;
+    default:
+      return Text::cli_stdout_failed;
+  }
+}
+
+}  // namespace
+
+void Console::write(std::string_view text) {
+  buffer_ += text;
+  if (buffer_.size() >= piece) flush();
+}
+
+void Console::flush() {
+  int const error = write_all(descriptor_, buffer_);
+  buffer_.clear();
+  if (error != 0 && descriptor_ == STDOUT_FILENO) {
+    throw Failure({.text = reason(error), .arguments = {{"reason", system_error_text(error)}}}, cannot_write);
+  }
+  if (error != 0) throw Failure({.text = Text::cli_stderr_failed, .arguments = {}}, cannot_write);
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,35 @@
+// Standard output and standard error, written so that no failure goes unnoticed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace axisc::cli {
+
+/// Collects text and writes it in large pieces. A closed pipe or a full disk is a Failure.
+class Console {
+ public:
+  /// For standard output (1): a failure is reported. For standard error (2) there is nobody left to tell.
+  explicit Console(int descriptor) : descriptor_(descriptor) {}
+  Console(Console const&) = delete;
+  Console& operator=(Console const&) = delete;
+  ~Console() = default;
+
+  void write(std::string_view text);
+  /// Writes what was collected. Must be called at the end: the destructor writes nothing.
+  void flush();
+  /// Forgets what was collected, after a failure.
+  void discard() { buffer_.clear(); }
+
+ private:
+  int descriptor_;
+  std::string buffer_;
+};
+
+/// The two streams of the program.
+struct Streams {
+  Console out{1};
+  Console err{2};
+};
+
+}  // namespace axisc::cli

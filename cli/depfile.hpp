@@ -1,0 +1,14 @@
+// Dependency files for make and ninja.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// "target: source source" with a line end; blanks, '#', '$' and ':' in names are escaped as make demands. Standard
+/// input ("-") is no file and left out.
+[[nodiscard]] std::string dependency_rule(std::string_view target, std::vector<std::string> const& sources);
+
+}  // namespace axisc::cli

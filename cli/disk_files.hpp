@@ -1,0 +1,28 @@
+// The disk as the library sees it.
+#pragma once
+
+#include "cli/failure.hpp"
+#include "validator/files.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace axisc::cli {
+
+/// Reads files and pipes.
+class DiskFiles final : public validator::Files {
+ public:
+  /// `dash_is_standard_input`: "-" is no file name. Standard input is read once and kept.
+  explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
+  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override;
+
+ private:
+  bool dash_is_standard_input_;
+  std::optional<std::string> standard_input_;
+};
+
+/// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
+[[nodiscard]] Failure unreadable(std::string const& path, validator::FileError error);
+
+}  // namespace axisc::cli

@@ -1,0 +1,102 @@
+#include "cli/explain.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/quantities.hpp"
+#include "cli/suggestion.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& character : result) {
+    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
+  }
+  return result;
+}
+
+/// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
+validator::Rule const* rule_of(std::string const& word) {
+  auto const code = upper(word);
+  for (auto const& rule : validator::rules()) {
+    auto const text = code_text(rule.code);
+    if (text == code || text.substr(2) == code || rule.name == word) return &rule;
+  }
+  return nullptr;
+}
+
+/// Rows with the number in "P-AXIS-00140"; zeros in front may be missing.
+std::span<schema::ParameterId const> rows_of_number(std::string const& word) {
+  constexpr std::string_view prefix = "P-AXIS-";
+  auto const text = upper(word);
+  if (text.substr(0, prefix.size()) != prefix) return {};
+  auto const number = parse_count(std::string_view(text).substr(prefix.size()));
+  if (!number || *number > 0xFFFFU) return {};
+  return schema::find_number(static_cast<std::uint16_t>(*number));
+}
+
+/// `filter[2].order` and `filter[].order` both name a row of the catalogue.
+schema::Parameter const* row_of_name(std::string const& word) {
+  for (auto const& parameter : schema::parameters()) {
+    if (parameter.name == word) return &parameter;
+  }
+  auto const found = schema::find(word);
+  return found.status == schema::NameLookup::Status::unknown ? nullptr : &schema::parameter(found.parameter);
+}
+
+[[noreturn]] void refuse(std::string const& word) {
+  std::string meant;
+  auto const names = schema::suggest_names(word);
+  if (!names.empty()) meant = names.front();
+  if (meant.empty()) {
+    std::vector<std::string> texts;
+    for (auto const& rule : validator::rules()) {
+      texts.push_back(code_text(rule.code));
+      texts.emplace_back(rule.name);
+    }
+    std::vector<std::string_view> const known(texts.begin(), texts.end());
+    meant = closest(word, known);
+  }
+  throw Failure({.text = meant.empty() ? Text::cli_unknown_subject : Text::cli_unknown_subject_meant,
+                 .arguments = {{"word", word}, {"meant", meant}}});
+}
+
+std::string explain_word(std::string const& word, Language language) {
+  if (auto const* const rule = rule_of(word)) return explain_rule(*rule, 1, language);
+  std::string text;
+  for (auto const id : rows_of_number(word)) {
+    if (!text.empty()) text += "\n";
+    text += explain_parameter(schema::parameter(id), language);
+  }
+  if (!text.empty()) return text;
+  if (auto const* const parameter = row_of_name(word)) return explain_parameter(*parameter, language);
+  refuse(word);
+}
+
+}  // namespace
+
+ExitStatus explain(Invocation const& invocation) {
+  std::optional<std::string> word;
+  bool all = false;
+  CommandLine command_line("explain", Text::cli_explain_purpose, Text::cli_explain_examples,
+                           invocation.language);
+  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, Text::cli_arg_subject);
+  command_line.flag("--all", all, Text::cli_opt_all);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  if (!word && !all) {
+    throw Failure({.text = Text::cli_argument_missing,
+                   .arguments = {{"argument", "CODE|P-AXIS-NNNNN|PARAMETER"}, {"command", "explain"}}});
+  }
+  invocation.streams.out.write(all ? explain_all(invocation.language)
+                                   : explain_word(*word, invocation.language));
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,21 @@
+// What `axisc explain` prints: the pages behind the codes, and the facts about parameters.
+#pragma once
+
+#include "diagnostics/text.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/rule.hpp"
+
+#include <string>
+
+namespace axisc::cli {
+
+/// One code as Markdown, with a heading of level `level` (1 to 3).
+[[nodiscard]] std::string explain_rule(validator::Rule const& rule, std::size_t level, Language language);
+
+/// Every code in one document; in English it stands in the repository as docs/rules.md.
+[[nodiscard]] std::string explain_all(Language language);
+
+/// One row of the catalogue as Markdown.
+[[nodiscard]] std::string explain_parameter(schema::Parameter const& parameter, Language language);
+
+}  // namespace axisc::cli

@@ -1,0 +1,33 @@
+// What ends the program with exit status 2: the command line, a file or the environment is at fault.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+
+#include <exception>
+#include <optional>
+#include <string>
+
+namespace axisc::cli {
+
+/// One sentence that says what is wrong and what to do. Thrown inside cli/ only; main() prints it.
+class Failure : public std::exception {
+ public:
+  explicit Failure(Message message, std::optional<Code> code = std::nullopt);
+
+  [[nodiscard]] char const* what() const noexcept override { return what_.c_str(); }
+  /// "axisc: error[AX9001]: …" with a line end.
+  [[nodiscard]] std::string line(Language language) const;
+
+ private:
+  Message message_;
+  std::optional<Code> code_;
+  std::string what_;
+};
+
+/// "axisc: warning: …" with a line end.
+[[nodiscard]] std::string warning_line(Message const& message, Language language);
+
+/// What the operating system calls its error `number`, "No space left on device".
+[[nodiscard]] std::string system_error_text(int number);
+
+}  // namespace axisc::cli

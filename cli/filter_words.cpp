@@ -1,0 +1,50 @@
+#include "cli/filter_words.hpp"
+
+#include "schema/catalogue.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+std::string_view word_of(std::string_view parameter, int number) {
+  for (auto const& symbol : schema::parameter(schema::find(parameter).parameter).symbols) {
+    if (symbol.number == number) return symbol.word;
+  }
+  return "?";
+}
+
+}  // namespace
+
+std::string_view type_word(design::FilterType type) {
+  return word_of("filter[0].type", static_cast<int>(type));
+}
+
+std::string_view prototype_word(design::Prototype prototype) {
+  return word_of("filter[0].prototype", static_cast<int>(prototype));
+}
+
+std::string filter_path(codegen::ImageFilter const& filter, bool interface) {
+  return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
+}
+
+std::vector<codegen::ImageValue> settings_of(codegen::ImageAxis const& axis,
+                                             codegen::ImageFilter const& filter, bool interface) {
+  auto const prefix = filter_path(filter, interface) + ".";
+  std::vector<codegen::ImageValue> settings;
+  for (auto const& value : axis.values) {
+    if (value.name.substr(0, prefix.size()) == prefix) settings.push_back(value);
+  }
+  return settings;
+}
+
+std::string hexadecimal(std::array<std::uint8_t, 32> const& digest) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (auto const byte : digest) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

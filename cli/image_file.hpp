@@ -1,0 +1,43 @@
+// A coefficient image from the disk.
+#pragma once
+
+#include "axisrt.h"
+#include "cli/failure.hpp"
+#include "codegen/aligned_bytes.hpp"
+#include "codegen/image_contents.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+struct ImageFile {
+  codegen::AlignedBytes bytes;
+  codegen::ImageContents contents;
+};
+
+/// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a damaged image
+/// or something else.
+[[nodiscard]] ImageFile load_image(std::string const& path);
+
+/// AX9004 with what the runtime found.
+[[nodiscard]] Failure unusable_image(std::string const& path, axisrt_status status);
+
+/// The axis' name; "axis0" for the first axis of a stripped image.
+[[nodiscard]] std::string axis_label(codegen::ImageContents const& image, std::size_t axis);
+
+/// Indices of the axes that a command shall show: all of them, or the one that `--axis` names. Failure for another name.
+[[nodiscard]] std::vector<std::size_t> chosen_axes(codegen::ImageContents const& image,
+                                                   std::optional<std::string> const& name);
+
+enum class Port : std::uint8_t { setpoint, interface, velocity };
+
+/// "setpoint", "interface", "velocity".
+[[nodiscard]] std::string_view port_name(Port port);
+
+/// Failure for commands (`--at`) and the velocity port: no image of this format carries what they need.
+void refuse_missing_features(std::string const& path, std::vector<std::string> const& commands, Port port);
+
+}  // namespace axisc::cli

@@ -1,0 +1,65 @@
+#include "cli/inspect.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/image_file.hpp"
+#include "codegen/runtime_host.hpp"
+
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Form : std::uint8_t { text, json };
+enum class Target : std::uint8_t { none, host };
+
+std::size_t memory_of(std::string const& path, ImageFile const& file) {
+  auto const host = codegen::RuntimeHost::create(file.bytes.bytes());
+  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
+  return std::get<codegen::RuntimeHost>(host).memory_size();
+}
+
+}  // namespace
+
+ExitStatus inspect(Invocation const& invocation) {
+  std::optional<std::string> path;
+  std::optional<std::string> axis;
+  Form form = Form::text;
+  Target target = Target::none;
+  bool as_list = false;
+  CommandLine command_line("inspect", Text::cli_inspect_purpose, Text::cli_inspect_examples,
+                           invocation.language);
+  command_line.argument("IMAGE.axim", path, Text::cli_arg_image);
+  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}}, form,
+                      Text::cli_opt_inspect_format);
+  command_line.value("--axis", "NAME", axis, Text::cli_opt_inspect_axis);
+  command_line.flag("--as-list", as_list, Text::cli_opt_as_list);
+  command_line.choice("--memory", {{"host", Target::host}}, target, Text::cli_opt_memory);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  if (!path) {
+    throw Failure({.text = Text::cli_argument_missing,
+                   .arguments = {{"argument", "IMAGE.axim"}, {"command", "inspect"}}});
+  }
+  auto const file = load_image(*path);
+  Shown shown{.file = *path,
+              .image = file.contents,
+              .axes = chosen_axes(file.contents, axis),
+              .memory = std::nullopt};
+  if (target == Target::host) shown.memory = memory_of(*path, file);
+  if (as_list) {
+    if (file.contents.lists.empty())
+      throw Failure({.text = Text::cli_stripped, .arguments = {{"file", *path}}});
+    invocation.streams.out.write(inspect_as_list(shown, invocation.language));
+  } else {
+    invocation.streams.out.write(form == Form::json ? inspect_json(shown)
+                                                    : inspect_text(shown, invocation.language));
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

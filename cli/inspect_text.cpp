@@ -1,0 +1,168 @@
+#include "cli/filter_words.hpp"
+#include "cli/image_file.hpp"
+#include "cli/inspect.hpp"
+#include "cli/text_table.hpp"
+#include "design/filter_design.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t label_width = 20;
+constexpr int figures = 5;
+
+class TextForm {
+ public:
+  TextForm(codegen::ImageContents const& image, Language language) : image_(image), language_(language) {}
+
+  std::string header(Shown const& shown) const {
+    std::string text = say(Text::inspect_heading, {{"file", shown.file},
+                                                   {"format", version()},
+                                                   {"bytes", std::to_string(image_.size)},
+                                                   {"axes", std::to_string(image_.axes.size())}}) +
+                       "\n";
+    text += row(Text::inspect_cycle_time, format_exact(image_.cycle_time.microseconds()) + " µs");
+    text += row(Text::inspect_compiler, "axisc " + image_.compiler_version);
+    text += row(Text::inspect_image_version, std::to_string(image_.image_version));
+    if (shown.memory) {
+      text += row(Text::inspect_memory,
+                  say(Text::inspect_memory_value, {{"bytes", std::to_string(*shown.memory)},
+                                                   {"alignment", std::to_string(AXISRT_ALIGNMENT)}}));
+    }
+    text += row(Text::inspect_digest, "SHA-256 " + hexadecimal(image_.source_digest));
+    std::vector<std::vector<std::string>> lists;
+    for (auto const& list : image_.lists) lists.push_back({list.name, "SHA-256 " + hexadecimal(list.sha256)});
+    if (lists.empty()) return text + row(Text::inspect_sources, say(Text::inspect_stripped));
+    return text + "  " + say(Text::inspect_sources) + "\n" + text_table(lists, 4);
+  }
+
+  std::string axis(std::size_t index) const {
+    auto const& axis = image_.axes[index];
+    bool const linear = axis.type == 1;
+    std::string text = say(Text::inspect_axis, {{"axis", axis_label(image_, index)},
+                                                {"number", std::to_string(axis.number)},
+                                                {"type", say(type_text(axis.type))}}) +
+                       "\n";
+    text += row(Text::inspect_velocity, rounded(axis.velocity_limit / 1e3) + (linear ? " mm/s" : " °/s"));
+    text += row(Text::inspect_acceleration, rounded(axis.acceleration_limit) + (linear ? " mm/s²" : " °/s²"));
+    text += row(Text::inspect_window, linear ? rounded(axis.position_window / 10) + " µm"
+                                             : rounded(axis.position_window / 1e4) + " °");
+    text += row(Text::inspect_chain, say(Text::inspect_chain_value, {{"cycles", rounded(axis.delay_cycles)},
+                                                                     {"ms", milliseconds(axis.delay_cycles)},
+                                                                     {"gain", rounded(axis.peak_gain)}}));
+    return text + filters(axis, axis.filters, false) + filters(axis, axis.interface_filters, true);
+  }
+
+ private:
+  std::string say(Text text, std::vector<Argument> arguments = {}) const {
+    return render({.text = text, .arguments = std::move(arguments)}, language_);
+  }
+  std::string row(Text label, std::string const& value) const {
+    return "  " + padded(say(label), label_width) + value + "\n";
+  }
+  std::string version() const {
+    return std::to_string(image_.format_major) + "." + std::to_string(image_.format_minor);
+  }
+  static std::string rounded(double value) { return format_rounded(value, figures); }
+  std::string milliseconds(double cycles) const {
+    return rounded(cycles * image_.cycle_time.seconds() * 1e3);
+  }
+
+  static Text type_text(std::uint32_t type) {
+    if (type == 2) return Text::inspect_rotary;
+    return type == 4 ? Text::inspect_spindle : Text::inspect_translatory;
+  }
+
+  std::string filters(codegen::ImageAxis const& axis, std::vector<codegen::ImageFilter> const& chain,
+                      bool interface) const {
+    if (chain.empty()) return interface ? "" : "\n  " + say(Text::inspect_no_filter) + "\n";
+    std::vector<std::vector<std::string>> rows{
+        {say(interface ? Text::inspect_interface : Text::inspect_setpoint), say(Text::inspect_column_type),
+         say(Text::inspect_column_prototype), say(Text::inspect_column_order),
+         say(Text::inspect_column_frequency), say(Text::inspect_column_quality),
+         say(Text::inspect_column_time_constant), say(Text::inspect_column_share),
+         say(Text::inspect_column_delay), say(Text::inspect_column_overshoot),
+         say(Text::inspect_column_peak_gain)}};
+    for (auto const& filter : chain) rows.push_back(figures_of(filter));
+    std::string text = "\n" + text_table(rows, 2);
+    for (auto const& filter : chain) text += details(axis, filter, interface);
+    return text;
+  }
+
+  std::vector<std::string> figures_of(codegen::ImageFilter const& filter) const {
+    auto const& wanted = filter.specification;
+    auto const& made = filter.design;
+    auto const type = wanted.type;
+    return {"filter[" + std::to_string(filter.index) + "]",
+            std::string(type_word(type)),
+            design::uses_prototype(type) ? std::string(prototype_word(wanted.prototype)) : "-",
+            design::computes_order(type) ? "-" : std::to_string(wanted.order),
+            design::uses_frequency(type) ? format_exact(wanted.frequency.value) + " Hz" : "-",
+            design::uses_quality(type) ? format_exact(wanted.quality) : "-",
+            design::uses_time_constant(type) ? format_exact(wanted.time_constant.value) + " µs" : "-",
+            format_exact(wanted.share_percent) + " %",
+            say(Text::inspect_delay_value, {{"cycles", rounded(made.group_delay_cycles)},
+                                            {"ms", milliseconds(made.group_delay_cycles)}}),
+            rounded(filter.overshoot * 100) + " %",
+            rounded(filter.peak_gain)};
+  }
+
+  std::string details(codegen::ImageAxis const& axis, codegen::ImageFilter const& filter,
+                      bool interface) const {
+    auto const& made = filter.design;
+    std::string text =
+        "\n  " + filter_path(filter, interface) + ": " +
+        say(Text::inspect_proof, {{"radius", format_rounded(made.pole_radius, 9)},
+                                  {"gain", rounded(made.dc_gain)},
+                                  {"samples", std::to_string(filter.self_test_input.size())}}) +
+        "\n";
+    if (made.realisation == design::Realisation::delay) {
+      text += "    " + say(Text::inspect_pure_delay, {{"cycles", std::to_string(made.delay_cycles)}}) + "\n";
+    }
+    if (made.realisation == design::Realisation::pass_through)
+      text += "    " + say(Text::inspect_pass_through) + "\n";
+    for (std::size_t i = 0; i < made.sections.size(); ++i) text += section(i, made);
+    std::vector<std::vector<std::string>> settings;
+    for (auto const& value : settings_of(axis, filter, interface)) {
+      settings.push_back({value.name, value.value, value.list + ":" + std::to_string(value.line)});
+    }
+    return text + text_table(settings, 4);
+  }
+
+  std::string section(std::size_t index, design::FilterDesign const& made) const {
+    auto const& section = made.sections[index];
+    auto const direct = design::direct_form(section, made.blocks_constant);
+    auto const [first, second] = design::poles(section);
+    auto const head = say(Text::inspect_section, {{"number", std::to_string(index + 1)}});
+    std::string const below(display_width(head), ' ');
+    return "    " + head + "  b0 " + format_exact(direct.b0) + "  b1 " + format_exact(direct.b1) + "  b2 " +
+           format_exact(direct.b2) + "  a1 " + format_exact(direct.a1) + "  a2 " + format_exact(direct.a2) +
+           "\n    " + below + "  p " + format_exact(section.p) + "  q " + format_exact(section.q) + "  k " +
+           format_exact(section.k) + "  b " + format_exact(section.b) + "\n    " + below + "  " +
+           say(Text::inspect_poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
+  }
+
+  std::string pole(std::complex<double> pole) const {
+    double const frequency = std::abs(std::arg(pole)) / (2 * std::numbers::pi * image_.cycle_time.seconds());
+    return say(Text::inspect_pole,
+               {{"radius", format_rounded(std::abs(pole), 9)}, {"frequency", rounded(frequency)}});
+  }
+
+  codegen::ImageContents const& image_;
+  Language language_;
+};
+
+}  // namespace
+
+std::string inspect_text(Shown const& shown, Language language) {
+  TextForm const form(shown.image, language);
+  std::string text = form.header(shown);
+  for (auto const index : shown.axes) text += "\n" + form.axis(index);
+  return text;
+}
+
+}  // namespace axisc::cli

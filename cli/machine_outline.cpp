@@ -1,0 +1,43 @@
+#include "cli/machine_outline.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+using nlohmann::json;
+
+void add_list(std::vector<std::string>& lists, json const& object, char const* key) {
+  if (!object.is_object()) return;
+  auto const found = object.find(key);
+  if (found != object.end() && found->is_string()) lists.push_back(found->get<std::string>());
+}
+
+}  // namespace
+
+MachineOutline read_machine_outline(std::string_view text) {
+  auto const document = json::parse(text.begin(), text.end(), nullptr, false);
+  if (document.is_discarded()) {
+    // A broken machine file is still one: its mistake is a finding.
+    return {.is_machine = text.find("\"axes\"") != std::string_view::npos, .lists = {}};
+  }
+  MachineOutline outline;
+  if (!document.is_object() || !document.contains("axes")) return outline;
+  outline.is_machine = true;
+  add_list(outline.lists, document, "default_list");
+  for (auto const& axis : document["axes"]) add_list(outline.lists, axis, "list");
+  return outline;
+}
+
+bool has_extension(std::string_view path, std::string_view extension) {
+  if (path.size() <= extension.size()) return false;
+  auto const end = path.substr(path.size() - extension.size());
+  return std::equal(end.begin(), end.end(), extension.begin(), [](char left, char right) {
+    return (left >= 'A' && left <= 'Z' ? static_cast<char>(left - 'A' + 'a') : left) == right;
+  });
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,134 @@
+#include "cli/output_file.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/failure.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_links = 40;
+constexpr mode_t permission_bits = 07777;
+
+Text sentence(int error) {
+  switch (error) {
+    case ENOENT:
+    case ENOTDIR:
+      return Text::ax9002_no_folder;
+    case EISDIR:
+      return Text::ax9002_is_folder;
+    case EACCES:
+    case EPERM:
+      return Text::ax9002_no_permission;
+    case EROFS:
+      return Text::ax9002_read_only;
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return Text::ax9002_no_space;
+    case EPIPE:
+      return Text::ax9002_closed_pipe;
+    default:
+      return Text::ax9002;
+  }
+}
+
+/// Where a symbolic link leads, even if nothing is there yet.
+std::string behind_links(std::string const& path) {
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    auto const next = fs::read_symlink(target, error);
+    if (error) break;
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target.string();
+}
+
+std::string folder_of(std::string const& path) {
+  auto const folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+mode_t mode_for_new_files() {
+  auto const mask = ::umask(0);
+  ::umask(mask);
+  return 0666U & ~mask;
+}
+
+}  // namespace
+
+OutputFile::TemporaryFile::~TemporaryFile() {
+  if (!path.empty()) ::unlink(path.c_str());
+}
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+  if (path_ == "-") {
+    file_ = FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
+    if (!file_.is_open()) fail(errno);
+    return;
+  }
+  struct stat old {};
+  bool const exists = ::stat(path_.c_str(), &old) == 0;
+  if (!exists && errno != ENOENT) fail(errno);
+  if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
+  if (exists && !S_ISREG(old.st_mode)) {
+    open_directly(path_);
+    return;
+  }
+  target_ = behind_links(path_);
+  open_beside(exists, old.st_mode, old.st_uid, old.st_gid);
+}
+
+void OutputFile::open_directly(std::string const& path) {
+  file_ = FileDescriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (!file_.is_open()) fail(errno);
+}
+
+void OutputFile::open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group) {
+  // Renaming needs no right to write the old file, but a write protection is meant.
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
+  std::string name = folder_of(target_) + "/.axisc-XXXXXX";
+  file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+  if (!file_.is_open()) fail(errno);
+  temporary_.path = std::move(name);
+  // Only root may give a file away; the others keep their own name on it.
+  [[maybe_unused]] bool const same_owner = exists && ::fchown(file_.get(), old_user, old_group) == 0;
+  if (::fchmod(file_.get(), exists ? old_mode & permission_bits : mode_for_new_files()) != 0) fail(errno);
+}
+
+void OutputFile::fail(int error) const {
+  throw Failure(
+      {.text = sentence(error), .arguments = {{"file", path_}, {"reason", system_error_text(error)}}},
+      cannot_write);
+}
+
+void OutputFile::write(std::string_view bytes) {
+  if (int const error = write_all(file_.get(), bytes); error != 0) fail(error);
+}
+
+void OutputFile::commit() {
+  if (temporary_.path.empty()) {
+    if (int const error = file_.close(); error != 0) fail(error);
+    return;
+  }
+  if (::fsync(file_.get()) != 0) fail(errno);
+  if (int const error = file_.close(); error != 0) fail(error);
+  if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.path.clear();
+  // The name survives a power failure only when its folder is synced too; the content is safe either way.
+  FileDescriptor const folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.is_open()) static_cast<void>(::fsync(folder.get()));
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,46 @@
+// A file that is either written completely or not at all.
+#pragma once
+
+#include "cli/file_descriptor.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace axisc::cli {
+
+/// Writes beside the target, syncs and renames, so that nobody ever sees half of it and an old file stays untouched
+/// when anything fails. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
+/// device, a pipe) is opened and written directly, never renamed over; "-" is standard output.
+/// Every function may throw a Failure (AX9002).
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path);
+  OutputFile(OutputFile const&) = delete;
+  OutputFile& operator=(OutputFile const&) = delete;
+  ~OutputFile() = default;
+
+  void write(std::string_view bytes);
+  /// Puts the file in its place. Nothing can be written any more.
+  void commit();
+
+ private:
+  /// Removed with this object unless it was renamed before.
+  struct TemporaryFile {
+    std::string path;  ///< empty where there is none (any more)
+    TemporaryFile() = default;
+    TemporaryFile(TemporaryFile const&) = delete;
+    TemporaryFile& operator=(TemporaryFile const&) = delete;
+    ~TemporaryFile();
+  };
+
+  void open_directly(std::string const& path);
+  void open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group);
+  [[noreturn]] void fail(int error) const;
+
+  std::string path_;    ///< as the user wrote it
+  std::string target_;  ///< behind symbolic links; empty when written directly
+  TemporaryFile temporary_;
+  FileDescriptor file_;
+};
+
+}  // namespace axisc::cli

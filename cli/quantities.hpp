@@ -1,0 +1,26 @@
+// Numbers and times as the command line and CSV files write them.
+#pragma once
+
+#include "design/units.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace axisc::cli {
+
+/// A decimal number, correctly rounded, with an optional sign; "inf" and "nan" count as numbers. Nothing where the text
+/// is anything else or beyond the range of double.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// The same without "inf" and "nan".
+[[nodiscard]] std::optional<double> parse_finite(std::string_view text);
+
+/// A decimal integer without sign.
+[[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);
+
+/// NC cycle time: "1ms", "250us", "250µs", "0.5ms", "125000ns", "0.001s", or a bare number of microseconds. Nothing
+/// unless it is a whole number of nanoseconds between 1 ns and 1 s.
+[[nodiscard]] std::optional<design::CycleTime> parse_cycle_time(std::string_view text);
+
+}  // namespace axisc::cli

@@ -1,0 +1,131 @@
+#include "cli/codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/csv.hpp"
+#include "cli/frequencies.hpp"
+#include "cli/image_file.hpp"
+#include "cli/json_text.hpp"
+#include "design/filter_analysis.hpp"
+#include "diagnostics/format_number.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Form : std::uint8_t { csv, json };
+
+struct ResponseWords {
+  std::optional<std::string> image;
+  std::optional<std::string> axis;
+  std::optional<std::string> frequencies;
+  std::vector<std::string> commands;
+  Port port = Port::setpoint;
+  Form form = Form::csv;
+};
+
+void declare(CommandLine& command_line, ResponseWords& words) {
+  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
+  command_line.value("--axis", "NAME", words.axis, Text::cli_opt_response_axis);
+  command_line.choice(
+      "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
+      words.port, Text::cli_opt_response_port);
+  command_line.value("--frequencies", "F[,F...]", words.frequencies, Text::cli_opt_frequencies);
+  command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
+  command_line.choice("--format", {{"csv", Form::csv}, {"json", Form::json}}, words.form,
+                      Text::cli_opt_response_format);
+}
+
+std::vector<design::FilterDesign> chain_of(codegen::ImageAxis const& axis, Port port) {
+  std::vector<design::FilterDesign> chain;
+  for (auto const& filter : port == Port::interface ? axis.interface_filters : axis.filters) {
+    chain.push_back(filter.design);
+  }
+  return chain;
+}
+
+/// Axes with a chain at that port; the setpoint of an axis without filters passes unchanged and is shown so.
+std::vector<std::size_t> axes_with_chain(ImageFile const& file, ResponseWords const& words) {
+  auto axes = chosen_axes(file.contents, words.axis);
+  if (words.port == Port::setpoint) return axes;
+  std::erase_if(axes, [&](std::size_t axis) { return file.contents.axes[axis].interface_filters.empty(); });
+  if (axes.empty())
+    throw Failure({.text = Text::cli_no_interface_filter, .arguments = {{"file", *words.image}}});
+  return axes;
+}
+
+void write_csv_rows(Console& out, std::string const& axis, std::vector<design::FilterDesign> const& chain,
+                    std::vector<double> const& frequencies, design::CycleTime cycle_time) {
+  std::string name;
+  append_csv_name(name, axis);
+  for (double const frequency : frequencies) {
+    auto const point = design::chain_response(chain, {frequency}, cycle_time);
+    std::string line = name + ",";
+    append_csv_row(line, std::array{frequency, point.magnitude, point.phase_rad, point.group_delay_s});
+    out.write(line);
+  }
+}
+
+std::string json_rows(std::string const& axis, std::vector<design::FilterDesign> const& chain,
+                      std::vector<double> const& frequencies, design::CycleTime cycle_time) {
+  std::string text;
+  for (double const frequency : frequencies) {
+    auto const point = design::chain_response(chain, {frequency}, cycle_time);
+    if (!text.empty()) text += ",\n";
+    text += "    {\"axis\": " + json_string(axis) + ", \"frequency_hz\": " + json_number(frequency) +
+            ", \"magnitude\": " + json_number(point.magnitude) +
+            ", \"phase_rad\": " + json_number(point.phase_rad) +
+            ", \"group_delay_s\": " + json_number(point.group_delay_s) + "}";
+  }
+  return text;
+}
+
+void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
+                std::vector<std::size_t> const& axes, std::vector<double> const& frequencies) {
+  auto const cycle_time = file.contents.cycle_time;
+  out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(words.port)) +
+            ",\n  \"cycle_time_us\": " + json_number(cycle_time.microseconds()) + ",\n  \"response\": [\n");
+  bool first = true;
+  for (auto const axis : axes) {
+    if (!first) out.write(",\n");
+    first = false;
+    out.write(json_rows(axis_label(file.contents, axis), chain_of(file.contents.axes[axis], words.port),
+                        frequencies, cycle_time));
+  }
+  out.write("\n  ]\n}\n");
+}
+
+}  // namespace
+
+ExitStatus response(Invocation const& invocation) {
+  ResponseWords words;
+  CommandLine command_line("response", Text::cli_response_purpose, Text::cli_response_examples,
+                           invocation.language);
+  declare(command_line, words);
+  auto& out = invocation.streams.out;
+  if (auto const text = command_line.read(invocation.arguments)) {
+    out.write(*text);
+    return ExitStatus::success;
+  }
+  if (!words.image) {
+    throw Failure({.text = Text::cli_argument_missing,
+                   .arguments = {{"argument", "IMAGE.axim"}, {"command", "response"}}});
+  }
+  auto const file = load_image(*words.image);
+  refuse_missing_features(*words.image, words.commands, words.port);
+  auto const cycle_time = file.contents.cycle_time;
+  auto const axes = axes_with_chain(file, words);
+  auto const frequencies =
+      words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
+  if (words.form == Form::json) {
+    write_json(out, file, words, axes, frequencies);
+    return ExitStatus::success;
+  }
+  out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s\n");
+  for (auto const axis : axes) {
+    write_csv_rows(out, axis_label(file.contents, axis), chain_of(file.contents.axes[axis], words.port),
+                   frequencies, cycle_time);
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,249 @@
+#include "axisrt.h"
+#include "cli/codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/image_file.hpp"
+#include "cli/output_file.hpp"
+#include "cli/quantities.hpp"
+#include "cli/stimulus.hpp"
+#include "codegen/runtime_host.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <functional>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::uint64_t default_cycles = 256;
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+struct RunWords {
+  std::optional<std::string> image;
+  std::optional<std::string> input;
+  std::optional<std::string> signal;
+  std::optional<std::string> amplitude;
+  std::optional<std::string> cycles;
+  std::optional<std::string> reset;
+  std::optional<std::string> output;
+  std::vector<std::string> commands;
+  std::optional<std::string> port;
+  bool quiet = false;
+};
+
+void declare(CommandLine& command_line, RunWords& words) {
+  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
+  command_line.value("--input", "FILE.csv", words.input, Text::cli_opt_input);
+  command_line.value("--signal", "SIGNAL", words.signal, Text::cli_opt_signal);
+  command_line.value("--amplitude", "A", words.amplitude, Text::cli_opt_amplitude);
+  command_line.value("--cycles", "N", words.cycles, Text::cli_opt_cycles);
+  command_line.value("--port", "setpoint|interface|velocity", words.port, Text::cli_opt_port);
+  command_line.value("--reset", "POSITION", words.reset, Text::cli_opt_reset);
+  command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
+  command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_csv_output);
+  command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_run_quiet);
+}
+
+double number(std::optional<std::string> const& word, char const* option, double otherwise) {
+  if (!word) return otherwise;
+  auto const value = parse_number(*word);
+  if (!value)
+    throw Failure({.text = Text::cli_bad_number, .arguments = {{"option", option}, {"value", *word}}});
+  return *value;
+}
+
+std::uint64_t cycles(std::optional<std::string> const& word) {
+  if (!word) return default_cycles;
+  auto const value = parse_count(*word);
+  if (!value)
+    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "--cycles"}, {"value", *word}}});
+  return *value;
+}
+
+Port port_of(RunWords const& words) {
+  for (auto const port : {Port::setpoint, Port::interface, Port::velocity}) {
+    if (!words.port || *words.port == port_name(port)) return port;
+  }
+  throw Failure(
+      {.text = Text::cli_bad_choice,
+       .arguments = {
+           {"option", "--port"}, {"value", *words.port}, {"choices", "setpoint, interface, velocity"}}});
+}
+
+/// What belongs to --signal says nothing about a file.
+void refuse_mixture(RunWords const& words) {
+  if (!words.input) return;
+  for (auto const& [given, option] : {std::pair(words.signal.has_value(), "--signal"),
+                                      {words.amplitude.has_value(), "--amplitude"},
+                                      {words.cycles.has_value(), "--cycles"},
+                                      {words.port.has_value(), "--port"}}) {
+    if (given) throw Failure({.text = Text::cli_signal_and_input, .arguments = {{"option", option}}});
+  }
+}
+
+/// Reads a file piece by piece; the descriptor lives as long as the source.
+ByteSource open_source(std::string const& path) {
+  auto file = std::make_shared<FileDescriptor>(path == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                                                           : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  auto const fail = [path](int error) {
+    throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
+                  cannot_read);
+  };
+  if (!file->is_open()) fail(errno);
+  return [file = std::move(file), fail](std::span<char> buffer) -> std::size_t {
+    for (;;) {
+      auto const got = ::read(file->get(), buffer.data(), buffer.size());
+      if (got >= 0) return static_cast<std::size_t>(got);
+      if (errno != EINTR) fail(errno);
+    }
+  };
+}
+
+std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageContents const& image) {
+  if (words.input) return std::make_unique<CsvStimulus>(image, *words.input, open_source(*words.input));
+  auto const text = words.signal.value_or("step");
+  auto const signal = Signal::parse(text);
+  if (!signal) throw Failure({.text = Text::cli_bad_signal, .arguments = {{"value", text}}});
+  auto stimulus = std::make_unique<SignalStimulus>(
+      image, SignalStimulus::Facts{.signal = *signal,
+                                   .amplitude = number(words.amplitude, "--amplitude", 1),
+                                   .cycles = cycles(words.cycles),
+                                   .port = port_of(words)});
+  if (stimulus->channels().empty()) {
+    throw Failure({.text = Text::cli_no_interface_filter, .arguments = {{"file", *words.image}}});
+  }
+  return stimulus;
+}
+
+/// Setpoints that the runtime did not accept; it went on with the last good one.
+struct Refused {
+  std::uint64_t count = 0;
+  std::uint64_t first_cycle = 0;
+  std::string first_channel;
+};
+
+class Execution {
+ public:
+  Execution(codegen::RuntimeHost host, codegen::ImageContents const& image, Stimulus& stimulus)
+      : host_(std::move(host)), image_(image), stimulus_(stimulus) {}
+
+  /// Resets all axes: the setpoints to `position`; the additional interface too where the signal feeds it, else to 0.
+  void reset(double position, Port fed) {
+    for (std::uint32_t axis = 0; axis < host_.axis_count(); ++axis) {
+      require(host_.reset(axis, fed == Port::setpoint ? position : 0));
+      require(host_.reset_interface(axis, fed == Port::interface ? position : 0));
+    }
+    in_[0].assign(host_.axis_count(), fed == Port::setpoint ? position : 0);
+    in_[1].assign(host_.axis_count(), fed == Port::interface ? position : 0);
+    out_[0] = in_[0];
+    out_[1] = in_[1];
+  }
+
+  Refused go(std::function<void(std::string_view)> const& write) {
+    auto const& channels = stimulus_.channels();
+    std::string text;
+    for (auto const& channel : channels) {
+      if (!text.empty()) text += ',';
+      append_csv_name(text, channel_name(image_, channel));
+    }
+    text += '\n';
+    std::vector<double> row(channels.size());
+    Refused refused;
+    for (std::uint64_t cycle = 0; stimulus_.next(row); ++cycle) {
+      for (std::size_t i = 0; i < channels.size(); ++i) in_[side(channels[i])][channels[i].axis] = row[i];
+      step(cycle, refused);
+      for (std::size_t i = 0; i < channels.size(); ++i) row[i] = out_[side(channels[i])][channels[i].axis];
+      append_csv_row(text, row);
+      if (text.size() >= piece) {
+        write(text);
+        text.clear();
+      }
+    }
+    write(text);
+    return refused;
+  }
+
+ private:
+  static std::size_t side(Channel const& channel) { return channel.port == Port::interface ? 1 : 0; }
+
+  static void require(axisrt_status status) {
+    if (status == AXISRT_OK) return;
+    throw Failure(
+        {.text = Text::cli_runtime,
+         .arguments = {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
+  }
+
+  void step(std::uint64_t cycle, Refused& refused) {
+    auto const setpoints = host_.step(in_[0], out_[0]);
+    auto const interface = host_.step_interface(in_[1], out_[1]);
+    for (auto const status : {setpoints, interface}) {
+      if (status != AXISRT_BAD_INPUT) {
+        require(status);
+        continue;
+      }
+      if (refused.count++ == 0) refused.first_cycle = cycle;
+    }
+  }
+
+  codegen::RuntimeHost host_;
+  codegen::ImageContents const& image_;
+  Stimulus& stimulus_;
+  std::vector<double> in_[2];
+  std::vector<double> out_[2];
+};
+
+codegen::RuntimeHost start(std::string const& path, ImageFile const& file) {
+  auto host = codegen::RuntimeHost::create(file.bytes.bytes());
+  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
+  return std::get<codegen::RuntimeHost>(std::move(host));
+}
+
+void report_refused(Refused const& refused, Invocation const& invocation) {
+  if (refused.count == 0) return;
+  invocation.streams.err.write(warning_line({.text = Text::cli_refused_setpoints,
+                                             .arguments = {{"count", std::to_string(refused.count)},
+                                                           {"cycle", std::to_string(refused.first_cycle)}}},
+                                            invocation.language));
+}
+
+}  // namespace
+
+ExitStatus run(Invocation const& invocation) {
+  RunWords words;
+  CommandLine command_line("run", Text::cli_run_purpose, Text::cli_run_examples, invocation.language);
+  declare(command_line, words);
+  auto& out = invocation.streams.out;
+  if (auto const text = command_line.read(invocation.arguments)) {
+    out.write(*text);
+    return ExitStatus::success;
+  }
+  if (!words.image) {
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", "IMAGE.axim"}, {"command", "run"}}});
+  }
+  refuse_mixture(words);
+  auto const port = port_of(words);
+  double const position = number(words.reset, "--reset", 0);
+  auto const file = load_image(*words.image);
+  refuse_missing_features(*words.image, words.commands, port);
+  auto const stimulus = make_stimulus(words, file.contents);
+  Execution execution(start(*words.image, file), file.contents, *stimulus);
+  execution.reset(position, port);
+  Refused refused;
+  if (words.output) {
+    OutputFile target(*words.output);
+    refused = execution.go([&target](std::string_view text) { target.write(text); });
+    target.commit();
+  } else {
+    refused = execution.go([&out](std::string_view text) { out.write(text); });
+  }
+  if (!words.quiet) report_refused(refused, invocation);
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,26 @@
+// What the environment says about language and colours.
+#pragma once
+
+#include "diagnostics/text.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace axisc::cli {
+
+enum class ColorChoice : std::uint8_t { automatic, always, never };
+
+/// "en" or "de"; nothing for another word.
+[[nodiscard]] std::optional<Language> parse_language(std::string_view word);
+
+/// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English. Looked for
+/// before the options are read, so that complaints about them have the language already.
+[[nodiscard]] Language choose_language(std::span<std::string const> arguments);
+
+/// Automatic: only on a terminal, without NO_COLOR, and not on a dumb one.
+[[nodiscard]] bool use_color(ColorChoice choice, int descriptor);
+
+}  // namespace axisc::cli
