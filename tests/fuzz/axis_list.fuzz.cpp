@@ -1,0 +1,77 @@
+// Any bytes as an axis list, in both encodings: every span lies inside the text, every line that is not blank says
+// something at most once, and every number token converts or is beyond its type.
+#include "grammar/axis_list.hpp"
+
+#include "grammar/number.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+namespace {
+
+using axisc::Span;
+using axisc::grammar::Assignment;
+using axisc::grammar::AxisList;
+using axisc::grammar::TrailerKind;
+using axisc::grammar::ValueKind;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void check_span(Span span, std::string_view bytes) {
+  require(span.begin <= span.end && span.end <= bytes.size());
+  require(bytes.substr(span.begin, span.size()).find('\n') == std::string_view::npos);
+}
+
+void check_value(Assignment const& assignment, std::string_view bytes) {
+  std::string_view const token = bytes.substr(assignment.value.begin, assignment.value.size());
+  bool const is_integer = assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal;
+  // 2^64 - 1 has twenty digits, so anything shorter has a value.
+  if (is_integer && token.size() < 18) require(axisc::grammar::integer_value(token).has_value());
+  if (assignment.kind == ValueKind::real && token.size() < 100) {
+    bool const may_be_too_big = token.find_first_of("eE") != std::string_view::npos;
+    require(may_be_too_big || axisc::grammar::real_value(token).has_value());
+  }
+}
+
+void check_list(AxisList const& list, std::string_view bytes) {
+  std::uint32_t line = 0;
+  for (Assignment const& assignment : list.assignments) {
+    for (Span const span : {assignment.name, assignment.value, assignment.trailer, assignment.free_text}) {
+      check_span(span, bytes);
+    }
+    require(!assignment.name.empty() && !assignment.value.empty());
+    require(assignment.name.end < assignment.value.begin && assignment.value.end <= assignment.trailer.begin);
+    require(assignment.free_text.begin == assignment.value.begin);
+    require(assignment.trailer.empty() == (assignment.trailer_kind == TrailerKind::none));
+    require(assignment.line > line && assignment.line <= list.lines);
+    line = assignment.line;
+    check_value(assignment, bytes);
+  }
+  line = 0;
+  for (auto const& problem : list.problems) {
+    check_span(problem.span, bytes);
+    require(!problem.span.empty());
+    require(problem.line > line && problem.line <= list.lines);
+    line = problem.line;
+  }
+  for (auto const& directive : list.directives) {
+    check_span(directive.comment, bytes);
+    require(bytes.substr(directive.comment.begin, directive.comment.size()).find("axisc:") !=
+            std::string_view::npos);
+  }
+  if (list.end_marker) check_span(*list.end_marker, bytes);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  std::string_view const bytes(reinterpret_cast<char const*>(data), size);
+  for (bool const windows_1252 : {false, true}) {
+    check_list(axisc::grammar::parse_axis_list(bytes, 0, windows_1252), bytes);
+  }
+  return 0;
+}
