@@ -1,0 +1,203 @@
+#include "design/kernel_analysis.hpp"
+
+#include "design/phasor_def.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace axisc::design {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double angle(Hertz frequency, CycleTime cycle_time) {
+  return 2 * pi * cycle_time.periods_in<double>(frequency);
+}
+
+bool passes(KernelDesign const& kernel) {
+  return kernel.tail_sums.empty();
+}
+
+bool is_linear_phase(KernelDesign const& kernel) {
+  return kernel.half_width > 0;
+}
+
+/// A(θ) and its derivative.
+struct Amplitude {
+  double value = 1;
+  double slope = 0;
+};
+
+Amplitude amplitude_at(KernelDesign const& kernel, double theta) {
+  double sum = 0, sum_of_slopes = 0;
+  Phasor<double> phasor(theta / 2, theta);
+  double factor = 0.5;
+  for (double const tail : std::span(kernel.tail_sums).subspan(kernel.half_width)) {
+    sum += tail * phasor.sine();
+    sum_of_slopes += tail * factor * phasor.cosine();
+    phasor.advance();
+    factor += 1;
+  }
+  double const sine = std::sin(theta / 2), cosine = std::cos(theta / 2);
+  return {1 - 4 * sine * sum, -2 * cosine * sum - 4 * sine * sum_of_slopes};
+}
+
+/// Time delay:  1 - s (1 - e^(-jNθ)).
+std::complex<double> blended_delay(KernelDesign const& kernel, double theta) {
+  double const s = kernel.tail_sums.front();
+  double const phi = kernel.delay_cycles * theta;
+  double const half_sine = std::sin(phi / 2);
+  return {1 - s * 2 * half_sine * half_sine, -s * std::sin(phi)};
+}
+
+std::complex<double> response_at(KernelDesign const& kernel, double theta) {
+  if (passes(kernel)) return 1;
+  if (!is_linear_phase(kernel)) return blended_delay(kernel, theta);
+  return amplitude_at(kernel, theta).value * std::polar(1.0, -(kernel.half_width * theta));
+}
+
+/// -dφ/dθ;  for the time delay  Re(N s e^(-jNθ)/H).
+double group_delay_cycles(KernelDesign const& kernel, double theta, std::complex<double> const& h) {
+  if (passes(kernel)) return 0;
+  double const N = kernel.delay_cycles;
+  double const s = kernel.tail_sums.front();
+  if (is_linear_phase(kernel) || s == 1) return N;
+  if (std::abs(h) <= 4 * std::numeric_limits<double>::epsilon() * (1 + N * theta))
+    return std::numeric_limits<double>::quiet_NaN();
+  return (N * s * std::polar(1.0, -N * theta) / h).real();
+}
+
+/// A root of f in low..high, where it changes its sign.
+template <typename Function>
+double bisect(Function const& f, double low, double high) {
+  bool const rises = f(high) > 0;
+  for (int i = 0; i < 60; ++i) {
+    double const middle = low + (high - low) / 2;
+    ((f(middle) > 0) == rises ? high : low) = middle;
+  }
+  return low + (high - low) / 2;
+}
+
+/// Walks A(θ), a polynomial of degree h in cos θ, in steps well below the distance π/h of its zeros.
+class ZeroSearch {
+ public:
+  explicit ZeroSearch(KernelDesign const& kernel) : kernel_(kernel), lobe_(pi / kernel.half_width) {}
+
+  std::vector<double> run() {
+    // A fraction no frequency hits by being a round number. The last step goes beyond π, where A is symmetrical.
+    constexpr double offset = 0.38196601125;
+    double const step = lobe_ / steps_per_lobe;
+    Place low = place(offset * step);
+    for (std::uint32_t i = 1; low.theta < pi; ++i) {
+      Place const high = place((i + offset) * step);
+      search(low, high);
+      low = high;
+    }
+    return zeros_;
+  }
+
+ private:
+  static constexpr int steps_per_lobe = 16;
+  /// |A| at a double zero; more is left of it when it is none.
+  static constexpr double touches = 1e-12;
+  static constexpr double smallest_side_lobe = 1e-6;
+
+  struct Place {
+    double theta;
+    Amplitude amplitude;
+  };
+
+  [[nodiscard]] Place place(double theta) const { return {theta, amplitude_at(kernel_, theta)}; }
+  [[nodiscard]] double value(double theta) const { return amplitude_at(kernel_, theta).value; }
+  [[nodiscard]] double slope(double theta) const { return amplitude_at(kernel_, theta).slope; }
+
+  void search(Place const& low, Place const& high) {
+    if ((low.amplitude.slope > 0) == (high.amplitude.slope > 0)) {
+      search_monotone(low, high);
+      return;
+    }
+    Place const extremum =
+        place(bisect([this](double theta) { return slope(theta); }, low.theta, high.theta));
+    if (std::abs(extremum.amplitude.value) <= touches) {
+      add(extremum.theta);
+      return;
+    }
+    search_monotone(low, extremum);
+    search_monotone(extremum, high);
+  }
+
+  void search_monotone(Place const& low, Place const& high) {
+    if ((low.amplitude.value > 0) == (high.amplitude.value > 0)) return;
+    add(bisect([this](double theta) { return value(theta); }, low.theta, high.theta));
+  }
+
+  void add(double theta) {
+    double const quarter = lobe_ / 4;
+    double const nearby = std::max(std::abs(value(theta - quarter)), std::abs(value(theta + quarter)));
+    bool const is_new = zeros_.empty() || theta - zeros_.back() > 1e-3 * lobe_;
+    if (nearby >= smallest_side_lobe && is_new && theta <= pi * (1 + 1e-12))
+      zeros_.push_back(std::min(theta, pi));
+  }
+
+  KernelDesign const& kernel_;
+  double lobe_;
+  std::vector<double> zeros_{};
+};
+
+/// Halves of equal weight cancel where they are in opposite phase: θ = (2i + 1) π/N.
+std::vector<double> zeros_of_delay(KernelDesign const& kernel) {
+  std::vector<double> zeros;
+  if (kernel.tail_sums.front() != 0.5) return zeros;
+  for (std::uint32_t odd = 1; odd <= kernel.delay_cycles; odd += 2)
+    zeros.push_back(pi * odd / kernel.delay_cycles);
+  return zeros;
+}
+
+}  // namespace
+
+std::complex<double> response(KernelDesign const& kernel, Hertz frequency, CycleTime cycle_time) {
+  return response_at(kernel, angle(frequency, cycle_time));
+}
+
+ResponsePoint kernel_response(KernelDesign const& kernel, Hertz frequency, CycleTime cycle_time) {
+  double const theta = angle(frequency, cycle_time);
+  std::complex<double> const h = response_at(kernel, theta);
+  return {.magnitude = std::abs(h),
+          .phase_rad = std::arg(h),
+          .group_delay_s = group_delay_cycles(kernel, theta, h) * cycle_time.seconds()};
+}
+
+ResponsePoint in_series(ResponsePoint const& first, ResponsePoint const& second) {
+  return {.magnitude = first.magnitude * second.magnitude,
+          .phase_rad = std::remainder(first.phase_rad + second.phase_rad, 2 * pi),
+          .group_delay_s = first.group_delay_s + second.group_delay_s};
+}
+
+std::vector<Hertz> zero_frequencies(KernelDesign const& kernel, CycleTime cycle_time) {
+  if (passes(kernel)) return {};
+  std::vector<Hertz> frequencies;
+  for (double const theta : is_linear_phase(kernel) ? ZeroSearch(kernel).run() : zeros_of_delay(kernel))
+    frequencies.push_back({theta / pi * cycle_time.nyquist().value});
+  return frequencies;
+}
+
+StepFigures step_figures(KernelDesign const& kernel, double tolerance) {
+  StepFigures figures{.peak_gain = 1, .settling_cycles = 0};
+  double previous = 1;
+  for (std::size_t n = 0; n <= kernel.tail_sums.size(); ++n) {
+    double const tail = n < kernel.tail_sums.size() ? kernel.tail_sums[n] : 0;
+    figures.overshoot = std::max(figures.overshoot, -tail);
+    figures.peak_gain +=
+        2 * std::max(0.0, tail - previous);  // Σ b = 1, hence Σ|b| = 1 + 2 Σ of what is negative
+    if (!(std::abs(tail) <= tolerance)) figures.settling_cycles = n + 1;
+    previous = tail;
+  }
+  return figures;
+}
+
+}  // namespace axisc::design
