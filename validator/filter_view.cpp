@@ -95,11 +95,11 @@ EffectiveValue const& FilterView::anchor(EffectiveValue const& wanted) const {
   if (wanted.set()) return wanted;
   if (enable.set()) return enable;
   auto const values = all();
-  auto const first = std::min_element(values.begin(), values.end(),
-                                      [](EffectiveValue const* left, EffectiveValue const* right) {
-                                        return std::tuple(!left->set(), left->origin, left->line) <
-                                               std::tuple(!right->set(), right->origin, right->line);
-                                      });
+  auto const* const first = std::min_element(values.begin(), values.end(),
+                                             [](EffectiveValue const* left, EffectiveValue const* right) {
+                                               return std::tuple(!left->set(), left->origin, left->line) <
+                                                      std::tuple(!right->set(), right->origin, right->line);
+                                             });
   return **first;
 }
 

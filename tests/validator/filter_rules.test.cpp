@@ -211,6 +211,13 @@ TEST_CASE("AX3004: PT1 and PT2 from one cycle on") {
   CHECK(lines("filter[0].type PT1\nfilter[0].time_constant 10") == Lines{"2 AX3004"});
 }
 
+TEST_CASE("AX3004 suggests microseconds where milliseconds may be meant") {
+  Run const run(filter("PT1", "1", "filter[0].time_constant 10\n"));
+  REQUIRE(run.only().help.size() == 2);
+  CHECK(english(run.only().help[0]) == "the value is in µs: 10 ms are `filter[0].time_constant 10000`");
+  CHECK(Run(filter("PT1", "1", "filter[0].time_constant 0\n")).only().help.size() == 1);
+}
+
 TEST_CASE("AX3004 and AX3005: the control's number depends on who runs the filter") {
   std::string const too_short = "filter[0].time_constant 10\n";
   CHECK(Run(filter("PT1", "1", too_short)).only().control->message == "50663");
@@ -325,7 +332,7 @@ TEST_CASE("AX3013: low-passes that overshoot, with the overshoot of this one") {
   CHECK(overshoot("BUTTERWORTH", "6", "filter[0].fg_f0 1\n") == "a step overshoots by 14.3 %");
   CHECK(overshoot("BUTTERWORTH", "2", "filter[0].share_percent 50\nfilter[0].fg_f0 1\n") ==
         "a step overshoots by 2.2 %");
-  CHECK(overshoot("BESSEL", "2") == "a step overshoots by 0.4 %");
+  CHECK(overshoot("BESSEL", "2", "filter[0].fg_f0 1\n") == "a step overshoots by 0.4 %");
   CHECK(lines(filter("LOWPASS", "1", "filter[0].prototype BUTTERWORTH\n")).empty());
   CHECK(lines(filter("LOWPASS", "6")).empty());
   CHECK(lines(interface("LOWPASS", "6", "filter[0].prototype BUTTERWORTH\n")).empty());
@@ -392,6 +399,13 @@ TEST_CASE("AX6003: chains that need more than ten seconds") {
   CHECK(lines(second).empty());
   CHECK(lines(filter("LOWPASS", "1", "filter[0].fg_f0 0.17\n") + second) == Lines{"5 AX6003"});
   CHECK(lines(interface("LOWPASS", "1", "filter[0].fg_f0 0.01\n")).empty());
+  CHECK(lines(filter("LOWPASS", "1", "filter[0].share_percent 0\nfilter[0].fg_f0 0.01\n")) ==
+        Lines{"4 AX3015"});
+}
+
+TEST_CASE("AX6003 yields to AX6001 and steps in where that is disabled") {
+  std::string const list = filter("LOWPASS", "1", "filter[0].fg_f0 1e-7\n");
+  CHECK(lines(list, {.disabled = {Code{6001}}}) == Lines{"1 AX6003"});
 }
 
 TEST_CASE("AX6003 knows a slow band-stop that has hardly begun to ring") {
@@ -416,7 +430,7 @@ TEST_CASE("AX6005: peak gain of the chain, at the last filter") {
         Lines{"1 AX6005"});
   CHECK(lines(filter("LOWPASS", "4"), pedantic).empty());
   std::string const second = "filter[2].enable 1\nfilter[2].order 1\nfilter[2].fg_f0 200\n";
-  CHECK(lines(filter("BANDSTOP", "1", "filter[0].fg_f0 20\n") + second, pedantic) ==
+  CHECK(lines(filter("BANDSTOP", "3", "filter[0].fg_f0 20\n") + second, pedantic) ==
         Lines{"3 AX6004", "5 AX6005"});
 }
 

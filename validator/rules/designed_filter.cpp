@@ -41,7 +41,8 @@ std::vector<ChainLink> setpoint_chain(EffectiveValues const& values, design::Cyc
     if (filter.port != FilterPort::setpoint) continue;
     // Whether such a filter belongs to the chain is not known.
     if (filter.unusable()) return {};
-    if (!filter.active()) continue;
+    // With share 0 the signal passes by the filter.
+    if (!filter.active() || filter.share.value.number == 0) continue;
     auto design = designed(filter, cycle_time);
     if (!design) return {};
     chain.push_back({filter, *std::move(design)});

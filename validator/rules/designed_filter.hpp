@@ -19,7 +19,7 @@ namespace axisc::validator::checks {
 /// a very slow filter is measured by a faster one. Cost: at most 20,000 cycles.
 [[nodiscard]] std::optional<double> step_overshoot(FilterView const& filter, design::CycleTime cycle_time);
 
-/// An active filter[i] of an axis with its design.
+/// An active filter[i] of an axis, through which some of the signal passes, with its design.
 struct ChainLink {
   FilterView filter;
   design::FilterDesign design;

@@ -65,7 +65,7 @@ Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::st
   finding.notes.push_back({up_to ? Text::ax3001_limit : Text::ax3001_limit_either,
                            {{"p_axis", parameter_number(order)}, {"limit", limit}, {"type", type}}});
   if (allowed.reaction == Reaction::clipped) {
-    react(finding, "50911", {Text::ax3001_clipped, {{"limit", limit}}}, limit);
+    react(finding, "50911", {Text::ax3001_clipped, {}}, limit);
   } else {
     react(finding, "50553", {Text::filter_reaction_refused, {}});
   }

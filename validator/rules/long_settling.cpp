@@ -1,4 +1,5 @@
 #include "design/filter_analysis.hpp"
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
@@ -6,13 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 
 namespace axisc::validator::checks {
 namespace {
 
 constexpr double longest_seconds = 10;
+constexpr double measured_seconds = 40;
 constexpr double tolerance = 1e-4;
-constexpr double smallest_reserve = 1e-9;
 
 // Repeated and neighbouring poles settle later than one pole of their radius, by less than this factor: 18
 // equal poles, the most that three filters have, need 4.4 times as long.
@@ -29,6 +32,7 @@ struct Result {
 
 // Cycles until radius^n falls below the tolerance.
 double decay_cycles(double radius) {
+  if (radius >= 1) return std::numeric_limits<double>::infinity();
   return radius > 0 ? std::log(tolerance) / std::log(radius) : 0;
 }
 
@@ -38,7 +42,7 @@ Result settling(std::vector<ChainLink> const& chain, double radius, design::Cycl
   if (decay * repeated_poles <= allowed) return {};
   if (decay > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const filters = designs(chain);
-  auto const longest = static_cast<std::uint64_t>(4 * allowed);
+  auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
   auto const figures = design::step_figures(filters, longest, tolerance);
   if (!figures.settling_cycles) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const cycles = static_cast<double>(*figures.settling_cycles);
@@ -55,16 +59,16 @@ void long_settling(AxisContext const& axis, Report& report) {
       std::max_element(chain.begin(), chain.end(), [](ChainLink const& left, ChainLink const& right) {
         return left.design.pole_radius < right.design.pole_radius;
       });
-  // AX6001 speaks of such a filter.
-  if (1 - slowest->design.pole_radius < smallest_reserve) return;
   Result const result = settling(chain, slowest->design.pole_radius, axis.cycle_time);
   if (result.settling == Settling::in_time) return;
 
   FilterView const& filter = slowest->filter;
   Finding& finding = report.add(filter.anchor(filter.enable), {Text::ax6003, {}});
-  finding.label = Message{Text::ax6003_label, {{"filter", filter_name(filter)}}};
-  if (result.seconds) {
-    finding.notes.push_back({Text::ax6003_measured, {{"seconds", number(*result.seconds)}}});
+  finding.label = result.seconds
+                      ? Message{Text::ax6003_measured, {{"seconds", format_rounded(*result.seconds, 3)}}}
+                      : Message{Text::ax6003_beyond, {{"seconds", number(measured_seconds)}}};
+  if (chain.size() > 1) {
+    finding.notes.push_back({Text::ax6003_slowest, {{"filter", filter_name(filter)}}});
   }
   bool const by_frequency = design::uses_frequency(*filter.standard_type());
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;

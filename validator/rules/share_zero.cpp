@@ -16,7 +16,7 @@ void check(EffectiveValue const& share, std::string filter, EffectiveValue const
   Finding& finding = report.add(share, {Text::ax3015, {{"filter", std::move(filter)}}});
   finding.label = Message{Text::ax3015_label, {}};
   finding.notes.push_back({Text::ax3015_limit, {{"p_axis", parameter_number(share)}}});
-  finding.help.push_back({Text::ax3015_help, {{"enable", parameter_name(enable)}}});
+  if (enable.value.flag()) finding.help.push_back({Text::ax3015_help, {{"enable", parameter_name(enable)}}});
   react(finding, "", {Text::filter_reaction_inactive, {}});
 }
 

@@ -40,6 +40,12 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
                             {"type", type}}});
   note_default(finding, time);
   relate_type(finding, filter);
+  if (cycles * 1000 >= 1) {
+    finding.help.push_back({Text::ax3004_help_milliseconds,
+                            {{"value", number(time.value.number)},
+                             {"parameter", parameter_name(time)},
+                             {"microseconds", number(time.value.number * 1000)}}});
+  }
   finding.help.push_back({Text::ax3004_help,
                           {{"parameter", parameter_name(time)},
                            {"shortest", number(shortest)},
