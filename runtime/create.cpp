@@ -136,13 +136,14 @@ axisrt_status check_memory(axisrt_config const& config, Layout const& layout) {
 
 axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
   ImageView view;
-  if (axisrt_status const status = verify_image(config.image, config.image_size, view); status != AXISRT_OK)
-    return status;
+  axisrt_status status = verify_image(config.image, config.image_size, view);
+  if (status != AXISRT_OK) return status;
   if (view.header()[field::header::cycle_time_ns] != config.cycle_time_ns) return AXISRT_OTHER_CYCLE_TIME;
   Layout const layout = lay_out(count_amounts(view));
-  if (axisrt_status const status = check_memory(config, layout); status != AXISRT_OK) return status;
+  status = check_memory(config, layout);
+  if (status != AXISRT_OK) return status;
   axisrt* const built = build(view, layout, {.bytes = static_cast<uint8_t*>(config.memory)});
-  axisrt_status const status = run_self_tests(view, built->filters);
+  status = run_self_tests(view, built->filters);
   if (status == AXISRT_OK) runtime = built;
   return status;
 }

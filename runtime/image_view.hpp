@@ -49,6 +49,7 @@ struct Field {
 
 /// Fields as constants: field::axis::type, field::filter::share, ...
 namespace field {
+// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared cannot stand in parentheses
 #define AXIM_RECORD(record, size, meaning)
 #define AXIM_FIELD(record_name, field, type, offset, meaning)                       \
   namespace record_name {                                                           \
@@ -59,6 +60,7 @@ namespace field {
 #undef AXIM_RECORD
 #undef AXIM_FIELD
 #undef AXIM_SECTION
+// NOLINTEND(bugprone-macro-parentheses)
 }  // namespace field
 
 /// One record; the image's bytes belong to the caller.

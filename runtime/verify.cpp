@@ -32,7 +32,8 @@ axisrt_status check_section(Record<record::coefficients> section) {
   double const q = section[field::coefficients::q];
   double const k = section[field::coefficients::k];
   double const b = section[field::coefficients::b];
-  if (axisrt_status const status = check_finite(p, q, k, b); status != AXISRT_OK) return status;
+  axisrt_status const status = check_finite(p, q, k, b);
+  if (status != AXISRT_OK) return status;
   // Poles inside the unit circle: A(1) = k > 0, |a2| = |1 - b| < 1, A(-1) = 4 - k - 2b > 0.
   bool const is_stable = k > 0 && b > 0 && b < 2 && 4 - k - 2 * b > 0;
   bool const is_moderate = is_within(p, largest_numerator) && is_within(q, largest_numerator);
@@ -61,8 +62,8 @@ axisrt_status check_share(Record<record::filter> filter) {
   double const share = filter[field::filter::share];
   double const direct = filter[field::filter::direct];
   double const direct_low = filter[field::filter::direct_low];
-  if (axisrt_status const status = check_finite(share, direct, direct_low); status != AXISRT_OK)
-    return status;
+  axisrt_status const status = check_finite(share, direct, direct_low);
+  if (status != AXISRT_OK) return status;
   return check_bounds(share >= 0 && share <= 1, direct >= 0 && direct <= 1,
                       is_within(direct_low, half_ulp_of_one),
                       is_within(share + direct - 1, 2 * half_ulp_of_one));
@@ -72,8 +73,8 @@ axisrt_status check_realisation(ImageView const& view, Record<record::filter> fi
   uint32_t const sections = filter[field::filter::section_count];
   uint32_t const blocks_constant = filter[field::filter::blocks_constant];
   if (filter[field::filter::delay_cycles] > axim_most_delay) return AXISRT_KERNEL_TOO_LONG;
-  if (filter[field::filter::realisation] != axim_realisation_sections)
-    return check_bounds(sections == 0, blocks_constant == 0);
+  bool const has_sections = filter[field::filter::realisation] == axim_realisation_sections;
+  if (!has_sections) return check_bounds(sections == 0, blocks_constant == 0);
   return check_bounds(sections >= 1, sections <= axim_most_sections, blocks_constant <= 1,
                       view.coefficients.holds(filter[field::filter::first_section], sections));
 }
@@ -146,15 +147,16 @@ axisrt_status check_axes_and_chains(ImageView const& view) {
   if (view.axes.count != view.header()[field::header::axis_count]) return AXISRT_OUT_OF_BOUNDS;
   uint32_t next_filter = 0;
   for (uint32_t i = 0; i < view.axes.count; ++i) {
-    if (axisrt_status const status = check_axis(view, i, next_filter); status != AXISRT_OK) return status;
+    axisrt_status const status = check_axis(view, i, next_filter);
+    if (status != AXISRT_OK) return status;
   }
   return check_bounds(next_filter == view.filters.count);
 }
 
 axisrt_status check_sample(Record<record::sample> sample) {
   double const input = sample[field::sample::input];
-  if (axisrt_status const status = check_finite(input, sample[field::sample::output]); status != AXISRT_OK)
-    return status;
+  axisrt_status const status = check_finite(input, sample[field::sample::output]);
+  if (status != AXISRT_OK) return status;
   return check_bounds(is_within(input, largest_position));
 }
 
@@ -173,7 +175,8 @@ axisrt_status check_value(ImageView const& view, Record<record::value> value) {
 template <class RecordType, class Check>
 axisrt_status check_each(Table<RecordType> const& table, Check check) {
   for (uint32_t i = 0; i < table.count; ++i) {
-    if (axisrt_status const status = check(table[i]); status != AXISRT_OK) return status;
+    axisrt_status const status = check(table[i]);
+    if (status != AXISRT_OK) return status;
   }
   return AXISRT_OK;
 }

@@ -46,7 +46,7 @@ TEST_CASE("every status has a text and a name of its own") {
 
 TEST_CASE("the list of statuses is complete") {
   std::size_t known = 0;
-  for (int value = 0; value < 256; ++value) {
+  for (int value = 0; value < 64; ++value) {
     known += std::string(axisrt_status_name(static_cast<axisrt_status>(value))) != "unknown" ? 1 : 0;
   }
   CHECK(known == std::size(all_statuses));
