@@ -1,0 +1,161 @@
+// Walks over the table of rules: each has texts, a page in both languages, a sample that it reports and one that it
+// passes.
+//
+// A sample is tests/data/rules/AXNNNN.fail.lis, or a folder AXNNNN.fail with machine.json where a machine is needed; the
+// same with `pass`. AXNNNN.fail.expected holds the findings in output order, `line:column CODE`, in other files than the
+// input `file:line:column CODE`, without place `- CODE`. A first line `# test: --cycle-time 1ms --pedantic` gives options.
+#include "diagnostics/pages.hpp"
+#include "diagnostics/text.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/map_files.hpp"
+#include "validator/check.hpp"
+#include "validator/rule.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace axisc;
+namespace fs = std::filesystem;
+
+constexpr char const* samples = "tests/data/rules/";
+
+std::string read(fs::path const& path) {
+  std::ifstream file(path, std::ios::binary);
+  INFO("reading " << path);
+  REQUIRE(file.good());
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+validator::CheckOptions options_of(std::string const& text) {
+  validator::CheckOptions options;
+  constexpr std::string_view mark = "# test:";
+  if (text.substr(0, mark.size()) != mark) return options;
+  std::istringstream words(text.substr(mark.size(), text.find('\n') - mark.size()));
+  for (std::string word; words >> word;) {
+    if (word == "--pedantic") {
+      options.pedantic = true;
+      continue;
+    }
+    std::string value;
+    REQUIRE(words >> value);
+    if (word == "--cycle-time") {
+      double const factor = value.find("ms") != std::string::npos ? 1e6 : 1e3;
+      options.cycle_time = design::CycleTime{static_cast<std::uint32_t>(std::stod(value) * factor)};
+    } else if (word == "--axis-type") {
+      options.axis_type = value == "S"   ? validator::AxisType::spindle
+                          : value == "R" ? validator::AxisType::rotary
+                                         : validator::AxisType::translatory;
+    } else {
+      FAIL("unknown option of a sample: " << word);
+    }
+  }
+  return options;
+}
+
+struct Outcome {
+  std::string findings;  ///< in the form of the expected file
+  bool contains_code = false;
+  bool texts_complete = true;
+};
+
+Outcome outcome_of(validator::CheckResult const& result, SourceSet const& sources, std::string const& input,
+                   Code code) {
+  Outcome outcome;
+  for (Finding const& finding : result.findings) {
+    outcome.contains_code = outcome.contains_code || finding.code == code;
+    for (Language const language : {Language::english, Language::german}) {
+      std::string const text = render(finding.message, language);
+      outcome.texts_complete = outcome.texts_complete && !text.empty() && text.find('{') == std::string::npos;
+    }
+    if (finding.place) {
+      SourceText const& source = sources[finding.place->source];
+      Position const position = source.position(finding.place->span.begin);
+      if (source.name() != input) outcome.findings += source.name() + ":";
+      outcome.findings += std::to_string(position.line) + ":" + std::to_string(position.column);
+    } else {
+      outcome.findings += "-";
+    }
+    outcome.findings += " " + code_text(finding.code) + "\n";
+  }
+  return outcome;
+}
+
+Outcome run_sample(std::string const& name, Code code) {
+  fs::path const base = fs::path(AXISC_SOURCE_DIR) / samples / name;
+  std::map<std::string, std::string> contents;
+  std::string input = name + ".lis";
+  validator::CheckOptions options;
+  if (fs::is_directory(base)) {
+    input = "machine.json";
+    for (fs::directory_entry const& entry : fs::directory_iterator(base)) {
+      contents[entry.path().filename().string()] = read(entry.path());
+    }
+  } else {
+    contents[input] = read(base.string() + ".lis");
+    options = options_of(contents[input]);
+  }
+  tests::MapFiles files(contents);
+  SourceSet sources;
+  validator::CheckResult const result = validator::check(files, input, options, sources);
+  CHECK_FALSE(result.unreadable.has_value());
+  return outcome_of(result, sources, input, code);
+}
+
+/// Codes of files and environment come from the program itself; its own tests show them.
+bool has_sample(validator::Rule const& rule) {
+  auto const number = static_cast<std::uint16_t>(rule.code);
+  return number < 9000 || number == 9006;
+}
+
+}  // namespace
+
+TEST_CASE("every rule has a page in both languages") {
+  for (validator::Rule const& rule : validator::rules()) {
+    INFO(code_text(rule.code) << " " << rule.name);
+    CHECK_FALSE(page(rule.code, Language::english).empty());
+    CHECK_FALSE(page(rule.code, Language::german).empty());
+  }
+}
+
+TEST_CASE("the table is in order and every code stands there once") {
+  validator::Rule const* previous = nullptr;
+  for (validator::Rule const& rule : validator::rules()) {
+    INFO(code_text(rule.code));
+    CHECK_FALSE(rule.name.empty());
+    CHECK(validator::find_rule(rule.code) == &rule);
+    if (previous != nullptr) CHECK(previous->code < rule.code);
+    for (Code const code : rule.silenced_by) CHECK(validator::find_rule(code) != nullptr);
+    previous = &rule;
+  }
+  CHECK(validator::find_rule(Code{4999}) == nullptr);
+}
+
+TEST_CASE("every rule reports its failing sample, exactly as expected") {
+  for (validator::Rule const& rule : validator::rules()) {
+    if (!has_sample(rule)) continue;
+    std::string const name = code_text(rule.code) + ".fail";
+    INFO(name);
+    Outcome const outcome = run_sample(name, rule.code);
+    CHECK(outcome.contains_code);
+    CHECK(outcome.texts_complete);
+    test::check_golden(samples + name + ".expected", outcome.findings);
+  }
+}
+
+TEST_CASE("every rule passes its passing sample") {
+  for (validator::Rule const& rule : validator::rules()) {
+    if (!has_sample(rule)) continue;
+    std::string const name = code_text(rule.code) + ".pass";
+    INFO(name);
+    Outcome const outcome = run_sample(name, rule.code);
+    INFO(outcome.findings);
+    CHECK_FALSE(outcome.contains_code);
+  }
+}
