@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -22,14 +23,18 @@ struct Rest {
   double path = 0;   ///< to the sum of the output's |increments|
 };
 
+/// By square root, which rounds alike on every host; hypot, behind std::abs, does not, and images hold peak gains.
+double largest_radius(std::pair<std::complex<double>, std::complex<double>> const& poles) {
+  return std::sqrt(std::max(std::norm(poles.first), std::norm(poles.second)));
+}
+
 /// The recursion of the increment form:
 ///     de = p d + r;  e += de;  r = de + q d - k e - b de
 /// Left alone it is an oscillator, e' = v, v' = -b v - k (e + v), with the energy v² + k e².
 class SectionState {
  public:
   explicit SectionState(IncrementSection const& section)
-      : section_(section),
-        reserve_(1 - std::max(std::abs(poles(section).first), std::abs(poles(section).second))) {}
+      : section_(section), reserve_(1 - largest_radius(poles(section))) {}
 
   double step(double d) {
     auto const [p, q, k, b] = section_;
