@@ -29,8 +29,9 @@ ChainProof CompiledFilters::chain(std::span<validator::ConfiguredFilter const> c
   if (configured.empty()) return {};
   std::vector<std::size_t> indices;
   indices.reserve(configured.size());
-  for (validator::ConfiguredFilter const& filter : configured)
+  for (validator::ConfiguredFilter const& filter : configured) {
     indices.push_back(index_of(filter.specification));
+  }
   if (indices.size() == 1) {
     FilterProof const& proof = filters_[indices.front()].proof;
     return {.peak_gain = proof.peak_gain, .delay_cycles = proof.group_delay};

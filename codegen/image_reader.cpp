@@ -65,9 +65,10 @@ class ImageReader {
   /// No records where the image has no such section.
   template <class RecordType>
   [[nodiscard]] Records<RecordType> find(SectionKind<RecordType> wanted) const {
-    std::size_t const table_size = header_.get(fields::header::section_count) * records::section::bytes;
+    std::size_t const entries = header_.get(fields::header::section_count);
     Records<records::section> const table(
-        image_.subspan(header_.get(fields::header::header_size), table_size), records::section::bytes);
+        image_.subspan(header_.get(fields::header::header_size), entries * records::section::bytes),
+        records::section::bytes);
     for (std::uint32_t i = 0; i < table.count(); ++i) {
       if (table[i].get(fields::section::kind) != wanted.kind) continue;
       return {image_.subspan(table[i].get(fields::section::offset), table[i].get(fields::section::size)),
@@ -200,8 +201,9 @@ class ImageReader {
 std::variant<ImageContents, axisrt_status> read_image(std::span<std::byte const> bytes) {
   // A vector's bytes need not lie at a multiple of 64.
   AlignedBytes const image(bytes);
-  if (axisrt_status const status = axisrt_verify(image.data(), image.size()); status != AXISRT_OK)
+  if (axisrt_status const status = axisrt_verify(image.data(), image.size()); status != AXISRT_OK) {
     return status;
+  }
   return ImageReader(image.bytes()).read();
 }
 

@@ -72,8 +72,9 @@ axisrt_status RuntimeHost::step_interface(std::span<double const> in, std::span<
 
 std::variant<axisrt_axis_state, axisrt_status> RuntimeHost::axis_state(std::uint32_t axis) const {
   axisrt_axis_state state{};
-  if (axisrt_status const status = axisrt_get_axis_state(runtime_, axis, &state); status != AXISRT_OK)
+  if (axisrt_status const status = axisrt_get_axis_state(runtime_, axis, &state); status != AXISRT_OK) {
     return status;
+  }
   return state;
 }
 

@@ -3,6 +3,7 @@
 #include "codegen/image_contents.hpp"
 #include "codegen/image_writer.hpp"
 #include "codegen/runtime_host.hpp"
+#include "codegen/source_digest.hpp"
 #include "machines.hpp"
 #include "naive_image.hpp"
 #include "support/golden.hpp"
@@ -98,6 +99,23 @@ TEST_CASE("an image of format 1.0 runs", "[image][golden]") {
   CHECK(outputs[1] == 0.875e9);
   CHECK(outputs[2] == 1e9);
   CHECK(outputs[3] == 1e9);
+}
+
+TEST_CASE("images have the same bytes with every compiler, at every optimisation, on every processor",
+          "[image][golden]") {
+  test::Random random(1'000'003);
+  std::string lines;
+  for (int i = 0; i < 24; ++i) {
+    // Everything behind the header: it names the compiler's version.
+    std::vector<std::byte> const image = write_image(test::random_machine(random, 0.005), {});
+    std::string const content(reinterpret_cast<char const*>(image.data()) + 128, image.size() - 128);
+    for (std::uint8_t const octet : sha256(content)) {
+      lines += "0123456789abcdef"[octet >> 4U];
+      lines += "0123456789abcdef"[octet & 0xFU];
+    }
+    lines += '\n';
+  }
+  test::check_golden("tests/data/images/v1.0-random-machines.sha256", lines);
 }
 
 }  // namespace axisc::codegen

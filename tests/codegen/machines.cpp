@@ -99,12 +99,17 @@ FilterSpecification random_filter(Random& random, design::CycleTime cycle_time, 
   filter.type = types[random.below(types.size())];
   filter.prototype = static_cast<Prototype>(1 + random.below(3));
   filter.order = 1 + random.below(design::uses_quality(filter.type) ? 3 : 6);
-  // Low frequencies are the common and the hard ones: logarithmic, up to just below 0.5/T.
-  double const highest = 0.999 * cycle_time.nyquist().value;
-  filter.frequency = {lowest.value * std::exp2(random.unit() * std::log2(highest / lowest.value))};
+  // Low frequencies are the common and the hard ones: an octave first, up to 95 % of 0.5/T. Powers of two instead of
+  // the mathematical library: the same machines on every host.
+  double const highest = 0.95 * cycle_time.nyquist().value;
+  std::uint32_t octaves = 1;
+  while (std::ldexp(lowest.value, static_cast<int>(octaves)) < highest) ++octaves;
+  double const octave = std::ldexp(lowest.value, static_cast<int>(random.below(octaves)));
+  filter.frequency = {std::min(octave * random.between(1, 2), highest)};
   filter.quality = random.between(1, 10);
   bool const is_delay = filter.type == FilterType::time_delay;
-  double const cycles = is_delay ? random.between(0, 5.99) : std::exp2(random.between(0, 10));
+  double const mantissa = is_delay ? random.between(0, 5.99) : random.between(1, 2);
+  double const cycles = is_delay ? mantissa : std::ldexp(mantissa, static_cast<int>(random.below(9)));
   bool const is_whole = is_delay && random.below(3) == 0;
   filter.time_constant = {(is_whole ? std::floor(cycles) : cycles) * cycle_time.microseconds()};
   filter.share_percent = random.below(2) == 0 ? 100 : random.below(101);
