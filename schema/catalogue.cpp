@@ -108,7 +108,7 @@ NameLookup find_row(std::string_view text) {
                        [](BareName const& a, BareName const& b) { return a.name < b.name; });
   std::optional<ParameterId> nearest;
   IndexMismatch smallest;
-  for (auto candidate = rows.first; candidate != rows.second; ++candidate) {
+  for (auto const* candidate = rows.first; candidate != rows.second; ++candidate) {
     IndexMismatch const mismatch = compare_indices(*name, row(candidate->parameter));
     if (mismatch.differences == 0) return check_range(*name, candidate->parameter);
     if (!nearest || mismatch.differences < smallest.differences) {

@@ -165,8 +165,9 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
   std::size_t const limit = tolerable_distance(word.size());
   std::size_t const slips = edit_distance(word, symbol, limit);
   if (slips <= limit) return slips;
-  if (word.size() >= shortest_beginning && (symbol.starts_with(word) || resembles(word, symbol)))
+  if (word.size() >= shortest_beginning && (symbol.starts_with(word) || resembles(word, symbol))) {
     return limit + 1;
+  }
   return std::nullopt;
 }
 
@@ -183,8 +184,9 @@ std::vector<std::string> suggest_names(std::string_view name) {
   std::vector<std::string> suggestions;
   for (Candidate const& candidate : candidates) {
     if (suggestions.size() == most_suggestions) break;
-    if (auto suggestion = with_indices(*candidate.parameter, indices))
+    if (auto suggestion = with_indices(*candidate.parameter, indices)) {
       suggestions.push_back(std::move(*suggestion));
+    }
   }
   return suggestions;
 }
@@ -194,8 +196,9 @@ std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::s
   std::string const folded = lower_case(word);
   std::vector<std::pair<std::size_t, std::string_view>> near;
   for (Symbol const& symbol : parameter.symbols) {
-    if (auto const distance = symbol_distance(folded, lower_case(symbol.word)))
+    if (auto const distance = symbol_distance(folded, lower_case(symbol.word))) {
       near.emplace_back(*distance, symbol.word);
+    }
   }
   std::stable_sort(near.begin(), near.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
   std::vector<std::string_view> suggestions;

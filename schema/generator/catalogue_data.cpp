@@ -81,8 +81,9 @@ std::optional<LimitData> read_limit(Json const& row, std::string const& closed_k
   Json const& value = row.at(open ? open_key : closed_key);
   if (value.is_number()) return LimitData{.open = open, .number = value.get<double>(), .p_axis = 0};
   auto const text = value.get<std::string>();
-  if (text.starts_with("P-AXIS-"))
+  if (text.starts_with("P-AXIS-")) {
     return LimitData{.open = open, .number = {}, .p_axis = p_axis_number(text)};
+  }
   return LimitData{.open = open, .number = data_type_limit(text), .p_axis = 0};
 }
 
@@ -110,8 +111,9 @@ ParameterData read_parameter(Json const& row) {
   }
   parameter.minimum = read_limit(row, "minimum");
   parameter.maximum = read_limit(row, "maximum");
-  if (parameter.type == "BOOLEAN")
+  if (parameter.type == "BOOLEAN") {
     parameter.symbols = {{.word = "FALSE", .number = 0}, {.word = "TRUE", .number = 1}};
+  }
   for (SymbolData& symbol : read_symbols(row, "symbols")) parameter.symbols.push_back(std::move(symbol));
   parameter.number_names = read_symbols(row, "number_names");
   parameter.max_length = row.value("max_length", std::uint16_t{0});

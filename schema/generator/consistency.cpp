@@ -47,8 +47,9 @@ class Checker {
     for (ParameterData const& parameter : parameters_) {
       current_ = &parameter;
       if (!names_.insert(parameter.name).second) complain("name stands twice");
-      if (index_count(parameter.name) != parameter.array.size())
+      if (index_count(parameter.name) != parameter.array.size()) {
         complain("array sizes do not match the [] of the name");
+      }
       check_limits();
       check_symbols();
       if (parameter.default_text) check_default(*parameter.default_text);
@@ -67,8 +68,9 @@ class Checker {
       complain("limits are for numbers");
     }
     for (auto const* limit : {&minimum, &maximum}) {
-      if (*limit && !(*limit)->number && !numbers_.contains((*limit)->p_axis))
+      if (*limit && !(*limit)->number && !numbers_.contains((*limit)->p_axis)) {
         complain("a limit names no parameter");
+      }
     }
     if (minimum && maximum && minimum->number && maximum->number && *minimum->number > *maximum->number) {
       complain("the minimum is above the maximum");

@@ -108,8 +108,9 @@ class TableWriter {
               (symbol.number ? std::to_string(*symbol.number) : "std::nullopt") + "},\n";
     }
     auto const [known, is_new] = symbol_sets_.emplace(text, "symbols_" + std::to_string(symbol_sets_.size()));
-    if (is_new && !symbols.empty())
+    if (is_new && !symbols.empty()) {
       out_ << "constexpr Symbol " << known->second << "[] = {\n" << text << "};\n";
+    }
     set_names_.push_back(symbols.empty() ? "{}" : known->second);
   }
 
@@ -192,8 +193,9 @@ class TableWriter {
   void write_values(char const* type, char const* name, std::vector<Value> const& values) {
     constexpr std::size_t values_in_line = 20;
     out_ << "\nconstexpr " << type << " " << name << "[] = {";
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
       out_ << (i % values_in_line == 0 ? "\n    " : " ") << values[i] << ",";
+    }
     out_ << "\n};\n";
   }
 
@@ -204,8 +206,9 @@ class TableWriter {
     }
     std::sort(bare.begin(), bare.end());
     out_ << "\n// By name without brackets, fewer indices first.\nconstexpr BareName bare_name_table[] = {\n";
-    for (auto const& [name, indices, row] : bare)
+    for (auto const& [name, indices, row] : bare) {
       out_ << "    {" << quoted(name) << ", ParameterId{" << row << "}},\n";
+    }
     out_ << "};\n";
   }
 

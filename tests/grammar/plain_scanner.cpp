@@ -74,8 +74,9 @@ ValueKind number_kind(std::string_view token) {
   if (whole >= token.size()) return ValueKind::malformed_number;
   std::size_t const fraction = digits(token, whole + 1);
   bool const has_fraction = fraction > whole + 1;
-  if (token[whole] == '.' && (has_whole || has_fraction) && exponent_or_end(token, fraction))
+  if (token[whole] == '.' && (has_whole || has_fraction) && exponent_or_end(token, fraction)) {
     return ValueKind::real;
+  }
   if (token[whole] == ',' && has_whole && has_fraction && exponent_or_end(token, fraction)) {
     return ValueKind::decimal_comma;
   }
