@@ -144,15 +144,25 @@ void CommandLine::refuse_unknown() const {
                  .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }
 
+void CommandLine::refuse_value(std::string_view complaint) const {
+  for (auto const& row : parser_->declared) {
+    auto const name = row.option->get_name();
+    auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    if (complaint.substr(0, name.size()) != name && complaint.substr(0, bare.size()) != bare) continue;
+    throw Failure(
+        {.text = row.shown.empty() ? Text::cli_option_without_value : Text::cli_option_value_missing,
+         .arguments = {{"option", name}, {"command", command_}}});
+  }
+  throw Failure({.text = Text::cli_unexpected, .arguments = {{"reason", std::string(complaint)}}});
+}
+
 std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
   // The parser takes them from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     parser_->app.parse(reversed);
   } catch (CLI::ParseError const& error) {
-    std::string const text = error.what();
-    throw Failure({.text = Text::cli_option_value_missing,
-                   .arguments = {{"option", text.substr(0, text.find(':'))}, {"command", command_}}});
+    refuse_value(error.what());
   }
   for (auto const& row : parser_->declared) {
     if (row.option->count() > 0 && (row.names == "-h,--help" || row.names == "--version")) row.take({});

@@ -67,6 +67,8 @@ class CommandLine {
                  std::function<void(std::size_t)> take, Text meaning);
   Declared& declare(std::string_view names, std::string_view shown, Text meaning);
   void refuse_unknown() const;
+  /// What the parser complains about begins with the option's name.
+  [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
   Text purpose_;

@@ -1,4 +1,5 @@
 #include "cli/explain.hpp"
+#include "cli/quantities.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/pages.hpp"
 
@@ -60,8 +61,30 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
              {{"first", schema::slot_name(parameter.first_slot)}, {"last", schema::slot_name(last)}});
 }
 
-bool contains(std::string_view text, std::string_view part) {
-  return text.find(part) != std::string_view::npos;
+/// `filter[0].order` and `filter[i].order` become `filter[].order`.
+std::string without_indices(std::string_view text) {
+  std::string result;
+  bool inside = false;
+  for (char const character : text) {
+    inside = inside && character != ']';
+    if (!inside) result += character;
+    inside = inside || character == '[';
+  }
+  return result;
+}
+
+/// The page names the parameter itself, not a longer name that it is part of.
+bool names(std::string_view text, std::string_view name) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]-";
+  for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
+    bool const begins = at == 0 || letters.find(text[at - 1]) == std::string_view::npos;
+    auto const behind = text.substr(at + name.size(), 2);
+    bool const full_stop =
+        behind.size() == 2 && behind[0] == '.' && letters.find(behind[1]) == std::string_view::npos;
+    bool const ends = behind.empty() || full_stop || letters.find(behind[0]) == std::string_view::npos;
+    if (begins && ends) return true;
+  }
+  return false;
 }
 
 /// A rule looks at a parameter when its page names it; what follows from the facts of the row is added.
@@ -74,9 +97,8 @@ std::vector<std::string> rules_about(schema::Parameter const& parameter) {
   bool const limited_by_parameter = parameter.minimum.kind == schema::Limit::Kind::parameter ||
                                     parameter.maximum.kind == schema::Limit::Kind::parameter;
   for (auto const& rule : validator::rules()) {
-    auto const text = page(rule.code, Language::english);
-    bool about = contains(text, "`" + std::string(parameter.name) + "`") ||
-                 (parameter.p_axis != 0 && contains(text, number));
+    auto const text = without_indices(page(rule.code, Language::english));
+    bool about = names(text, parameter.name) || (parameter.p_axis != 0 && names(text, number));
     switch (static_cast<unsigned>(rule.code)) {
       case 2002:
         about = true;
@@ -125,9 +147,16 @@ std::string axis_types_text(std::string_view letters) {
   return joined(words);
 }
 
+/// As documented, except that 3.000000e+001 is shown as 30.
+std::string default_text(schema::Parameter const& parameter) {
+  auto const number =
+      parameter.type == schema::DataType::string ? std::nullopt : parse_finite(parameter.default_text);
+  return number ? format_exact(*number) : std::string(parameter.default_text);
+}
+
 std::string example(schema::Parameter const& parameter) {
   if (parameter.default_text.empty()) return {};
-  return "    " + schema::slot_name(parameter.first_slot) + "  " + std::string(parameter.default_text) + "\n";
+  return "    " + schema::slot_name(parameter.first_slot) + "  " + default_text(parameter) + "\n";
 }
 
 }  // namespace
@@ -142,7 +171,7 @@ std::string explain_parameter(schema::Parameter const& parameter, Language langu
   row(Text::explain_type, std::string(schema::data_type_name(parameter.type)));
   row(Text::explain_range, parameter.is_enumeration() ? "" : range_text(parameter, language));
   row(Text::explain_symbols, symbols_text(parameter));
-  row(Text::explain_default, parameter.has_default ? std::string(parameter.default_text) : "");
+  row(Text::explain_default, parameter.has_default ? default_text(parameter) : "");
   row(Text::explain_unit, unit_text(parameter, language));
   row(Text::explain_array, entries_text(parameter, language));
   row(Text::explain_longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));

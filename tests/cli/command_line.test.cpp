@@ -1,0 +1,126 @@
+#include "cli/command_line.hpp"
+
+#include "cli/depfile.hpp"
+#include "cli/failure.hpp"
+#include "cli/suggestion.hpp"
+#include "support/catch.hpp"
+
+#include <array>
+#include <cstdlib>
+
+using namespace axisc;
+using namespace axisc::cli;
+
+namespace {
+
+struct Words {
+  std::vector<std::string> inputs;
+  std::optional<std::string> output;
+  std::vector<std::string> codes;
+  bool quiet = false;
+  int level = 0;
+};
+
+std::optional<std::string> read(Words& words, std::vector<std::string> const& arguments) {
+  CommandLine line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, Language::english);
+  line.arguments("INPUT...", words.inputs, Text::cli_arg_inputs);
+  line.value("-o,--output", "FILE", words.output, Text::cli_opt_image_output);
+  line.values("--disable", "CODE", words.codes, Text::cli_opt_disable);
+  line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+  line.choice("--level", {{"low", 1}, {"high", 2}}, words.level, Text::cli_opt_inspect_format);
+  return line.read(arguments);
+}
+
+std::string failure_of(std::vector<std::string> const& arguments) {
+  Words words;
+  try {
+    static_cast<void>(read(words, arguments));
+  } catch (Failure const& failure) {
+    return failure.what();
+  }
+  return "no failure";
+}
+
+}  // namespace
+
+TEST_CASE("options and arguments in any order") {
+  Words words;
+  CHECK_FALSE(read(
+      words, {"a", "--disable", "x,y", "-q", "b", "--output=c", "--disable", "z", "-", "--level", "high"}));
+  CHECK(words.inputs == std::vector<std::string>{"a", "b", "-"});
+  CHECK(words.output == "c");
+  CHECK(words.codes == std::vector<std::string>{"x,y", "z"});
+  CHECK(words.quiet);
+  CHECK(words.level == 2);
+}
+
+TEST_CASE("behind -- everything is an argument") {
+  Words words;
+  CHECK_FALSE(read(words, {"-q", "--", "-o", "--what"}));
+  CHECK(words.inputs == std::vector<std::string>{"-o", "--what"});
+  CHECK_FALSE(words.output);
+}
+
+TEST_CASE("the last of several values counts, negative numbers are values") {
+  Words words;
+  CHECK_FALSE(read(words, {"-o", "a", "-o", "-5"}));
+  CHECK(words.output == "-5");
+}
+
+TEST_CASE("complaints name the option and the way out") {
+  CHECK(failure_of({"--quite"}) == "\"axisc lint\" has no option --quite; did you mean --quiet?");
+  CHECK(failure_of({"--xyzzy=1"}) == "\"axisc lint\" has no option --xyzzy; `axisc lint --help` lists them");
+  CHECK(failure_of({"--level", "medium"}) == "--level does not know \"medium\"; choose from low, high");
+  CHECK(failure_of({"-o"}) == "option --output needs a value; `axisc lint --help` shows how it is written");
+  CHECK(failure_of({"--quiet=1"}) ==
+        "option --quiet takes no value; `axisc lint --help` shows how it is written");
+}
+
+TEST_CASE("help and version come before complaints") {
+  Words words;
+  CHECK(read(words, {"--help", "--xyzzy"}).value_or("").find("Usage: axisc lint [OPTIONS] INPUT...") !=
+        std::string::npos);
+  CHECK(read(words, {"--version"}) == version_text());
+}
+
+TEST_CASE("help rows break between words") {
+  CHECK(help_row("-x", "short") == "  -x                          short\n");
+  CHECK(help_row("--a-very-long-option NAME-OF-VALUE", "short") ==
+        "  --a-very-long-option NAME-OF-VALUE\n                              short\n");
+  CHECK(help_row("-x", std::string(69, 'a') + " b") ==
+        "  -x                          " + std::string(69, 'a') + "\n                              b\n");
+}
+
+TEST_CASE("lists are split at commas") {
+  CHECK(split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
+  CHECK(split_list("").empty());
+}
+
+TEST_CASE("the closest word is suggested, or none") {
+  constexpr std::array<std::string_view, 3> known = {"lint", "compile", "inspect"};
+  CHECK(closest("lnit", known) == "lint");
+  CHECK(closest("Compil", known) == "compile");
+  CHECK(closest("run", known).empty());
+  CHECK(edit_distance("abcd", "acbd") == 1);
+  CHECK(edit_distance("", "abc") == 3);
+}
+
+TEST_CASE("dependency rules are escaped for make") {
+  CHECK(dependency_rule("a b.axim", {"x#1.lis", "-", "$y.lis"}) ==
+        "a\\ b.axim: \\\n  x\\#1.lis \\\n  $$y.lis\n");
+}
+
+TEST_CASE("the language is chosen before anything is read") {
+  using Arguments = std::vector<std::string>;
+  ::unsetenv("LC_ALL");
+  ::unsetenv("LC_MESSAGES");
+  ::setenv("LANG", "de_AT.UTF-8", 1);
+  CHECK(choose_language(Arguments{}) == Language::german);
+  CHECK(choose_language(Arguments{"lint", "--lang", "en"}) == Language::english);
+  CHECK(choose_language(Arguments{"--lang=en"}) == Language::english);
+  CHECK(choose_language(Arguments{"--", "--lang=en"}) == Language::german);
+  ::setenv("LC_ALL", "C", 1);
+  CHECK(choose_language(Arguments{}) == Language::english);
+  CHECK(choose_language(Arguments{"--lang", "de"}) == Language::german);
+  ::unsetenv("LC_ALL");
+}

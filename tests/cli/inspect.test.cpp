@@ -1,0 +1,104 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
+
+/// The machine of the test data, compiled to m.axim in `folder`.
+Surroundings compiled(TemporaryFolder const& folder, std::vector<std::string> const& more = {}) {
+  Surroundings const there = in_folder(folder.path());
+  std::vector<std::string> arguments{"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  REQUIRE(run_axisc(arguments, there).status == 0);
+  return there;
+}
+
+}  // namespace
+
+TEST_CASE("an image as text and JSON") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  for (std::string const language : {"en", "de"}) {
+    auto const outcome = run_axisc({"inspect", "m.axim", "--lang", language}, there);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    check_golden("tests/cli/data/golden/inspect." + language + ".text", outcome.out);
+  }
+  check_golden("tests/cli/data/golden/inspect.json",
+               run_axisc({"inspect", "m.axim", "--format", "json"}, there).out);
+}
+
+TEST_CASE("one axis, and the memory it takes") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const outcome = run_axisc({"inspect", "m.axim", "--axis", "Y", "--memory", "host"}, there);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("axis Y") && !Catch::Matchers::Contains("axis X"));
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("bytes, aligned to 64"));
+  auto const unknown = run_axisc({"inspect", "m.axim", "--axis", "Z"}, there);
+  CHECK(unknown.status == 2);
+  CHECK(unknown.err == "axisc: error: the image has no axis \"Z\"; its axes are X, Y\n");
+}
+
+TEST_CASE("the list that comes back compiles to the same filters") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const list = run_axisc({"inspect", "m.axim", "--axis", "X", "--as-list"}, there);
+  CHECK(list.status == 0);
+  check_golden("tests/cli/data/golden/inspect.as-list", list.out);
+  folder.write("x.lis", list.out);
+  REQUIRE(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms", "--werror"}, there).status ==
+          0);
+  CHECK(run_axisc({"run", "x.axim", "--port", "interface"}, there).out ==
+        run_axisc({"run", "m.axim", "--port", "interface"}, there).out);
+  CHECK(run_axisc({"response", "x.axim"}, there).out ==
+        run_axisc({"response", "m.axim", "--axis", "X"}, there).out);
+}
+
+TEST_CASE("a stripped image has no names") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder, {"--strip", "--image-version", "7"});
+  auto const outcome = run_axisc({"inspect", "m.axim"}, there);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("axis axis0") && Catch::Matchers::Contains("image version       7"));
+  CHECK_THAT(run_axisc({"run", "m.axim", "--cycles", "1"}, there).out,
+             Catch::Matchers::StartsWith("axis0,axis1\n"));
+  CHECK(run_axisc({"inspect", "m.axim", "--as-list"}, there).status == 2);
+}
+
+TEST_CASE("a damaged image is one line") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const bytes = folder.read("m.axim");
+  auto changed = bytes;
+  changed[changed.size() / 2] = static_cast<char>(changed[changed.size() / 2] ^ 1);
+  folder.write("changed.axim", changed);
+  folder.write("cut.axim", bytes.substr(0, bytes.size() - 1));
+  folder.write("header.axim", bytes.substr(0, 20));
+  folder.write("empty.axim", "");
+  folder.write("text.axim", "kopf.achs_nr 1\n" + std::string(200, ' '));
+  for (std::string const command : {"inspect", "run", "response"}) {
+    for (std::string const name : {"changed", "cut", "header", "empty", "text"}) {
+      auto const outcome = run_axisc({command, name + ".axim"}, there);
+      INFO(command << " " << name);
+      CHECK(outcome.status == 2);
+      CHECK(outcome.out.empty());
+      CHECK(lines_of(outcome.err) == 1);
+      CHECK_THAT(outcome.err, Catch::Matchers::StartsWith("axisc: error[AX9004]: " + name + ".axim "));
+    }
+    CHECK_THAT(run_axisc({command, "missing.axim"}, there).err, Catch::Matchers::Contains("AX9001"));
+    CHECK_THAT(run_axisc({command, "."}, there).err, Catch::Matchers::Contains("it is a folder"));
+    CHECK_THAT(run_axisc({command}, there).err, Catch::Matchers::Contains("IMAGE.axim is missing"));
+  }
+}
+
+TEST_CASE("an image from standard input") {
+  TemporaryFolder const folder;
+  auto there = compiled(folder);
+  there.input = folder.read("m.axim");
+  CHECK(run_axisc({"inspect", "-"}, there).status == 0);
+}

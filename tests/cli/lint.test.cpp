@@ -1,0 +1,173 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data";
+Surroundings const in_data = in_folder(data);
+
+std::string const clean = "kopf.achs_nr 1\nkenngr.achs_typ 1\nEnde\n";
+std::string const wrong = "kopf.achs_nr 1,5\nEnde\n";
+
+}  // namespace
+
+TEST_CASE("findings as text and JSON in both languages") {
+  for (std::string const language : {"en", "de"}) {
+    for (std::string const format : {"text", "json"}) {
+      auto const outcome = run_axisc(
+          {"lint", "mistakes.lis", "--cycle-time", "1ms", "--lang", language, "--format", format}, in_data);
+      CHECK(outcome.status == 1);
+      CHECK(outcome.err.empty());
+      check_golden("tests/cli/data/golden/lint." + language + "." + format, outcome.out);
+    }
+  }
+}
+
+TEST_CASE("exit status of lint") {
+  CHECK(run_axisc({"lint", "machine"}, in_data).status == 0);
+  CHECK(run_axisc({"lint", "warning.lis", "--cycle-time", "1ms"}, in_data).status == 0);
+  CHECK(run_axisc({"lint", "warning.lis", "--cycle-time", "1ms", "--werror"}, in_data).status == 1);
+  CHECK(run_axisc({"lint", "warning.lis", "--cycle-time", "1ms", "--werror", "--disable", "AX3015"}, in_data)
+            .status == 0);
+  CHECK(run_axisc({"lint", "mistakes.lis", "--cycle-time", "1ms"}, in_data).status == 1);
+  CHECK(run_axisc({"lint"}, in_data).status == 2);
+  CHECK(run_axisc({"lint", "missing.lis"}, in_data).status == 2);
+}
+
+TEST_CASE("a missing file is one line, the other inputs are still checked") {
+  auto const outcome = run_axisc({"lint", "missing.lis", "mistakes.lis", "--cycle-time", "1ms"}, in_data);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err ==
+        "axisc: error[AX9001]: cannot read missing.lis: there is no such file; check the name and the "
+        "folder\n");
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("mistakes.lis:4:"));
+  auto const alone = run_axisc({"lint", "missing.lis"}, in_data);
+  CHECK(alone.out.empty());
+  CHECK(lines_of(alone.err) == 1);
+}
+
+TEST_CASE("what is no list is one line") {
+  TemporaryFolder const folder;
+  auto const check = [&](std::string const& name, std::string_view bytes, std::string const& expected) {
+    auto const outcome = run_axisc({"lint", folder.write(name, bytes)});
+    INFO(name);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(lines_of(outcome.err) == 1);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
+  };
+  check("binary.lis", std::string(4096, '\x01'), "AX9001]");
+  check("image.lis", std::string("AXIM") + std::string(200, '\0'), "coefficient image");
+  check("utf16.lis", std::string("\xFF\xFEk\0o\0p\0f\0", 10), "UTF-16");
+  check("part.nc", "N10 G0\n", "NC program");
+  check("long.lis", std::string(100'000'000, 'a'), "AX9003]");
+  std::filesystem::create_directories(folder / "empty");
+  CHECK_THAT(run_axisc({"lint", folder / "empty"}).err, Catch::Matchers::Contains("holds no list"));
+}
+
+TEST_CASE("an empty list is a list") {
+  TemporaryFolder const folder;
+  auto const outcome = run_axisc({"lint", folder.write("empty.lis", "")});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("standard input is a list named -") {
+  auto const outcome =
+      run_axisc({"lint", "-", "--format", "json"},
+                {.folder = ".", .input = wrong, .out = {}, .variables = {}, .closed_pipe = false});
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"file\": \"-\""));
+}
+
+TEST_CASE("the output is the same for every number of threads") {
+  TemporaryFolder const folder;
+  std::string const list = axisc::test::read_source_file("tests/cli/data/mistakes.lis");
+  for (int i = 0; i < 40; ++i) folder.write("axis" + std::to_string(i) + ".lis", list);
+  for (std::string const format : {"text", "json"}) {
+    auto const one = run_axisc({"lint", folder.path(), "-j", "1", "--format", format});
+    auto const eight = run_axisc({"lint", folder.path(), "-j", "8", "--format", format});
+    CHECK(one.status == 1);
+    CHECK(one.out.size() > 1000);
+    CHECK(one.out == eight.out);
+    CHECK(one.err == eight.err);
+  }
+}
+
+TEST_CASE("the assumed cycle time is said once per run") {
+  TemporaryFolder const folder;
+  for (auto const* const name : {"a.lis", "b.lis", "c.lis"})
+    folder.write(name, read_source_file("tests/cli/data/warning.lis"));
+  auto const times = [](std::string const& text) {
+    std::size_t count = 0;
+    for (auto at = text.find("AX9006"); at != std::string::npos; at = text.find("AX9006", at + 1)) ++count;
+    return count;
+  };
+  auto const outcome = run_axisc({"lint", folder.path()});
+  CHECK(times(outcome.out) == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::StartsWith("note[AX9006]"));
+  CHECK(times(run_axisc({"lint", folder.path(), "--format", "json"}).out) == 1);
+  CHECK(times(run_axisc({"lint", folder.path(), "--disable", "AX9006"}).out) == 0);
+  CHECK(times(run_axisc({"lint", folder.path(), "--quiet"}).out) == 0);
+  CHECK(times(run_axisc({"lint", folder.path(), "--cycle-time", "1ms"}).out) == 0);
+}
+
+TEST_CASE("a list is linted once, through its machine file") {
+  auto const outcome =
+      run_axisc({"lint", "machine/x.lis", "machine", "--format", "json", "--pedantic"}, in_data);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"files\": 3"));
+  CHECK_THAT(outcome.out, !Catch::Matchers::Contains("AX9006"));
+}
+
+TEST_CASE("quiet means findings alone") {
+  auto const outcome = run_axisc({"lint", "machine", "--quiet"}, in_data);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("the language comes from the locale, colours only when asked for") {
+  auto german = in_data;
+  german.variables = {"LANG=de_DE.UTF-8"};
+  CHECK_THAT(run_axisc({"lint", "missing.lis"}, german).err,
+             Catch::Matchers::StartsWith("axisc: Fehler[AX9001]: "));
+  auto const colored = run_axisc({"lint", "warning.lis", "--color", "always"}, in_data);
+  CHECK_THAT(colored.out, Catch::Matchers::Contains("\x1B["));
+  CHECK_THAT(run_axisc({"lint", "warning.lis"}, in_data).out, !Catch::Matchers::Contains("\x1B["));
+}
+
+TEST_CASE("mistakes on the command line are one line with a way out") {
+  auto const check = [](std::vector<std::string> const& arguments, std::string const& expected) {
+    auto const outcome = run_axisc(arguments);
+    INFO(expected);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err == "axisc: error: " + expected + "\n");
+  };
+  check({}, "a command is missing; `axisc --help` lists them");
+  check({"lnit"}, "there is no command \"lnit\"; did you mean \"lint\"?");
+  check({"lint", "x.lis", "--cycle-time", "1,5ms"},
+        "\"1,5ms\" is no cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds");
+  check({"lint", "x.lis", "--disable", "AX3O05"}, "there is no code \"AX3O05\"; did you mean AX3005?");
+  check({"lint", "x.lis", "--axis-type", "X"}, "--axis-type does not know \"X\"; choose from T, R, S");
+  check({"lint", "x.lis", "-j", "0"}, "-j needs a positive whole number, not \"0\"");
+  check({"--color", "never"}, "a command is missing; `axisc --help` lists them");
+}
+
+TEST_CASE("every command has its own help in both languages") {
+  for (std::string const command : {"lint", "compile", "inspect", "run", "response", "explain"}) {
+    auto const english = run_axisc({command, "--help"});
+    auto const german = run_axisc({command, "--help", "--lang", "de"});
+    CHECK(english.status == 0);
+    CHECK_THAT(english.out, Catch::Matchers::Contains("Usage: axisc " + command) &&
+                                Catch::Matchers::Contains("Examples:"));
+    CHECK_THAT(german.out, Catch::Matchers::Contains("Aufruf: axisc " + command) &&
+                               Catch::Matchers::Contains("Beispiele:"));
+    CHECK_THAT(run_axisc({"--help"}).out, Catch::Matchers::Contains("  " + command + " "));
+    CHECK_THAT(run_axisc({command, "--version"}).out, Catch::Matchers::StartsWith("axisc "));
+  }
+}

@@ -1,0 +1,103 @@
+#include "cli/output_file.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/temporary_folder.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace axisc;
+using namespace axisc::cli;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write(std::string const& path, std::string_view bytes) {
+  OutputFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+std::string failure_of(std::string const& path) {
+  try {
+    write(path, "new");
+  } catch (Failure const& failure) {
+    return failure.what();
+  }
+  return "no failure";
+}
+
+}  // namespace
+
+TEST_CASE("a new file has the usual mode") {
+  test::TemporaryFolder const folder;
+  auto const mask = ::umask(027);
+  write(folder / "out", "bytes");
+  ::umask(mask);
+  CHECK(folder.read("out") == "bytes");
+  CHECK(fs::status(folder / "out").permissions() == static_cast<fs::perms>(0640));
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("an old file keeps its mode and is replaced at once") {
+  test::TemporaryFolder const folder;
+  folder.write("out", "old and longer");
+  fs::permissions(folder / "out", static_cast<fs::perms>(0604));
+  {
+    OutputFile file(folder / "out");
+    file.write("new");
+    CHECK(folder.read("out") == "old and longer");
+    file.commit();
+  }
+  CHECK(folder.read("out") == "new");
+  CHECK(fs::status(folder / "out").permissions() == static_cast<fs::perms>(0604));
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("without commit nothing is left behind") {
+  test::TemporaryFolder const folder;
+  folder.write("out", "old");
+  {
+    OutputFile file(folder / "out");
+    file.write("half");
+  }
+  CHECK(folder.read("out") == "old");
+  CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("a symbolic link is followed") {
+  test::TemporaryFolder const folder;
+  folder.write("real/target", "old");
+  fs::create_symlink("real/target", folder / "link");
+  write(folder / "link", "new");
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(folder.read("real/target") == "new");
+
+  fs::create_symlink("real/not-yet", folder / "dangling");
+  write(folder / "dangling", "first");
+  CHECK(fs::is_symlink(folder / "dangling"));
+  CHECK(folder.read("real/not-yet") == "first");
+}
+
+TEST_CASE("a device is written directly") {
+  write("/dev/null", "gone");
+  struct stat facts {};
+  REQUIRE(::stat("/dev/null", &facts) == 0);
+  CHECK(S_ISCHR(facts.st_mode));
+  CHECK(failure_of("/dev/full") == "cannot write /dev/full: no space is left; an old file is unchanged");
+}
+
+TEST_CASE("what cannot be written is said in one sentence") {
+  test::TemporaryFolder const folder;
+  auto const file = folder.write("file", "x");
+  CHECK(failure_of(folder.path()) == "cannot write " + folder.path() + ": it is a folder; name a file in it");
+  CHECK_THAT(failure_of(folder / "missing/out"),
+             Catch::Matchers::EndsWith("its folder does not exist; create it first"));
+  CHECK_THAT(failure_of(file + "/out"),
+             Catch::Matchers::EndsWith("its folder does not exist; create it first"));
+  if (::geteuid() != 0) {
+    fs::permissions(file, static_cast<fs::perms>(0444));
+    CHECK_THAT(failure_of(file), Catch::Matchers::Contains("permission denied"));
+    CHECK(folder.read("file") == "x");
+  }
+}

@@ -1,0 +1,73 @@
+#include "cli/program.hpp"
+
+#include "cli/temporary_folder.hpp"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace axisc::test {
+
+namespace {
+
+void replace(int descriptor, std::string const& path, int flags) {
+  int const file = ::open(path.c_str(), flags, 0600);
+  if (file < 0 || ::dup2(file, descriptor) < 0) ::_exit(126);
+}
+
+[[noreturn]] void become(std::vector<std::string> arguments, std::vector<std::string> variables) {
+  std::vector<char*> argument_pointers;
+  for (auto& argument : arguments) argument_pointers.push_back(argument.data());
+  argument_pointers.push_back(nullptr);
+  std::vector<char*> variable_pointers;
+  for (auto& variable : variables) variable_pointers.push_back(variable.data());
+  variable_pointers.push_back(nullptr);
+  ::execve(argument_pointers[0], argument_pointers.data(), variable_pointers.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Surroundings in_folder(std::string path) {
+  Surroundings surroundings;
+  surroundings.folder = std::move(path);
+  return surroundings;
+}
+
+Outcome run_axisc(std::vector<std::string> const& arguments, Surroundings const& surroundings) {
+  TemporaryFolder const folder;
+  folder.write("in", surroundings.input);
+  std::vector<std::string> words{AXISC_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  auto variables = surroundings.variables;
+  variables.emplace_back("PATH=/usr/bin:/bin");
+  auto const child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    replace(0, folder / "in", O_RDONLY);
+    replace(1, surroundings.out.empty() ? folder / "out" : surroundings.out, O_WRONLY | O_CREAT);
+    replace(2, folder / "err", O_WRONLY | O_CREAT);
+    if (surroundings.closed_pipe) {
+      int ends[2] = {-1, -1};
+      if (::pipe(ends) != 0 || ::dup2(ends[1], 1) < 0) ::_exit(126);
+      ::close(ends[0]);
+      ::close(ends[1]);
+    }
+    if (::chdir(surroundings.folder.c_str()) != 0) ::_exit(126);
+    become(std::move(words), std::move(variables));
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .out = folder.read("out"),
+          .err = folder.read("err")};
+}
+
+std::size_t lines_of(std::string_view text) {
+  auto const ends = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return ends + (text.empty() || text.back() == '\n' ? 0 : 1);
+}
+
+}  // namespace axisc::test

@@ -1,0 +1,32 @@
+// Runs the built program as a user would.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::test {
+
+struct Outcome {
+  int status = -1;  ///< exit status; -1 when the program did not end by itself
+  std::string out;
+  std::string err;
+};
+
+struct Surroundings {
+  std::string folder = ".";
+  std::string input;                   ///< bytes on standard input
+  std::string out;                     ///< where standard output goes, "/dev/full"; empty: it is captured
+  std::vector<std::string> variables;  ///< "LANG=de_DE.UTF-8"; nothing else but PATH is set
+  bool closed_pipe = false;            ///< standard output is a pipe that nobody reads
+};
+
+[[nodiscard]] Surroundings in_folder(std::string path);
+
+[[nodiscard]] Outcome run_axisc(std::vector<std::string> const& arguments,
+                                Surroundings const& surroundings = {});
+
+/// Number of lines, the last one with or without its end.
+[[nodiscard]] std::size_t lines_of(std::string_view text);
+
+}  // namespace axisc::test

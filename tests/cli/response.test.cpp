@@ -1,0 +1,55 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
+
+Surroundings compiled(TemporaryFolder const& folder) {
+  Surroundings const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"}, there).status ==
+          0);
+  return there;
+}
+
+}  // namespace
+
+TEST_CASE("a frequency response as CSV and JSON") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const csv = run_axisc({"response", "m.axim", "--frequencies", "0,40,500"}, there);
+  CHECK(csv.status == 0);
+  check_golden("tests/cli/data/golden/response.csv", csv.out);
+  auto const json = run_axisc(
+      {"response", "m.axim", "--frequencies", "0, 40", "--port", "interface", "--format", "json"}, there);
+  check_golden("tests/cli/data/golden/response.json", json.out);
+}
+
+TEST_CASE("200 points up to 0.5/T for one axis") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const outcome = run_axisc({"response", "m.axim", "--axis", "Y"}, there);
+  CHECK(lines_of(outcome.out) == 201);
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("\nY,0.05,") && Catch::Matchers::Contains("\nY,500,1,0,0\n"));
+}
+
+TEST_CASE("what response refuses") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  for (std::string const frequencies : {"", ",", "-1", "500.1", "1;2", "nan"}) {
+    auto const outcome = run_axisc({"response", "m.axim", "--frequencies", frequencies}, there);
+    INFO(frequencies);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains("is no frequency from 0 to 500 Hz"));
+  }
+  CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "Y", "--port", "interface"}, there).err,
+             Catch::Matchers::Contains("has a filter on its additional interface"));
+  CHECK_THAT(run_axisc({"response", "m.axim", "--at", "0:#FILTER OFF"}, there).err,
+             Catch::Matchers::Contains("no kernel banks"));
+  CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "Q"}, there).err,
+             Catch::Matchers::Contains("its axes are X, Y"));
+}

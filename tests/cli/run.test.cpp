@@ -1,0 +1,127 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
+
+Surroundings compiled(TemporaryFolder const& folder) {
+  Surroundings const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"}, there).status ==
+          0);
+  return there;
+}
+
+std::vector<std::string> lines(std::string const& text) {
+  std::vector<std::string> result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    auto const end = std::min(text.find('\n', begin), text.size());
+    result.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a step goes through every axis") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const outcome = run_axisc({"run", "m.axim", "--signal", "step", "--cycles", "12"}, there);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  check_golden("tests/cli/data/golden/run.csv", outcome.out);
+  CHECK(lines_of(run_axisc({"run", "m.axim"}, there).out) == 257);
+}
+
+TEST_CASE("the interface port shows the axes that have a filter there") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const rows = lines(run_axisc({"run", "m.axim", "--port", "interface", "--cycles", "3"}, there).out);
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[0] == "X.interface");
+}
+
+TEST_CASE("a file is the same as the signal it holds") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  std::string csv = "Y,X\n";
+  for (int i = 0; i < 50; ++i) csv += "1,1\n";
+  folder.write("in.csv", csv);
+  REQUIRE(run_axisc({"run", "m.axim", "--input", "in.csv", "--output", "out.csv"}, there).status == 0);
+  auto const from_file = lines(folder.read("out.csv"));
+  auto const from_signal = lines(run_axisc({"run", "m.axim", "--cycles", "50"}, there).out);
+  REQUIRE(from_file.size() == from_signal.size());
+  for (std::size_t i = 0; i < from_file.size(); ++i) {
+    auto const comma = from_signal[i].find(',');
+    CHECK(from_file[i] == from_signal[i].substr(comma + 1) + "," + from_signal[i].substr(0, comma));
+  }
+}
+
+TEST_CASE("both ports of an axis in one file, from standard input") {
+  TemporaryFolder const folder;
+  auto there = compiled(folder);
+  there.input = "X,X.interface\n1000000000,0\n1000000000,1\n";
+  auto const rows = lines(run_axisc({"run", "m.axim", "--input", "-", "--reset", "1e9"}, there).out);
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0] == "X,X.interface");
+  CHECK(rows[1] == "1000000000,0");
+  CHECK_THAT(rows[2], Catch::Matchers::StartsWith("1000000000,0."));
+}
+
+TEST_CASE("after a reset the position stands exactly") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const rows = lines(run_axisc({"run", "m.axim", "--amplitude", "123456789.25", "--reset",
+                                     "123456789.25", "--cycles", "100"},
+                                    there)
+                              .out);
+  for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i] == "123456789.25,123456789.25");
+}
+
+TEST_CASE("setpoints that are no numbers are replaced, and that is said") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  folder.write("in.csv", "Y\n5\nnan\n1e300\n6\n");
+  auto const outcome = run_axisc({"run", "m.axim", "--input", "in.csv"}, there);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out == "Y\n5\n5\n5\n6\n");
+  CHECK_THAT(outcome.err, Catch::Matchers::StartsWith("axisc: warning: 2 inputs were NaN") &&
+                              Catch::Matchers::Contains("cycle 1;"));
+  CHECK(run_axisc({"run", "m.axim", "--input", "in.csv", "--quiet"}, there).err.empty());
+}
+
+TEST_CASE("what run refuses") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  folder.write("bad.csv", "X\n1\n1,5\n");
+  folder.write("other.csv", "X,Z\n1,2\n");
+  folder.write("side.csv", "Y.interface\n1\n");
+  folder.write("good.csv", "X\n1\n");
+  folder.write("old.csv", "old");
+  auto const check = [&](std::vector<std::string> arguments, std::string const& expected) {
+    arguments.insert(arguments.begin(), {"run", "m.axim"});
+    auto const outcome = run_axisc(arguments, there);
+    INFO(expected);
+    CHECK(outcome.status == 2);
+    CHECK(lines_of(outcome.err) == 1);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
+  };
+  check({"--input", "bad.csv", "--output", "old.csv"}, "error[AX9005]: bad.csv:3:3: the line has 2 fields");
+  CHECK(folder.read("old.csv") == "old");
+  check({"--input", "other.csv"},
+        "error[AX9005]: other.csv:1:3: the image has no use for column \"Z\"; known are X, X.interface, Y");
+  check({"--input", "side.csv"}, "error[AX9005]: side.csv:1:1");
+  check({"--input", "missing.csv"}, "error[AX9001]");
+  check({"--input", "."}, "error[AX9001]");
+  check({"--input", "good.csv", "--signal", "step"}, "--signal belongs to a signal");
+  check({"--signal", "sin:1"}, "\"sin:1\" is no signal");
+  check({"--cycles", "-1"}, "--cycles needs a positive whole number");
+  check({"--amplitude", "1,5"}, "--amplitude needs a number");
+  check({"--port", "velocity"}, "uses velocities");
+  check({"--port", "motor"}, "--port does not know \"motor\"");
+  check({"--at", "0:#FILTER ON [HSC]"}, "no kernel banks");
+}
