@@ -1,0 +1,121 @@
+// What the engine does to findings: precedence, suppression, merging, the assumed cycle time.
+#include "validator/engine.hpp"
+
+#include "support/catch.hpp"
+#include "support/checked.hpp"
+
+namespace {
+
+using namespace axisc;
+using tests::Checked;
+using tests::Lines;
+
+constexpr char const* low_pass = "filter[0].enable 1\nfilter[0].order 2\n";
+
+validator::CheckOptions disabling(std::uint16_t code) {
+  validator::CheckOptions options = tests::with_cycle_time();
+  options.disabled = {static_cast<Code>(code)};
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("on one token only the highest finding stands") {
+  SECTION("a frequency below zero is AX3003, not AX2005") {
+    CHECK(Checked(std::string(low_pass) + "filter[0].fg_f0 -3\n").found() == Lines{"3:17 AX3003"});
+  }
+  SECTION("a disabled rule takes no part in the choice") {
+    CHECK(Checked(std::string(low_pass) + "filter[0].fg_f0 -3\n", disabling(3003)).found() ==
+          Lines{"3:17 AX2005"});
+  }
+  SECTION("a suppressed rule takes no part in the choice") {
+    CHECK(Checked(std::string(low_pass) + "filter[0].fg_f0 -3 ( axisc: allow AX3003\n").found() ==
+          Lines{"3:17 AX2005"});
+  }
+  SECTION("an error outranks a warning: out of range before unused") {
+    CHECK(Checked(std::string(low_pass) + "filter[0].guete 11\n").found() == Lines{"3:17 AX2005"});
+  }
+  SECTION("an error outranks a warning: out of range before assigned twice") {
+    CHECK(Checked("filter[0].guete 11\nfilter[0].guete 2\n").found() == Lines{"1:17 AX2005"});
+  }
+  SECTION("a wrong index outranks the letter case of its name") {
+    CHECK(Checked("Filter[9].guete 2\n").found() == Lines{"1:1 AX2002"});
+  }
+  SECTION("a limit of another parameter outranks the documented range") {
+    CHECK(Checked("getriebe[0].dynamik.vb_max 500000\ngetriebe[0].vb_eilgang 4294967295\n").found() ==
+          Lines{"2:24 AX2015"});
+  }
+  SECTION("findings at several tokens of a line all stand") {
+    CHECK(Checked("Filter[0].guete 11 5 P-AXIS-00001\n").found() ==
+          Lines{"1:1 AX1010", "1:17 AX2005", "1:20 AX1007", "1:22 AX1011"});
+  }
+}
+
+TEST_CASE("AX3040 replaces AX3004 for the same filter") {
+  std::string const list = "lr_param.add_interface.filter[0].enable 1\n";
+  CHECK(Checked(list).found() == Lines{"1:41 AX3040"});
+  CHECK(Checked(list, disabling(3040)).found() == Lines{"1:41 AX3004"});
+}
+
+TEST_CASE("comments silence on their line or on the next") {
+  CHECK(Checked("filter[0].guete 11 ( axisc: allow AX2005\n").found().empty());
+  CHECK(Checked("filter[0].guete 11 # axisc: allow AX2005 the drive needs it\n").found().empty());
+  CHECK(Checked("# axisc: allow AX2005\nfilter[0].guete 11\n").found().empty());
+  CHECK(Checked("# axisc: allow AX2005\n\nfilter[0].guete 11\n").found() ==
+        Lines{"1:16 AX1013", "3:17 AX2005"});
+  CHECK(Checked("filter[0].guete 11 ( axisc: allow AX2005, AX1006\n").found() == Lines{"1:43 AX1013"});
+  CHECK(Checked("filter[0].guete 1,5 ( axisc: allow AX1005\n").found().empty());
+}
+
+TEST_CASE("an unused suppression can be silenced, switched off, and is judged fairly") {
+  CHECK(Checked("filter[0].guete 2 ( axisc: allow AX2005, AX1013\n").found().empty());
+  CHECK(Checked("filter[0].guete 2 ( axisc: allow AX2005\n", disabling(1013)).found().empty());
+  CHECK(Checked("filter[0].guete 2 ( axisc: allow AX2005\n", disabling(2005)).found().empty());
+  CHECK(Checked("filter[0].order 2 ( axisc: allow AX3008\n").found().empty());
+  CHECK(Checked("filter[0].guete 2 ( axisc: allow AX7777\n").found() == Lines{"1:34 AX1013"});
+}
+
+TEST_CASE("notes need --pedantic") {
+  validator::CheckOptions pedantic = tests::with_cycle_time();
+  pedantic.pedantic = true;
+  CHECK(Checked("filter[0].order 2\n").found().empty());
+  CHECK(Checked("filter[0].order 2\n", pedantic).found() == Lines{"1:17 AX3008"});
+}
+
+TEST_CASE("the assumed cycle time is named once, first, and only where it counts") {
+  std::string const active = std::string(low_pass) + "filter[0].fg_f0 900\n";
+  Checked const assumed(active, {});
+  CHECK(assumed.found() == Lines{"- AX9006", "3:17 AX3002"});
+  CHECK(assumed.result.cycle_time_assumed);
+  CHECK_FALSE(assumed.result.cycle_time_known);
+  CHECK(assumed.result.findings.back().notes.back().text == Text::cycle_time_assumed_note);
+  CHECK(Checked(active).found() == Lines{"3:17 AX3002"});
+  CHECK(Checked("filter[0].order 2\n", {}).found().empty());
+  CHECK_FALSE(Checked("filter[0].order 2\n", {}).result.cycle_time_assumed);
+}
+
+TEST_CASE("findings of a list that several axes share are reported once") {
+  std::string const machine = R"({"cycle_time_us": 1000, "default_list": "d.lis",
+      "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}, {"name": "Z", "list": "x.lis"}]})";
+  Checked const checked(
+      {
+          {"m.json", machine},
+          {"d.lis", "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 900\nfilter[0].guete 11\n"},
+          {"x.lis", "kopf.achs_nr 70000\n"},
+          {"y.lis", "kopf.achs_nr 2\n"},
+      },
+      "m.json");
+  CHECK(checked.found() == Lines{"d.lis:3:17 AX3002", "d.lis:4:17 AX2005", "x.lis:1:14 AX2004"});
+  for (Finding const& finding : checked.result.findings) CHECK(finding.axis.empty());
+  CHECK(checked.files.reads.at("x.lis") == 1);
+}
+
+TEST_CASE("a finding names its axis, parameter and number") {
+  Checked const checked("kopf.log_achs_name Tisch\nfilter[1].guete 11\n");
+  REQUIRE(checked.result.findings.size() == 1);
+  Finding const& finding = checked.result.findings.front();
+  CHECK(finding.axis == "Tisch");
+  CHECK(finding.parameter == "filter[1].guete");
+  CHECK(finding.p_axis == "P-AXIS-00080");
+  CHECK(finding.name == "out-of-range");
+}

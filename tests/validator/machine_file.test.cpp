@@ -1,0 +1,132 @@
+// Machine files: what is wrong in them, at the right line and column.
+#include "validator/machine_file.hpp"
+
+#include "support/catch.hpp"
+#include "support/checked.hpp"
+#include "validator/located_json.hpp"
+
+namespace {
+
+using namespace axisc;
+using tests::Checked;
+using tests::Lines;
+
+Lines found(std::string const& machine) {
+  return Checked({{"m.json", machine}, {"x.lis", "kopf.achs_nr 1\n"}}, "m.json").found();
+}
+
+Lines with_key(std::string const& member) {
+  return found("{\n" + member + ",\n\"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}]}\n");
+}
+
+}  // namespace
+
+TEST_CASE("what is no JSON is reported where it stops being JSON") {
+  CHECK(found("{\"axes\": [1,]}") == Lines{"1:13 AX4020"});
+  CHECK(found("{\"axes\": 1 \"b\": 2}") == Lines{"1:12 AX4020"});
+  CHECK(found("{\"axes\":\n  tru}") == Lines{"2:3 AX4020"});
+  CHECK(found("{\"axes\": [") == Lines{"1:11 AX4020"});
+  CHECK(found("{\"axes\": \"open") == Lines{"1:10 AX4020"});
+  CHECK(found("{\"axes\": []} 5") == Lines{"1:14 AX4020"});
+  CHECK(found("{") == Lines{"1:2 AX4020"});
+  CHECK(found("{\"axes\": [1,,2]}") == Lines{"1:13 AX4020"});
+  CHECK(found("{\"axes\": 1.e}").size() == 1);
+}
+
+TEST_CASE("hostile nesting is an error like any other") {
+  std::string const deep = "{\"axes\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}";
+  CHECK(found(deep) == Lines{"1:73 AX4020"});
+}
+
+TEST_CASE("columns count characters") {
+  CHECK(with_key("\"machine\": \"Fräse\", \"zyklus\": 1") == Lines{"2:21 AX4020"});
+  CHECK(found("\xEF\xBB\xBF{\"axis\": 1, \"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}]}") ==
+        Lines{"1:2 AX4020"});
+  CHECK(with_key("\"a\\\"b\": 1, \"inch\": 2") == Lines{"2:1 AX4020", "2:20 AX4020"});
+}
+
+TEST_CASE("cycle times from above 0 to 1 s") {
+  for (char const* const good : {"1000", "62.5", "0.001", "1000000", "1e3"}) {
+    INFO(good);
+    CHECK(with_key(std::string("\"cycle_time_us\": ") + good).empty());
+  }
+  for (char const* const bad : {"0", "-1000", "1000001", "0.0001", "1e300", "\"1000\"", "null", "[1000]"}) {
+    INFO(bad);
+    CHECK(with_key(std::string("\"cycle_time_us\": ") + bad) == Lines{"2:18 AX4020"});
+  }
+}
+
+TEST_CASE("wrong types are reported at the value") {
+  for (char const* const member :
+       {"\"machine\": 5", "\"default_list\": []", "\"groups\": {}", "\"groups\": [5]", "\"gantries\": 1",
+        "\"programs\": \"part.nc\"", "\"programs\": [5]", "\"filter_sets\": {}", "\"inch\": 0",
+        "\"machine\": \"\""}) {
+    INFO(member);
+    CHECK(with_key(member).size() == 1);
+  }
+  CHECK(found("[\"axes\"]") == Lines{"1:1 AX4020"});
+  CHECK(found("{\"axes\": {}}") == Lines{"1:10 AX4020"});
+  CHECK(found("{\"axes\": []}") == Lines{"1:10 AX4020"});
+  CHECK(found("{}") == Lines{"1:1 AX4020"});
+}
+
+TEST_CASE("a known key is suggested for an unknown one") {
+  Checked const checked(
+      {{"m.json", "{\"axes\": [{\"name\": \"X\", \"lists\": \"x.lis\", \"list\": \"x.lis\"}]}"},
+       {"x.lis", ""}},
+      "m.json");
+  REQUIRE(checked.result.findings.size() == 1);
+  Finding const& finding = checked.result.findings.front();
+  CHECK(finding.help.size() == 1);
+  REQUIRE(finding.fix);
+  CHECK(finding.fix->edits[0].text == "\"list\"");
+}
+
+TEST_CASE("names that dangle or repeat") {
+  std::string const axes = "\"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}]";
+  CHECK(found("{" + axes + ",\n\"groups\": [{\"axes\": [\"X\", \"Y\"]}]}") == Lines{"2:27 AX4020"});
+  CHECK(found("{" + axes + ",\n\"gantries\": [{\"master\": \"Y\", \"slaves\": [\"X\"]}]}") ==
+        Lines{"2:25 AX4020"});
+  CHECK(found("{" + axes + ",\n\"gantries\": [{\"slaves\": [\"X\"]}]}") == Lines{"2:14 AX4020"});
+}
+
+TEST_CASE("a file that cannot be read is reported where it is named") {
+  std::string const machine = "{\"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}]}";
+  SECTION("missing") {
+    Checked const checked({{"m.json", machine}}, "m.json");
+    CHECK(checked.found() == Lines{"1:33 AX4020"});
+    CHECK_FALSE(checked.result.machine.has_value());
+  }
+  SECTION("binary") {
+    Checked const checked({{"m.json", machine}, {"x.lis", std::string(200, '\x01')}}, "m.json");
+    CHECK(checked.found() == Lines{"1:33 AX4020"});
+  }
+  SECTION("a missing default list leaves the effective values open") {
+    std::string const with_default =
+        "{\"default_list\": \"d.lis\", \"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}], "
+        "\"cycle_time_us\": 1000}";
+    Checked const checked(
+        {{"m.json", with_default}, {"x.lis", "filter[0].enable 1\nfilter[0].fg_f0 900\nfilter[0].oder 1\n"}},
+        "m.json");
+    CHECK(checked.found() == Lines{"1:18 AX4020", "x.lis:3:1 AX2001"});
+  }
+}
+
+TEST_CASE("the input itself may be unreadable") {
+  CHECK(Checked({}, "x.lis").result.unreadable == validator::FileError::not_found);
+  CHECK(Checked({{"x.lis", "\xFF\xFEk\0o\0"}}, "x.lis").result.unreadable == validator::FileError::utf16);
+  CHECK(Checked({{"x.lis", std::string("AXIM\0\1", 6)}}, "x.lis").result.unreadable ==
+        validator::FileError::image);
+  CHECK(Checked({{"x.lis", std::string(100, '\0')}}, "x.lis").result.unreadable ==
+        validator::FileError::binary);
+  CHECK(Checked({{"x.lis", std::string((1U << 20U) + 1, 'x')}}, "x.lis").result.unreadable ==
+        validator::FileError::line_too_long);
+  CHECK_FALSE(Checked({{"x.lis", "kopf.achs_nr \x01\n"}}, "x.lis").result.unreadable.has_value());
+}
+
+TEST_CASE("a file in JSON is a machine file, another one a list") {
+  CHECK(validator::looks_like_machine_file("\xEF\xBB\xBF \n{\"axes\": []}"));
+  CHECK(validator::looks_like_machine_file("\"axes\": []"));
+  CHECK_FALSE(validator::looks_like_machine_file("kopf.achs_nr 1\n"));
+  CHECK_FALSE(validator::looks_like_machine_file(""));
+}
