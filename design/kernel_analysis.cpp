@@ -10,6 +10,8 @@
 #include <numbers>
 #include <span>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 namespace axisc::design {
 namespace {
 
@@ -67,20 +69,19 @@ double group_delay_cycles(KernelDesign const& kernel, double theta, std::complex
   double const N = kernel.delay_cycles;
   double const s = kernel.tail_sums.front();
   if (is_linear_phase(kernel) || s == 1) return N;
-  if (std::abs(h) <= 4 * std::numeric_limits<double>::epsilon() * (1 + N * theta))
+  if (std::abs(h) <= 4 * std::numeric_limits<double>::epsilon() * (1 + N * theta)) {
     return std::numeric_limits<double>::quiet_NaN();
+  }
   return (N * s * std::polar(1.0, -N * theta) / h).real();
 }
 
-/// A root of f in low..high, where it changes its sign.
+/// The root of f in low..high, where f has the given values of opposite sign.
 template <typename Function>
-double bisect(Function const& f, double low, double high) {
-  bool const rises = f(high) > 0;
-  for (int i = 0; i < 60; ++i) {
-    double const middle = low + (high - low) / 2;
-    ((f(middle) > 0) == rises ? high : low) = middle;
-  }
-  return low + (high - low) / 2;
+double root(Function const& f, double low, double high, double f_low, double f_high) {
+  std::uintmax_t iterations = 100;
+  boost::math::tools::eps_tolerance<double> const tolerance(std::numeric_limits<double>::digits - 1);
+  auto const bracket = boost::math::tools::toms748_solve(f, low, high, f_low, f_high, tolerance, iterations);
+  return bracket.first + (bracket.second - bracket.first) / 2;
 }
 
 /// Walks A(θ), a polynomial of degree h in cos θ, in steps well below the distance π/h of its zeros.
@@ -114,34 +115,39 @@ class ZeroSearch {
 
   [[nodiscard]] Place place(double theta) const { return {theta, amplitude_at(kernel_, theta)}; }
   [[nodiscard]] double value(double theta) const { return amplitude_at(kernel_, theta).value; }
-  [[nodiscard]] double slope(double theta) const { return amplitude_at(kernel_, theta).slope; }
 
   void search(Place const& low, Place const& high) {
-    if ((low.amplitude.slope > 0) == (high.amplitude.slope > 0)) {
-      search_monotone(low, high);
+    bool const is_positive = low.amplitude.value > 0;
+    if (is_positive != (high.amplitude.value > 0)) {
+      add_crossing(low, high);
       return;
     }
-    Place const extremum =
-        place(bisect([this](double theta) { return slope(theta); }, low.theta, high.theta));
-    if (std::abs(extremum.amplitude.value) <= touches) {
-      add(extremum.theta);
-      return;
+    // Between equal signs A touches or crosses zero only where |A| has a minimum.
+    bool const has_minimum =
+        (low.amplitude.slope > 0) != is_positive && (high.amplitude.slope > 0) == is_positive;
+    if (!has_minimum) return;
+    Place const minimum = place(root([this](double theta) { return amplitude_at(kernel_, theta).slope; },
+                                     low.theta, high.theta, low.amplitude.slope, high.amplitude.slope));
+    if (std::abs(minimum.amplitude.value) <= touches) {
+      add(minimum.theta);
+    } else if ((minimum.amplitude.value > 0) != is_positive) {
+      add_crossing(low, minimum);
+      add_crossing(minimum, high);
     }
-    search_monotone(low, extremum);
-    search_monotone(extremum, high);
   }
 
-  void search_monotone(Place const& low, Place const& high) {
-    if ((low.amplitude.value > 0) == (high.amplitude.value > 0)) return;
-    add(bisect([this](double theta) { return value(theta); }, low.theta, high.theta));
+  void add_crossing(Place const& low, Place const& high) {
+    add(root([this](double theta) { return value(theta); }, low.theta, high.theta, low.amplitude.value,
+             high.amplitude.value));
   }
 
   void add(double theta) {
     double const quarter = lobe_ / 4;
     double const nearby = std::max(std::abs(value(theta - quarter)), std::abs(value(theta + quarter)));
     bool const is_new = zeros_.empty() || theta - zeros_.back() > 1e-3 * lobe_;
-    if (nearby >= smallest_side_lobe && is_new && theta <= pi * (1 + 1e-12))
+    if (nearby >= smallest_side_lobe && is_new && theta <= pi * (1 + 1e-12)) {
       zeros_.push_back(std::min(theta, pi));
+    }
   }
 
   KernelDesign const& kernel_;
@@ -153,8 +159,9 @@ class ZeroSearch {
 std::vector<double> zeros_of_delay(KernelDesign const& kernel) {
   std::vector<double> zeros;
   if (kernel.tail_sums.front() != 0.5) return zeros;
-  for (std::uint32_t odd = 1; odd <= kernel.delay_cycles; odd += 2)
+  for (std::uint32_t odd = 1; odd <= kernel.delay_cycles; odd += 2) {
     zeros.push_back(pi * odd / kernel.delay_cycles);
+  }
   return zeros;
 }
 
@@ -181,8 +188,9 @@ ResponsePoint in_series(ResponsePoint const& first, ResponsePoint const& second)
 std::vector<Hertz> zero_frequencies(KernelDesign const& kernel, CycleTime cycle_time) {
   if (passes(kernel)) return {};
   std::vector<Hertz> frequencies;
-  for (double const theta : is_linear_phase(kernel) ? ZeroSearch(kernel).run() : zeros_of_delay(kernel))
+  for (double const theta : is_linear_phase(kernel) ? ZeroSearch(kernel).run() : zeros_of_delay(kernel)) {
     frequencies.push_back({theta / pi * cycle_time.nyquist().value});
+  }
   return frequencies;
 }
 

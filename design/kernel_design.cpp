@@ -11,23 +11,24 @@
 namespace axisc::design {
 namespace {
 
-/// The frequency whose period is 2n + 1 cycles; one rounding, because the divisor is a whole number.
-Hertz frequency_of_period(std::uint32_t n, CycleTime cycle_time) {
-  return {1e9 / (double(cycle_time.nanoseconds) * (2.0 * n + 1))};
+/// The frequency in Hz whose period is 2n + 1 cycles; one rounding, because the divisor is a whole number.
+double frequency_of_period(std::uint32_t n, CycleTime cycle_time) {
+  return 1e9 / (double(cycle_time.nanoseconds) * (2.0 * n + 1));
 }
 
-/// Half of the longest NoVib order.
+/// n of the longest NoVib kernel.
 constexpr std::uint32_t longest_novib_box = longest_kernel_order / 4;
 /// Where the search for n ends: far above what fits, far below overflow of the order.
 constexpr std::uint32_t box_limit = 1'000'000;
 
 /// n = m + 1 = ceil((fs/f0 - 1)/2), at least 1: the least n with f0 ≥ fs/(2n + 1).
 std::uint32_t novib_box(Hertz frequency, CycleTime cycle_time) {
-  if (!(frequency > frequency_of_period(box_limit, cycle_time))) return box_limit;
+  double const f0 = frequency.value;
+  if (!(f0 > frequency_of_period(box_limit, cycle_time))) return box_limit;
   double const estimate = std::ceil((1 / cycle_time.periods_in<double>(frequency) - 1) / 2);
   auto n = static_cast<std::uint32_t>(std::clamp<double>(estimate, 1, box_limit));
-  while (n > 1 && frequency >= frequency_of_period(n - 1, cycle_time)) --n;
-  while (frequency < frequency_of_period(n, cycle_time)) ++n;
+  while (n > 1 && f0 >= frequency_of_period(n - 1, cycle_time)) --n;
+  while (f0 < frequency_of_period(n, cycle_time)) ++n;
   return n;
 }
 
@@ -58,8 +59,9 @@ std::uint32_t half_width(KernelSpecification const& specification, CycleTime cyc
 
 double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time) {
   if (passes_unchanged(specification)) return 0;
-  if (specification.type == KernelType::time_delay)
+  if (specification.type == KernelType::time_delay) {
     return specification.share_percent * specification.order / 100;
+  }
   return half_width(specification, cycle_time);
 }
 
@@ -67,8 +69,8 @@ std::optional<std::uint32_t> order_of_time(Microseconds time, CycleTime cycle_ti
   double const T = cycle_time.nanoseconds;
   double const nanoseconds = time.value * 1000;
   if (!(nanoseconds >= T)) return std::nullopt;
-  if (nanoseconds / T >= std::numeric_limits<std::uint32_t>::max())
-    return std::numeric_limits<std::uint32_t>::max();
+  constexpr auto largest = std::numeric_limits<std::uint32_t>::max();
+  if (nanoseconds / T >= largest) return largest;
   // Remainder and quotient are exact, so that half a cycle is decided by the numbers and not by rounding.
   double const remainder = std::fmod(nanoseconds, T);
   auto const whole = static_cast<std::uint32_t>((nanoseconds - remainder) / T);
@@ -80,7 +82,7 @@ std::uint32_t novib_order(Hertz frequency, CycleTime cycle_time) {
 }
 
 Hertz lowest_novib_frequency(CycleTime cycle_time) {
-  return frequency_of_period(longest_novib_box, cycle_time);
+  return {frequency_of_period(longest_novib_box, cycle_time)};
 }
 
 }  // namespace axisc::design

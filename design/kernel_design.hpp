@@ -51,7 +51,7 @@ struct KernelDesign {
 };
 
 /// Kernel in 50 decimal digits, each number rounded once (below 2^-1022 it is 0); identical on every host.
-/// Expects a specification within its ranges. Cost: up to 0.2 ms.
+/// Expects a specification within its ranges. Cost: up to 0.3 ms.
 [[nodiscard]] KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time);
 
 /// A share of 0 %, or order 0 where the order is not computed.

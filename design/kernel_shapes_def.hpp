@@ -36,15 +36,15 @@ template <typename Number>
   return c;
 }
 
-/// c_k = sin(kθ)/k · (0.54 + 0.46 cos(πk/h)), c_0 = θ = 2π fcut T: the sinc times θ, in Hamming's window.
+/// c_k = sin(kθ)/k · (54 + 46 cos(πk/h)), c_0 = 100 θ, θ = 2π fcut T: the sinc in Hamming's window, times 100 θ.
 template <typename Number>
 [[nodiscard]] HalfKernel<Number> windowed_sinc(std::uint32_t h, Number const& theta) {
   Phasor<Number> carrier(theta, theta);
   Number const window_step = boost::math::constants::pi<Number>() / h;
   Phasor<Number> window(window_step, window_step);
-  HalfKernel<Number> c{theta};
+  HalfKernel<Number> c{100 * theta};
   for (std::uint32_t k = 1; k <= h; ++k) {
-    c.push_back(carrier.sine() / k * ((54 + 46 * window.cosine()) / 100));
+    c.push_back(carrier.sine() * (54 + 46 * window.cosine()) / k);
     carrier.advance();
     window.advance();
   }
