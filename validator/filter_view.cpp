@@ -118,8 +118,7 @@ std::optional<design::FilterSpecification> FilterView::specification(design::Cyc
   }
   if (design::uses_frequency(specification.type)) {
     specification.frequency = design::Hertz{frequency.value.number};
-    bool const fits =
-        specification.frequency > design::Hertz{0} && specification.frequency < cycle_time.nyquist();
+    bool const fits = frequency.value.number > 0 && frequency.value.number < cycle_time.nyquist().value;
     if (frequency.unusable || !fits) return std::nullopt;
   }
   if (design::uses_quality(specification.type)) {

@@ -27,8 +27,8 @@ std::optional<design::FilterDesign> designed(FilterView const& filter, design::C
 std::optional<double> step_overshoot(FilterView const& filter, design::CycleTime cycle_time) {
   auto specification = filter.specification(cycle_time);
   if (!specification) return std::nullopt;
-  specification->frequency =
-      std::max(specification->frequency, design::Hertz{lowest_measured / cycle_time.seconds()});
+  double const slowest = lowest_measured / cycle_time.seconds();
+  specification->frequency = {std::max(specification->frequency.value, slowest)};
   std::array const chain{design::design_filter(*specification, cycle_time, design::Precision::quick)};
   double const cycles_per_period = 1 / (specification->frequency.value * cycle_time.seconds());
   auto const longest = static_cast<std::uint64_t>(std::ceil(measured_periods * cycles_per_period)) + 1;
