@@ -35,7 +35,7 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
     result.unreadable = *error;
     return result;
   }
-  LoadedMachine& machine = std::get<LoadedMachine>(loaded);
+  auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
 
   EngineResult judged = run_rules(machine, options, sources);

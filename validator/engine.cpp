@@ -29,8 +29,9 @@ class Engine {
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {}
 
   EngineResult run() {
-    for (Finding const& finding : machine_.findings)
+    for (Finding const& finding : machine_.findings) {
       raw_.push_back({.finding = finding, .subject = std::nullopt});
+    }
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
@@ -141,8 +142,9 @@ class Engine {
     std::vector<Finding> unused;
     suppressions.report_unused(
         sources_, [this](Code code) { return enabled(*find_rule(code)); }, unused);
-    for (Finding& finding : unused)
+    for (Finding& finding : unused) {
       standing.push_back({.finding = std::move(finding), .subject = std::nullopt});
+    }
   }
 
   LoadedMachine const& machine_;

@@ -95,7 +95,7 @@ class Loader {
     machine_.path = path;
     machine_.name = without_extension(file_name(path));
     machine_.files.push_back(path);
-    std::string& text = std::get<std::string>(bytes);
+    auto& text = std::get<std::string>(bytes);
     bool const is_machine = ends_in_json(path) && looks_like_machine_file(text);
     SourceId const source = sources_.add(SourceText(path, std::move(text)));
     if (is_machine) {

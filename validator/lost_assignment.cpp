@@ -88,8 +88,9 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     } else if (!reading.known()) {
       slot = slot_of_name(source.slice(assignment.name));
     }
-    if (slot)
+    if (slot) {
       lost.push_back({.slot = *slot, .name = assignment.name, .line = assignment.line, .guessed = true});
+    }
   }
   return lost;
 }

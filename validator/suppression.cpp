@@ -26,8 +26,9 @@ std::size_t behind_allow(std::string_view comment) {
   std::size_t const at = comment.find(mark);
   if (at == std::string_view::npos) return at;
   std::size_t const word = comment.find_first_not_of(blanks, at + mark.size());
-  if (word == std::string_view::npos || comment.substr(word, allow.size()) != allow)
+  if (word == std::string_view::npos || comment.substr(word, allow.size()) != allow) {
     return std::string_view::npos;
+  }
   std::size_t const end = word + allow.size();
   return end == comment.size() || !is_code_character(comment[end]) ? end : std::string_view::npos;
 }

@@ -64,8 +64,24 @@ bool is_scaled(std::string_view unit) {
   return row_of(unit).factor != 1;
 }
 
-std::string_view unit_name(std::string_view unit) {
-  return row_of(unit).name;
+std::string raw_unit_name(std::string_view unit) {
+  struct Replacement {
+    std::string_view plain;
+    std::string_view printed;
+  };
+  constexpr std::array<Replacement, 5> replacements = {{
+      {.plain = "um", .printed = "µm"},
+      {.plain = "us", .printed = "µs"},
+      {.plain = "deg", .printed = "°"},
+      {.plain = "^2", .printed = "²"},
+      {.plain = "^3", .printed = "³"},
+  }};
+  std::string text(unit);
+  for (Replacement const& replacement : replacements) {
+    std::size_t const at = text.find(replacement.plain);
+    if (at != std::string::npos) text.replace(at, replacement.plain.size(), replacement.printed);
+  }
+  return text;
 }
 
 }  // namespace axisc::validator

@@ -19,7 +19,7 @@ namespace axisc::validator {
 /// True where that is another number than the raw one.
 [[nodiscard]] bool is_scaled(std::string_view unit);
 
-/// The unit a person reads behind the number: "mm/s" for "um/s".
-[[nodiscard]] std::string_view unit_name(std::string_view unit);
+/// The unit of the raw number in print: "µm/s" for "um/s", "0.1 µm" for "0.1 um".
+[[nodiscard]] std::string raw_unit_name(std::string_view unit);
 
 }  // namespace axisc::validator

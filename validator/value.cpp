@@ -106,8 +106,9 @@ NumberReading read_real(std::string_view text) {
   Digits const digits = split_integer(text);
   if (digits.base == 16) {
     NumberReading hexadecimal = read_integer(text, schema::DataType::uns64);
-    if (hexadecimal.status == NumberStatus::out_of_data_range)
+    if (hexadecimal.status == NumberStatus::out_of_data_range) {
       hexadecimal.status = NumberStatus::exponent_too_big;
+    }
     return hexadecimal;
   }
   if (has_leading_zero(digits)) return {.status = NumberStatus::leading_zero, .number = 0};
@@ -138,8 +139,9 @@ SymbolReading read_symbol(schema::Parameter const& parameter, std::string_view w
   SymbolReading reading;
   for (schema::Symbol const& symbol : parameter.symbols) {
     if (symbol.word == word) return {.symbol = &symbol, .folded = false};
-    if (reading.symbol == nullptr && equal_folded(symbol.word, word))
+    if (reading.symbol == nullptr && equal_folded(symbol.word, word)) {
       reading = {.symbol = &symbol, .folded = true};
+    }
   }
   return reading;
 }

@@ -10,7 +10,8 @@ void checks::comment_in_string(ListContext const& context, Report& report) {
     Finding& finding = add_at(context, report, assignment, reading, reading.trouble,
                               message(symbol ? Text::ax1009 : Text::ax1009_string));
     Span const read{.begin = assignment.value.begin, .end = reading.trouble.end};
-    set_reaction(finding, Text::ax1009_reaction, {}, context.source.utf8(read));
+    std::string const value = context.source.utf8(read);
+    set_reaction(finding, Text::ax1009_reaction, {{"value", value}}, symbol ? "" : value);
     if (symbol) finding.control->message = "2022";
     Span const before{.begin = reading.trouble.begin, .end = reading.trouble.begin};
     finding.fix = replace_by(place_of(context, before), "( ", message(Text::ax1009_fix));

@@ -38,19 +38,18 @@ Fix replace_by(Place place, std::string text, Message title, FixSafety safety) {
   return fix;
 }
 
-std::string range_text(schema::Limit const& minimum, schema::Limit const& maximum, std::string_view unit,
-                       bool physical_units) {
+std::string range_text(schema::Parameter const& parameter, std::string_view unit, bool physical_units) {
   auto const number = [&](schema::Limit const& limit) {
     return physical_units ? physical(limit.number, unit) : format_exact(limit.number);
   };
+  schema::Limit const& minimum = parameter.minimum;
+  schema::Limit const& maximum = parameter.maximum;
+  std::string const name(parameter.name.substr(parameter.name.find_last_of('.') + 1));
   bool const below = minimum.kind == schema::Limit::Kind::number;
   bool const above = maximum.kind == schema::Limit::Kind::number;
-  if (below && above) {
-    return number(minimum) + (minimum.open ? " < x " : " ≤ x ") + (maximum.open ? "< " : "≤ ") +
-           number(maximum);
-  }
-  if (below) return (minimum.open ? "> " : "≥ ") + number(minimum);
-  return (maximum.open ? "< " : "≤ ") + number(maximum);
+  if (!above) return name + (minimum.open ? " > " : " ≥ ") + number(minimum);
+  std::string const upper = name + (maximum.open ? " < " : " ≤ ") + number(maximum);
+  return below ? number(minimum) + (minimum.open ? " < " : " ≤ ") + upper : upper;
 }
 
 bool violates_minimum(double value, double limit, bool open) {

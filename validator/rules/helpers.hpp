@@ -46,9 +46,9 @@ void for_each_reading(LoadedList const& list, Visit visit) {
   for (std::size_t i = 0; i < list.readings.size(); ++i) visit(list.tree.assignments[i], list.readings[i]);
 }
 
-/// "5 ≤ x < 8" without the x where only one side is limited: "≥ 5".
-[[nodiscard]] std::string range_text(schema::Limit const& minimum, schema::Limit const& maximum,
-                                     std::string_view unit, bool physical_units);
+/// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.
+[[nodiscard]] std::string range_text(schema::Parameter const& parameter, std::string_view unit,
+                                     bool physical_units);
 
 [[nodiscard]] bool violates_minimum(double value, double limit, bool open);
 [[nodiscard]] bool violates_maximum(double value, double limit, bool open);

@@ -52,8 +52,9 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   schema::Parameter const& parameter = row_of(slot);
   EffectiveValue const& value = values[slot];
   Limit const& limit = side == Side::minimum ? parameter.minimum : parameter.maximum;
-  if (limit.kind != Limit::Kind::parameter || is_default_or_off(parameter, value.value.number))
+  if (limit.kind != Limit::Kind::parameter || is_default_or_off(parameter, value.value.number)) {
     return std::nullopt;
+  }
   std::optional<Slot> const other = limiting_slot(values, slot, limit.p_axis);
   if (!other || values[*other].unusable) return std::nullopt;
   if (!values[*other].set() && !default_value(row_of(*other))) return std::nullopt;

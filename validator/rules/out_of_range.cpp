@@ -23,12 +23,14 @@ void judge(AxisContext const& context, Report& report, Place place, schema::Slot
   schema::Parameter const& parameter = schema::parameter(schema::parameter_of(slot));
   if (!out_of_range(parameter, value)) return;
   std::string_view const unit = unit_of(parameter, context.type);
-  std::string const range = range_text(parameter.minimum, parameter.maximum, unit, true);
+  std::string const range = range_text(parameter, unit, true);
   Finding& finding = report.add(
       place, slot, message(Text::ax2005, {{"parameter", schema::slot_name(slot)}, {"range", range}}));
-  finding.label = message(Text::parameter_value_in_unit, {{"value", physical(value, unit)}});
+  if (!unit.empty()) {
+    finding.label = message(Text::parameter_value_in_unit, {{"value", physical(value, unit)}});
+  }
   if (is_scaled(unit)) {
-    std::string const raw = range_text(parameter.minimum, parameter.maximum, unit, false);
+    std::string const raw = range_text(parameter, unit, false);
     finding.notes.push_back(message(Text::ax2005_raw, {{"range", raw}}));
   }
 }

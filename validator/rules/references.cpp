@@ -19,6 +19,12 @@ std::string named(ReferenceProblem const& problem) {
   return "P-AXIS-" + digits;
 }
 
+/// The index as the list writes it: a number of any length.
+std::string written_index(AxisContext const& context, EffectiveValue const& value) {
+  std::string const reference = context.sources[value.value_place->source].utf8(value.value_place->span);
+  return reference.substr(reference.find_last_of('.') + 1);
+}
+
 template <typename Visit>
 void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visit visit) {
   for (ReferenceProblem const& problem : context.reference_problems) {
@@ -72,12 +78,18 @@ void checks::reference_type(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::wrong_type,
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        Finding& finding = report.add(
-            value, message(Text::ax2012,
-                           {{"parameter", name_of(problem)},
-                            {"type", std::string(schema::data_type_name(row_of(problem.slot).type))},
-                            {"p_axis", named(problem)},
-                            {"other", std::string(schema::data_type_name(row_of(*problem.target).type))}}));
+        schema::DataType const type = row_of(problem.slot).type;
+        schema::DataType const other = row_of(*problem.target).type;
+        Message text = message(Text::ax2012, {{"parameter", name_of(problem)},
+                                              {"type", std::string(schema::data_type_name(type))},
+                                              {"p_axis", named(problem)},
+                                              {"other", std::string(schema::data_type_name(other))}});
+        if (type == other) {
+          text = message(Text::ax2012_symbol, {{"parameter", name_of(problem)},
+                                               {"value", context.values[*problem.target].value.text},
+                                               {"p_axis", named(problem)}});
+        }
+        Finding& finding = report.add(value, std::move(text));
         set_reaction(finding, Text::reference_lost);
         add_target(context, finding, problem);
       });
@@ -91,30 +103,30 @@ void checks::reference_index(AxisContext const& context, Report& report) {
         for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(problem.p_axis))) {
           entries = std::max(entries, schema::parameter(id).array[0]);
         }
-        Message text = message(Text::ax2013_scalar,
-                               {{"p_axis", named(problem)}, {"index", std::to_string(problem.index)}});
+        std::string const index = written_index(context, value);
+        Message text = message(Text::ax2013_scalar, {{"p_axis", named(problem)}, {"index", index}});
         if (entries != 0) {
-          text = message(Text::ax2013, {{"p_axis", named(problem)},
-                                        {"last", std::to_string(entries - 1)},
-                                        {"index", std::to_string(problem.index)}});
+          text =
+              message(Text::ax2013,
+                      {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
         }
         set_reaction(report.add(value, std::move(text)), Text::reference_lost);
       });
 }
 
 void checks::reference_unit(AxisContext const& context, Report& report) {
-  for_each_problem(
-      context, ReferenceTrouble::other_unit,
-      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        Finding& finding = report.add(
-            value,
-            message(Text::ax2014, {{"parameter", name_of(problem)},
-                                   {"unit", std::string(unit_of(row_of(problem.slot), context.type))},
-                                   {"p_axis", named(problem)},
-                                   {"other", std::string(unit_of(row_of(*problem.target), context.type))}}));
-        set_reaction(finding, Text::ax2014_reaction);
-        add_target(context, finding, problem);
-      });
+  for_each_problem(context, ReferenceTrouble::other_unit,
+                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+                     Finding& finding = report.add(
+                         value,
+                         message(Text::ax2014,
+                                 {{"parameter", name_of(problem)},
+                                  {"unit", raw_unit_name(unit_of(row_of(problem.slot), context.type))},
+                                  {"p_axis", named(problem)},
+                                  {"other", raw_unit_name(unit_of(row_of(*problem.target), context.type))}}));
+                     set_reaction(finding, Text::ax2014_reaction);
+                     add_target(context, finding, problem);
+                   });
 }
 
 }  // namespace axisc::validator

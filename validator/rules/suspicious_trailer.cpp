@@ -59,8 +59,7 @@ void checks::suspicious_trailer(ListContext const& context, Report& report) {
                     .end = assignment.trailer.begin + static_cast<std::uint32_t>(word.size())};
     Finding& finding = add_at(context, report, assignment, reading, span,
                               message(Text::ax1007, {{"text", std::string(word)}}));
-    set_reaction(finding, Text::ax1007_reaction, {{"value", context.source.utf8(assignment.value)}},
-                 context.source.utf8(assignment.value));
+    set_reaction(finding, Text::ax1007_reaction, {}, context.source.utf8(assignment.value));
     finding.help.push_back(message(Text::ax1007_help));
     Span const before{.begin = span.begin, .end = span.begin};
     finding.fix = replace_by(place_of(context, before), "( ", message(Text::ax1007_fix), FixSafety::safe);

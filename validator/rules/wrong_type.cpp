@@ -25,7 +25,7 @@ void checks::wrong_type(ListContext const& context, Report& report) {
         message(headline(parameter), {{"parameter", written_name(context, assignment)}, {"value", value}}));
     bool const number = schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
     if (number && assignment.kind != grammar::ValueKind::real) {
-      set_reaction(finding, Text::parameter_reads_zero, {}, "0");
+      set_reaction(finding, Text::parameter_no_number, {}, "0");
       finding.control->message = "1001138";
     }
     if (assignment.kind != grammar::ValueKind::real || !number) return;
