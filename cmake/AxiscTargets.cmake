@@ -1,9 +1,11 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
+# Checkouts in other places share what was compiled before.
 find_program(AXISC_CCACHE ccache)
 if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_C_COMPILER_LAUNCHER "${AXISC_CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${AXISC_CCACHE}")
+  set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${AXISC_CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 
 function(axisc_compile_options target)
