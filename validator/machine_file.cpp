@@ -275,7 +275,7 @@ class MachineFileReader {
     for (auto const& [name, place] : axis_names_) known.push_back(name);
     std::sort(known.begin(), known.end());
     auto const dangling = [&](LocatedText const& name) {
-      if (axis_names_.count(name.text) != 0) return false;
+      if (axis_names_.contains(name.text)) return false;
       suggest(add(name.place.span, Text::ax4020_unknown_axis, {{"name", name.text}}), name.text, known);
       return true;
     };

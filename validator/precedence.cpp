@@ -54,7 +54,7 @@ void drop_replaced(std::vector<RawFinding>& findings) {
     Rule const* const rule = find_rule(raw.finding.code);
     if (!raw.subject || rule == nullptr) return false;
     return std::any_of(rule->silenced_by.begin(), rule->silenced_by.end(), [&](Code code) {
-      return reported.count({*raw.subject, code}) != 0;
+      return reported.contains({*raw.subject, code});
     });
   };
   findings.erase(std::remove_if(findings.begin(), findings.end(), replaced), findings.end());

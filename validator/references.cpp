@@ -66,7 +66,7 @@ class Resolver {
 
   std::vector<ReferenceProblem> resolve_all() {
     for (Slot const slot : values_.set_slots()) {
-      if (pending_.count(slot) != 0 && states_.count(slot) == 0) follow(slot);
+      if (pending_.contains(slot) && !states_.contains(slot)) follow(slot);
     }
     return std::move(problems_);
   }
@@ -76,7 +76,7 @@ class Resolver {
 
   void follow(Slot slot) {
     std::vector<Slot> path;
-    while (pending_.count(slot) != 0 && states_.count(slot) == 0) {
+    while (pending_.contains(slot) && !states_.contains(slot)) {
       states_[slot] = State::visiting;
       path.push_back(slot);
       Target const target = find_target(pending_.at(slot), values_);
@@ -92,9 +92,10 @@ class Resolver {
       report_circle({std::find(path.begin(), path.end(), slot), path.end()});
       return spoil(path);
     }
-    for (auto member = path.rbegin(); member != path.rend(); ++member) {
-      take_over(*member, targets_[*member]);
-      states_[*member] = State::done;
+    std::reverse(path.begin(), path.end());
+    for (Slot const member : path) {
+      take_over(member, targets_[member]);
+      states_[member] = State::done;
     }
   }
 

@@ -96,11 +96,11 @@ std::span<Rule const> rules() {
   return table;
 }
 
-Rule const* find_rule(Code wanted) {
+Rule const* find_rule(Code code) {
   std::span<Rule const> const table = rules();
-  auto const row = std::lower_bound(table.begin(), table.end(), wanted,
-                                    [](Rule const& rule, Code value) { return rule.code < value; });
-  return row != table.end() && row->code == wanted ? &*row : nullptr;
+  auto const row = std::lower_bound(table.begin(), table.end(), code,
+                                    [](Rule const& rule, Code wanted) { return rule.code < wanted; });
+  return row != table.end() && row->code == code ? &*row : nullptr;
 }
 
 }  // namespace axisc::validator
