@@ -17,14 +17,14 @@
 namespace axisc::grammar {
 
 enum class ValueKind : std::uint8_t {
-  integer,      ///< 20, -5, +5
-  hexadecimal,  ///< 0x400001
-  real,         ///< 1.8, .5, 1., 3.000000e+001
-  word,    ///< LOWPASS, TRUE, X_Achse: begins with a letter or underscore, ends at a blank or the line's end
-  quoted,  ///< "name (with bracket)"; the span includes the quotes
-  reference,         ///< P-AXIS-00212 or P-AXIS-00212.0
-  decimal_comma,     ///< 1,8
-  malformed_number,  ///< begins like a number and is none: 12abc, 0x, 1e, 007
+  integer,        ///< 20, -5, +5
+  hexadecimal,    ///< 0x400001
+  real,           ///< 1.8, .5, 1., 3.000000e+001
+  word,           ///< LOWPASS, TRUE, X_Achse: begins with a letter or underscore, ends at a blank or `(`
+  quoted,         ///< "name (with bracket)"; the span includes the quotes
+  reference,      ///< P-AXIS-00212 or P-AXIS-00212.0
+  decimal_comma,  ///< 1,8
+  malformed_number,  ///< begins like a number and is none: 12abc, 0x, 1e, 007; a string may well look so: 5.12.34.56.1.1
   other,             ///< anything else that does not begin a comment: C:\path, %x
 };
 
@@ -58,7 +58,8 @@ struct Problem {
   std::uint32_t line = 0;
 };
 
-/// A comment that may carry `axisc: allow CODE[,CODE]`: only those that contain "axisc:" are kept.
+/// A comment that may carry `axisc: allow CODE[,CODE]`: only those that contain "axisc:" are kept. Lines with a problem
+/// may have one too; comments behind `Ende` are not read.
 struct Directive {
   Span comment;
   bool whole_line = false;  ///< the line holds nothing else, so it speaks for the next line
@@ -70,7 +71,7 @@ struct AxisList {
   std::vector<Problem> problems;
   std::vector<Directive> directives;
   std::optional<Span> end_marker;  ///< the word `Ende`, in whatever letter case it was written
-  std::uint32_t lines = 0;
+  std::uint32_t lines = 0;         ///< a line end closes its line and opens no further one
 };
 
 /// Longest line that is read, in bytes (a longer one is AX9003 for the file).
