@@ -25,7 +25,7 @@ enum class ValueKind : std::uint8_t {
   reference,      ///< P-AXIS-00212 or P-AXIS-00212.0
   decimal_comma,  ///< 1,8
   malformed_number,  ///< begins like a number and is none: 12abc, 0x, 1e, 007; a string may well look so: 5.12.34.56.1.1
-  other,             ///< anything else that does not begin a comment: C:\path, %x
+  other,             ///< anything else that does not begin a comment: /path, %x
 };
 
 /// How the text behind the value token begins (meaningful behind numbers, booleans and references).
