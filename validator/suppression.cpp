@@ -87,10 +87,14 @@ bool Suppressions::silences(Finding const& finding, SourceSet const& sources) {
   auto const allowances = allowances_.find(finding.place->source);
   if (allowances == allowances_.end() || allowances->second.empty()) return false;
   std::uint32_t const line = sources[finding.place->source].position(finding.place->span.begin).line;
+  // Directives come in the order of the lines, so what they silence does too.
+  auto allowance =
+      std::lower_bound(allowances->second.begin(), allowances->second.end(), line,
+                       [](Allowance const& earlier, std::uint32_t wanted) { return earlier.line < wanted; });
   bool silenced = false;
-  for (Allowance& allowance : allowances->second) {
-    if (allowance.code != finding.code || allowance.line != line) continue;
-    allowance.used = true;
+  for (; allowance != allowances->second.end() && allowance->line == line; ++allowance) {
+    if (allowance->code != finding.code) continue;
+    allowance->used = true;
     silenced = true;
   }
   return silenced;
