@@ -1,12 +1,12 @@
 // Arrows only point down: an include may name a folder only if the target of the including folder links it.
+#include "support/catch.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <string>
-
-#include "support/catch.hpp"
 
 namespace {
 
@@ -27,7 +27,9 @@ std::map<std::string, std::set<std::string>> target_graph() {
     auto& links = graph[folder];
     links.insert(folder);
     auto const depends = text.find("DEPENDS");
-    std::string const tail = folder == "cli" ? text : depends == std::string::npos ? "" : text.substr(depends);
+    std::string const tail = folder == "cli"                ? text
+                             : depends == std::string::npos ? ""
+                                                            : text.substr(depends);
     for (std::sregex_iterator match(tail.begin(), tail.end(), word), end; match != end; ++match) {
       std::string const name = (*match)[1].matched ? (*match)[1].str() : (*match)[2].str();
       if (folders.contains(name)) links.insert(name);

@@ -1,11 +1,11 @@
 // Any bytes as a list or as a machine file: findings, never a crash; every place lies inside its source.
+#include "diagnostics/writers.hpp"
+#include "validator/check.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
-
-#include "diagnostics/writers.hpp"
-#include "validator/check.hpp"
 
 namespace {
 
@@ -33,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     options.pedantic = true;
     auto const result = axisc::validator::check(files, path, options, sources);
     for (auto const& finding : result.findings) {
-      if (finding.place && finding.place->span.end > sources[finding.place->source].bytes().size()) std::abort();
+      if (finding.place && finding.place->span.end > sources[finding.place->source].bytes().size())
+        std::abort();
       for (auto const language : {axisc::Language::english, axisc::Language::german}) {
         if (axisc::write_text(finding, sources, {.language = language, .color = false}).empty()) std::abort();
       }

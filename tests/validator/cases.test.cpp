@@ -1,4 +1,8 @@
 // tests/data/cases.txt: lists with the findings they must give, and no other.
+#include "support/catch.hpp"
+#include "support/map_files.hpp"
+#include "validator/check.hpp"
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
@@ -6,10 +10,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "support/catch.hpp"
-#include "support/map_files.hpp"
-#include "validator/check.hpp"
 
 namespace {
 
@@ -44,7 +44,10 @@ std::vector<Case> read_cases() {
     if (line.rfind("== ", 0) == 0) {
       preamble = false;
       auto const bar = line.find(" | ");
-      cases.push_back({line.substr(3, bar - 3), "", options_of(bar == std::string::npos ? "" : line.substr(bar + 3)), {}});
+      cases.push_back({line.substr(3, bar - 3),
+                       "",
+                       options_of(bar == std::string::npos ? "" : line.substr(bar + 3)),
+                       {}});
       line_number = 0;
       continue;
     }
@@ -54,7 +57,8 @@ std::vector<Case> read_cases() {
     cases.back().list += line.substr(0, mark) + "\n";
     if (mark == std::string::npos) continue;
     std::istringstream codes(line.substr(mark + 4));
-    for (std::string code; codes >> code;) cases.back().expected.push_back(std::to_string(line_number) + " " + code);
+    for (std::string code; codes >> code;)
+      cases.back().expected.push_back(std::to_string(line_number) + " " + code);
   }
   for (auto& one : cases) std::sort(one.expected.begin(), one.expected.end());
   return cases;
