@@ -85,12 +85,14 @@ void write_files(CompileWords const& words, std::vector<std::byte> const& image,
 std::string findings_text(CheckingWords const& words, validator::CheckResult const& result,
                           SourceSet const& sources, WriteOptions const& options) {
   auto const counts = count(result.findings);
-  if (words.format == FindingFormat::json)
+  if (words.format == FindingFormat::json) {
     return write_json(result.findings, sources, result.files.size(), options);
+  }
   std::string text;
   for (auto const& finding : result.findings) text += write_text(finding, sources, options) + "\n";
-  if (!words.quiet && !result.findings.empty())
+  if (!words.quiet && !result.findings.empty()) {
     text += write_text_summary(result.files.size(), counts, options);
+  }
   return text;
 }
 

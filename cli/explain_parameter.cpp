@@ -3,7 +3,7 @@
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/pages.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -46,10 +46,11 @@ std::string symbols_text(schema::Parameter const& parameter) {
 }
 
 std::string unit_text(schema::Parameter const& parameter, Language language) {
-  std::string const linear(parameter.unit_translatory);
-  std::string const rotary(parameter.unit_rotary);
+  std::string linear(parameter.unit_translatory);
+  std::string rotary(parameter.unit_rotary);
   if (linear == rotary || rotary.empty()) return linear;
-  return say(Text::explain_units, language, {{"translatory", linear}, {"rotary", rotary}});
+  return say(Text::explain_units, language,
+             {{"translatory", std::move(linear)}, {"rotary", std::move(rotary)}});
 }
 
 /// `filter[2].order` of the last entry, so that the number of entries is seen at once.
@@ -101,8 +102,6 @@ std::vector<std::string> rules_about(schema::Parameter const& parameter) {
     bool about = names(text, parameter.name) || (parameter.p_axis != 0 && names(text, number));
     switch (static_cast<unsigned>(rule.code)) {
       case 2002:
-        about = true;
-        break;
       case 2003:
         about = true;
         break;
@@ -178,8 +177,9 @@ std::string explain_parameter(schema::Parameter const& parameter, Language langu
   row(Text::explain_axis_types, axis_types_text(parameter.axis_types));
   row(Text::explain_since, std::string(parameter.since));
   row(Text::explain_rules, joined(rules_about(parameter)));
-  if (auto const line = example(parameter); !line.empty())
+  if (auto const line = example(parameter); !line.empty()) {
     text += "\n" + say(Text::explain_example, language) + "\n\n" + line;
+  }
   return text;
 }
 

@@ -27,13 +27,14 @@ fs::path identity_of(fs::path const& path) {
   return error ? path.lexically_normal() : canonical;
 }
 
-/// What a machine file names; nothing for a list, and for JSON that is no machine file.
+/// What a machine file names; nothing for a list, and for JSON that is no machine file. One that cannot be read counts,
+/// so that the check complains about it.
 MachineOutline outline_of(std::string const& path) {
   if (!has_extension(path, ".json")) return {};
   DiskFiles files;
   auto const bytes = files.read(path);
   auto const* const text = std::get_if<std::string>(&bytes);
-  return text == nullptr ? MachineOutline{} : read_machine_outline(*text);
+  return text == nullptr ? MachineOutline{.is_machine = true, .lists = {}} : read_machine_outline(*text);
 }
 
 Found found(std::string path, MachineOutline const& outline) {

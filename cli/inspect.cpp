@@ -52,8 +52,9 @@ ExitStatus inspect(Invocation const& invocation) {
               .memory = std::nullopt};
   if (target == Target::host) shown.memory = memory_of(*path, file);
   if (as_list) {
-    if (file.contents.lists.empty())
+    if (file.contents.lists.empty()) {
       throw Failure({.text = Text::cli_stripped, .arguments = {{"file", *path}}});
+    }
     invocation.streams.out.write(inspect_as_list(shown, invocation.language));
   } else {
     invocation.streams.out.write(form == Form::json ? inspect_json(shown)

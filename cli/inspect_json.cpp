@@ -75,8 +75,9 @@ ordered_json filter_json(codegen::ImageAxis const& axis, codegen::ImageFilter co
     json["sections"].push_back(section_json(section, made.blocks_constant, cycle_time));
   }
   json["settings"] = ordered_json::array();
-  for (auto const& value : settings_of(axis, filter, interface))
+  for (auto const& value : settings_of(axis, filter, interface)) {
     json["settings"].push_back(value_json(value));
+  }
   return json;
 }
 
@@ -106,8 +107,9 @@ ordered_json axis_json(codegen::ImageContents const& image, std::size_t index) {
                     {"delay_ms", axis.delay_cycles * image.cycle_time.seconds() * 1e3},
                     {"peak_gain", axis.peak_gain}};
   json["filters"] = ordered_json::array();
-  for (auto const& filter : axis.filters)
+  for (auto const& filter : axis.filters) {
     json["filters"].push_back(filter_json(axis, filter, false, image.cycle_time));
+  }
   json["interface_filters"] = ordered_json::array();
   for (auto const& filter : axis.interface_filters) {
     json["interface_filters"].push_back(filter_json(axis, filter, true, image.cycle_time));
@@ -129,8 +131,9 @@ std::string inspect_json(Shown const& shown) {
                     {"image_version", image.image_version},
                     {"cycle_time_us", image.cycle_time.microseconds()},
                     {"source_digest", hexadecimal(image.source_digest)}};
-  if (shown.memory)
+  if (shown.memory) {
     json["memory"] = {{"target", "host"}, {"bytes", *shown.memory}, {"alignment", AXISRT_ALIGNMENT}};
+  }
   json["lists"] = ordered_json::array();
   for (auto const& list : image.lists) {
     json["lists"].push_back({{"name", list.name}, {"sha256", hexadecimal(list.sha256)}});

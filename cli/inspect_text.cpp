@@ -123,8 +123,9 @@ class TextForm {
     if (made.realisation == design::Realisation::delay) {
       text += "    " + say(Text::inspect_pure_delay, {{"cycles", std::to_string(made.delay_cycles)}}) + "\n";
     }
-    if (made.realisation == design::Realisation::pass_through)
+    if (made.realisation == design::Realisation::pass_through) {
       text += "    " + say(Text::inspect_pass_through) + "\n";
+    }
     for (std::size_t i = 0; i < made.sections.size(); ++i) text += section(i, made);
     std::vector<std::vector<std::string>> settings;
     for (auto const& value : settings_of(axis, filter, interface)) {

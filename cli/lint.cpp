@@ -57,8 +57,9 @@ Checked check_input(Job const& job, std::string const& path) {
     checked.findings = std::move(result.findings);
     return checked;
   }
-  for (auto const& finding : result.findings)
+  for (auto const& finding : result.findings) {
     checked.text += write_text(finding, checked.sources, job.write) + "\n";
+  }
   checked.sources = {};
   return checked;
 }
@@ -96,8 +97,9 @@ void shift(Place& place, std::size_t by) {
 void collect(Checked& checked, std::vector<Finding>& findings, SourceSet& sources) {
   auto const before = sources.size();
   if (!checked.findings.empty()) {
-    for (std::size_t i = 0; i < checked.sources.size(); ++i)
+    for (std::size_t i = 0; i < checked.sources.size(); ++i) {
       sources.add(checked.sources[static_cast<SourceId>(i)]);
+    }
   }
   for (auto& finding : checked.findings) {
     if (finding.place) shift(*finding.place, before);

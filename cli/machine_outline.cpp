@@ -8,9 +8,9 @@ namespace axisc::cli {
 
 namespace {
 
-using nlohmann::json;
+using json_type = nlohmann::json;
 
-void add_list(std::vector<std::string>& lists, json const& object, char const* key) {
+void add_list(std::vector<std::string>& lists, json_type const& object, char const* key) {
   if (!object.is_object()) return;
   auto const found = object.find(key);
   if (found != object.end() && found->is_string()) lists.push_back(found->get<std::string>());
@@ -18,11 +18,11 @@ void add_list(std::vector<std::string>& lists, json const& object, char const* k
 
 }  // namespace
 
-MachineOutline read_machine_outline(std::string_view text) {
-  auto const document = json::parse(text.begin(), text.end(), nullptr, false);
+MachineOutline read_machine_outline(std::string_view json) {
+  auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);
   if (document.is_discarded()) {
     // A broken machine file is still one: its mistake is a finding.
-    return {.is_machine = text.find("\"axes\"") != std::string_view::npos, .lists = {}};
+    return {.is_machine = json.find("\"axes\"") != std::string_view::npos, .lists = {}};
   }
   MachineOutline outline;
   if (!document.is_object() || !document.contains("axes")) return outline;

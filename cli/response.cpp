@@ -48,8 +48,9 @@ std::vector<std::size_t> axes_with_chain(ImageFile const& file, ResponseWords co
   auto axes = chosen_axes(file.contents, words.axis);
   if (words.port == Port::setpoint) return axes;
   std::erase_if(axes, [&](std::size_t axis) { return file.contents.axes[axis].interface_filters.empty(); });
-  if (axes.empty())
+  if (axes.empty()) {
     throw Failure({.text = Text::cli_no_interface_filter, .arguments = {{"file", *words.image}}});
+  }
   return axes;
 }
 

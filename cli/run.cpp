@@ -52,16 +52,18 @@ void declare(CommandLine& command_line, RunWords& words) {
 double number(std::optional<std::string> const& word, char const* option, double otherwise) {
   if (!word) return otherwise;
   auto const value = parse_number(*word);
-  if (!value)
+  if (!value) {
     throw Failure({.text = Text::cli_bad_number, .arguments = {{"option", option}, {"value", *word}}});
+  }
   return *value;
 }
 
 std::uint64_t cycles(std::optional<std::string> const& word) {
   if (!word) return default_cycles;
   auto const value = parse_count(*word);
-  if (!value)
+  if (!value) {
     throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "--cycles"}, {"value", *word}}});
+  }
   return *value;
 }
 
@@ -124,7 +126,6 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageCon
 struct Refused {
   std::uint64_t count = 0;
   std::uint64_t first_cycle = 0;
-  std::string first_channel;
 };
 
 class Execution {

@@ -12,8 +12,9 @@ std::vector<Channel> all_channels(codegen::ImageContents const& image) {
   std::vector<Channel> channels;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
     channels.push_back({.axis = axis, .port = Port::setpoint});
-    if (!image.axes[axis].interface_filters.empty())
+    if (!image.axes[axis].interface_filters.empty()) {
       channels.push_back({.axis = axis, .port = Port::interface});
+    }
   }
   return channels;
 }

@@ -20,7 +20,7 @@ TEST_CASE("a machine and a single list compile") {
   auto const outcome = run_axisc({"compile", machine, "-o", folder / "m.axim"});
   CHECK(outcome.status == 0);
   CHECK(outcome.out.empty());
-  CHECK_THAT(outcome.err, Catch::Matchers::Contains("m.axim: 2 axes, 3 filters, "));
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("m.axim: written, axes: 2, filters: 3, "));
   CHECK(folder.read("m.axim").substr(0, 4) == "AXIM");
   auto const single = run_axisc({"compile", list, "-o", folder / "x.axim", "--cycle-time", "1ms", "--quiet"});
   CHECK(single.status == 0);
