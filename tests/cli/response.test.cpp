@@ -1,21 +1,9 @@
+#include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 
 using namespace axisc::test;
-
-namespace {
-
-std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
-
-Surroundings compiled(TemporaryFolder const& folder) {
-  Surroundings const there = in_folder(folder.path());
-  REQUIRE(run_axisc({"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"}, there).status ==
-          0);
-  return there;
-}
-
-}  // namespace
 
 TEST_CASE("a frequency response as CSV and JSON") {
   TemporaryFolder const folder;

@@ -1,3 +1,4 @@
+#include "cli/compiled_machine.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
@@ -5,15 +6,6 @@
 using namespace axisc::test;
 
 namespace {
-
-std::string const data = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/";
-
-Surroundings compiled(TemporaryFolder const& folder) {
-  Surroundings const there = in_folder(folder.path());
-  REQUIRE(run_axisc({"compile", data + "machine/machine.json", "-o", "m.axim", "--quiet"}, there).status ==
-          0);
-  return there;
-}
 
 std::vector<std::string> lines(std::string const& text) {
   std::vector<std::string> result;
