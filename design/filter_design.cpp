@@ -12,6 +12,12 @@ FilterDesign design_filter(FilterSpecification const& specification, CycleTime c
                                        : design_exact(specification, cycle_time);
 }
 
+FilterDesign design_oscillator(OscillatorSpecification const& specification, CycleTime cycle_time,
+                               Precision precision) {
+  return precision == Precision::quick ? design_quick(specification, cycle_time)
+                                       : design_exact(specification, cycle_time);
+}
+
 DirectSection direct_form(IncrementSection const& section, bool blocks_constant) {
   auto const [p, q, k, b] = section;
   double const a1 = k + b - 2;

@@ -24,6 +24,20 @@ struct LoadedAxis {
   MergedValues merged;
 };
 
+/// A channel: its axes and the NC programs that run in it.
+struct LoadedGroup {
+  std::string name;
+  std::vector<std::size_t> axes;  ///< indices into LoadedMachine::axes
+  std::vector<std::size_t>
+      programs;  ///< indices into LoadedMachine::programs: its own and those of every group
+};
+
+/// Gantry as lists and machine file together say it.
+struct LoadedGantry {
+  std::size_t master = 0;
+  std::vector<std::size_t> slaves;
+};
+
 struct LoadedMachine {
   std::string name;
   std::string path;  ///< the input
@@ -33,6 +47,8 @@ struct LoadedMachine {
   bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
   bool complete = true;               ///< every file that is named was read
   std::vector<LoadedAxis> axes;
+  std::vector<LoadedGroup> groups;  ///< without any in the machine file: all axes but spindles
+  std::vector<LoadedGantry> gantries;
   std::vector<Finding> findings;  ///< AX4020
   std::vector<std::string> files;
 

@@ -1,0 +1,42 @@
+// What a #FILTER command asks for, checked and free of its spelling.
+#pragma once
+
+#include "design/units.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace axisc::validator {
+
+/// The keywords of #FILTER that decide which kernel an axis gets. What is absent keeps the axis list's value.
+/// Canonical: ORDER_TIME has become the order it means at the NC cycle time (0 below one cycle), and is dropped beside
+/// ORDER; AX_DEV and ACC_FACT, which do not touch the kernel, stand in FilterCommand.
+struct FilterParameters {
+  std::optional<std::uint32_t> order;      ///< 0..200; 0 switches the filter off
+  std::optional<double> share_percent;     ///< 0..100
+  std::optional<design::Hertz> frequency;  ///< FCUT
+  std::optional<double> quality;           ///< 0 < q <= 1
+
+  [[nodiscard]] bool empty() const { return !order && !share_percent && !frequency && !quality; }
+  friend bool operator==(FilterParameters const&, FilterParameters const&) = default;
+};
+
+/// As a command would write it: "ORDER=20 SHARE=80"; empty for none. Numbers in their shortest exact form.
+[[nodiscard]] std::string to_text(FilterParameters const& parameters);
+
+enum class FilterSwitch : std::uint8_t {
+  unchanged,  ///< #FILTER [...]: changes parameters, leaves the switch as it is
+  on,
+  off,  ///< FIR and HSC
+};
+
+struct FilterCommand {
+  FilterSwitch filter_switch = FilterSwitch::unchanged;
+  bool hsc = false;  ///< [HSC]: acts on the HSC filters, without parameters
+  FilterParameters parameters;
+  double tolerance = 0;            ///< AX_DEV in mm (inch where the machine file says so); 0: no monitoring
+  double acceleration_factor = 1;  ///< ACC_FACT
+};
+
+}  // namespace axisc::validator
