@@ -35,6 +35,7 @@ using u32 = std::uint32_t;
 using u64 = std::uint64_t;
 using f64 = double;
 inline constexpr std::uint32_t mandatory = 0;
+inline constexpr std::uint32_t critical = 0;
 inline constexpr std::uint32_t optional = axim_flag_optional;
 }  // namespace format_types
 

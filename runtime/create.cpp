@@ -1,7 +1,5 @@
 #include "axisrt.h"
-#include "runtime/image_view.hpp"
-#include "runtime/layout.hpp"
-#include "runtime/runtime_object.hpp"
+#include "runtime/building.hpp"
 #include "runtime/self_test.hpp"
 
 namespace axisc::runtime {
@@ -10,15 +8,6 @@ namespace {
 bool is_known(axisrt_config const* config) {
   return config != nullptr && config->size == sizeof(axisrt_config);
 }
-
-/// The caller's memory, cut into the parts of a layout.
-struct Memory {
-  uint8_t* bytes;
-  template <class T>
-  [[nodiscard]] T* part(uint64_t offset) const {
-    return reinterpret_cast<T*>(bytes + static_cast<size_t>(offset));
-  }
-};
 
 /// Parts of the memory from which filters take their own, one after the other.
 struct FilterParts {
@@ -78,10 +67,17 @@ void make_axes(ImageView const& view, Filter const* filters, Axis* axes, Chain* 
     axes[i] = {.name_offset = record[field::axis::name_offset],
                .name_size = record[field::axis::name_size],
                .position_window = record[field::axis::position_window]};
-    setpoint[i] = {.filters = filters, .filter_count = record[field::axis::filter_count], .reserved = 0};
+    setpoint[i] = {.filters = filters,
+                   .before = nullptr,
+                   .behind = nullptr,
+                   .filter_count = record[field::axis::filter_count],
+                   .reserved = 0};
     filters += setpoint[i].filter_count;
-    additional_interface[i] = {
-        .filters = filters, .filter_count = record[field::axis::interface_filter_count], .reserved = 0};
+    additional_interface[i] = {.filters = filters,
+                               .before = nullptr,
+                               .behind = nullptr,
+                               .filter_count = record[field::axis::interface_filter_count],
+                               .reserved = 0};
     filters += additional_interface[i].filter_count;
   }
 }
@@ -114,17 +110,30 @@ axisrt* build(ImageView const& view, Layout const& layout, Memory memory) {
                filters);
   make_axes(view, filters, axes, setpoint_chains, interface_chains);
   make_states(view, interface_chains, setpoint_states, interface_states);
+  build_kernels(view, layout, memory);
+  build_slots(view, layout, memory);
+  build_groups(view, layout, memory);
+  build_controls(view, layout, memory);
 
   auto* const runtime = memory.part<axisrt>(layout.object);
   *runtime = {.axis_count = view.axes.count,
               .filter_count = view.filters.count,
               .cycle_time_ns = view.header()[field::header::cycle_time_ns],
+              .kernel_count = view.kernels.count,
+              .slot_count = view.slots.count,
+              .group_count = view.groups.count,
+              .control_count = view.controls.count,
               .reserved = 0,
               .names = view.names.first,
               .axes = axes,
               .filters = filters,
               .setpoint = {.chains = setpoint_chains, .states = setpoint_states},
-              .additional_interface = {.chains = interface_chains, .states = interface_states}};
+              .additional_interface = {.chains = interface_chains, .states = interface_states},
+              .kernels = memory.part<Kernel>(layout.kernels),
+              .slots = memory.part<Slot>(layout.slots),
+              .groups = memory.part<Group>(layout.groups),
+              .controls = memory.part<Control>(layout.controls),
+              .additive_velocities = memory.part<double>(layout.additive_velocities)};
   return runtime;
 }
 
@@ -143,7 +152,7 @@ axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
   status = check_memory(config, layout);
   if (status != AXISRT_OK) return status;
   axisrt* const built = build(view, layout, {.bytes = static_cast<uint8_t*>(config.memory)});
-  status = run_self_tests(view, built->filters);
+  status = run_self_tests(view, *built);
   if (status == AXISRT_OK) runtime = built;
   return status;
 }

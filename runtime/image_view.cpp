@@ -98,6 +98,7 @@ axisrt_status read_section(SectionEntry entry, ImageView& view) {
 
 axisrt_status check_mandatory_sections(ImageView const& view) {
   constexpr bool mandatory = true;
+  constexpr bool critical = false;
   constexpr bool optional = false;
   bool complete = true;
 #define AXIM_RECORD(record, size, meaning)

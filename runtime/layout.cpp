@@ -24,6 +24,11 @@ class Reservation {
 
 }  // namespace
 
+uint64_t history_length(Record<record::slot> slot) {
+  uint32_t const history = slot[field::slot::history];
+  return history > 0 ? history : 1;
+}
+
 Amounts count_amounts(ImageView const& view) {
   Amounts amounts{
       .axes = view.axes.count, .filters = view.filters.count, .sections = view.coefficients.count};
@@ -31,6 +36,16 @@ Amounts count_amounts(ImageView const& view) {
     amounts.section_states += view.filters[i][field::filter::section_count];
     amounts.ring_signals += view.filters[i][field::filter::delay_cycles];
   }
+  amounts.kernels = uint64_t{view.kernels.count} + 1;
+  amounts.tails = view.tails.count;
+  amounts.slots = view.slots.count;
+  for (uint32_t i = 0; i < view.slots.count; ++i) amounts.history += 2 * history_length(view.slots[i]);
+  amounts.groups = view.groups.count;
+  amounts.members = view.members.count;
+  amounts.banks = view.banks.count;
+  amounts.choices = view.choices.count;
+  amounts.controls = view.controls.count;
+  amounts.stages = view.stages.count;
   return amounts;
 }
 
@@ -43,11 +58,24 @@ Layout lay_out(Amounts const& amounts) {
   layout.interface_chains = memory.take<Chain>(amounts.axes);
   layout.filters = memory.take<Filter>(amounts.filters);
   layout.sections = memory.take<Section>(amounts.sections);
+  layout.kernels = memory.take<Kernel>(amounts.kernels);
+  layout.tails = memory.take<double>(amounts.tails);
+  layout.slots = memory.take<Slot>(amounts.slots);
+  layout.groups = memory.take<Group>(amounts.groups);
+  layout.members = memory.take<Slot const*>(amounts.members);
+  layout.banks = memory.take<Bank>(amounts.banks);
+  layout.choices = memory.take<Kernel const*>(amounts.choices);
+  layout.controls = memory.take<Control>(amounts.controls);
+  layout.stages = memory.take<Stage>(amounts.stages);
   layout.setpoint_states = memory.take<ChainState>(amounts.axes);
   layout.interface_states = memory.take<ChainState>(amounts.axes);
   layout.section_states = memory.take<SectionState>(amounts.section_states);
   layout.ring_positions = memory.take<uint32_t>(amounts.filters);
   layout.ring_signals = memory.take<Signal>(amounts.ring_signals);
+  layout.slot_states = memory.take<SlotState>(amounts.slots);
+  layout.history = memory.take<double>(amounts.history);
+  layout.stage_states = memory.take<ChainState>(amounts.stages);
+  layout.additive_velocities = memory.take<double>(amounts.controls);
   layout.size = memory.end();
   return layout;
 }

@@ -23,3 +23,22 @@ int axisrt_has_interface(axisrt const* runtime, uint32_t axis) {
   if (runtime == nullptr || axis >= runtime->axis_count) return 0;
   return runtime->additional_interface.chains[axis].filter_count > 0 ? 1 : 0;
 }
+
+int axisrt_has_position_control(axisrt const* runtime, uint32_t axis) {
+  if (runtime == nullptr) return 0;
+  for (uint32_t i = 0; i < runtime->control_count; ++i) {
+    if (runtime->controls[i].axis == axis) return 1;
+  }
+  return 0;
+}
+
+uint32_t axisrt_group_count(axisrt const* runtime) {
+  return runtime == nullptr ? 0 : runtime->group_count;
+}
+
+char const* axisrt_group_name(axisrt const* runtime, uint32_t group, size_t* length) {
+  bool const exists =
+      runtime != nullptr && group < runtime->group_count && runtime->groups[group].name_size > 0;
+  if (length != nullptr) *length = exists ? runtime->groups[group].name_size : 0;
+  return exists ? reinterpret_cast<char const*>(runtime->names + runtime->groups[group].name_offset) : "";
+}

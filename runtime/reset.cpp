@@ -7,11 +7,21 @@
 namespace axisc::runtime {
 namespace {
 
+/// Slots hold increments only, so that every constant signal passes them unchanged.
 void reset_chain(Chain const& chain, ChainState& state, double position) {
   Signal signal{.base = position, .sum = 0, .d = 0};
+  double* output = state.filter_output;
+  if (chain.before != nullptr) {
+    reset_slot(*chain.before);
+    *output++ = value_of(signal);
+  }
   for (uint32_t i = 0; i < chain.filter_count; ++i) {
     signal = reset_filter(chain.filters[i], signal);
-    state.filter_output[i] = value_of(signal);
+    *output++ = value_of(signal);
+  }
+  if (chain.behind != nullptr) {
+    reset_slot(*chain.behind);
+    *output = value_of(signal);
   }
   state.input = position;
   state.output = value_of(signal);
@@ -38,12 +48,15 @@ void shift_ring(Filter const& filter, Signal const& shift) {
 /// States of sections hold increments only: what moves with the origin are setpoints and delayed signals.
 void rebase_chain(Chain const& chain, ChainState& state, double offset) {
   Signal shift{.base = offset, .sum = 0, .d = 0};
+  double* output = state.filter_output;
+  if (chain.before != nullptr) *output++ += offset;
   for (uint32_t i = 0; i < chain.filter_count; ++i) {
     Filter const& filter = chain.filters[i];
     shift_ring(filter, shift);
     shift = steady_output(filter, shift);
-    state.filter_output[i] += value_of(shift);
+    *output++ += value_of(shift);
   }
+  if (chain.behind != nullptr) *output += value_of(shift);
   state.input += offset;
   state.output += value_of(shift);
 }
@@ -67,6 +80,25 @@ axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   return axisc::runtime::reset_port(runtime, runtime->additional_interface, axis, value);
+}
+
+axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set, double v_motor,
+                                    double v_direct) {
+  using namespace axisc::runtime;
+  if (runtime == nullptr || axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
+  double const velocities[] = {v_direct, v_motor, v_set};  // in the order of the modes
+  for (double const velocity : velocities) {
+    if (!is_within(velocity, largest_position)) return AXISRT_BAD_INPUT;
+  }
+  for (uint32_t i = 0; i < runtime->control_count; ++i) {
+    Control const& control = runtime->controls[i];
+    if (control.axis != axis) continue;
+    for (uint32_t stage = 0; stage < control.stage_count; ++stage) {
+      reset_chain(control.stages[stage].chain, control.stage_states[stage],
+                  velocities[control.stages[stage].mode - 1]);
+    }
+  }
+  return AXISRT_OK;
 }
 
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset) {

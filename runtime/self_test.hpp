@@ -2,13 +2,13 @@
 #pragma once
 
 #include "axisrt.h"
-#include "runtime/filter_kernel.hpp"
 #include "runtime/image_view.hpp"
+#include "runtime/runtime_object.hpp"
 
 namespace axisc::runtime {
 
-/// Runs every filter's samples on its own states with the kernel of the cycle, and leaves the steady state
-/// for 0.
-[[nodiscard]] axisrt_status run_self_tests(ImageView const& view, Filter const* filters);
+/// Runs every filter's samples on its own states with the kernel of the cycle, and every linear-phase kernel's on a slot
+/// that may execute it; leaves the steady state for 0, and every slot switched as it was.
+[[nodiscard]] axisrt_status run_self_tests(ImageView const& view, axisrt const& runtime);
 
 }  // namespace axisc::runtime

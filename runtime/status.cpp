@@ -42,6 +42,12 @@ const char* axisrt_status_text(axisrt_status status) {
       return "A position is not finite or beyond 2^53.";
     case AXISRT_NOT_RESET:
       return "The axis was never reset to a position.";
+    case AXISRT_BUSY:
+      return "A filter of the group is still changing over.";
+    case AXISRT_NO_BANK:
+      return "The image has no kernels for these filter parameters.";
+    case AXISRT_NEEDS_STANDSTILL:
+      return "These filters can only be changed while the axes stand.";
   }
   return "Unknown status.";
 }
@@ -88,6 +94,12 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_BAD_INPUT";
     case AXISRT_NOT_RESET:
       return "AXISRT_NOT_RESET";
+    case AXISRT_BUSY:
+      return "AXISRT_BUSY";
+    case AXISRT_NO_BANK:
+      return "AXISRT_NO_BANK";
+    case AXISRT_NEEDS_STANDSTILL:
+      return "AXISRT_NEEDS_STANDSTILL";
   }
   return "unknown";
 }

@@ -1,31 +1,12 @@
 #include "axisrt.h"
-#include "runtime/double_bits.hpp"
-#include "runtime/image_view.hpp"
 #include "runtime/limits.hpp"
+#include "runtime/verify_checks.hpp"
 
 namespace axisc::runtime {
 namespace {
 
 constexpr uint32_t longest_cycle_ns = 1'000'000'000;
 constexpr double half_ulp_of_one = 0x1p-53;
-
-template <class... Numbers>
-axisrt_status check_finite(Numbers... numbers) {
-  return (is_finite(numbers) && ...) ? AXISRT_OK : AXISRT_NOT_FINITE;
-}
-
-template <class... Conditions>
-axisrt_status check_bounds(Conditions... conditions) {
-  return (conditions && ...) ? AXISRT_OK : AXISRT_OUT_OF_BOUNDS;
-}
-
-/// The first check that fails decides.
-template <class... Checks>
-axisrt_status first_failure(Checks... checks) {
-  axisrt_status status = AXISRT_OK;
-  (void)(((status = checks()) == AXISRT_OK) && ...);
-  return status;
-}
 
 axisrt_status check_section(Record<record::coefficients> section) {
   double const p = section[field::coefficients::p];
@@ -44,7 +25,9 @@ bool is_known_axis_type(uint32_t type) {
   return type == 1 || type == 2 || type == 4;
 }
 
-bool is_known_filter_type(uint32_t type) {
+/// 0 is the oscillator, which stands in stages only.
+bool is_known_filter_type(uint32_t type, uint32_t port) {
+  if (type == 0) return port == axim_port_velocity;
   constexpr uint32_t known =
       1U << 1U | 1U << 2U | 1U << 3U | 1U << 4U | 1U << 5U | 1U << 6U | 1U << 10U | 1U << 11U;
   return type < 32 && ((known >> type) & 1U) != 0;
@@ -52,9 +35,11 @@ bool is_known_filter_type(uint32_t type) {
 
 axisrt_status check_kinds(Record<record::filter> filter) {
   uint32_t const prototype = filter[field::filter::prototype];
-  bool const known = filter[field::filter::port] <= 1 && filter[field::filter::realisation] <= 2 &&
+  uint32_t const port = filter[field::filter::port];
+  bool const known = port <= axim_port_velocity && filter[field::filter::realisation] <= 2 &&
                      filter[field::filter::activation] == 0 &&
-                     is_known_filter_type(filter[field::filter::type]) && prototype >= 1 && prototype <= 3;
+                     is_known_filter_type(filter[field::filter::type], port) && prototype >= 1 &&
+                     prototype <= 3;
   return known ? AXISRT_OK : AXISRT_UNKNOWN_KIND;
 }
 
@@ -79,16 +64,13 @@ axisrt_status check_realisation(ImageView const& view, Record<record::filter> fi
                       view.coefficients.holds(filter[field::filter::first_section], sections));
 }
 
-axisrt_status check_self_test(ImageView const& view, Record<record::filter> filter) {
-  uint32_t const samples = filter[field::filter::sample_count];
-  return check_bounds(samples <= axim_most_samples,
-                      samples == 0 || view.self_tests.holds(filter[field::filter::first_sample], samples));
-}
-
 axisrt_status check_filter(ImageView const& view, Record<record::filter> filter) {
   return first_failure(
       [&] { return check_kinds(filter); }, [&] { return check_share(filter); },
-      [&] { return check_realisation(view, filter); }, [&] { return check_self_test(view, filter); },
+      [&] { return check_realisation(view, filter); },
+      [&] {
+        return check_samples(view, filter[field::filter::first_sample], filter[field::filter::sample_count]);
+      },
       [&] {
         return check_finite(filter[field::filter::frequency], filter[field::filter::quality],
                             filter[field::filter::time_constant], filter[field::filter::share_percent],
@@ -96,24 +78,6 @@ axisrt_status check_filter(ImageView const& view, Record<record::filter> filter)
                             filter[field::filter::group_delay], filter[field::filter::kernel_sum],
                             filter[field::filter::peak_gain], filter[field::filter::overshoot]);
       });
-}
-
-/// Filters stand in the order of their chains, so that each belongs to exactly one: `next` is the first one
-/// that no chain has claimed yet.
-axisrt_status check_chain(ImageView const& view, uint32_t axis, uint32_t port, uint32_t first, uint32_t count,
-                          uint32_t most, uint32_t& next) {
-  if (count > most || !view.filters.holds(next, count)) return AXISRT_OUT_OF_BOUNDS;
-  if (count > 0 && first != next) return AXISRT_OUT_OF_BOUNDS;
-  for (uint32_t i = 0; i < count; ++i) {
-    Record<record::filter> const filter = view.filters[next + i];
-    if (filter[field::filter::axis] != axis) return AXISRT_OUT_OF_BOUNDS;
-    if (filter[field::filter::port] != port) return AXISRT_OUT_OF_BOUNDS;
-    bool const ascends =
-        i == 0 || filter[field::filter::index] > view.filters[next + i - 1][field::filter::index];
-    if (!ascends || filter[field::filter::index] >= axim_most_filters) return AXISRT_OUT_OF_BOUNDS;
-  }
-  next += count;
-  return AXISRT_OK;
 }
 
 axisrt_status check_axis(ImageView const& view, uint32_t index, uint32_t& next_filter) {
@@ -150,7 +114,8 @@ axisrt_status check_axes_and_chains(ImageView const& view) {
     axisrt_status const status = check_axis(view, i, next_filter);
     if (status != AXISRT_OK) return status;
   }
-  return check_bounds(next_filter == view.filters.count);
+  axisrt_status const status = check_controls(view, next_filter);
+  return status == AXISRT_OK ? check_bounds(next_filter == view.filters.count) : status;
 }
 
 axisrt_status check_sample(Record<record::sample> sample) {
@@ -172,15 +137,6 @@ axisrt_status check_value(ImageView const& view, Record<record::value> value) {
                       view.names.holds(value[field::value::text_offset], value[field::value::text_size]));
 }
 
-template <class RecordType, class Check>
-axisrt_status check_each(Table<RecordType> const& table, Check check) {
-  for (uint32_t i = 0; i < table.count; ++i) {
-    axisrt_status const status = check(table[i]);
-    if (status != AXISRT_OK) return status;
-  }
-  return AXISRT_OK;
-}
-
 axisrt_status check_cycle_time(Record<record::header> header) {
   uint32_t const cycle_time_ns = header[field::header::cycle_time_ns];
   return cycle_time_ns >= 1 && cycle_time_ns <= longest_cycle_ns ? AXISRT_OK : AXISRT_INCONSISTENT_CYCLE;
@@ -188,15 +144,39 @@ axisrt_status check_cycle_time(Record<record::header> header) {
 
 }  // namespace
 
+/// Filters stand in the order of their chains, so that each belongs to exactly one: `next` is the first one
+/// that no chain has claimed yet.
+axisrt_status check_chain(ImageView const& view, uint32_t axis, uint32_t port, uint32_t first, uint32_t count,
+                          uint32_t most, uint32_t& next) {
+  if (count > most || !view.filters.holds(next, count)) return AXISRT_OUT_OF_BOUNDS;
+  if (count > 0 && first != next) return AXISRT_OUT_OF_BOUNDS;
+  for (uint32_t i = 0; i < count; ++i) {
+    Record<record::filter> const filter = view.filters[next + i];
+    if (filter[field::filter::axis] != axis) return AXISRT_OUT_OF_BOUNDS;
+    if (filter[field::filter::port] != port) return AXISRT_OUT_OF_BOUNDS;
+    bool const ascends =
+        i == 0 || filter[field::filter::index] > view.filters[next + i - 1][field::filter::index];
+    if (!ascends || filter[field::filter::index] >= axim_most_filters) return AXISRT_OUT_OF_BOUNDS;
+  }
+  next += count;
+  return AXISRT_OK;
+}
+
 axisrt_status check_contents(ImageView const& view) {
   return first_failure(
       [&] { return check_cycle_time(view.header()); },
-      [&] { return check_each(view.filters, [&](auto filter) { return check_filter(view, filter); }); },
-      [&] { return check_axes_and_chains(view); },
-      [&] { return check_each(view.coefficients, check_section); },
-      [&] { return check_each(view.self_tests, check_sample); },
-      [&] { return check_each(view.lists, [&](auto list) { return check_list(view, list); }); },
-      [&] { return check_each(view.values, [&](auto value) { return check_value(view, value); }); });
+      [&] {
+        return check_each(view.filters, [&](auto filter, uint32_t) { return check_filter(view, filter); });
+      },
+      [&] { return check_axes_and_chains(view); }, [&] { return check_kernels(view); },
+      [&] {
+        return check_each(view.coefficients, [](auto section, uint32_t) { return check_section(section); });
+      },
+      [&] { return check_each(view.self_tests, [](auto sample, uint32_t) { return check_sample(sample); }); },
+      [&] { return check_each(view.lists, [&](auto list, uint32_t) { return check_list(view, list); }); },
+      [&] {
+        return check_each(view.values, [&](auto value, uint32_t) { return check_value(view, value); });
+      });
 }
 
 axisrt_status verify_image(void const* image, size_t size, ImageView& view) {

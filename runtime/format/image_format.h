@@ -4,16 +4,32 @@
 
 #include <stdint.h>
 
+/* Instead of an index: no kernel, the setpoint passes unchanged. */
+#define AXIM_NONE 0xFFFFFFFFu
+
 enum {
   axim_major = 1,
-  axim_minor = 0,
+  axim_minor = 1,
   axim_alignment = 64,
   axim_flag_optional = 1,
   axim_most_delay = 100,
   axim_most_sections = 6,
   axim_most_filters = 3,
   axim_most_interface_filters = 1,
+  axim_most_stage_filters = 3,
+  axim_most_stages = 3,
+  axim_most_tails = 200,
+  axim_most_fade_cycles = 4096,
   axim_most_samples = 1024,
+
+  axim_keyword_order = 1,
+  axim_keyword_share = 2,
+  axim_keyword_fcut = 4,
+  axim_keyword_quality = 8,
+  axim_keyword_hsc = 16,
+
+  axim_family_hsc = 1,
+  axim_family_fir = 2,
 
   axim_realisation_pass_through = 0,
   axim_realisation_sections = 1,
@@ -21,6 +37,7 @@ enum {
 
   axim_port_setpoint = 0,
   axim_port_interface = 1,
+  axim_port_velocity = 2,
 
 /* axim_<record>_size */
 #define AXIM_RECORD(record, size, meaning) axim_##record##_size = (size),

@@ -3,7 +3,8 @@
  * Life of a controller task:
  *   at start   axisrt_memory_size, axisrt_create (verifies the image, runs its self-tests, copies the coefficients)
  *   per axis   axisrt_reset to the axis' actual position, before its first step
- *   per cycle  axisrt_step, axisrt_step_interface
+ *   per cycle  axisrt_step, axisrt_step_interface, axisrt_step_velocity
+ *   between    axisrt_command, when the NC program switches filters
  *
  * The caller owns all memory; nothing here allocates, locks, does input or output, throws or recurses.
  * All calls for one runtime come from one task. Arrays have one entry per axis, in image order.
@@ -50,7 +51,12 @@ typedef enum axisrt_status {
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
   /* The axis was never reset: its output repeats the input (0 for one that is not finite), nothing was filtered. */
-  AXISRT_NOT_RESET = 41
+  AXISRT_NOT_RESET = 41,
+
+  /* axisrt_command. Nothing was changed. */
+  AXISRT_BUSY = 50,            /* a filter of the group is still changing over; try again in the next cycle */
+  AXISRT_NO_BANK = 51,         /* the image has no kernels for these parameters */
+  AXISRT_NEEDS_STANDSTILL = 52 /* no transition is gentle enough: only while the axes of the group stand */
 } axisrt_status;
 
 /* One sentence in English, for logs; never null. May be called anywhere. */
@@ -59,7 +65,7 @@ const char* axisrt_status_text(axisrt_status status);
 const char* axisrt_status_name(axisrt_status status);
 
 /* Version of this interface; changes when a program must be rebuilt. */
-#define AXISRT_ABI_VERSION 1u
+#define AXISRT_ABI_VERSION 2u
 uint32_t axisrt_abi_version(void);
 
 #define AXISRT_ALIGNMENT 64u
@@ -99,6 +105,12 @@ uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
 const char* axisrt_axis_name(const axisrt* runtime, uint32_t axis, size_t* length);
 /* 1 if the axis has a filter on its additional interface, else 0. */
 int axisrt_has_interface(const axisrt* runtime, uint32_t axis);
+/* 1 if the axis has an additive velocity (Improved Position Control of its own or of its gantry master), else 0. */
+int axisrt_has_position_control(const axisrt* runtime, uint32_t axis);
+/* NC channels that have an axis with a FIR or HSC filter. */
+uint32_t axisrt_group_count(const axisrt* runtime);
+/* As axisrt_axis_name. */
+const char* axisrt_group_name(const axisrt* runtime, uint32_t group, size_t* length);
 
 /* Puts every setpoint filter into the steady state for `position`: the next output for that setpoint is the steady
  * output (for DC gain 1 the position itself, exactly). AXISRT_BAD_INPUT, and nothing is changed, if the position is not
@@ -121,13 +133,83 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
  * Error against the exact filter: at most ulp(max(|in|, |out|))/2 + 2^-42 D, where D is the largest |out - in| since the
  * last rest (for chains that block the constant part: the largest distance of `in` from there). At rest a chain with DC
  * gain 1 ends at out == in, exactly and for good.
- * Cost: constant for a given image, whatever the values are. */
+ * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that of one
+ * kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
 /* One NC cycle of the additional interface; axes without a filter there pass through. */
 axisrt_status axisrt_step_interface(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
-#define AXISRT_MOST_FILTERS 3u
+/* Velocities of all axes in um/s or 1e-3 degree/s. */
+typedef struct axisrt_velocities {
+  uint32_t size;         /* sizeof(axisrt_velocities) */
+  uint32_t reserved;     /* 0 */
+  const double* v_set;   /* commanded by the position controller */
+  const double* v_motor; /* measured by the motor's encoder */
+  const double*
+      v_direct; /* measured by the direct measuring system; null: the motor's are used. For a single axis without
+                             such a system repeat the motor's velocity. */
+} axisrt_velocities;
+
+/* Puts the stages of an axis into the steady state for these velocities. To be called once before the first
+ * axisrt_step_velocity of the axis; else its additive velocity stays 0 and its status is AXISRT_NOT_RESET.
+ * AXISRT_BAD_INPUT, and nothing is changed, for velocities that are not finite or beyond 2^53. Cost: the axis' states. */
+axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set, double v_motor,
+                                    double v_direct);
+
+/* One NC cycle of Improved Position Control (P-AXIS-00750 to 00758).
+ * v_add[axis]: additive velocity in um/s or 1e-3 degree/s, within +-P-AXIS-00757/1000 * P-AXIS-00212; for a gantry slave its
+ * master's; 0 for other axes. increments[axis] (may be null): the same in drive increments, not rounded:
+ *   position control in the drive   v_add v_reso_num/v_reso_denom per minute, second or NC cycle (P-AXIS-00205..00207)
+ *   position control in the CNC     v_add 6e-5 multi_gain_z/multi_gain_n (P-AXIS-00129, 00128)
+ *   not known                       0
+ * status as for axisrt_step; a velocity that is not good is replaced by the last good one. The parameters may only be
+ * changed (another image) while the axis stands. Cost: constant for a given image. */
+axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in, double* v_add,
+                                   double* increments, uint8_t* status);
+
+/* What the NC command #FILTER asks for. */
+typedef enum axisrt_action {
+  AXISRT_ACTION_SET = 0, /* #FILTER [...]: other parameters, the switch stays as it is */
+  AXISRT_ACTION_ON =
+      1, /* #FILTER ON [...]: the lists' values with these parameters, nothing of earlier commands */
+  AXISRT_ACTION_OFF = 2,        /* #FILTER OFF: FIR and HSC filters; keywords are ignored */
+  AXISRT_ACTION_PROGRAM_END = 3 /* the state of start-up; keywords are ignored */
+} axisrt_action;
+
+#define AXISRT_KEYWORD_ORDER 1u   /* ORDER, or ORDER_TIME through axisrt_order_of_time */
+#define AXISRT_KEYWORD_SHARE 2u   /* SHARE in percent */
+#define AXISRT_KEYWORD_FCUT 4u    /* FCUT in Hz */
+#define AXISRT_KEYWORD_QUALITY 8u /* QUALITY */
+#define AXISRT_KEYWORD_HSC 16u    /* [HSC]: the HSC filters, without other keywords */
+
+typedef struct axisrt_filter_command {
+  uint32_t size;     /* sizeof(axisrt_filter_command) */
+  uint32_t action;   /* an axisrt_action */
+  uint32_t keywords; /* AXISRT_KEYWORD_... that the command names; the others keep the lists' values */
+  uint32_t order;
+  double share;
+  double fcut;
+  double quality;
+} axisrt_filter_command;
+
+/* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the image holds for
+ * these parameters; nothing is computed here. To be called between two cycles.
+ *
+ * While every axis of the group stands, the change is immediate and no output moves. In motion all axes change over
+ * together in a fade over F cycles, y = A + w (B - A), of which the image knows F. With setpoints within P-AXIS-00212 and
+ * P-AXIS-00008 (v and a per cycle) and P_A, P_B the two chains' peak gains, outputs of the fade keep
+ *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
+ *     |y[n] - 2 y[n-1] + y[n-2]|    <= max(P_A, P_B) a + a/4
+ * Returns AXISRT_OK (also where nothing changes), AXISRT_BUSY, AXISRT_NO_BANK, AXISRT_NEEDS_STANDSTILL, or
+ * AXISRT_BAD_ARGUMENT. Cost: the group's banks and axes; a cycle during a fade computes two kernels per axis. */
+axisrt_status axisrt_command(axisrt* runtime, uint32_t group, const axisrt_filter_command* command);
+
+/* The order that ORDER_TIME (in us) means: floor(time/T + 0.5), 0 below one cycle. */
+uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
+
+#define AXISRT_MOST_FILTERS 4u
+#define AXISRT_NO_KERNEL 0xFFFFFFFFu
 
 typedef struct axisrt_axis_state {
   double unfiltered;                         /* the setpoint that went in (the last good one) */
@@ -135,6 +217,9 @@ typedef struct axisrt_axis_state {
   double filter_output[AXISRT_MOST_FILTERS]; /* output of each filter of the cascade, in order */
   uint32_t filters;                          /* how many of them there are */
   uint32_t filters_on;                       /* bit i: filter i of the cascade works */
+  uint32_t
+      kernel; /* index in the image of the FIR or HSC kernel that works or begins to; AXISRT_NO_KERNEL: none */
+  uint32_t fading;     /* 1 while one kernel changes over to another */
   uint32_t settled;    /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
   uint32_t reset_done; /* 1 if the axis was reset since create */
 } axisrt_axis_state;

@@ -1,0 +1,138 @@
+#include "axisrt.h"
+#include "runtime/double_bits.hpp"
+#include "runtime/format/image_format.h"
+#include "runtime/runtime_object.hpp"
+
+namespace axisc::runtime {
+namespace {
+
+static_assert(AXISRT_KEYWORD_ORDER == axim_keyword_order && AXISRT_KEYWORD_SHARE == axim_keyword_share &&
+              AXISRT_KEYWORD_FCUT == axim_keyword_fcut && AXISRT_KEYWORD_QUALITY == axim_keyword_quality &&
+              AXISRT_KEYWORD_HSC == axim_keyword_hsc);
+
+bool has(uint32_t keywords, uint32_t keyword) {
+  return (keywords & keyword) != 0;
+}
+
+bool is_meant(Bank const& bank, axisrt_filter_command const& command) {
+  uint32_t const keywords = command.keywords;
+  return bank.keywords == keywords && (!has(keywords, axim_keyword_order) || bank.order == command.order) &&
+         (!has(keywords, axim_keyword_share) || bank.share == command.share) &&
+         (!has(keywords, axim_keyword_fcut) || bank.frequency == command.fcut) &&
+         (!has(keywords, axim_keyword_quality) || bank.quality == command.quality);
+}
+
+Bank const* find_bank(Group const& group, axisrt_filter_command const& command) {
+  for (uint32_t i = 0; i < group.bank_count; ++i) {
+    if (is_meant(group.banks[i], command)) return group.banks + i;
+  }
+  return nullptr;
+}
+
+/// What a command makes of the slots of a group.
+struct Change {
+  uint32_t action;
+  Bank const* bank;  ///< for SET and ON
+  Kernel const* pass;
+};
+
+bool reaches(Change const& change, Slot const& slot) {
+  if (change.bank == nullptr) return true;
+  bool const hsc = has(change.bank->keywords, axim_keyword_hsc);
+  return slot.family == (hsc ? axim_family_hsc : axim_family_fir);
+}
+
+struct Target {
+  Kernel const* kernel;
+  uint32_t on;
+};
+
+Target target_of(Change const& change, Slot const& slot, uint32_t member) {
+  uint32_t const on_before = slot.state->on;
+  switch (change.action) {
+    case AXISRT_ACTION_OFF:
+      return {.kernel = change.pass, .on = 0};
+    case AXISRT_ACTION_PROGRAM_END:
+      return {.kernel = slot.on_at_start != 0 ? slot.listed : change.pass, .on = slot.on_at_start};
+    case AXISRT_ACTION_ON:
+      return {.kernel = change.bank->choices[member], .on = 1};
+    default:
+      return {.kernel = on_before != 0 ? change.bank->choices[member] : change.pass, .on = on_before};
+  }
+}
+
+/// Calls `visit(slot, target)` for every slot of the group that the command reaches.
+template <class Visit>
+void for_each_slot(Group const& group, Change const& change, Visit visit) {
+  for (uint32_t member = 0; member < group.member_count; ++member) {
+    Slot const* const slot = group.members[member];
+    if (slot != nullptr && reaches(change, *slot)) visit(*slot, target_of(change, *slot, member));
+  }
+}
+
+/// 0 where only standstill allows it.
+uint32_t fade_cycles(Group const& group, Change const& change) {
+  switch (change.action) {
+    case AXISRT_ACTION_OFF:
+      return group.off_fade_cycles;
+    case AXISRT_ACTION_PROGRAM_END: {
+      uint32_t const on = group.banks[0].fade_cycles;
+      uint32_t const off = group.off_fade_cycles;
+      if (on == 0 || off == 0) return 0;
+      return on > off ? on : off;
+    }
+    default:
+      return change.bank->fade_cycles;
+  }
+}
+
+axisrt_status apply(Group const& group, Change const& change) {
+  bool busy = false;
+  bool changes = false;
+  bool rests = true;
+  for (uint32_t member = 0; member < group.member_count; ++member) {
+    Slot const* const slot = group.members[member];
+    if (slot == nullptr) continue;
+    busy = busy || is_fading(*slot->state);
+    rests = rests && is_at_rest(*slot);
+  }
+  if (busy) return AXISRT_BUSY;
+  for_each_slot(group, change, [&](Slot const& slot, Target target) {
+    changes = changes || slot.state->to != target.kernel;
+  });
+  // All slots of the channel change over the same cycles, so that its axes stay together.
+  uint32_t const fade = fade_cycles(group, change);
+  if (changes && !rests && fade == 0) return AXISRT_NEEDS_STANDSTILL;
+  for_each_slot(group, change, [&](Slot const& slot, Target target) {
+    if (slot.state->to != target.kernel) switch_slot(slot, target.kernel, rests ? 0 : fade);
+    slot.state->on = target.on;
+  });
+  return AXISRT_OK;
+}
+
+}  // namespace
+}  // namespace axisc::runtime
+
+axisrt_status axisrt_command(axisrt* runtime, uint32_t group, axisrt_filter_command const* command) {
+  using namespace axisc::runtime;
+  if (runtime == nullptr || command == nullptr || command->size != sizeof(axisrt_filter_command)) {
+    return AXISRT_BAD_ARGUMENT;
+  }
+  if (group >= runtime->group_count || command->action > AXISRT_ACTION_PROGRAM_END) {
+    return AXISRT_BAD_ARGUMENT;
+  }
+  Change change{.action = command->action, .bank = nullptr, .pass = runtime->kernels + runtime->kernel_count};
+  if (command->action == AXISRT_ACTION_ON || command->action == AXISRT_ACTION_SET) {
+    change.bank = find_bank(runtime->groups[group], *command);
+    if (change.bank == nullptr) return AXISRT_NO_BANK;
+  }
+  return apply(runtime->groups[group], change);
+}
+
+uint32_t axisrt_order_of_time(axisrt const* runtime, double time_us) {
+  if (runtime == nullptr || !axisc::runtime::is_finite(time_us)) return 0;
+  double const cycles = time_us * 1000 / runtime->cycle_time_ns;
+  constexpr double longest = 1e6;
+  if (!(cycles >= 1)) return 0;
+  return static_cast<uint32_t>((cycles < longest ? cycles : longest) + 0.5);
+}
