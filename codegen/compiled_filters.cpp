@@ -25,6 +25,14 @@ CompiledFilter const& CompiledFilters::filter(design::FilterSpecification const&
   return filters_[index_of(specification)];
 }
 
+CompiledFilter CompiledFilters::oscillator(design::OscillatorSpecification const& specification) const {
+  CompiledFilter compiled;
+  compiled.design = design::design_oscillator(specification, cycle_time_, design::Precision::exact);
+  compiled.proof = prove_filter(compiled.design);
+  compiled.self_test = make_self_test(compiled.design);
+  return compiled;
+}
+
 ChainProof CompiledFilters::chain(std::span<validator::ConfiguredFilter const> configured) {
   if (configured.empty()) return {};
   std::vector<std::size_t> indices;

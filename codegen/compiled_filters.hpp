@@ -5,6 +5,7 @@
 #include "codegen/proof.hpp"
 #include "codegen/self_test.hpp"
 #include "design/filter_design.hpp"
+#include "design/oscillator.hpp"
 #include "validator/machine.hpp"
 
 #include <cstddef>
@@ -27,6 +28,8 @@ class CompiledFilters {
 
   /// Valid until the next call. Cost: some milliseconds for a new specification, else a search.
   [[nodiscard]] CompiledFilter const& filter(design::FilterSpecification const& specification);
+  /// Not kept: stages rarely share an oscillator.
+  [[nodiscard]] CompiledFilter oscillator(design::OscillatorSpecification const& specification) const;
   /// Figures of filters in series; {1, 0} for none.
   [[nodiscard]] ChainProof chain(std::span<validator::ConfiguredFilter const> configured);
 

@@ -1,85 +1,57 @@
 #include "codegen/image_writer.hpp"
 
 #include "codegen/compiled_filters.hpp"
-#include "codegen/image_fields.hpp"
-#include "codegen/image_layout.hpp"
+#include "codegen/control_records.hpp"
+#include "codegen/filter_records.hpp"
+#include "codegen/image_tables.hpp"
+#include "codegen/kernel_records.hpp"
 #include "codegen/source_digest.hpp"
 
-#include <algorithm>
-#include <array>
 #include <span>
+#include <vector>
 
 namespace axisc::codegen {
 namespace {
 
-/// Consecutive records of a section; an empty range begins at 0.
-struct Range {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-};
-
-/// Runs of records of which equal ones are stored once.
-template <class Run>
-class SharedRuns {
- public:
-  /// The place of `run`; calls `append` for each record of a run that is not stored yet and gets place
-  /// `next`.
-  template <class Append>
-  Range place(Run const& run, std::uint32_t count, std::uint32_t next, Append append) {
-    if (count == 0) return {};
-    auto const known =
-        std::find_if(runs_.begin(), runs_.end(), [&](Entry const& entry) { return entry.run == run; });
-    if (known != runs_.end()) return {.first = known->first, .count = count};
-    runs_.push_back({.run = run, .first = next});
-    for (std::uint32_t i = 0; i < count; ++i) append(i);
-    return {.first = next, .count = count};
-  }
-
- private:
-  struct Entry {
-    Run run;
-    std::uint32_t first = 0;
-  };
-  std::vector<Entry> runs_;
-};
-
 class ImageBuilder {
  public:
   ImageBuilder(validator::Machine const& machine, ImageOptions const& options)
-      : machine_(machine), options_(options), compiled_(machine.cycle_time) {}
+      : machine_(machine),
+        options_(options),
+        compiled_(machine.cycle_time),
+        kernels_(machine.cycle_time),
+        filter_records_(tables_, compiled_, options.strip) {}
 
   std::vector<std::byte> build() {
+    KernelPlan const plan = plan_kernels(machine_, kernels_, [this](std::size_t axis) {
+      return compiled_.chain(machine_.axes[axis].filters).peak_gain;
+    });
     for (validator::AxisConfiguration const& axis : machine_.axes) add_axis(axis);
+    add_control_records(machine_, filter_records_, tables_);
+    add_kernel_records(plan, kernels_, options_.strip, tables_);
     if (!options_.strip) {
       for (validator::MachineList const& list : machine_.lists) add_list(list);
       for (std::uint32_t axis = 0; axis < machine_.axes.size(); ++axis) add_values(axis);
-    }
-
-    std::vector<SectionContent const*> sections = {&axes_.content(), &filters_.content(),
-                                                   &coefficients_.content()};
-    if (!options_.strip) {
-      sections.insert(sections.end(),
-                      {&names_.content(), &self_tests_.content(), &lists_.content(), &values_.content()});
     }
     return assemble_image({.cycle_time_ns = machine_.cycle_time.nanoseconds,
                            .axis_count = static_cast<std::uint32_t>(machine_.axes.size()),
                            .image_version = options_.image_version,
                            .source_digest = source_digest(machine_.lists),
                            .compiler_version = AXISC_VERSION},
-                          sections);
+                          tables_.contents(options_.strip));
   }
 
  private:
   void add_axis(validator::AxisConfiguration const& axis) {
-    std::uint32_t const axis_index = axes_.count();
-    Range const chain = add_filters(axis_index, validator::FilterPort::setpoint, axis.filters);
+    std::uint32_t const axis_index = tables_.axes.count();
+    Range const chain = filter_records_.add(axis_index, axim_port_setpoint, axis.filters);
     Range const interface_chain =
-        add_filters(axis_index, validator::FilterPort::additional_interface, axis.interface_filters);
-    ChainProof const proof = compiled_.chain(axis.filters);
+        filter_records_.add(axis_index, axim_port_interface, axis.interface_filters);
+    ChainProof const proof = as_it_starts(axis);
 
-    Record<records::axis> record = axes_.append();
+    Record<records::axis> record = tables_.axes.append();
     if (!options_.strip) {
-      TextRange const name = names_.add(axis.name);
+      TextRange const name = tables_.names.add(axis.name);
       record.set(fields::axis::name_offset, name.offset);
       record.set(fields::axis::name_size, name.size);
     }
@@ -97,82 +69,20 @@ class ImageBuilder {
     record.set(fields::axis::delay_cycles, proof.delay_cycles);
   }
 
-  Range add_filters(std::uint32_t axis, validator::FilterPort port,
-                    std::span<validator::ConfiguredFilter const> configured) {
-    if (configured.empty()) return {};
-    Range const range{.first = filters_.count(), .count = static_cast<std::uint32_t>(configured.size())};
-    for (validator::ConfiguredFilter const& filter : configured) add_filter(axis, port, filter);
-    return range;
-  }
-
-  void add_filter(std::uint32_t axis, validator::FilterPort port,
-                  validator::ConfiguredFilter const& configured) {
-    CompiledFilter const& compiled = compiled_.filter(configured.specification);
-    design::FilterDesign const& design = compiled.design;
-    Range const sections = place_sections(design.sections);
-    Range const samples = options_.strip ? Range{} : place_samples(compiled.self_test);
-
-    Record<records::filter> record = filters_.append();
-    record.set(fields::filter::axis, axis);
-    record.set(fields::filter::port, static_cast<std::uint32_t>(port));
-    record.set(fields::filter::index, configured.index);
-    record.set(fields::filter::realisation, static_cast<std::uint32_t>(design.realisation));
-    record.set(fields::filter::blocks_constant, design.blocks_constant ? 1U : 0U);
-    record.set(fields::filter::first_section, sections.first);
-    record.set(fields::filter::section_count, sections.count);
-    record.set(fields::filter::delay_cycles, design.delay_cycles);
-    record.set(fields::filter::share, design.share.filtered);
-    record.set(fields::filter::direct, design.share.direct);
-    record.set(fields::filter::direct_low, design.share.direct_low);
-    set_specification(record, configured.specification);
-    set_proof(record, compiled.proof);
-    record.set(fields::filter::first_sample, samples.first);
-    record.set(fields::filter::sample_count, samples.count);
-  }
-
-  static void set_specification(Record<records::filter>& record,
-                                design::FilterSpecification const& specification) {
-    record.set(fields::filter::type, static_cast<std::uint32_t>(specification.type));
-    record.set(fields::filter::prototype, static_cast<std::uint32_t>(specification.prototype));
-    record.set(fields::filter::order, specification.order);
-    record.set(fields::filter::frequency, specification.frequency.value);
-    record.set(fields::filter::quality, specification.quality);
-    record.set(fields::filter::time_constant, specification.time_constant.value);
-    record.set(fields::filter::share_percent, specification.share_percent);
-  }
-
-  static void set_proof(Record<records::filter>& record, FilterProof const& proof) {
-    record.set(fields::filter::pole_radius, proof.pole_radius);
-    record.set(fields::filter::dc_gain, proof.dc_gain);
-    record.set(fields::filter::group_delay, proof.group_delay);
-    record.set(fields::filter::kernel_sum, proof.kernel_sum);
-    record.set(fields::filter::peak_gain, proof.peak_gain);
-    record.set(fields::filter::overshoot, proof.overshoot);
-  }
-
-  Range place_sections(std::vector<design::IncrementSection> const& sections) {
-    return section_runs_.place(sections, static_cast<std::uint32_t>(sections.size()), coefficients_.count(),
-                               [&](std::uint32_t i) {
-                                 Record<records::coefficients> record = coefficients_.append();
-                                 record.set(fields::coefficients::p, sections[i].p);
-                                 record.set(fields::coefficients::q, sections[i].q);
-                                 record.set(fields::coefficients::k, sections[i].k);
-                                 record.set(fields::coefficients::b, sections[i].b);
-                               });
-  }
-
-  Range place_samples(SelfTest const& test) {
-    return sample_runs_.place(test, static_cast<std::uint32_t>(test.input.size()), self_tests_.count(),
-                              [&](std::uint32_t i) {
-                                Record<records::sample> record = self_tests_.append();
-                                record.set(fields::sample::input, test.input[i]);
-                                record.set(fields::sample::output, test.output[i]);
-                              });
+  /// The standard filters, and the kernel that works from start-up.
+  [[nodiscard]] ChainProof as_it_starts(validator::AxisConfiguration const& axis) {
+    ChainProof proof = compiled_.chain(axis.filters);
+    if (!axis.kernel || !axis.kernel->on_at_start) return proof;
+    std::uint32_t const kernel = kernels_.index_of(axis.kernel->specification);
+    if (kernel == no_kernel) return proof;
+    proof.peak_gain *= kernels_[kernel].proof.peak_gain;
+    proof.delay_cycles += kernels_[kernel].design.group_delay_cycles;
+    return proof;
   }
 
   void add_list(validator::MachineList const& list) {
-    TextRange const name = names_.add(list.name);
-    Record<records::list> record = lists_.append();
+    TextRange const name = tables_.names.add(list.name);
+    Record<records::list> record = tables_.lists.append();
     record.set(fields::list::name_offset, name.offset);
     record.set(fields::list::name_size, name.size);
     record.set(fields::list::role, list.is_default_list ? 1U : 0U);
@@ -181,9 +91,9 @@ class ImageBuilder {
 
   void add_values(std::uint32_t axis) {
     for (validator::SourcedValue const& value : machine_.axes[axis].values) {
-      TextRange const name = names_.add(value.name);
-      TextRange const text = names_.add(value.text);
-      Record<records::value> record = values_.append();
+      TextRange const name = tables_.names.add(value.name);
+      TextRange const text = tables_.names.add(value.text);
+      Record<records::value> record = tables_.values.append();
       record.set(fields::value::axis, axis);
       record.set(fields::value::list, value.list);
       record.set(fields::value::line, value.line);
@@ -197,15 +107,9 @@ class ImageBuilder {
   validator::Machine const& machine_;
   ImageOptions const& options_;
   CompiledFilters compiled_;
-  SectionTable<records::axis> axes_{sections::axes};
-  SectionTable<records::filter> filters_{sections::filters};
-  SectionTable<records::coefficients> coefficients_{sections::coefficients};
-  TextPool names_;
-  SectionTable<records::sample> self_tests_{sections::self_tests};
-  SectionTable<records::list> lists_{sections::lists};
-  SectionTable<records::value> values_{sections::values};
-  SharedRuns<std::vector<design::IncrementSection>> section_runs_;
-  SharedRuns<SelfTest> sample_runs_;
+  CompiledKernels kernels_;
+  ImageTables tables_;
+  FilterRecords filter_records_;
 };
 
 }  // namespace

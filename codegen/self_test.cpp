@@ -152,4 +152,21 @@ SelfTest make_self_test(design::FilterDesign const& filter) {
   return best;
 }
 
+/// y[n] = x[n] - Σ S_j d[n-j]
+SelfTest make_self_test(design::KernelDesign const& kernel) {
+  constexpr double amplitude = 0x1p-6;
+  using Number = Extended::Number;
+  std::vector<double> const& tails = kernel.tail_sums;
+  SelfTest test{.input = test_input(tails.size(), amplitude), .output = {}};
+  for (std::size_t n = 0; n < test.input.size(); ++n) {
+    Number y = test.input[n];
+    for (std::size_t j = 0; j < tails.size() && j <= n; ++j) {
+      double const before = n > j ? test.input[n - j - 1] : 0;
+      y -= Number(tails[j]) * (Number(test.input[n - j]) - Number(before));
+    }
+    test.output.push_back(static_cast<double>(y));
+  }
+  return test;
+}
+
 }  // namespace axisc::codegen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "design/filter_design.hpp"
+#include "design/kernel_design.hpp"
 
 #include <vector>
 
@@ -23,5 +24,8 @@ struct SelfTest {
 /// contraction, would use up more than half of the tolerance, a slightly smaller amplitude of the long part
 /// is taken. Cost: about 0.2 ms.
 [[nodiscard]] SelfTest make_self_test(design::FilterDesign const& filter);
+
+/// The same for a linear-phase kernel that does not let the signal pass.
+[[nodiscard]] SelfTest make_self_test(design::KernelDesign const& kernel);
 
 }  // namespace axisc::codegen

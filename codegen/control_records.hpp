@@ -1,0 +1,14 @@
+// Records of Improved Position Control.
+#pragma once
+
+#include "codegen/filter_records.hpp"
+#include "codegen/image_tables.hpp"
+#include "validator/machine.hpp"
+
+namespace axisc::codegen {
+
+/// A control for each axis with active stages and for each gantry slave of one. Call it when the filters of all axes stand
+/// in their tables: those of the stages follow.
+void add_control_records(validator::Machine const& machine, FilterRecords& filters, ImageTables& tables);
+
+}  // namespace axisc::codegen

@@ -1,0 +1,165 @@
+#include "codegen/kernel_plan.hpp"
+
+#include "codegen/fade.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace axisc::codegen {
+namespace {
+
+class Planner {
+ public:
+  Planner(validator::Machine const& machine, CompiledKernels& kernels,
+          std::function<double(std::size_t)> const& peak_gain)
+      : machine_(machine), kernels_(kernels), peak_gain_(peak_gain), slot_of_axis_(machine.axes.size()) {}
+
+  KernelPlan plan() {
+    add_slots();
+    for (validator::MachineGroup const& group : machine_.groups) add_group(group);
+    for (PlannedSlot& slot : plan_.slots) slot.history = longest(slot);
+    for (PlannedGroup& group : plan_.groups) set_fades(group);
+    return std::move(plan_);
+  }
+
+ private:
+  void add_slots() {
+    for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
+      auto const& configured = machine_.axes[axis].kernel;
+      if (!configured) continue;
+      slot_of_axis_[axis] = plan_.slots.size();
+      plan_.slots.push_back({.axis = axis,
+                             .family = configured->family,
+                             .index = configured->index,
+                             .kernel = kernels_.index_of(configured->specification),
+                             .on_at_start = configured->on_at_start,
+                             .history = 0,
+                             .group = std::nullopt,
+                             .member = 0});
+      reachable_.push_back({no_kernel, plan_.slots.back().kernel});
+    }
+  }
+
+  void add_group(validator::MachineGroup const& group) {
+    std::size_t const index = plan_.groups.size();
+    PlannedGroup planned{.name = group.name, .members = {}, .banks = {}, .off_fade_cycles = 0};
+    bool has_slot = false;
+    bool has_hsc = false;
+    for (std::size_t const axis : group.axes) {
+      if (auto const slot_index = slot_of_axis_[axis]) {
+        PlannedSlot& slot = plan_.slots[*slot_index];
+        if (slot.group) continue;
+        slot.group = index;
+        slot.member = planned.members.size();
+        has_slot = true;
+        has_hsc = has_hsc || is_hsc(slot);
+      }
+      planned.members.push_back(axis);
+    }
+    if (!has_slot) return;
+    plan_.groups.push_back(std::move(planned));
+    add_bank(index, {}, false);
+    for (auto const& parameters : group.filter_sets) add_bank(index, parameters, false);
+    if (has_hsc) add_bank(index, {}, true);
+  }
+
+  void add_bank(std::size_t group, validator::FilterParameters const& parameters, bool hsc) {
+    PlannedGroup& planned = plan_.groups[group];
+    PlannedBank bank{.parameters = parameters, .hsc = hsc, .choices = {}, .fade_cycles = 0};
+    for (std::size_t member = 0; member < planned.members.size(); ++member) {
+      bank.choices.push_back(choice(group, member, bank));
+    }
+    planned.banks.push_back(std::move(bank));
+  }
+
+  /// The kernel of a member; none for an axis that the bank does not concern.
+  std::uint32_t choice(std::size_t group, std::size_t member, PlannedBank const& bank) {
+    auto const slot_index = slot_of_axis_[plan_.groups[group].members[member]];
+    if (!slot_index) return no_kernel;
+    PlannedSlot const& slot = plan_.slots[*slot_index];
+    if (is_hsc(slot) != bank.hsc) return no_kernel;
+    auto const& listed = machine_.axes[slot.axis].kernel->specification;
+    std::uint32_t const kernel = kernels_.index_of(with_parameters(listed, bank.parameters));
+    reachable_[*slot_index].insert(kernel);
+    return kernel;
+  }
+
+  static bool is_hsc(PlannedSlot const& slot) { return slot.family == validator::KernelFamily::hsc; }
+
+  [[nodiscard]] std::uint32_t longest(PlannedSlot const& slot) const {
+    std::size_t tails = 0;
+    for (std::uint32_t const kernel : reachable_[*slot_of_axis_[slot.axis]]) {
+      if (kernel != no_kernel) tails = std::max(tails, kernels_[kernel].design.tail_sums.size());
+    }
+    return static_cast<std::uint32_t>(tails);
+  }
+
+  /// Cycles from the worst kernel that `slot` may be at to `kernel`; 0 where standstill is needed.
+  [[nodiscard]] std::uint32_t slot_fade(PlannedSlot const& slot, std::uint32_t kernel) const {
+    validator::AxisConfiguration const& axis = machine_.axes[slot.axis];
+    double distance = 0;
+    for (std::uint32_t const from : reachable_[*slot_of_axis_[slot.axis]]) {
+      distance = std::max(distance, tail_distance(design_of(from), design_of(kernel)));
+    }
+    MotionLimits const limits =
+        motion_limits(axis.velocity_limit, axis.acceleration_limit, machine_.cycle_time);
+    return fade_cycles(distance * peak_gain_(slot.axis), limits);
+  }
+
+  [[nodiscard]] design::KernelDesign const* design_of(std::uint32_t kernel) const {
+    return kernel == no_kernel ? nullptr : &kernels_[kernel].design;
+  }
+
+  /// All axes of a channel change over together: the longest fade of any of them.
+  void set_fades(PlannedGroup& group) const {
+    for (PlannedBank& bank : group.banks) {
+      bank.fade_cycles = group_fade(group, [&](PlannedSlot const& slot, std::size_t member) {
+        return is_hsc(slot) == bank.hsc ? std::optional(bank.choices[member]) : std::nullopt;
+      });
+    }
+    group.off_fade_cycles =
+        group_fade(group, [](PlannedSlot const&, std::size_t) { return std::optional(no_kernel); });
+  }
+
+  template <class TargetOf>
+  [[nodiscard]] std::uint32_t group_fade(PlannedGroup const& group, TargetOf target_of) const {
+    std::uint32_t longest = 1;
+    for (std::size_t member = 0; member < group.members.size(); ++member) {
+      auto const slot_index = slot_of_axis_[group.members[member]];
+      if (!slot_index) continue;
+      PlannedSlot const& slot = plan_.slots[*slot_index];
+      std::optional<std::uint32_t> const target = target_of(slot, member);
+      if (!target) continue;
+      std::uint32_t const cycles = slot_fade(slot, *target);
+      if (cycles == 0) return 0;
+      longest = std::max(longest, cycles);
+    }
+    return longest;
+  }
+
+  validator::Machine const& machine_;
+  CompiledKernels& kernels_;
+  std::function<double(std::size_t)> const& peak_gain_;
+  std::vector<std::optional<std::size_t>> slot_of_axis_;
+  std::vector<std::set<std::uint32_t>> reachable_;  ///< kernels of each slot
+  KernelPlan plan_;
+};
+
+}  // namespace
+
+design::KernelSpecification with_parameters(design::KernelSpecification specification,
+                                            validator::FilterParameters const& parameters) {
+  if (parameters.order) specification.order = *parameters.order;
+  if (parameters.share_percent) specification.share_percent = *parameters.share_percent;
+  if (parameters.frequency) specification.frequency = *parameters.frequency;
+  if (parameters.quality) specification.quality = *parameters.quality;
+  return specification;
+}
+
+KernelPlan plan_kernels(validator::Machine const& machine, CompiledKernels& kernels,
+                        std::function<double(std::size_t axis)> const& peak_gain) {
+  return Planner(machine, kernels, peak_gain).plan();
+}
+
+}  // namespace axisc::codegen

@@ -1,0 +1,51 @@
+#include "codegen/velocity_scaling.hpp"
+
+#include <algorithm>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace axisc::codegen {
+namespace {
+
+namespace mp = boost::multiprecision;
+using Exact = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+
+constexpr double largest_weight = 7;
+
+/// Seconds of the time base, as a quotient.
+Exact time_base(validator::DriveScaling const& scaling, design::CycleTime cycle_time) {
+  switch (scaling.time_base) {
+    case 0:
+      return Exact(60);
+    case 1:
+      return Exact(1);
+    default:
+      return Exact(cycle_time.nanoseconds) / 1'000'000'000;
+  }
+}
+
+}  // namespace
+
+double stage_weight(validator::PositionControlStage const& stage) {
+  return std::min(stage.weight_numerator / stage.weight_denominator, largest_weight);
+}
+
+double velocity_limit(validator::PositionControl const& control, double v_max) {
+  return control.limit_factor * v_max / 1000;
+}
+
+double increments_per_velocity(validator::DriveScaling const& scaling, design::CycleTime cycle_time) {
+  switch (scaling.controller) {
+    case validator::PositionController::drive:
+      return static_cast<double>(
+          Exact(Exact(scaling.v_reso_num) / Exact(scaling.v_reso_denom) * time_base(scaling, cycle_time)));
+    case validator::PositionController::cnc:
+      return static_cast<double>(
+          Exact(Exact(6) * Exact(scaling.multi_gain_z) / (Exact(scaling.multi_gain_n) * 100'000)));
+    case validator::PositionController::unknown:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace axisc::codegen
