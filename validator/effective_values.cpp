@@ -26,6 +26,14 @@ EffectiveValue const& internal_default(schema::Slot slot) {
 
 }  // namespace
 
+bool configured(EffectiveValue const& value) {
+  if (!value.set() || value.unusable) return false;
+  auto const standard = default_value(schema::parameter(schema::parameter_of(value.slot)));
+  if (!standard || standard->number != value.value.number) return true;
+  // Some words have no number.
+  return !standard->text.empty() && !value.value.text.empty() && standard->text != value.value.text;
+}
+
 EffectiveValues::EffectiveValues() : entry_of_slot_(schema::slot_count(), 0) {}
 
 EffectiveValue const& EffectiveValues::operator[](schema::Slot slot) const {

@@ -42,6 +42,10 @@ struct EffectiveValue {
   [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
 };
 
+/// True where a list gives the parameter a value that differs from its documented default. A value equal to the default
+/// means "not configured".
+[[nodiscard]] bool configured(EffectiveValue const& value);
+
 /// All parameters of one axis that a list sets, and the documented defaults of the others.
 class EffectiveValues {
  public:

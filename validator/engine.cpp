@@ -35,6 +35,7 @@ class Engine {
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
+      run_machine_checks();
     }
     decide();
     sort_findings(result_.findings);
@@ -92,7 +93,9 @@ class Engine {
   void run_axis(std::size_t index) {
     LoadedAxis const& axis = machine_.axes[index];
     EffectiveValues const& values = axis.merged.values;
-    AxisContext const context{.name = axis.name,
+    AxisContext const context{.machine = machine_,
+                              .index = index,
+                              .name = axis.name,
                               .type = axis.type,
                               .values = values,
                               .cycle_time = cycle_time_,
@@ -110,6 +113,20 @@ class Engine {
         for (FilterView const& filter : filters) {
           call(rule, *filter_check, FilterContext{.axis = context, .filter = filter}, axis.name,
                Subject{.axis = index, .port = filter.port, .filter = filter.index});
+        }
+      }
+    }
+  }
+
+  void run_machine_checks() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    for (Rule const& rule : rules()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
+        call(rule, *check, whole, {}, std::nullopt);
+      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
+        for (LoadedGroup const& group : machine_.groups) {
+          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, std::nullopt);
         }
       }
     }

@@ -2,8 +2,10 @@
 
 #include "grammar/axis_list.hpp"
 #include "validator/closest_word.hpp"
+#include "validator/gantry.hpp"
 #include "validator/rule.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -103,6 +105,8 @@ class Loader {
     } else {
       load_single(source);
     }
+    if (machine_.groups.empty()) add_default_group();
+    machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
     return std::move(machine_);
   }
@@ -120,6 +124,8 @@ class Loader {
 
   void load_machine(SourceId source) {
     MachineFile const file = read_machine_file(sources_, source, machine_.findings);
+    machine_.machine_file = source;
+    machine_.inch = file.inch;
     if (file.machine) machine_.name = file.machine->text;
     machine_.cycle_time = file.cycle_time;
     if (file.default_list) {
@@ -131,11 +137,57 @@ class Loader {
     for (MachineFileAxis const& named : file.axes) {
       std::optional<std::size_t> const list = list_named(named.list);
       if (!list) continue;
-      add_axis(*list, named.type).name = named.name.text;
+      LoadedAxis& axis = add_axis(*list, named.type);
+      axis.name = named.name.text;
+      axis.drive = named.drive;
+      if (named.position_control) {
+        axis.position_control =
+            named.position_control->text == "drive" ? PositionController::drive : PositionController::cnc;
+      }
     }
+    for (MachineFileGroup const& group : file.groups) add_group(group);
+    for (MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
     for (LocatedText const& program : file.programs) require_program(program);
     for (MachineFileGroup const& group : file.groups) {
       for (LocatedText const& program : group.programs) require_program(program);
+    }
+  }
+
+  /// None for an axis whose list could not be read.
+  [[nodiscard]] std::optional<std::size_t> axis_named(LocatedText const& name) const {
+    auto const axis = std::find_if(machine_.axes.begin(), machine_.axes.end(),
+                                   [&](LoadedAxis const& known) { return known.name == name.text; });
+    if (axis == machine_.axes.end()) return std::nullopt;
+    return static_cast<std::size_t>(axis - machine_.axes.begin());
+  }
+
+  void add_group(MachineFileGroup const& named) {
+    LoadedGroup& group = machine_.groups.emplace_back();
+    if (named.name) group.name = named.name->text;
+    for (LocatedText const& name : named.axes) {
+      std::optional<std::size_t> const axis = axis_named(name);
+      if (axis) group.axes.push_back(*axis);
+    }
+    std::sort(group.axes.begin(), group.axes.end());
+    group.axes.erase(std::unique(group.axes.begin(), group.axes.end()), group.axes.end());
+  }
+
+  void add_default_group() {
+    LoadedGroup group;
+    for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
+      if (machine_.axes[axis].type != AxisType::spindle) group.axes.push_back(axis);
+    }
+    if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
+  }
+
+  void add_claims(MachineFileGantry const& gantry) {
+    std::optional<std::size_t> const master = axis_named(gantry.master);
+    if (!master) return;
+    machine_.gantry_claims.push_back({.axis = *master, .master = std::nullopt, .place = gantry.master.place});
+    for (LocatedText const& name : gantry.slaves) {
+      std::optional<std::size_t> const slave = axis_named(name);
+      if (!slave || slave == master) continue;
+      machine_.gantry_claims.push_back({.axis = *slave, .master = master, .place = name.place});
     }
   }
 
@@ -194,6 +246,11 @@ class Loader {
 };
 
 }  // namespace
+
+bool program_gives_order(LoadedMachine const& /*machine*/, std::size_t /*axis*/) {
+  // Programs are not read yet: none gives an order.
+  return false;
+}
 
 std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
                                             CheckOptions const& options, SourceSet& sources) {

@@ -20,7 +20,10 @@ struct NamedList {
 struct LoadedAxis {
   std::string name;
   AxisType type = AxisType::translatory;
-  std::size_t list = 0;  ///< index into LoadedMachine::lists
+  std::size_t list = 0;              ///< index into LoadedMachine::lists
+  std::optional<LocatedText> drive;  ///< of the machine file; wins over kenngr.antr_typ
+  PositionController position_control =
+      PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
   MergedValues merged;
 };
 
@@ -38,6 +41,13 @@ struct LoadedGantry {
   std::vector<std::size_t> slaves;
 };
 
+/// A part that the machine file gives an axis in a gantry.
+struct GantryClaim {
+  std::size_t axis = 0;
+  std::optional<std::size_t> master;  ///< none: the axis is a master itself
+  Place place;                        ///< the axis' name there
+};
+
 struct LoadedMachine {
   std::string name;
   std::string path;  ///< the input
@@ -49,13 +59,19 @@ struct LoadedMachine {
   std::vector<LoadedAxis> axes;
   std::vector<LoadedGroup> groups;  ///< without any in the machine file: all axes but spindles
   std::vector<LoadedGantry> gantries;
-  std::vector<Finding> findings;  ///< AX4020
+  std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
+  std::optional<SourceId> machine_file;    ///< none for a single list
+  bool inch = false;                       ///< lengths in programs are inches
+  std::vector<Finding> findings;           ///< AX4020
   std::vector<std::string> files;
 
   [[nodiscard]] LoadedList const* list_of_defaults() const {
     return default_list ? &lists[*default_list].list : nullptr;
   }
 };
+
+/// A #FILTER command of an NC program or of `filter_sets` gives the axis' FIR filter an order.
+[[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 
 /// Reads the input and every file that it names. An error only where the input itself cannot be read.
 [[nodiscard]] std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,

@@ -1,5 +1,10 @@
 #include "validator/machine_build.hpp"
 
+#include "validator/drive.hpp"
+#include "validator/fir_view.hpp"
+#include "validator/hsc_view.hpp"
+#include "validator/position_control_view.hpp"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -27,7 +32,9 @@ class AxisBuilder {
     result.velocity_limit = number("getriebe[].dynamik.vb_max");
     result.acceleration_limit = number("getriebe[].dynamik.a_max");
     add_filters(result);
-    find_other_filters();
+    add_kernel(result);
+    add_position_control(result);
+    result.drive_scaling = drive_scaling();
     add_values(result);
     return result;
   }
@@ -42,44 +49,125 @@ class AxisBuilder {
     not_compiled_.push_back({.place = place, .feature = {.text = text, .arguments = std::move(arguments)}});
   }
 
+  /// An error about it was silenced; it must not be left out without a word.
+  void leave_out_filter(EffectiveValue const& value, std::string name) {
+    leave_out(value, Text::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
+  }
+
   void add_filters(AxisConfiguration& result) {
     bool const interface_on = values_.at("lr_param.add_interface.enable").value.flag();
     for (FilterView const& filter : touched_filters(values_)) {
       bool const setpoint = filter.port == FilterPort::setpoint;
-      if (!setpoint && !interface_on) continue;
-      if (setpoint && filter.is_hsc()) {
-        leave_out(filter.anchor(filter.prototype), Text::not_compiled_hsc,
-                  {{.name = "index", .value = std::to_string(filter.index)}});
-        continue;
-      }
+      if ((!setpoint && !interface_on) || is_configured_hsc(filter)) continue;
       std::optional<design::FilterSpecification> const specification = filter.specification(cycle_time_);
       if (specification) {
         auto& filters = setpoint ? result.filters : result.interface_filters;
         filters.push_back({.index = filter.index, .specification = *specification});
       } else if (filter.unusable() || (filter.enable.value.flag() && filter.order.value.number > 0)) {
-        // Its error was silenced; it must not be left out without a word.
         std::string name = setpoint ? "filter[" : "lr_param.add_interface.filter[";
         name.append(std::to_string(filter.index)).append("]");
-        leave_out(filter.anchor(filter.enable), Text::not_compiled_filter,
-                  {{.name = "filter", .value = std::move(name)}});
+        leave_out_filter(filter.anchor(filter.enable), std::move(name));
       }
     }
   }
 
-  void find_other_filters() {
-    EffectiveValue const& fir = values_.at("filter_fir.enable");
-    double const type = number("filter_fir.type");
-    bool const has_order = number("filter_fir.order") > 0 || number("filter_fir.order_time") > 0;
-    if (fir.value.flag() && type >= 1 && type <= 4 && has_order) leave_out(fir, Text::not_compiled_fir, {});
-
-    EffectiveValue const& position_control = values_.at("lr_param.improved_position_control.enable");
-    bool active = false;
-    for (std::uint32_t stage = 0; stage < 3; ++stage) {
-      std::string const& mode =
-          values_.at("lr_param.improved_position_control.stage[].mode", stage).value.text;
-      active = active || mode != "NOT_ACTIVE";
+  void add_kernel(AxisConfiguration& result) {
+    for (FilterView const& filter : configured_hsc(values_)) add_hsc(filter, result);
+    FirView const fir(values_);
+    if (!fir.configured() && !fir.type.unusable) return;
+    auto const specification = fir.specification(cycle_time_);
+    if (specification && !result.kernel) {
+      result.kernel = ConfiguredKernel{.family = KernelFamily::fir,
+                                       .index = 0,
+                                       .specification = *specification,
+                                       .on_at_start = fir.enable.value.flag()};
+    } else {
+      leave_out_filter(fir.anchor(fir.enable), "filter_fir");
     }
-    if (position_control.value.flag() && active) leave_out(position_control, Text::not_compiled_ipc, {});
+  }
+
+  void add_hsc(FilterView const& filter, AxisConfiguration& result) {
+    // NoVib without an order never works, and has been warned of.
+    if (hsc_type(filter) == HscType::novib && resulting_hsc_order(filter, cycle_time_) == 0) return;
+    auto const specification = hsc_kernel(filter, cycle_time_);
+    if (specification && filter.index == 0) {
+      result.kernel = ConfiguredKernel{.family = KernelFamily::hsc,
+                                       .index = filter.index,
+                                       .specification = *specification,
+                                       .on_at_start = false};
+    } else {
+      leave_out_filter(filter.anchor(filter.prototype), "filter[" + std::to_string(filter.index) + "]");
+    }
+  }
+
+  void add_position_control(AxisConfiguration& result) {
+    PositionControlView const view(values_);
+    PositionControl control;
+    control.limit_factor = view.limit.value.number;
+    for (StageView const& stage : view.active_stages()) {
+      auto built = build_stage(stage);
+      if (!built) {
+        leave_out_filter(stage.mode,
+                         "lr_param.improved_position_control.stage[" + std::to_string(stage.index) + "]");
+        return;
+      }
+      control.stages.push_back(*std::move(built));
+    }
+    if (!control.stages.empty()) result.position_control = std::move(control);
+  }
+
+  /// None where a value is out of its range.
+  [[nodiscard]] std::optional<PositionControlStage> build_stage(StageView const& stage) const {
+    PositionControlStage built;
+    built.index = stage.index;
+    built.mode = *stage.active_mode();
+    built.weight_numerator = stage.weight_numerator.value.number;
+    built.weight_denominator = stage.weight_denominator.value.number;
+    auto const bandpass = stage.bandpass();
+    if (!bandpass || !(built.weight_numerator > 0) || !(built.weight_denominator > 0)) return std::nullopt;
+    for (StageFilterView const& filter : stage.filters()) {
+      auto const specification = stage_filter(filter);
+      if (!specification) return std::nullopt;
+      built.filters.push_back(*specification);
+    }
+    if (!stage.simulates()) return built;
+    double const damping = stage.damping().value.number;
+    if (stage.damping().unusable || !(damping > 0 && damping < 1)) return std::nullopt;
+    built.oscillator = design::OscillatorSpecification{
+        .frequency = {bandpass->frequency.value.number},
+        .damping = damping,
+    };
+    return built;
+  }
+
+  /// Decisions of the filter mathematics: the band-pass has the Butterworth prototype, the all-pass Bessel's.
+  [[nodiscard]] std::optional<design::FilterSpecification> stage_filter(StageFilterView const& filter) const {
+    bool const bandpass = filter.kind == StageFilterType::bandpass;
+    double const order = filter.order.value.number;
+    double const frequency = filter.frequency.value.number;
+    double const quality = filter.quality.value.number;
+    bool const usable =
+        !filter.order.unusable && !filter.frequency.unusable && !(bandpass && filter.quality.unusable);
+    bool const in_range = order >= 1 && order <= 3 && frequency > 0 &&
+                          frequency < cycle_time_.nyquist().value &&
+                          (!bandpass || (quality >= 1 && quality <= 10));
+    if (!usable || !in_range) return std::nullopt;
+    design::FilterSpecification specification;
+    specification.type = bandpass ? design::FilterType::bandpass : design::FilterType::allpass;
+    specification.prototype = bandpass ? design::Prototype::butterworth : design::Prototype::bessel;
+    specification.order = static_cast<std::uint32_t>(order);
+    specification.frequency = {frequency};
+    if (bandpass) specification.quality = quality;
+    return specification;
+  }
+
+  [[nodiscard]] DriveScaling drive_scaling() const {
+    return {.controller = position_controller(axis_),
+            .v_reso_num = number("antr.v_reso_num"),
+            .v_reso_denom = number("antr.v_reso_denom"),
+            .time_base = static_cast<std::uint32_t>(number("antr.v_time_base")),
+            .multi_gain_z = number("getriebe[].multi_gain_z"),
+            .multi_gain_n = number("getriebe[].multi_gain_n")};
   }
 
   void add_values(AxisConfiguration& result) const {
@@ -115,6 +203,12 @@ BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources
   }
   for (LoadedAxis const& axis : loaded.axes) {
     built.machine.axes.push_back(AxisBuilder(loaded, axis, sources, built.not_compiled).build());
+  }
+  for (LoadedGantry const& gantry : loaded.gantries) {
+    for (std::size_t const slave : gantry.slaves) built.machine.axes[slave].gantry_master = gantry.master;
+  }
+  for (LoadedGroup const& group : loaded.groups) {
+    built.machine.groups.push_back({.name = group.name, .axes = group.axes, .filter_sets = {}});
   }
   return built;
 }

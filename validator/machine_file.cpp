@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/closest_word.hpp"
+#include "validator/drive.hpp"
 #include "validator/located_json.hpp"
 #include "validator/rule.hpp"
 
@@ -22,10 +23,6 @@ constexpr std::array<std::string_view, 5> axis_keys = {"name", "list", "drive", 
 constexpr std::array<std::string_view, 3> group_keys = {"name", "axes", "programs"};
 constexpr std::array<std::string_view, 2> gantry_keys = {"master", "slaves"};
 
-// The drives of P-AXIS-00020.
-constexpr std::array<std::string_view, 10> drives = {"SERCOS",       "PROFIDRIVE", "CANopen",  "simulation",
-                                                     "conventional", "Lightbus",   "terminal", "RT Ethernet",
-                                                     "virtual",      "CAN"};
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
 constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
 
@@ -34,6 +31,12 @@ using Words = std::vector<std::string_view>;
 template <std::size_t size>
 Words words(std::array<std::string_view, size> const& array) {
   return {array.begin(), array.end()};
+}
+
+Words drive_words() {
+  Words list;
+  for (DriveType const& drive : drive_types) list.push_back(drive.word);
+  return list;
 }
 
 std::string joined(Words const& list) {
@@ -248,7 +251,7 @@ class MachineFileReader {
     std::optional<LocatedText> name = required_text(object, "name");
     std::optional<LocatedText> list = required_text(object, "list");
     MachineFileAxis axis;
-    axis.drive = choice(object, "drive", words(drives));
+    axis.drive = choice(object, "drive", drive_words());
     axis.position_control = choice(object, "position_control", words(position_controls));
     if (auto const type = choice(object, "type", words(axis_types))) {
       axis.type = type->text == "T"   ? AxisType::translatory

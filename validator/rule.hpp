@@ -11,6 +11,7 @@
 #include "diagnostics/finding.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/filter_view.hpp"
+#include "validator/loading.hpp"
 #include "validator/machine.hpp"
 
 #include <array>
@@ -36,7 +37,7 @@ class Report {
   Finding& add(Place place, schema::Slot slot, Message message);
 
   Rule const* rule = nullptr;  ///< set by the engine
-  std::string axis;            ///< set by the engine
+  std::string axis;            ///< set by the engine; rules about several axes set it before they report
 
  private:
   std::vector<Finding>& findings_;
@@ -48,8 +49,24 @@ struct ListContext {
   SourceText const& source;
 };
 
+/// What a rule about the whole machine sees: axes, lists, gantries, the machine file's values. A list alone is a
+/// machine of one axis.
+struct MachineContext {
+  LoadedMachine const& machine;
+  design::CycleTime cycle_time;  ///< the assumed 1 ms where none is known
+  SourceSet const& sources;
+};
+
+/// What a rule about one channel sees.
+struct GroupContext {
+  MachineContext const& whole;
+  LoadedGroup const& group;
+};
+
 /// What a rule about one axis sees.
 struct AxisContext {
+  LoadedMachine const& machine;
+  std::size_t index;  ///< into LoadedMachine::axes
   std::string const& name;
   AxisType type;
   EffectiveValues const& values;
@@ -72,8 +89,10 @@ enum class Needs : std::uint8_t { nothing = 0, cycle_time = 1 };
 using ListCheck = void (*)(ListContext const&, Report&);
 using AxisCheck = void (*)(AxisContext const&, Report&);
 using FilterCheck = void (*)(FilterContext const&, Report&);
+using GroupCheck = void (*)(GroupContext const&, Report&);
+using MachineCheck = void (*)(MachineContext const&, Report&);
 /// monostate: reported by the reading of machine files or by the program itself, not by a check.
-using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck>;
+using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck>;
 
 struct Rule {
   Code code{};

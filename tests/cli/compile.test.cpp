@@ -68,11 +68,12 @@ TEST_CASE("a list without cycle time is refused") {
 
 TEST_CASE("a configured filter that cannot be compiled is refused") {
   TemporaryFolder const folder;
-  auto const path = folder.write(
-      "x.lis", "kopf.achs_nr 1\nfilter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 8\nEnde\n");
+  auto const path = folder.write("x.lis",
+                                 "kopf.achs_nr 1\nfilter_fir.enable 1\nfilter_fir.type 1\n"
+                                 "filter_fir.order 201 ( axisc: allow AX3001\nEnde\n");
   auto const outcome = run_axisc({"compile", path, "-o", folder / "x.axim", "--cycle-time", "1ms"});
   CHECK(outcome.status == 2);
-  CHECK_THAT(outcome.err, Catch::Matchers::Contains("x.lis:") && Catch::Matchers::Contains("FIR"));
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("x.lis:") && Catch::Matchers::Contains("filter_fir"));
   CHECK(folder.entries() == 1);
 }
 

@@ -1,7 +1,7 @@
 #include "validator/rules/characteristic_frequency.hpp"
 
 #include "validator/rules/filter_words.hpp"
-#include "validator/rules/fir_view.hpp"
+#include "validator/fir_view.hpp"
 
 #include <array>
 #include <cstdint>

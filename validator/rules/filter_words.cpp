@@ -48,12 +48,6 @@ std::string milliseconds(double value) {
   return number(value / 1e3) + " ms";
 }
 
-bool configured(EffectiveValue const& value) {
-  if (!value.set() || value.unusable) return false;
-  auto const standard = default_value(schema::parameter(schema::parameter_of(value.slot)));
-  return !standard || standard->number != value.value.number;
-}
-
 void react(Finding& finding, std::string_view messages, Message reaction, std::string value) {
   finding.control = ControlReaction{
       .message = std::string(messages), .reaction = std::move(reaction), .value = std::move(value)};

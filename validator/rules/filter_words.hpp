@@ -28,10 +28,6 @@ namespace axisc::validator::checks {
 /// "12 ms".
 [[nodiscard]] std::string milliseconds(double value);
 
-/// True where a list gives the parameter a value that differs from its documented default. A value equal to
-/// the default means "not configured".
-[[nodiscard]] bool configured(EffectiveValue const& value);
-
 /// What the control does; `messages` replaces the row's numbers for this case.
 void react(Finding& finding, std::string_view messages, Message reaction, std::string value = {});
 

@@ -1,6 +1,6 @@
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
-#include "validator/rules/fir_view.hpp"
+#include "validator/fir_view.hpp"
 
 #include <string>
 

@@ -27,6 +27,9 @@ set(axisc_rules_text_and_parameter
 # Filters and what was designed from them: AX3, AX6.
 set(axisc_rules_filter
   filter_view.cpp
+  fir_view.cpp
+  hsc_view.cpp
+  position_control_view.cpp
   rules/allpass_prototype.cpp
   rules/bandstop_overshoot.cpp
   rules/blocks_constant_part.cpp
@@ -36,7 +39,6 @@ set(axisc_rules_filter
   rules/enabled_without_order.cpp
   rules/filter_order_for_type.cpp
   rules/filter_words.cpp
-  rules/fir_view.cpp
   rules/frequency_above_nyquist.cpp
   rules/frequency_zero.cpp
   rules/interface_disabled.cpp

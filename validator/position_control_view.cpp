@@ -1,0 +1,106 @@
+#include "validator/position_control_view.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace axisc::validator {
+namespace {
+
+EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, std::string_view member,
+                                  std::uint32_t filter = 0) {
+  std::string pattern("lr_param.improved_position_control.stage[].");
+  return values.at(pattern.append(member), stage, filter);
+}
+
+StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
+  // The documented defaults differ: the first filter is a band-pass, the second is none.
+  if (!type.set() || type.unusable) return filter == 0 ? StageFilterType::bandpass : StageFilterType::none;
+  if (type.value.text == "NO_FILTER") return StageFilterType::none;
+  return type.value.text == "ALLPASS" ? StageFilterType::allpass : StageFilterType::bandpass;
+}
+
+StageFilterView older_filter(EffectiveValues const& values, std::uint32_t stage) {
+  return {.type = nullptr,
+          .order = stage_value(values, stage, "filter.order"),
+          .frequency = stage_value(values, stage, "filter.fg_f0"),
+          .quality = stage_value(values, stage, "filter.q_factor"),
+          .kind = StageFilterType::bandpass};
+}
+
+StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage, std::uint32_t filter) {
+  EffectiveValue const& type = stage_value(values, stage, "filter[].type", filter);
+  return {.type = &type,
+          .order = stage_value(values, stage, "filter[].order", filter),
+          .frequency = stage_value(values, stage, "filter[].fg_f0", filter),
+          .quality = stage_value(values, stage, "filter[].q_factor", filter),
+          .kind = kind_of(type, filter)};
+}
+
+}  // namespace
+
+StageView::StageView(EffectiveValues const& values, std::uint32_t index_)
+    : index(index_),
+      mode(stage_value(values, index_, "mode")),
+      weight_numerator(stage_value(values, index_, "weight_fact_num")),
+      weight_denominator(stage_value(values, index_, "weight_fact_denom")),
+      older_damping(stage_value(values, index_, "filter.damping")),
+      newer_damping(stage_value(values, index_, "osc_damping")),
+      older(older_filter(values, index_)),
+      newer{newer_filter(values, index_, 0), newer_filter(values, index_, 1)} {}
+
+std::optional<StageMode> StageView::active_mode() const {
+  double const number = mode.value.number;
+  if (mode.unusable || number < 1 || number > 3) return std::nullopt;
+  return static_cast<StageMode>(static_cast<int>(number));
+}
+
+bool StageView::simulates() const {
+  auto const active = active_mode();
+  return active && *active != StageMode::direct;
+}
+
+bool StageView::uses_newer_filters() const {
+  return std::any_of(newer.begin(), newer.end(), [](StageFilterView const& filter) {
+    return filter.type->set() || configured(filter.order) || configured(filter.frequency) ||
+           configured(filter.quality);
+  });
+}
+
+std::vector<StageFilterView> StageView::filters() const {
+  if (!uses_newer_filters()) return {older};
+  std::vector<StageFilterView> working;
+  for (StageFilterView const& filter : newer) {
+    if (filter.kind != StageFilterType::none) working.push_back(filter);
+  }
+  return working;
+}
+
+std::optional<StageFilterView> StageView::bandpass() const {
+  for (StageFilterView const& filter : filters()) {
+    if (filter.kind == StageFilterType::bandpass) return filter;
+  }
+  return std::nullopt;
+}
+
+EffectiveValue const& StageView::damping() const {
+  bool const is_newer = configured(newer_damping) || newer_damping.unusable ||
+                        (uses_newer_filters() && !configured(older_damping));
+  return is_newer ? newer_damping : older_damping;
+}
+
+PositionControlView::PositionControlView(EffectiveValues const& values)
+    : enable(values.at("lr_param.improved_position_control.enable")),
+      limit(values.at("lr_param.improved_position_control.v_add_max_fact")),
+      stages{StageView(values, 0), StageView(values, 1), StageView(values, 2)} {}
+
+std::vector<StageView> PositionControlView::active_stages() const {
+  std::vector<StageView> active;
+  if (!enabled()) return active;
+  for (StageView const& stage : stages) {
+    if (stage.active_mode()) active.push_back(stage);
+  }
+  return active;
+}
+
+}  // namespace axisc::validator
