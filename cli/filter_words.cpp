@@ -23,6 +23,10 @@ std::string_view prototype_word(design::Prototype prototype) {
   return word_of("filter[0].prototype", static_cast<int>(prototype));
 }
 
+std::string_view mode_word(validator::StageMode mode) {
+  return word_of("lr_param.improved_position_control.stage[0].mode", static_cast<int>(mode));
+}
+
 std::string filter_path(codegen::ImageFilter const& filter, bool interface) {
   return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
 }

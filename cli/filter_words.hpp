@@ -15,6 +15,9 @@ namespace axisc::cli {
 /// "CRIT_DAMPING".
 [[nodiscard]] std::string_view prototype_word(design::Prototype prototype);
 
+/// "DIRECT".
+[[nodiscard]] std::string_view mode_word(validator::StageMode mode);
+
 /// `filter[0]`, or `lr_param.add_interface.filter[0]`.
 [[nodiscard]] std::string filter_path(codegen::ImageFilter const& filter, bool interface);
 

@@ -80,11 +80,10 @@ std::string_view port_name(Port port) {
   return {};
 }
 
-void refuse_missing_features(std::string const& path, std::vector<std::string> const& commands, Port port) {
-  if (!commands.empty()) {
-    throw Failure({.text = Text::cli_no_banks, .arguments = {{"file", path}, {"command", commands.front()}}});
-  }
-  if (port == Port::velocity) throw Failure({.text = Text::cli_no_velocities, .arguments = {{"file", path}}});
+codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file) {
+  auto host = codegen::RuntimeHost::create(file.bytes.bytes());
+  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
+  return std::get<codegen::RuntimeHost>(std::move(host));
 }
 
 }  // namespace axisc::cli

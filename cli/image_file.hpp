@@ -5,6 +5,7 @@
 #include "cli/failure.hpp"
 #include "codegen/aligned_bytes.hpp"
 #include "codegen/image_contents.hpp"
+#include "codegen/runtime_host.hpp"
 
 #include <optional>
 #include <string>
@@ -37,7 +38,7 @@ enum class Port : std::uint8_t { setpoint, interface, velocity };
 /// "setpoint", "interface", "velocity".
 [[nodiscard]] std::string_view port_name(Port port);
 
-/// Failure for commands (`--at`) and the velocity port: no image of this format carries what they need.
-void refuse_missing_features(std::string const& path, std::vector<std::string> const& commands, Port port);
+/// The runtime for an image that was loaded. Failure AX9004 where this processor fails its self-tests.
+[[nodiscard]] codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file);
 
 }  // namespace axisc::cli

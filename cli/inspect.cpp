@@ -4,9 +4,6 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/image_file.hpp"
-#include "codegen/runtime_host.hpp"
-
-#include <variant>
 
 namespace axisc::cli {
 
@@ -14,12 +11,6 @@ namespace {
 
 enum class Form : std::uint8_t { text, json };
 enum class Target : std::uint8_t { none, host };
-
-std::size_t memory_of(std::string const& path, ImageFile const& file) {
-  auto const host = codegen::RuntimeHost::create(file.bytes.bytes());
-  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
-  return std::get<codegen::RuntimeHost>(host).memory_size();
-}
 
 }  // namespace
 
@@ -50,7 +41,7 @@ ExitStatus inspect(Invocation const& invocation) {
               .image = file.contents,
               .axes = chosen_axes(file.contents, axis),
               .memory = std::nullopt};
-  if (target == Target::host) shown.memory = memory_of(*path, file);
+  if (target == Target::host) shown.memory = start_runtime(*path, file).memory_size();
   if (as_list) {
     if (file.contents.lists.empty()) {
       throw Failure({.text = Text::cli_stripped, .arguments = {{"file", *path}}});

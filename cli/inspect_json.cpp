@@ -1,12 +1,11 @@
 #include "cli/filter_words.hpp"
 #include "cli/image_file.hpp"
 #include "cli/inspect.hpp"
+#include "cli/inspect_parts_json.hpp"
 #include "design/filter_design.hpp"
 
 #include <cmath>
 #include <numbers>
-
-#include <nlohmann/json.hpp>
 
 namespace axisc::cli {
 
@@ -21,6 +20,8 @@ ordered_json pole_json(std::complex<double> pole, design::CycleTime cycle_time) 
           {"frequency_hz", std::abs(std::arg(pole)) / (2 * std::numbers::pi * cycle_time.seconds())}};
 }
 
+}  // namespace
+
 ordered_json section_json(design::IncrementSection const& section, bool blocks_constant,
                           design::CycleTime cycle_time) {
   auto const direct = design::direct_form(section, blocks_constant);
@@ -31,6 +32,8 @@ ordered_json section_json(design::IncrementSection const& section, bool blocks_c
           {"q", section.q},  {"k", section.k},
           {"b", section.b},  {"poles", {pole_json(first, cycle_time), pole_json(second, cycle_time)}}};
 }
+
+namespace {
 
 char const* realisation_word(design::Realisation realisation) {
   switch (realisation) {
@@ -114,6 +117,8 @@ ordered_json axis_json(codegen::ImageContents const& image, std::size_t index) {
   for (auto const& filter : axis.interface_filters) {
     json["interface_filters"].push_back(filter_json(axis, filter, true, image.cycle_time));
   }
+  if (axis.slot) json["linear_phase_filter"] = slot_json(*axis.slot);
+  if (axis.control) json["position_control"] = control_json(image, *axis.control);
   json["values"] = ordered_json::array();
   for (auto const& value : axis.values) json["values"].push_back(value_json(value));
   return json;
@@ -140,6 +145,10 @@ std::string inspect_json(Shown const& shown) {
   }
   json["axes"] = ordered_json::array();
   for (auto const index : shown.axes) json["axes"].push_back(axis_json(image, index));
+  json["kernels"] = ordered_json::array();
+  for (auto const& kernel : image.kernels) json["kernels"].push_back(kernel_json(kernel, image.cycle_time));
+  json["channels"] = ordered_json::array();
+  for (auto const& group : image.groups) json["channels"].push_back(group_json(image, group));
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,23 +1,17 @@
 #include "cli/filter_words.hpp"
 #include "cli/image_file.hpp"
 #include "cli/inspect.hpp"
+#include "cli/inspect_writer.hpp"
 #include "cli/text_table.hpp"
-#include "design/filter_design.hpp"
 #include "diagnostics/format_number.hpp"
-
-#include <cmath>
-#include <numbers>
 
 namespace axisc::cli {
 
 namespace {
 
-constexpr std::size_t label_width = 20;
-constexpr int figures = 5;
-
-class TextForm {
+class TextForm : public InspectWriter {
  public:
-  TextForm(codegen::ImageContents const& image, Language language) : image_(image), language_(language) {}
+  using InspectWriter::InspectWriter;
 
   std::string header(Shown const& shown) const {
     std::string text = say(Text::inspect_heading, {{"file", shown.file},
@@ -54,24 +48,15 @@ class TextForm {
     text += row(Text::inspect_chain, say(Text::inspect_chain_value, {{"cycles", rounded(axis.delay_cycles)},
                                                                      {"ms", milliseconds(axis.delay_cycles)},
                                                                      {"gain", rounded(axis.peak_gain)}}));
-    return text + filters(axis, axis.filters, false) + filters(axis, axis.interface_filters, true);
+    if (!axis.filters.empty() || !axis.slot) text += filters(axis, axis.filters, false);
+    text += slot_text(index) + filters(axis, axis.interface_filters, true);
+    return text + control_text(index);
   }
 
  private:
-  std::string say(Text text, std::vector<Argument> arguments = {}) const {
-    return render({.text = text, .arguments = std::move(arguments)}, language_);
-  }
-  std::string row(Text label, std::string const& value) const {
-    return "  " + padded(say(label), label_width) + value + "\n";
-  }
   std::string version() const {
     return std::to_string(image_.format_major) + "." + std::to_string(image_.format_minor);
   }
-  static std::string rounded(double value) { return format_rounded(value, figures); }
-  std::string milliseconds(double cycles) const {
-    return rounded(cycles * image_.cycle_time.seconds() * 1e3);
-  }
-
   static Text type_text(std::uint32_t type) {
     if (type == 2) return Text::inspect_rotary;
     return type == 4 ? Text::inspect_spindle : Text::inspect_translatory;
@@ -133,28 +118,6 @@ class TextForm {
     }
     return text + text_table(settings, 4);
   }
-
-  std::string section(std::size_t index, design::FilterDesign const& made) const {
-    auto const& section = made.sections[index];
-    auto const direct = design::direct_form(section, made.blocks_constant);
-    auto const [first, second] = design::poles(section);
-    auto const head = say(Text::inspect_section, {{"number", std::to_string(index + 1)}});
-    std::string const below(display_width(head), ' ');
-    return "    " + head + "  b0 " + format_exact(direct.b0) + "  b1 " + format_exact(direct.b1) + "  b2 " +
-           format_exact(direct.b2) + "  a1 " + format_exact(direct.a1) + "  a2 " + format_exact(direct.a2) +
-           "\n    " + below + "  p " + format_exact(section.p) + "  q " + format_exact(section.q) + "  k " +
-           format_exact(section.k) + "  b " + format_exact(section.b) + "\n    " + below + "  " +
-           say(Text::inspect_poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
-  }
-
-  std::string pole(std::complex<double> pole) const {
-    double const frequency = std::abs(std::arg(pole)) / (2 * std::numbers::pi * image_.cycle_time.seconds());
-    return say(Text::inspect_pole,
-               {{"radius", format_rounded(std::abs(pole), 9)}, {"frequency", rounded(frequency)}});
-  }
-
-  codegen::ImageContents const& image_;
-  Language language_;
 };
 
 }  // namespace
@@ -163,6 +126,7 @@ std::string inspect_text(Shown const& shown, Language language) {
   TextForm const form(shown.image, language);
   std::string text = form.header(shown);
   for (auto const index : shown.axes) text += "\n" + form.axis(index);
+  text += form.kernels_text(shown.axes) + form.channels_text(shown.axes);
   return text;
 }
 

@@ -5,7 +5,8 @@
 #include "cli/frequencies.hpp"
 #include "cli/image_file.hpp"
 #include "cli/json_text.hpp"
-#include "design/filter_analysis.hpp"
+#include "cli/port_response.hpp"
+#include "cli/timed_commands.hpp"
 #include "diagnostics/format_number.hpp"
 
 namespace axisc::cli {
@@ -35,42 +36,37 @@ void declare(CommandLine& command_line, ResponseWords& words) {
                       Text::cli_opt_response_format);
 }
 
-std::vector<design::FilterDesign> chain_of(codegen::ImageAxis const& axis, Port port) {
-  std::vector<design::FilterDesign> chain;
-  for (auto const& filter : port == Port::interface ? axis.interface_filters : axis.filters) {
-    chain.push_back(filter.design);
-  }
-  return chain;
-}
-
-/// Axes with a chain at that port; the setpoint of an axis without filters passes unchanged and is shown so.
-std::vector<std::size_t> axes_with_chain(ImageFile const& file, ResponseWords const& words) {
+/// Axes with something at that port; the setpoint of an axis without filters passes unchanged and is shown so.
+std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseWords const& words) {
   auto axes = chosen_axes(file.contents, words.axis);
-  if (words.port == Port::setpoint) return axes;
-  std::erase_if(axes, [&](std::size_t axis) { return file.contents.axes[axis].interface_filters.empty(); });
-  if (axes.empty()) {
-    throw Failure({.text = Text::cli_no_interface_filter, .arguments = {{"file", *words.image}}});
-  }
-  return axes;
+  std::erase_if(axes, [&](std::size_t axis) {
+    auto const& contents = file.contents.axes[axis];
+    if (words.port == Port::interface) return contents.interface_filters.empty();
+    return words.port == Port::velocity && !contents.control;
+  });
+  if (!axes.empty()) return axes;
+  throw Failure(
+      {.text = words.port == Port::velocity ? Text::cli_no_velocities : Text::cli_no_interface_filter,
+       .arguments = {{"file", *words.image}}});
 }
 
-void write_csv_rows(Console& out, std::string const& axis, std::vector<design::FilterDesign> const& chain,
-                    std::vector<double> const& frequencies, design::CycleTime cycle_time) {
+void write_csv_rows(Console& out, std::string const& axis, PortResponse const& response,
+                    std::vector<double> const& frequencies) {
   std::string name;
   append_csv_name(name, axis);
   for (double const frequency : frequencies) {
-    auto const point = design::chain_response(chain, {frequency}, cycle_time);
+    auto const point = response.at({frequency});
     std::string line = name + ",";
     append_csv_row(line, std::array{frequency, point.magnitude, point.phase_rad, point.group_delay_s});
     out.write(line);
   }
 }
 
-std::string json_rows(std::string const& axis, std::vector<design::FilterDesign> const& chain,
-                      std::vector<double> const& frequencies, design::CycleTime cycle_time) {
+std::string json_rows(std::string const& axis, PortResponse const& response,
+                      std::vector<double> const& frequencies) {
   std::string text;
   for (double const frequency : frequencies) {
-    auto const point = design::chain_response(chain, {frequency}, cycle_time);
+    auto const point = response.at({frequency});
     if (!text.empty()) text += ",\n";
     text += "    {\"axis\": " + json_string(axis) + ", \"frequency_hz\": " + json_number(frequency) +
             ", \"magnitude\": " + json_number(point.magnitude) +
@@ -81,7 +77,8 @@ std::string json_rows(std::string const& axis, std::vector<design::FilterDesign>
 }
 
 void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
-                std::vector<std::size_t> const& axes, std::vector<double> const& frequencies) {
+                std::vector<std::size_t> const& axes, std::vector<double> const& frequencies,
+                codegen::RuntimeHost const& host) {
   auto const cycle_time = file.contents.cycle_time;
   out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(words.port)) +
             ",\n  \"cycle_time_us\": " + json_number(cycle_time.microseconds()) + ",\n  \"response\": [\n");
@@ -89,8 +86,8 @@ void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
   for (auto const axis : axes) {
     if (!first) out.write(",\n");
     first = false;
-    out.write(json_rows(axis_label(file.contents, axis), chain_of(file.contents.axes[axis], words.port),
-                        frequencies, cycle_time));
+    out.write(json_rows(axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
+                        frequencies));
   }
   out.write("\n  ]\n}\n");
 }
@@ -112,19 +109,22 @@ ExitStatus response(Invocation const& invocation) {
                    .arguments = {{"argument", "IMAGE.axim"}, {"command", "response"}}});
   }
   auto const file = load_image(*words.image);
-  refuse_missing_features(*words.image, words.commands, words.port);
   auto const cycle_time = file.contents.cycle_time;
-  auto const axes = axes_with_chain(file, words);
+  auto const axes = axes_with_port(file, words);
   auto const frequencies =
       words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
+  auto host = start_runtime(*words.image, file);
+  for (auto const& command : read_timed_commands(words.commands, file, *words.image)) {
+    execute(command, host, file.contents, *words.image);
+  }
   if (words.form == Form::json) {
-    write_json(out, file, words, axes, frequencies);
+    write_json(out, file, words, axes, frequencies, host);
     return ExitStatus::success;
   }
   out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s\n");
   for (auto const axis : axes) {
-    write_csv_rows(out, axis_label(file.contents, axis), chain_of(file.contents.axes[axis], words.port),
-                   frequencies, cycle_time);
+    write_csv_rows(out, axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
+                   frequencies);
   }
   return ExitStatus::success;
 }

@@ -2,26 +2,23 @@
 #include "cli/codes.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
+#include "cli/execution.hpp"
 #include "cli/image_file.hpp"
 #include "cli/output_file.hpp"
 #include "cli/quantities.hpp"
 #include "cli/stimulus.hpp"
-#include "codegen/runtime_host.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
-#include <functional>
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <variant>
 
 namespace axisc::cli {
 
 namespace {
 
 constexpr std::uint64_t default_cycles = 256;
-constexpr std::size_t piece = std::size_t{1} << 16U;
 
 struct RunWords {
   std::optional<std::string> image;
@@ -117,91 +114,11 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageCon
                                    .cycles = cycles(words.cycles),
                                    .port = port_of(words)});
   if (stimulus->channels().empty()) {
-    throw Failure({.text = Text::cli_no_interface_filter, .arguments = {{"file", *words.image}}});
+    Text const text_of_port =
+        port_of(words) == Port::velocity ? Text::cli_no_velocities : Text::cli_no_interface_filter;
+    throw Failure({.text = text_of_port, .arguments = {{"file", *words.image}}});
   }
   return stimulus;
-}
-
-/// Setpoints that the runtime did not accept; it went on with the last good one.
-struct Refused {
-  std::uint64_t count = 0;
-  std::uint64_t first_cycle = 0;
-};
-
-class Execution {
- public:
-  Execution(codegen::RuntimeHost host, codegen::ImageContents const& image, Stimulus& stimulus)
-      : host_(std::move(host)), image_(image), stimulus_(stimulus) {}
-
-  /// Resets all axes: the setpoints to `position`; the additional interface too where the signal feeds it, else to 0.
-  void reset(double position, Port fed) {
-    for (std::uint32_t axis = 0; axis < host_.axis_count(); ++axis) {
-      require(host_.reset(axis, fed == Port::setpoint ? position : 0));
-      require(host_.reset_interface(axis, fed == Port::interface ? position : 0));
-    }
-    in_[0].assign(host_.axis_count(), fed == Port::setpoint ? position : 0);
-    in_[1].assign(host_.axis_count(), fed == Port::interface ? position : 0);
-    out_[0] = in_[0];
-    out_[1] = in_[1];
-  }
-
-  Refused go(std::function<void(std::string_view)> const& write) {
-    auto const& channels = stimulus_.channels();
-    std::string text;
-    for (auto const& channel : channels) {
-      if (!text.empty()) text += ',';
-      append_csv_name(text, channel_name(image_, channel));
-    }
-    text += '\n';
-    std::vector<double> row(channels.size());
-    Refused refused;
-    for (std::uint64_t cycle = 0; stimulus_.next(row); ++cycle) {
-      for (std::size_t i = 0; i < channels.size(); ++i) in_[side(channels[i])][channels[i].axis] = row[i];
-      step(cycle, refused);
-      for (std::size_t i = 0; i < channels.size(); ++i) row[i] = out_[side(channels[i])][channels[i].axis];
-      append_csv_row(text, row);
-      if (text.size() >= piece) {
-        write(text);
-        text.clear();
-      }
-    }
-    write(text);
-    return refused;
-  }
-
- private:
-  static std::size_t side(Channel const& channel) { return channel.port == Port::interface ? 1 : 0; }
-
-  static void require(axisrt_status status) {
-    if (status == AXISRT_OK) return;
-    throw Failure(
-        {.text = Text::cli_runtime,
-         .arguments = {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
-  }
-
-  void step(std::uint64_t cycle, Refused& refused) {
-    auto const setpoints = host_.step(in_[0], out_[0]);
-    auto const interface = host_.step_interface(in_[1], out_[1]);
-    for (auto const status : {setpoints, interface}) {
-      if (status != AXISRT_BAD_INPUT) {
-        require(status);
-        continue;
-      }
-      if (refused.count++ == 0) refused.first_cycle = cycle;
-    }
-  }
-
-  codegen::RuntimeHost host_;
-  codegen::ImageContents const& image_;
-  Stimulus& stimulus_;
-  std::vector<double> in_[2];
-  std::vector<double> out_[2];
-};
-
-codegen::RuntimeHost start(std::string const& path, ImageFile const& file) {
-  auto host = codegen::RuntimeHost::create(file.bytes.bytes());
-  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
-  return std::get<codegen::RuntimeHost>(std::move(host));
 }
 
 void report_refused(Refused const& refused, Invocation const& invocation) {
@@ -231,9 +148,9 @@ ExitStatus run(Invocation const& invocation) {
   auto const port = port_of(words);
   double const position = number(words.reset, "--reset", 0);
   auto const file = load_image(*words.image);
-  refuse_missing_features(*words.image, words.commands, port);
   auto const stimulus = make_stimulus(words, file.contents);
-  Execution execution(start(*words.image, file), file.contents, *stimulus);
+  Execution execution(*words.image, start_runtime(*words.image, file), file.contents, *stimulus,
+                      read_timed_commands(words.commands, file, *words.image));
   execution.reset(position, port);
   Refused refused;
   if (words.output) {

@@ -1,6 +1,7 @@
 #include "cli/stimulus.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace axisc::cli {
@@ -11,9 +12,14 @@ namespace {
 std::vector<Channel> all_channels(codegen::ImageContents const& image) {
   std::vector<Channel> channels;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
-    channels.push_back({.axis = axis, .port = Port::setpoint});
+    channels.push_back({.axis = axis, .input = Input::setpoint});
     if (!image.axes[axis].interface_filters.empty()) {
-      channels.push_back({.axis = axis, .port = Port::interface});
+      channels.push_back({.axis = axis, .input = Input::interface});
+    }
+    auto const& control = image.axes[axis].control;
+    if (!control || control->stages.empty()) continue;
+    for (auto const input : {Input::v_set, Input::v_motor, Input::v_direct}) {
+      channels.push_back({.axis = axis, .input = input});
     }
   }
   return channels;
@@ -21,13 +27,19 @@ std::vector<Channel> all_channels(codegen::ImageContents const& image) {
 
 }  // namespace
 
+Port port_of(Input input) {
+  if (input == Input::setpoint) return Port::setpoint;
+  return input == Input::interface ? Port::interface : Port::velocity;
+}
+
 std::string channel_name(codegen::ImageContents const& image, Channel const& channel) {
-  return axis_label(image, channel.axis) + (channel.port == Port::interface ? ".interface" : "");
+  constexpr std::array<char const*, inputs> suffixes = {"", ".interface", ".v_set", ".v_motor", ".v_direct"};
+  return axis_label(image, channel.axis) + suffixes[static_cast<std::size_t>(channel.input)];
 }
 
 SignalStimulus::SignalStimulus(codegen::ImageContents const& image, Facts const& facts)
     : facts_(facts), cycle_time_(image.cycle_time), channels_(all_channels(image)) {
-  std::erase_if(channels_, [&](Channel const& channel) { return channel.port != facts.port; });
+  std::erase_if(channels_, [&](Channel const& channel) { return port_of(channel.input) != facts.port; });
 }
 
 bool SignalStimulus::next(std::span<double> values) {

@@ -13,13 +13,19 @@
 
 namespace axisc::cli {
 
-/// One column of input and output: an axis and where the number goes.
+/// What a column of input is for an axis.
+enum class Input : std::uint8_t { setpoint, interface, v_set, v_motor, v_direct };
+inline constexpr std::size_t inputs = 5;
+
+/// One column of input: an axis and where the number goes.
 struct Channel {
   std::size_t axis = 0;
-  Port port = Port::setpoint;
+  Input input = Input::setpoint;
 };
 
-/// "X" or "X.interface".
+[[nodiscard]] Port port_of(Input input);
+
+/// "X", "X.interface", "X.v_set", "X.v_motor", "X.v_direct".
 [[nodiscard]] std::string channel_name(codegen::ImageContents const& image, Channel const& channel);
 
 class Stimulus {
@@ -36,7 +42,7 @@ class Stimulus {
   Stimulus() = default;
 };
 
-/// The same signal for every axis that has the port.
+/// The same signal for every axis that has the port; at the velocity port for all three velocities.
 class SignalStimulus final : public Stimulus {
  public:
   struct Facts {

@@ -5,7 +5,9 @@
 #include "axisrt.h"
 #include "design/filter_design.hpp"
 #include "design/filter_specification.hpp"
+#include "design/kernel_design.hpp"
 #include "design/units.hpp"
+#include "validator/machine.hpp"
 
 #include <array>
 #include <cstddef>
@@ -29,6 +31,56 @@ struct ImageFilter {
   std::vector<double> self_test_output;
 };
 
+struct ImageKernel {
+  design::KernelSpecification specification;
+  design::KernelDesign design;  ///< taps as differences of the tail sums
+  double peak_gain = 1;
+  double overshoot = 0;
+  double tail_gain = 0;
+  std::vector<double> self_test_input;
+  std::vector<double> self_test_output;
+};
+
+/// The linear-phase filter of an axis.
+struct ImageSlot {
+  validator::KernelFamily family = validator::KernelFamily::fir;
+  std::uint32_t index = 0;
+  std::optional<std::size_t> kernel;  ///< of the lists' values; none: the setpoint passes unchanged
+  bool on_at_start = false;
+  std::optional<std::size_t> group;
+};
+
+struct ImageBank {
+  validator::FilterParameters parameters;
+  bool hsc = false;
+  std::vector<std::optional<std::size_t>> kernels;  ///< of each member
+  std::uint32_t fade_cycles = 0;                    ///< 0: at standstill only
+};
+
+struct ImageGroup {
+  std::string name;  ///< empty in a stripped image
+  std::vector<std::size_t> members;
+  std::vector<ImageBank> banks;
+  std::uint32_t off_fade_cycles = 0;
+};
+
+/// A stage of Improved Position Control. Its oscillator, if any, is the first filter: type 0, the damping as quality.
+struct ImageStage {
+  std::uint32_t index = 0;
+  validator::StageMode mode = validator::StageMode::direct;
+  bool has_oscillator = false;
+  double weight = 0, weight_numerator = 0, weight_denominator = 0;
+  std::vector<ImageFilter> filters;
+};
+
+struct ImageControl {
+  std::size_t source = 0;  ///< axis whose stages give the additive velocity
+  std::vector<ImageStage> stages;
+  validator::DriveScaling scaling;
+  double limit = 0, limit_factor = 0;
+  double increments_per_velocity = 0;
+};
+
 struct ImageValue {
   std::string name, value, list;
   std::uint32_t line = 0;
@@ -40,9 +92,11 @@ struct ImageAxis {
   std::uint32_t type = 1;
   std::vector<ImageFilter> filters;
   std::vector<ImageFilter> interface_filters;
+  std::optional<ImageSlot> slot;
+  std::optional<ImageControl> control;
   double position_window = 0, velocity_limit = 0, acceleration_limit = 0;
-  double delay_cycles = 0;  ///< setpoint chain at 0 Hz
-  double peak_gain = 1;     ///< setpoint chain
+  double delay_cycles = 0;  ///< setpoint chain at 0 Hz, as it starts
+  double peak_gain = 1;     ///< setpoint chain, as it starts
   std::vector<ImageValue> values;
 };
 
@@ -59,6 +113,8 @@ struct ImageContents {
   std::string compiler_version;
   std::array<std::uint8_t, 32> source_digest{};
   std::vector<ImageAxis> axes;
+  std::vector<ImageKernel> kernels;
+  std::vector<ImageGroup> groups;
   std::vector<ImageList> lists;
 };
 

@@ -39,6 +39,15 @@ class ImageReader {
         axes_(find(sections::axes)),
         filters_(find(sections::filters)),
         coefficients_(find(sections::coefficients)),
+        kernels_(find(sections::kernels)),
+        tails_(find(sections::tails)),
+        slots_(find(sections::slots)),
+        groups_(find(sections::groups)),
+        members_(find(sections::members)),
+        banks_(find(sections::banks)),
+        choices_(find(sections::choices)),
+        controls_(find(sections::controls)),
+        stages_(find(sections::stages)),
         names_(find(sections::names)),
         self_tests_(find(sections::self_tests)),
         lists_(find(sections::lists)),
@@ -54,6 +63,14 @@ class ImageReader {
     contents.compiler_version = compiler_version();
     contents.source_digest = header_.get(fields::header::source_digest);
     for (std::uint32_t i = 0; i < axes_.count(); ++i) contents.axes.push_back(axis(axes_[i]));
+    for (std::uint32_t i = 0; i < kernels_.count(); ++i) contents.kernels.push_back(kernel(kernels_[i]));
+    for (std::uint32_t i = 0; i < groups_.count(); ++i) contents.groups.push_back(group(groups_[i]));
+    for (std::uint32_t i = 0; i < slots_.count(); ++i) {
+      contents.axes[slots_[i].get(fields::slot::axis)].slot = slot(slots_[i]);
+    }
+    for (std::uint32_t i = 0; i < controls_.count(); ++i) {
+      contents.axes[controls_[i].get(fields::control::axis)].control = control(controls_[i]);
+    }
     for (std::uint32_t i = 0; i < lists_.count(); ++i) contents.lists.push_back(list(lists_[i]));
     for (std::uint32_t i = 0; i < values_.count(); ++i) {
       contents.axes[values_[i].get(fields::value::axis)].values.push_back(value(values_[i]));
@@ -99,6 +116,8 @@ class ImageReader {
             .filters = chain(record.get(fields::axis::first_filter), record.get(fields::axis::filter_count)),
             .interface_filters = chain(record.get(fields::axis::first_interface_filter),
                                        record.get(fields::axis::interface_filter_count)),
+            .slot = std::nullopt,
+            .control = std::nullopt,
             .position_window = record.get(fields::axis::position_window),
             .velocity_limit = record.get(fields::axis::velocity_limit),
             .acceleration_limit = record.get(fields::axis::acceleration_limit),
@@ -123,13 +142,122 @@ class ImageReader {
                        .kernel_sum = record.get(fields::filter::kernel_sum),
                        .self_test_input = {},
                        .self_test_output = {}};
-    std::uint32_t const first = record.get(fields::filter::first_sample);
-    std::uint32_t const count = record.get(fields::filter::sample_count);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      filter.self_test_input.push_back(self_tests_[first + i].get(fields::sample::input));
-      filter.self_test_output.push_back(self_tests_[first + i].get(fields::sample::output));
-    }
+    read_samples(record.get(fields::filter::first_sample), record.get(fields::filter::sample_count), filter);
     return filter;
+  }
+
+  template <class Tested>
+  void read_samples(std::uint32_t first, std::uint32_t count, Tested& tested) const {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      tested.self_test_input.push_back(self_tests_[first + i].get(fields::sample::input));
+      tested.self_test_output.push_back(self_tests_[first + i].get(fields::sample::output));
+    }
+  }
+
+  [[nodiscard]] ImageKernel kernel(ConstRecord<records::kernel> record) const {
+    ImageKernel kernel{
+        .specification = {.type = static_cast<design::KernelType>(record.get(fields::kernel::type)),
+                          .order = record.get(fields::kernel::order),
+                          .frequency = {record.get(fields::kernel::frequency)},
+                          .quality = record.get(fields::kernel::quality),
+                          .share_percent = record.get(fields::kernel::share_percent)},
+        .design = {},
+        .peak_gain = record.get(fields::kernel::peak_gain),
+        .overshoot = record.get(fields::kernel::overshoot),
+        .tail_gain = record.get(fields::kernel::tail_gain),
+        .self_test_input = {},
+        .self_test_output = {}};
+    kernel.design.half_width = record.get(fields::kernel::half_width);
+    kernel.design.delay_cycles = record.get(fields::kernel::delay_cycles);
+    kernel.design.group_delay_cycles = record.get(fields::kernel::group_delay);
+    kernel.design.kernel_sum = record.get(fields::kernel::kernel_sum);
+    double before = 1;
+    kernel.design.taps.clear();
+    for (std::uint32_t i = 0; i < record.get(fields::kernel::tail_count); ++i) {
+      double const tail = tails_[record.get(fields::kernel::first_tail) + i].get(fields::tail::value);
+      kernel.design.tail_sums.push_back(tail);
+      kernel.design.taps.push_back(before - tail);
+      before = tail;
+    }
+    kernel.design.taps.push_back(before);
+    read_samples(record.get(fields::kernel::first_sample), record.get(fields::kernel::sample_count), kernel);
+    return kernel;
+  }
+
+  static std::optional<std::size_t> optional_index(std::uint32_t index) {
+    return index == AXIM_NONE ? std::nullopt : std::optional<std::size_t>(index);
+  }
+
+  [[nodiscard]] static ImageSlot slot(ConstRecord<records::slot> record) {
+    return {.family = static_cast<validator::KernelFamily>(record.get(fields::slot::family)),
+            .index = record.get(fields::slot::index),
+            .kernel = optional_index(record.get(fields::slot::kernel)),
+            .on_at_start = record.get(fields::slot::on_at_start) != 0,
+            .group = optional_index(record.get(fields::slot::group))};
+  }
+
+  [[nodiscard]] ImageGroup group(ConstRecord<records::group> record) const {
+    ImageGroup group{.name = text(record, fields::group::name_offset, fields::group::name_size),
+                     .members = {},
+                     .banks = {},
+                     .off_fade_cycles = record.get(fields::group::off_fade_cycles)};
+    std::uint32_t const members = record.get(fields::group::member_count);
+    for (std::uint32_t i = 0; i < members; ++i) {
+      group.members.push_back(
+          members_[record.get(fields::group::first_member) + i].get(fields::member::axis));
+    }
+    for (std::uint32_t i = 0; i < record.get(fields::group::bank_count); ++i) {
+      group.banks.push_back(bank(banks_[record.get(fields::group::first_bank) + i], members));
+    }
+    return group;
+  }
+
+  [[nodiscard]] ImageBank bank(ConstRecord<records::bank> record, std::uint32_t members) const {
+    std::uint32_t const keywords = record.get(fields::bank::keywords);
+    ImageBank bank;
+    if ((keywords & axim_keyword_order) != 0) bank.parameters.order = record.get(fields::bank::order);
+    if ((keywords & axim_keyword_share) != 0) bank.parameters.share_percent = record.get(fields::bank::share);
+    if ((keywords & axim_keyword_fcut) != 0) {
+      bank.parameters.frequency = design::Hertz{record.get(fields::bank::frequency)};
+    }
+    if ((keywords & axim_keyword_quality) != 0) bank.parameters.quality = record.get(fields::bank::quality);
+    bank.hsc = (keywords & axim_keyword_hsc) != 0;
+    bank.fade_cycles = record.get(fields::bank::fade_cycles);
+    for (std::uint32_t i = 0; i < members; ++i) {
+      bank.kernels.push_back(
+          optional_index(choices_[record.get(fields::bank::first_choice) + i].get(fields::choice::kernel)));
+    }
+    return bank;
+  }
+
+  [[nodiscard]] ImageControl control(ConstRecord<records::control> record) const {
+    ImageControl control{.source = record.get(fields::control::source),
+                         .stages = {},
+                         .scaling = {.controller = static_cast<validator::PositionController>(
+                                         record.get(fields::control::controller)),
+                                     .v_reso_num = record.get(fields::control::v_reso_num),
+                                     .v_reso_denom = record.get(fields::control::v_reso_denom),
+                                     .time_base = record.get(fields::control::time_base),
+                                     .multi_gain_z = record.get(fields::control::multi_gain_z),
+                                     .multi_gain_n = record.get(fields::control::multi_gain_n)},
+                         .limit = record.get(fields::control::limit),
+                         .limit_factor = record.get(fields::control::limit_factor),
+                         .increments_per_velocity = record.get(fields::control::scale)};
+    for (std::uint32_t i = 0; i < record.get(fields::control::stage_count); ++i) {
+      control.stages.push_back(stage(stages_[record.get(fields::control::first_stage) + i]));
+    }
+    return control;
+  }
+
+  [[nodiscard]] ImageStage stage(ConstRecord<records::stage> record) const {
+    std::uint32_t const first_filter = record.get(fields::stage::first_filter);
+    return {.index = record.get(fields::stage::index),
+            .mode = static_cast<validator::StageMode>(record.get(fields::stage::mode)),
+            .has_oscillator = filters_[first_filter].get(fields::filter::type) == 0,
+            .weight = record.get(fields::stage::weight),
+            .weight_numerator = record.get(fields::stage::weight_numerator),
+            .weight_denominator = record.get(fields::stage::weight_denominator),
+            .filters = chain(first_filter, record.get(fields::stage::filter_count))};
   }
 
   [[nodiscard]] static design::FilterSpecification specification(ConstRecord<records::filter> record) {
@@ -190,6 +318,15 @@ class ImageReader {
   Records<records::axis> axes_;
   Records<records::filter> filters_;
   Records<records::coefficients> coefficients_;
+  Records<records::kernel> kernels_;
+  Records<records::tail> tails_;
+  Records<records::slot> slots_;
+  Records<records::group> groups_;
+  Records<records::member> members_;
+  Records<records::bank> banks_;
+  Records<records::choice> choices_;
+  Records<records::control> controls_;
+  Records<records::stage> stages_;
   Records<records::byte> names_;
   Records<records::sample> self_tests_;
   Records<records::list> lists_;

@@ -47,7 +47,8 @@ std::string_view RuntimeHost::axis_name(std::uint32_t axis) const {
 axisrt_status RuntimeHost::reset_all(double position) {
   axisrt_status worst = AXISRT_OK;
   for (std::uint32_t axis = 0; axis < axis_count(); ++axis) {
-    worst = std::max({worst, reset(axis, position), reset_interface(axis, position)});
+    worst = std::max({worst, reset(axis, position), reset_interface(axis, position),
+                      reset_velocity(axis, position, position, position)});
   }
   return worst;
 }
@@ -68,6 +69,56 @@ axisrt_status RuntimeHost::step_interface(std::span<double const> in, std::span<
                                           std::span<std::uint8_t> status) {
   if (!fits(in, out, status)) return AXISRT_BAD_ARGUMENT;
   return axisrt_step_interface(runtime_, in.data(), out.data(), status.empty() ? nullptr : status.data());
+}
+
+axisrt_status RuntimeHost::step_velocity(Velocities const& in, std::span<double> v_add,
+                                         std::span<double> increments, std::span<std::uint8_t> status) {
+  std::size_t const axes = axis_count();
+  if (!fits(in.set, v_add, status) || in.motor.size() != axes || increments.size() != axes) {
+    return AXISRT_BAD_ARGUMENT;
+  }
+  if (!in.direct.empty() && in.direct.size() != axes) return AXISRT_BAD_ARGUMENT;
+  axisrt_velocities velocities{};
+  velocities.size = sizeof velocities;
+  velocities.v_set = in.set.data();
+  velocities.v_motor = in.motor.data();
+  velocities.v_direct = in.direct.empty() ? nullptr : in.direct.data();
+  return axisrt_step_velocity(runtime_, &velocities, v_add.data(), increments.data(),
+                              status.empty() ? nullptr : status.data());
+}
+
+axisrt_status RuntimeHost::command(std::uint32_t group, validator::FilterCommand const& command) {
+  axisrt_filter_command words{};
+  words.size = sizeof words;
+  switch (command.filter_switch) {
+    case validator::FilterSwitch::unchanged:
+      words.action = AXISRT_ACTION_SET;
+      break;
+    case validator::FilterSwitch::on:
+      words.action = AXISRT_ACTION_ON;
+      break;
+    case validator::FilterSwitch::off:
+      words.action = AXISRT_ACTION_OFF;
+      break;
+  }
+  validator::FilterParameters const& parameters = command.parameters;
+  if (command.hsc) words.keywords |= AXISRT_KEYWORD_HSC;
+  if (parameters.order) words.keywords |= AXISRT_KEYWORD_ORDER;
+  if (parameters.share_percent) words.keywords |= AXISRT_KEYWORD_SHARE;
+  if (parameters.frequency) words.keywords |= AXISRT_KEYWORD_FCUT;
+  if (parameters.quality) words.keywords |= AXISRT_KEYWORD_QUALITY;
+  words.order = parameters.order.value_or(0);
+  words.share = parameters.share_percent.value_or(0);
+  words.fcut = parameters.frequency.value_or(design::Hertz{0}).value;
+  words.quality = parameters.quality.value_or(0);
+  return axisrt_command(runtime_, group, &words);
+}
+
+axisrt_status RuntimeHost::end_program(std::uint32_t group) {
+  axisrt_filter_command words{};
+  words.size = sizeof words;
+  words.action = AXISRT_ACTION_PROGRAM_END;
+  return axisrt_command(runtime_, group, &words);
 }
 
 std::variant<axisrt_axis_state, axisrt_status> RuntimeHost::axis_state(std::uint32_t axis) const {

@@ -5,6 +5,7 @@
 #include "axisrt.h"
 #include "codegen/aligned_bytes.hpp"
 #include "design/units.hpp"
+#include "validator/filter_command.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,10 @@ class RuntimeHost {
   [[nodiscard]] bool has_interface(std::uint32_t axis) const {
     return axisrt_has_interface(runtime_, axis) != 0;
   }
+  [[nodiscard]] bool has_position_control(std::uint32_t axis) const {
+    return axisrt_has_position_control(runtime_, axis) != 0;
+  }
+  [[nodiscard]] std::uint32_t group_count() const { return axisrt_group_count(runtime_); }
   /// Bytes that a controller has to provide.
   [[nodiscard]] std::size_t memory_size() const { return memory_.size(); }
 
@@ -38,7 +43,15 @@ class RuntimeHost {
   [[nodiscard]] axisrt_status reset_interface(std::uint32_t axis, double value) {
     return axisrt_reset_interface(runtime_, axis, value);
   }
-  /// All axes, their interfaces too; the worst status.
+  [[nodiscard]] axisrt_status reset_velocity(std::uint32_t axis, double v_set, double v_motor,
+                                             double v_direct) {
+    return axisrt_reset_velocity(runtime_, axis, v_set, v_motor, v_direct);
+  }
+  /// What a #FILTER command does to a group. Parameters are ignored for OFF.
+  [[nodiscard]] axisrt_status command(std::uint32_t group, validator::FilterCommand const& command);
+  /// The end of an NC program.
+  [[nodiscard]] axisrt_status end_program(std::uint32_t group);
+  /// All axes, their interfaces and velocities too; the worst status.
   [[nodiscard]] axisrt_status reset_all(double position);
   [[nodiscard]] axisrt_status rebase(std::uint32_t axis, double offset) {
     return axisrt_rebase(runtime_, axis, offset);
@@ -50,6 +63,14 @@ class RuntimeHost {
                                    std::span<std::uint8_t> status = {});
   [[nodiscard]] axisrt_status step_interface(std::span<double const> in, std::span<double> out,
                                              std::span<std::uint8_t> status = {});
+
+  /// Velocities of all axes; the direct measuring system's may be empty.
+  struct Velocities {
+    std::span<double const> set, motor, direct;
+  };
+  [[nodiscard]] axisrt_status step_velocity(Velocities const& in, std::span<double> v_add,
+                                            std::span<double> increments,
+                                            std::span<std::uint8_t> status = {});
 
   [[nodiscard]] std::variant<axisrt_axis_state, axisrt_status> axis_state(std::uint32_t axis) const;
 

@@ -88,6 +88,22 @@ Value filter_at(FilterDesign const& filter, double theta) {
   return blended(filter.share, full);
 }
 
+Value chain_at(std::span<FilterDesign const> chain, double theta) {
+  Value total;
+  for (FilterDesign const& filter : chain) total = total * filter_at(filter, theta);
+  return total;
+}
+
+ResponsePoint point_of(Value const& total, double theta, CycleTime cycle_time) {
+  // dφ/dθ = Im((dH/dθ)/H), du/dθ = -j u
+  double const delay = (std::polar(1.0, -theta) * total.dh_du / total.h).real();
+  bool const undefined = total.vanishes || total.h == 0.0;
+  return {
+      .magnitude = std::abs(total.h),
+      .phase_rad = std::arg(total.h),
+      .group_delay_s = undefined ? std::numeric_limits<double>::quiet_NaN() : delay * cycle_time.seconds()};
+}
+
 }  // namespace
 
 std::complex<double> response(FilterDesign const& filter, Hertz frequency, CycleTime cycle_time) {
@@ -96,15 +112,22 @@ std::complex<double> response(FilterDesign const& filter, Hertz frequency, Cycle
 
 ResponsePoint chain_response(std::span<FilterDesign const> chain, Hertz frequency, CycleTime cycle_time) {
   double const theta = angle(frequency, cycle_time);
-  Value total;
-  for (FilterDesign const& filter : chain) total = total * filter_at(filter, theta);
-  // dφ/dθ = Im((dH/dθ)/H), du/dθ = -j u
-  double const delay = (std::polar(1.0, -theta) * total.dh_du / total.h).real();
-  bool const undefined = total.vanishes || total.h == 0.0;
-  return {
-      .magnitude = std::abs(total.h),
-      .phase_rad = std::arg(total.h),
-      .group_delay_s = undefined ? std::numeric_limits<double>::quiet_NaN() : delay * cycle_time.seconds()};
+  return point_of(chain_at(chain, theta), theta, cycle_time);
+}
+
+ResponsePoint parallel_response(std::span<WeightedChain const> chains, Hertz frequency,
+                                CycleTime cycle_time) {
+  double const theta = angle(frequency, cycle_time);
+  Value sum{.h = 0, .dh_du = 0, .vanishes = false};
+  double parts = 0;
+  for (WeightedChain const& chain : chains) {
+    Value const part = chain_at(chain.filters, theta);
+    sum.h += chain.weight * part.h;
+    sum.dh_du += chain.weight * part.dh_du;
+    if (!part.vanishes) parts += std::abs(chain.weight * part.h);
+  }
+  sum.vanishes = std::abs(sum.h) <= cancelled * parts;
+  return point_of(sum, theta, cycle_time);
 }
 
 double chain_delay_cycles(std::span<FilterDesign const> chain) {

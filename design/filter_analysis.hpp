@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace axisc::design {
 
@@ -23,6 +24,16 @@ struct ResponsePoint {
 /// Response of filters in series.
 [[nodiscard]] ResponsePoint chain_response(std::span<FilterDesign const> chain, Hertz frequency,
                                            CycleTime cycle_time);
+
+/// Filters in series, and the factor by which what they give counts.
+struct WeightedChain {
+  double weight = 1;
+  std::vector<FilterDesign> filters{};
+};
+
+/// Response of the weighted sum of chains that all get the same input.
+[[nodiscard]] ResponsePoint parallel_response(std::span<WeightedChain const> chains, Hertz frequency,
+                                              CycleTime cycle_time);
 
 /// What a unit step and a unit impulse show, computed with the chain's own sections in double.
 struct StepFigures {
