@@ -99,7 +99,10 @@ std::string findings_text(CheckingWords const& words, validator::CheckResult con
 std::string summary(CompileWords const& words, validator::Machine const& machine, std::size_t bytes,
                     Language language) {
   std::size_t filters = 0;
-  for (auto const& axis : machine.axes) filters += axis.filters.size() + axis.interface_filters.size();
+  for (auto const& axis : machine.axes) {
+    filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
+    if (axis.position_control) filters += axis.position_control->stages.size();
+  }
   return render({.text = Text::cli_compiled,
                  .arguments = {{"file", *words.output},
                                {"axes", std::to_string(machine.axes.size())},

@@ -120,8 +120,8 @@ std::string InspectWriter::kernel_details(std::size_t index) const {
 
 std::string InspectWriter::channels_text(std::span<std::size_t const> axes) const {
   std::string text;
-  for (auto const& group : image_.groups) {
-    if (concerns(group, axes)) text += channel_text(group);
+  for (std::size_t i = 0; i < image_.groups.size(); ++i) {
+    if (concerns(image_.groups[i], axes)) text += channel_text(i);
   }
   return text;
 }
@@ -132,7 +132,9 @@ std::string InspectWriter::change(std::uint32_t fade_cycles) const {
              {{"cycles", std::to_string(fade_cycles)}, {"ms", milliseconds(fade_cycles)}});
 }
 
-std::string InspectWriter::channel_text(codegen::ImageGroup const& group) const {
+std::string InspectWriter::channel_text(std::size_t index) const {
+  auto const& group = image_.groups[index];
+  auto const name = group.name.empty() ? std::to_string(index + 1) : group.name;
   std::vector<std::vector<std::string>> rows{{say(Text::inspect_column_command)}};
   for (auto const axis : group.members) rows.front().push_back(axis_label(image_, axis));
   rows.front().push_back(say(Text::inspect_column_change));
@@ -151,7 +153,7 @@ std::string InspectWriter::channel_text(codegen::ImageGroup const& group) const 
     rows.back().push_back(image_.axes[axis].slot ? say(Text::inspect_passes) : "-");
   }
   rows.back().push_back(change(group.off_fade_cycles));
-  return "\n" + say(Text::inspect_channel, {{"name", group.name}}) + "\n" + text_table(rows, 2);
+  return "\n" + say(Text::inspect_channel, {{"name", name}}) + "\n" + text_table(rows, 2);
 }
 
 }  // namespace axisc::cli

@@ -44,7 +44,7 @@ class InspectWriter {
   [[nodiscard]] std::vector<std::string> kernel_row(std::size_t index) const;
   [[nodiscard]] std::string kernel_details(std::size_t index) const;
   [[nodiscard]] std::string change(std::uint32_t fade_cycles) const;
-  [[nodiscard]] std::string channel_text(codegen::ImageGroup const& group) const;
+  [[nodiscard]] std::string channel_text(std::size_t index) const;
   [[nodiscard]] std::string stage_text(codegen::ImageStage const& stage) const;
 };
 

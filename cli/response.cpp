@@ -114,7 +114,7 @@ ExitStatus response(Invocation const& invocation) {
   auto const frequencies =
       words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
   auto host = start_runtime(*words.image, file);
-  for (auto const& command : read_timed_commands(words.commands, file, *words.image)) {
+  for (auto const& command : read_timed_commands(words.commands, file, *words.image, invocation.language)) {
     execute(command, host, file.contents, *words.image);
   }
   if (words.form == Form::json) {

@@ -150,7 +150,7 @@ ExitStatus run(Invocation const& invocation) {
   auto const file = load_image(*words.image);
   auto const stimulus = make_stimulus(words, file.contents);
   Execution execution(*words.image, start_runtime(*words.image, file), file.contents, *stimulus,
-                      read_timed_commands(words.commands, file, *words.image));
+                      read_timed_commands(words.commands, file, *words.image, invocation.language));
   execution.reset(position, port);
   Refused refused;
   if (words.output) {

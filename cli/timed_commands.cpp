@@ -2,6 +2,7 @@
 
 #include "cli/failure.hpp"
 #include "cli/quantities.hpp"
+#include "validator/command_check.hpp"
 
 #include <algorithm>
 
@@ -32,7 +33,19 @@ std::string banks_of(codegen::ImageContents const& image) {
   return text;
 }
 
-TimedCommand read_timed_command(std::string const& word, ImageFile const& file, std::string const& path) {
+/// An axis with the time delay bounds the order of the whole channel's commands.
+validator::CommandLimits limits_of(codegen::ImageContents const& image) {
+  validator::CommandLimits limits{.cycle_time = image.cycle_time, .time_delay = false};
+  for (auto const& axis : image.axes) {
+    if (!axis.slot || !axis.slot->kernel) continue;
+    auto const type = image.kernels[*axis.slot->kernel].specification.type;
+    limits.time_delay = limits.time_delay || type == design::KernelType::time_delay;
+  }
+  return limits;
+}
+
+TimedCommand read_timed_command(std::string const& word, ImageFile const& file, std::string const& path,
+                                Language language) {
   auto const colon = word.find(':');
   auto const cycle = parse_count(std::string_view(word).substr(0, colon));
   if (colon == std::string::npos || !cycle) {
@@ -40,17 +53,23 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   }
   TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}};
   if (file.contents.groups.empty()) refuse(Text::cli_no_banks, command, path);
-  command.command = filter_command(command, file.contents, path);
+  auto checked = validator::parse_filter_command(command.text, limits_of(file.contents));
+  if (!checked.mistakes.empty() || !checked.command) {
+    auto const reason =
+        checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
+    throw Failure({.text = Text::cli_bad_command, .arguments = {{"value", word}, {"reason", reason}}});
+  }
+  command.command = *checked.command;
   return command;
 }
 
 }  // namespace
 
 std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& words, ImageFile const& file,
-                                              std::string const& path) {
+                                              std::string const& path, Language language) {
   std::vector<TimedCommand> commands;
   commands.reserve(words.size());
-  for (auto const& word : words) commands.push_back(read_timed_command(word, file, path));
+  for (auto const& word : words) commands.push_back(read_timed_command(word, file, path, language));
   std::stable_sort(commands.begin(), commands.end(),
                    [](TimedCommand const& a, TimedCommand const& b) { return a.cycle < b.cycle; });
   return commands;

@@ -20,7 +20,8 @@ struct TimedCommand {
 /// The commands by rising cycle, those of one cycle in the order of the command line. Failure for words that are no
 /// CYCLE:COMMAND, for a command that is not right, and where nothing in the image could be switched.
 [[nodiscard]] std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& words,
-                                                            ImageFile const& file, std::string const& path);
+                                                            ImageFile const& file, std::string const& path,
+                                                            Language language);
 
 /// Executes the command in every channel that has kernels for it. Failure, naming the banks, where none has; and where a
 /// filter is still changing over or the axes would have to stand.
