@@ -8,7 +8,8 @@
 int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target,
                     double* arrived);
 
-_Static_assert(sizeof(axisrt_axis_state) == 56, "the layout of axisrt_axis_state is part of the interface");
+_Static_assert(sizeof(axisrt_axis_state) == 72, "the layout of axisrt_axis_state is part of the interface");
+_Static_assert(sizeof(axisrt_filter_command) == 40, "the layout of axisrt_filter_command is part of the interface");
 
 int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target,
                     double* arrived) {
@@ -23,6 +24,8 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   axisrt* runtime = NULL;
   axisrt_axis_state state;
   axisrt_config config;
+  axisrt_velocities velocities;
+  axisrt_filter_command command;
 
   memset(&config, 0, sizeof config);
   config.size = sizeof config;
@@ -53,6 +56,21 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   if (axisrt_get_axis_state(runtime, 0, &state) != AXISRT_OK || state.filtered != out[0]) return 12;
   if (strcmp(axisrt_status_name(AXISRT_OK), "AXISRT_OK") != 0 || strlen(axisrt_status_text(AXISRT_OK)) == 0)
     return 13;
+  memset(&velocities, 0, sizeof velocities);
+  velocities.size = sizeof velocities;
+  velocities.v_set = in;
+  velocities.v_motor = in;
+  if (axisrt_has_position_control(runtime, 0)) return 14;
+  if (axisrt_reset_velocity(runtime, 0, 0.0, 0.0, 0.0) != AXISRT_OK) return 15;
+  if (axisrt_step_velocity(runtime, &velocities, out + 4, NULL, status) != AXISRT_OK || out[4] != 0) return 16;
+  memset(&command, 0, sizeof command);
+  command.size = sizeof command;
+  command.action = AXISRT_ACTION_ON;
+  command.keywords = AXISRT_KEYWORD_ORDER;
+  command.order = axisrt_order_of_time(runtime, 20000.0);
+  if (command.order != 20 || axisrt_group_count(runtime) != 0) return 17;
+  if (axisrt_command(runtime, 0, &command) != AXISRT_BAD_ARGUMENT) return 18;
+  if (axisrt_group_name(runtime, 0, &length)[0] != '\0' || length != 0) return 19;
   *arrived = out[0];
   return 0;
 }
