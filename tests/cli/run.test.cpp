@@ -115,5 +115,5 @@ TEST_CASE("what run refuses") {
   check({"--amplitude", "1,5"}, "--amplitude needs a number");
   check({"--port", "velocity"}, "uses velocities");
   check({"--port", "motor"}, "--port does not know \"motor\"");
-  check({"--at", "0:#FILTER ON [HSC]"}, "no kernel banks");
+  check({"--at", "0:#FILTER ON [HSC]"}, "has a FIR or HSC filter");
 }
