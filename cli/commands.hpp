@@ -22,6 +22,7 @@ struct Invocation {
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
+[[nodiscard]] ExitStatus diff(Invocation const& invocation);
 [[nodiscard]] ExitStatus explain(Invocation const& invocation);
 
 }  // namespace axisc::cli

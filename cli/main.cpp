@@ -26,11 +26,12 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 6> commands = {{{"lint", Text::cli_lint_meaning, lint},
+constexpr std::array<Command, 7> commands = {{{"lint", Text::cli_lint_meaning, lint},
                                               {"compile", Text::cli_compile_meaning, compile},
                                               {"inspect", Text::cli_inspect_meaning, inspect},
                                               {"run", Text::cli_run_meaning, run},
                                               {"response", Text::cli_response_meaning, response},
+                                              {"diff", Text::cli_diff_meaning, diff},
                                               {"explain", Text::cli_explain_meaning, explain}}};
 
 std::string help(Language language) {

@@ -1,0 +1,145 @@
+#include "cli/codes.hpp"
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/diff_forms.hpp"
+#include "cli/disk_files.hpp"
+#include "cli/image_file.hpp"
+#include "cli/quantities.hpp"
+#include "codegen/image_writer.hpp"
+#include "diagnostics/writers.hpp"
+#include "validator/check.hpp"
+
+#include <algorithm>
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Form : std::uint8_t { text, json, markdown };
+
+struct DiffWords {
+  std::vector<std::string> inputs;
+  std::optional<std::string> cycle_time;
+  std::optional<std::string> feed;
+  Form form = Form::text;
+  bool exit_code = false;
+};
+
+void declare(CommandLine& command_line, DiffWords& words) {
+  command_line.arguments("OLD NEW", words.inputs, Text::cli_arg_diff);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
+  command_line.value("--feed", "MM_PER_MIN", words.feed, Text::cli_opt_diff_feed);
+  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}, {"markdown", Form::markdown}},
+                      words.form, Text::cli_opt_diff_format);
+  command_line.flag("--exit-code", words.exit_code, Text::cli_opt_exit_code);
+}
+
+double feed_of(DiffWords const& words) {
+  constexpr double otherwise = 1000;
+  if (!words.feed) return otherwise;
+  auto const feed = parse_finite(*words.feed);
+  if (!feed || !(*feed > 0)) {
+    throw Failure(
+        {.text = Text::cli_bad_number, .arguments = {{"option", "--feed"}, {"value", *words.feed}}});
+  }
+  return *feed;
+}
+
+bool is_image(std::string_view bytes) {
+  return bytes.substr(0, 4) == "AXIM";
+}
+
+/// Gives back the file that another reader has read already.
+class HeldFiles final : public validator::Files {
+ public:
+  HeldFiles(validator::Files& files, std::string path, std::string content)
+      : files_(files), path_(std::move(path)), content_(std::move(content)) {}
+  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
+    if (path == path_) return content_;
+    return files_.read(path);
+  }
+
+ private:
+  validator::Files& files_;
+  std::string path_, content_;
+};
+
+/// A list or machine becomes an image too, so that both sides are compared as the runtime would execute them. Errors are
+/// printed; nothing is compared then.
+std::optional<ImageFile> load_side(std::string const& path, validator::CheckOptions const& options,
+                                   Invocation const& invocation, WriteOptions const& write) {
+  DiskFiles disk(path == "-");
+  auto read = disk.read(path);
+  if (auto const* const error = std::get_if<validator::FileError>(&read)) {
+    if (*error == validator::FileError::image || *error == validator::FileError::binary)
+      return load_image(path);
+    throw unreadable(path, *error);
+  }
+  auto& content = std::get<std::string>(read);
+  if (is_image(content)) return load_image(path);
+  HeldFiles files(disk, path, std::move(content));
+  SourceSet sources;
+  auto const result = validator::check(files, path, options, sources);
+  if (result.unreadable) throw unreadable(path, *result.unreadable);
+  if (!result.machine) {
+    for (auto const& finding : result.findings) {
+      if (finding.severity != Severity::error) continue;
+      invocation.streams.err.write(write_text(finding, sources, write) + "\n");
+    }
+    return std::nullopt;
+  }
+  auto const bytes = codegen::write_image(*result.machine, {});
+  auto contents = codegen::read_image(bytes);
+  if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
+  return ImageFile{.bytes = codegen::AlignedBytes(bytes),
+                   .contents = std::get<codegen::ImageContents>(std::move(contents))};
+}
+
+}  // namespace
+
+ExitStatus diff(Invocation const& invocation) {
+  DiffWords words;
+  CommandLine command_line("diff", Text::cli_diff_purpose, Text::cli_diff_examples, invocation.language);
+  declare(command_line, words);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  if (words.inputs.size() != 2) {
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", "OLD NEW"}, {"command", "diff"}}});
+  }
+  validator::CheckOptions options;
+  if (words.cycle_time) {
+    options.cycle_time = parse_cycle_time(*words.cycle_time);
+    if (!options.cycle_time) {
+      throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *words.cycle_time}}});
+    }
+  }
+  double const feed = feed_of(words);
+  WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
+  auto const before = load_side(words.inputs[0], options, invocation, write);
+  auto const after = load_side(words.inputs[1], options, invocation, write);
+  if (!before || !after) return ExitStatus::findings;
+
+  auto const difference =
+      codegen::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
+                              {.image = after->bytes.bytes(), .contents = after->contents});
+  ShownDifference const shown{
+      .before = words.inputs[0], .after = words.inputs[1], .difference = difference, .feed_mm_per_min = feed};
+  switch (words.form) {
+    case Form::text:
+      invocation.streams.out.write(diff_text(shown, invocation.language));
+      break;
+    case Form::json:
+      invocation.streams.out.write(diff_json(shown));
+      break;
+    case Form::markdown:
+      invocation.streams.out.write(diff_markdown(shown, invocation.language));
+      break;
+  }
+  return words.exit_code && !difference.empty() ? ExitStatus::findings : ExitStatus::success;
+}
+
+}  // namespace axisc::cli
