@@ -1,7 +1,7 @@
 #include "validator/rules/characteristic_frequency.hpp"
 
-#include "validator/rules/filter_words.hpp"
 #include "validator/fir_view.hpp"
+#include "validator/rules/filter_words.hpp"
 
 #include <array>
 #include <cstdint>
