@@ -70,4 +70,10 @@ set(axisc_rules_kernel
 # Improved Position Control.
 set(axisc_rules_position_control
   position_control_view.cpp
+  rules/position_control_damping.cpp
+  rules/position_control_drive.cpp
+  rules/position_control_effect.cpp
+  rules/position_control_frequencies.cpp
+  rules/position_control_missing.cpp
+  rules/position_control_spelling.cpp
 )
