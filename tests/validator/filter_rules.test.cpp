@@ -184,11 +184,14 @@ TEST_CASE("AX3002 and AX3003: stages of the Improved Position Control") {
   CHECK(lines(on + stage + "filter.fg_f0 0", slow) == Lines{"6 AX3003"});
   CHECK(lines(stage + "filter.fg_f0 300", slow).empty());
 
-  std::string const newer = ipc + "enable 1\n" + ipc + "v_add_max_fact 100\n" + stage + "mode SET_POINT\n";
-  CHECK(lines(newer + stage + "filter[0].fg_f0 250", slow) == Lines{"4 AX3002"});
-  CHECK(lines(newer + stage + "filter[1].fg_f0 250", slow).empty());
-  CHECK(lines(newer + stage + "filter[1].fg_f0 250\n" + stage + "filter[1].type ALLPASS", slow) ==
-        Lines{"4 AX3002"});
+  std::string const newer = ipc + "enable 1\n" + ipc + "v_add_max_fact 100\n" + stage + "mode DIRECT\n" +
+                            stage + "filter[0].order 1\n" + stage + "filter[0].q_factor 2\n" + stage +
+                            "filter[1].order 1\n";
+  std::string const first = stage + "filter[0].fg_f0 50\n";
+  CHECK(lines(newer + stage + "filter[0].fg_f0 250", slow) == Lines{"7 AX3002"});
+  CHECK(lines(newer + first + stage + "filter[1].fg_f0 250", slow).empty());
+  CHECK(lines(newer + first + stage + "filter[1].fg_f0 250\n" + stage + "filter[1].type ALLPASS", slow) ==
+        Lines{"8 AX3002"});
 }
 
 TEST_CASE("AX3002 names the limit in hertz and the control's number") {

@@ -27,9 +27,6 @@ set(axisc_rules_text_and_parameter
 # Filters and what was designed from them: AX3, AX6.
 set(axisc_rules_filter
   filter_view.cpp
-  fir_view.cpp
-  hsc_view.cpp
-  position_control_view.cpp
   rules/allpass_prototype.cpp
   rules/bandstop_overshoot.cpp
   rules/blocks_constant_part.cpp
@@ -52,4 +49,31 @@ set(axisc_rules_filter
   rules/time_constant_below_cycle.cpp
   rules/undocumented_type.cpp
   rules/unused_parameter.cpp
+)
+
+# Linear-phase filters: HSC and FIR.
+set(axisc_rules_kernel
+  fir_view.cpp
+  hsc_view.cpp
+  rules/delay_not_last.cpp
+  rules/fir_activation.cpp
+  rules/fir_conflicts.cpp
+  rules/fir_delay_share.cpp
+  rules/fir_order_time.cpp
+  rules/hsc_enabled_permanently.cpp
+  rules/hsc_order.cpp
+  rules/hsc_place.cpp
+  rules/hsc_prototype_and_type.cpp
+  rules/novib_frequency_too_low.cpp
+)
+
+# Improved Position Control.
+set(axisc_rules_position_control
+  position_control_view.cpp
+  rules/position_control_damping.cpp
+  rules/position_control_drive.cpp
+  rules/position_control_effect.cpp
+  rules/position_control_frequencies.cpp
+  rules/position_control_missing.cpp
+  rules/position_control_spelling.cpp
 )

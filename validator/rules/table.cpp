@@ -2,6 +2,8 @@
 #include "validator/rule.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/filter_checks.hpp"
+#include "validator/rules/kernel_checks.hpp"
+#include "validator/rules/position_control_checks.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -84,6 +86,8 @@ std::vector<Rule> rows() {
        .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
   // clang-format on
 #include "validator/rules/filter_rows.inc"
+#include "validator/rules/kernel_rows.inc"
+#include "validator/rules/position_control_rows.inc"
   };
   std::sort(table.begin(), table.end(), [](Rule const& a, Rule const& b) { return a.code < b.code; });
   return table;

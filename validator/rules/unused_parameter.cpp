@@ -1,6 +1,6 @@
+#include "validator/fir_view.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
-#include "validator/fir_view.hpp"
 
 #include <array>
 #include <string>

@@ -1,0 +1,27 @@
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/kernel_checks.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+
+void delay_not_last(FilterContext const& context, Report& report) {
+  FilterView const& delay = context.filter;
+  bool const is_delay = delay.standard_type() == design::FilterType::time_delay;
+  if (delay.port != FilterPort::setpoint || !delay.active() || !is_delay) return;
+  std::vector<FilterView> const filters = touched_filters(context.axis.values);
+  auto const next = std::find_if(filters.begin(), filters.end(), [&](FilterView const& filter) {
+    return filter.port == FilterPort::setpoint && filter.index > delay.index && filter.active();
+  });
+  if (next == filters.end()) return;
+  Finding& finding =
+      report.add(delay.anchor(delay.type),
+                 {Text::ax4004, {{"filter", filter_name(delay)}, {"next", filter_name(*next)}}});
+  finding.notes.push_back({Text::ax4004_limit, {}});
+  if (next->enable.value_place) {
+    finding.related.push_back(
+        {*next->enable.value_place, {Text::ax4004_next_here, {{"filter", filter_name(*next)}}}});
+  }
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,67 @@
+// AX3030: a stage works only with all its parameters.
+#include "validator/position_control_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/position_control_checks.hpp"
+
+#include <string_view>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// Names of what is missing, and the control's numbers for it.
+class Missing {
+ public:
+  /// A value that cannot be used has a finding of its own.
+  void look_at(EffectiveValue const& value, EffectiveValue const* other_spelling, std::string_view message) {
+    bool const given =
+        configured(value) || value.unusable || (other_spelling != nullptr && configured(*other_spelling));
+    if (given) return;
+    append(names_, ", ", '`' + parameter_name(value) + '`');
+    append(messages_, "/", message);
+  }
+
+  [[nodiscard]] bool empty() const { return names_.empty(); }
+  [[nodiscard]] std::string const& names() const { return names_; }
+  [[nodiscard]] std::string const& messages() const { return messages_; }
+
+ private:
+  static void append(std::string& list, std::string_view separator, std::string_view item) {
+    if (list.find(item) != std::string::npos) return;
+    if (!list.empty()) list.append(separator);
+    list.append(item);
+  }
+
+  std::string names_;
+  std::string messages_;
+};
+
+Missing missing_in(StageView const& stage) {
+  Missing missing;
+  for (StageFilterView const& filter : stage.filters()) {
+    // Where the spellings are mixed, AX3039 speaks: what the other one gives is not missing too.
+    bool const is_newer = filter.type != nullptr;
+    StageFilterView const* const other = is_newer ? &stage.older : nullptr;
+    missing.look_at(filter.order, other != nullptr ? &other->order : nullptr, "70593");
+    missing.look_at(filter.frequency, other != nullptr ? &other->frequency : nullptr, "70592");
+    if (filter.kind != StageFilterType::bandpass) continue;
+    missing.look_at(filter.quality, other != nullptr ? &other->quality : nullptr, "70594");
+  }
+  if (stage.simulates()) missing.look_at(stage.damping(), nullptr, "70599");
+  return missing;
+}
+
+}  // namespace
+
+void ipc_parameter_missing(AxisContext const& axis, Report& report) {
+  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+    Missing const missing = missing_in(stage);
+    if (missing.empty()) continue;
+    Finding& finding = report.add(
+        stage.mode, {Text::ax3030, {{"stage", number(stage.index)}, {"mode", symbol_word(stage.mode)}}});
+    finding.label = Message{Text::ax3030_label, {{"parameters", missing.names()}}};
+    finding.notes.push_back({stage.simulates() ? Text::ax3030_limit_simulated : Text::ax3030_limit, {}});
+    react(finding, missing.messages(), {Text::ax3030_reaction, {}});
+  }
+}
+
+}  // namespace axisc::validator::checks
