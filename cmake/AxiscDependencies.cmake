@@ -6,11 +6,7 @@ find_package(CLI11 2.1 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(valijson REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
-
-# Debian's libfmt-dev has no static library: a static program uses the header-only form.
 if(AXISC_STATIC)
-  set(AXISC_FMT fmt::fmt-header-only)
-else()
-  set(AXISC_FMT fmt::fmt)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
 endif()
+pkg_check_modules(sodium REQUIRED IMPORTED_TARGET libsodium)
