@@ -42,7 +42,7 @@ void build_controls(ImageView const& view, Layout const& layout, Memory memory) 
                    .axis = record[field::control::axis],
                    .source = index_of_source(view, i),
                    .reserved = 0,
-                   .limit = record[field::control::limit],
+                   .limit = magnitude(record[field::control::limit]),  // -0 too is a limit
                    .scale = record[field::control::scale]};
     additive_velocities[i] = 0;
   }

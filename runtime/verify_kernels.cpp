@@ -13,6 +13,13 @@ axisrt_status check_tail(Record<record::tail> tail) {
   return status == AXISRT_OK ? check_bounds(is_within(value, largest_tail)) : status;
 }
 
+/// 2h tails and a delay of h cycles; as many tails as cycles for the time delay.
+bool fits_its_tails(Record<record::kernel> kernel, uint32_t tails) {
+  uint32_t const h = kernel[field::kernel::half_width];
+  uint32_t const delay = kernel[field::kernel::delay_cycles];
+  return h == 0 ? delay == tails : h <= tails && 2 * h == tails && delay == h;
+}
+
 axisrt_status check_kernel(ImageView const& view, Record<record::kernel> kernel) {
   if (kernel[field::kernel::type] >= kernel_types) return AXISRT_UNKNOWN_KIND;
   uint32_t const tails = kernel[field::kernel::tail_count];
@@ -20,7 +27,7 @@ axisrt_status check_kernel(ImageView const& view, Record<record::kernel> kernel)
   return first_failure(
       [&] {
         return check_bounds(tails >= 1, view.tails.holds(kernel[field::kernel::first_tail], tails),
-                            kernel[field::kernel::delay_cycles] <= tails);
+                            fits_its_tails(kernel, tails));
       },
       [&] {
         return check_samples(view, kernel[field::kernel::first_sample], kernel[field::kernel::sample_count]);

@@ -17,6 +17,30 @@ axisrt_status verify(Bytes const& bytes) {
   return axisrt_verify(image.data(), image.size());
 }
 
+void command(TestRuntime& runtime, std::uint32_t group, axisrt_action action) {
+  axisrt_filter_command command{};
+  command.size = sizeof command;
+  command.action = static_cast<std::uint32_t>(action);
+  command.keywords = group % 2 == 0 ? 0 : AXISRT_KEYWORD_HSC;
+  static_cast<void>(axisrt_command(runtime.runtime, group, &command));
+}
+
+void step_velocity(TestRuntime& runtime, double in) {
+  std::uint32_t const axes = axisrt_axis_count(runtime.runtime);
+  for (std::uint32_t axis = 0; axis < axes; ++axis) {
+    REQUIRE(axisrt_reset_velocity(runtime.runtime, axis, 0, 0, 0) == AXISRT_OK);
+  }
+  std::vector<double> const velocity(axes, in);
+  std::vector<double> v_add(axes);
+  std::vector<double> increments(axes);
+  axisrt_velocities velocities{};
+  velocities.size = sizeof velocities;
+  velocities.v_set = velocities.v_motor = velocity.data();
+  REQUIRE(axisrt_step_velocity(runtime.runtime, &velocities, v_add.data(), increments.data(), nullptr) ==
+          AXISRT_OK);
+  for (double const v : increments) REQUIRE(std::isfinite(v));
+}
+
 /// Creates and runs; whether the self-tests pass does not matter here.
 void execute(Bytes const& bytes) {
   TestRuntime runtime(bytes, static_cast<std::uint32_t>(peek(bytes, 32, 4)));
@@ -32,13 +56,17 @@ void execute(Bytes const& bytes) {
   for (double const in : {1e9, -0x1p53, 0x1p53, 0.0, 1e-300}) {
     REQUIRE(std::isfinite(runtime.step(in)));
     REQUIRE(std::isfinite(runtime.step_interface(in)));
+    for (std::uint32_t group = 0; group < axisrt_group_count(runtime.runtime); ++group) {
+      command(runtime, group, in > 1 ? AXISRT_ACTION_OFF : AXISRT_ACTION_ON);
+    }
+    step_velocity(runtime, in);
   }
 }
 
 }  // namespace
 
 TEST_CASE("an image that was cut at any length is refused") {
-  Bytes const whole = write_image(complete_image());
+  Bytes const whole = write_image(GENERATE(complete_image(), channel_image()));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
     REQUIRE(verify(cut) == AXISRT_TOO_SHORT);
@@ -59,7 +87,7 @@ TEST_CASE("an image with a byte too many is refused") {
 }
 
 TEST_CASE("every bit flip is refused") {
-  Bytes bytes = write_image(complete_image());
+  Bytes bytes = write_image(GENERATE(complete_image(), channel_image()));
   AlignedMemory image(bytes);
   for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
     auto const mask = static_cast<std::uint8_t>(1U << bit % 8);
@@ -70,8 +98,9 @@ TEST_CASE("every bit flip is refused") {
 }
 
 TEST_CASE("every bit flip with right checksums is refused or harmless") {
-  ImageRecord small = complete_image();
-  small.axes.resize(1);
+  bool const with_kernels = GENERATE(false, true);
+  ImageRecord small = with_kernels ? channel_image() : complete_image();
+  if (!with_kernels) small.axes.resize(1);
   Bytes const whole = write_image(small);
   std::size_t accepted = 0;
   for (std::size_t bit = 0; bit < whole.size() * 8; ++bit) {

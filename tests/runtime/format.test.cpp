@@ -78,3 +78,37 @@ TEST_CASE("the table's offsets are those of the naive writer") {
   CHECK(peek(image, filter + axim_filter_port_offset, 4) == axim_port_interface);
   CHECK(peek(image, filter + axim_filter_sample_count_offset, 4) == 6);
 }
+
+TEST_CASE("the offsets of kernels and position control are those of the naive writer") {
+  using namespace axisc::test;
+  Bytes const image = write_image(channel_image());
+  CHECK(peek(image, axim_header_format_minor_offset, 2) == axim_minor);
+  std::size_t const kernel = section_offset(image, axim_kind_kernels) + axim_kernel_size;
+  CHECK(peek(image, kernel + axim_kernel_half_width_offset, 4) == 4);
+  CHECK(peek(image, kernel + axim_kernel_first_tail_offset, 4) == 4);
+  CHECK(peek(image, kernel + axim_kernel_tail_count_offset, 4) == 8);
+  CHECK(peek(image, kernel + axim_kernel_sample_count_offset, 4) == 6);
+  CHECK(peek(image, entry_offset(image, axim_kind_tails) + axim_section_count_offset, 4) == 19);
+  std::size_t const slot = section_offset(image, axim_kind_slots) + axim_slot_size;
+  CHECK(peek(image, slot + axim_slot_family_offset, 4) == axim_family_hsc);
+  CHECK(peek(image, slot + axim_slot_kernel_offset, 4) == 2);
+  CHECK(peek(image, slot + axim_slot_history_offset, 4) == 4);
+  CHECK(peek(image, slot + axim_slot_member_offset, 4) == 2);
+  std::size_t const group = section_offset(image, axim_kind_groups);
+  CHECK(peek(image, group + axim_group_member_count_offset, 4) == 3);
+  CHECK(peek(image, group + axim_group_bank_count_offset, 4) == 6);
+  CHECK(peek(image, group + axim_group_off_fade_cycles_offset, 4) == 25);
+  CHECK(peek(image, section_offset(image, axim_kind_members) + axim_member_size, 4) == 2);
+  std::size_t const bank = section_offset(image, axim_kind_banks) + std::size_t{5} * axim_bank_size;
+  CHECK(peek(image, bank + axim_bank_keywords_offset, 4) == axim_keyword_hsc);
+  CHECK(peek(image, bank + axim_bank_first_choice_offset, 4) == 15);
+  CHECK(peek(image, bank + axim_bank_fade_cycles_offset, 4) == 30);
+  CHECK(peek(image, section_offset(image, axim_kind_choices), 4) == 0);
+  std::size_t const control = section_offset(image, axim_kind_controls) + axim_control_size;
+  CHECK(peek(image, control + axim_control_axis_offset, 4) == 2);
+  CHECK(peek(image, control + axim_control_controller_offset, 4) == 2);
+  std::size_t const stage = section_offset(image, axim_kind_stages) + axim_stage_size;
+  CHECK(peek(image, stage + axim_stage_mode_offset, 4) == 2);
+  CHECK(peek(image, stage + axim_stage_first_filter_offset, 4) == 3);
+  CHECK(peek(image, stage + axim_stage_filter_count_offset, 4) == 2);
+}

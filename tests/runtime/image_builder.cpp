@@ -1,5 +1,7 @@
 #include "runtime/image_builder.hpp"
 
+#include "runtime/section_writer.hpp"
+
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -10,46 +12,6 @@ namespace {
 constexpr std::size_t header_size = 128;
 constexpr std::size_t entry_size = 32;
 
-struct SectionBytes {
-  std::uint32_t kind = 0, flags = 0, element_size = 0, count = 0;
-  ByteWriter content;
-};
-
-/// Appends records of one kind and counts them.
-class SectionWriter {
- public:
-  SectionWriter(std::uint32_t kind, std::uint32_t flags, std::uint32_t record_size, std::uint32_t longer)
-      : longer_(longer) {
-    section.kind = kind;
-    section.flags = flags;
-    section.element_size = record_size + longer;
-  }
-  ByteWriter& out() { return section.content; }
-  void end_record() {
-    section.content.bytes.insert(section.content.bytes.end(), longer_, 0xEE);
-    ++section.count;
-    if (section.content.bytes.size() != std::size_t{section.element_size} * section.count) {
-      throw std::logic_error("a record has the wrong size");
-    }
-  }
-  SectionBytes section;
-
- private:
-  std::uint32_t longer_;
-};
-
-struct Sections {
-  explicit Sections(ImageRecord const& image)
-      : axes(axes_kind, 0, 128, image.longer_records),
-        filters(filters_kind, 0, 192, image.longer_records),
-        coefficients(coefficients_kind, 0, 32, image.longer_records),
-        names(names_kind, 1, 1, 0),
-        samples(self_tests_kind, 1, 16, image.longer_records),
-        lists(lists_kind, 1, 64, image.longer_records),
-        values(values_kind, 1, 32, image.longer_records) {}
-  SectionWriter axes, filters, coefficients, names, samples, lists, values;
-};
-
 void append_coefficients(SectionWriter& coefficients, SectionRecord const& section) {
   ByteWriter& out = coefficients.out();
   out.f64(section.p);
@@ -57,55 +19,6 @@ void append_coefficients(SectionWriter& coefficients, SectionRecord const& secti
   out.f64(section.k);
   out.f64(section.b);
   coefficients.end_record();
-}
-
-void append_sample(SectionWriter& samples, SampleRecord const& sample) {
-  samples.out().f64(sample.input);
-  samples.out().f64(sample.output);
-  samples.end_record();
-}
-
-void append_filter(Sections& to, FilterRecord const& filter, std::uint32_t axis, std::uint32_t port,
-                   bool strip) {
-  ByteWriter& out = to.filters.out();
-  out.u32(axis);
-  out.u32(port);
-  out.u32(filter.index);
-  out.u32(filter.realisation);
-  out.u32(filter.activation);
-  out.u32(filter.blocks_constant);
-  out.u32(to.coefficients.section.count);
-  out.u32(static_cast<std::uint32_t>(filter.sections.size()));
-  out.u32(filter.delay_cycles);
-  out.u32(filter.type);
-  out.u32(filter.prototype);
-  out.u32(2);  // order
-  out.f64(filter.share);
-  out.f64(filter.direct);
-  out.f64(filter.direct_low);
-  out.f64(30);                  // frequency
-  out.f64(1);                   // quality
-  out.f64(10000);               // time constant
-  out.f64(filter.share * 100);  // share in percent
-  for (double const proof : {0.9, 1.0, 2.0, 1.0, 1.0, 0.0}) out.f64(proof);
-  bool const tested = !strip && !filter.samples.empty();
-  out.u32(tested ? to.samples.section.count : 0);
-  out.u32(tested ? static_cast<std::uint32_t>(filter.samples.size()) : 0);
-  out.zeros(32);
-  to.filters.end_record();
-  for (SectionRecord const& section : filter.sections) append_coefficients(to.coefficients, section);
-  if (tested) {
-    for (SampleRecord const& sample : filter.samples) append_sample(to.samples, sample);
-  }
-}
-
-std::pair<std::uint32_t, std::uint32_t> append_text(SectionWriter& names, std::string const& text) {
-  std::uint32_t const offset = names.section.count;
-  for (char const letter : text) {
-    names.out().text(std::string(1, letter));
-    names.end_record();
-  }
-  return {offset, static_cast<std::uint32_t>(text.size())};
 }
 
 void append_axis(Sections& to, AxisRecord const& axis, std::uint32_t index, bool strip) {
@@ -203,6 +116,55 @@ Bytes assemble(ImageRecord const& image, std::vector<SectionBytes const*> const&
 
 }  // namespace
 
+void append_sample(SectionWriter& samples, SampleRecord const& sample) {
+  samples.out().f64(sample.input);
+  samples.out().f64(sample.output);
+  samples.end_record();
+}
+
+void append_filter(Sections& to, FilterRecord const& filter, std::uint32_t axis, std::uint32_t port,
+                   bool strip) {
+  ByteWriter& out = to.filters.out();
+  out.u32(axis);
+  out.u32(port);
+  out.u32(filter.index);
+  out.u32(filter.realisation);
+  out.u32(filter.activation);
+  out.u32(filter.blocks_constant);
+  out.u32(to.coefficients.section.count);
+  out.u32(static_cast<std::uint32_t>(filter.sections.size()));
+  out.u32(filter.delay_cycles);
+  out.u32(filter.type);
+  out.u32(filter.prototype);
+  out.u32(2);  // order
+  out.f64(filter.share);
+  out.f64(filter.direct);
+  out.f64(filter.direct_low);
+  out.f64(30);                  // frequency
+  out.f64(1);                   // quality
+  out.f64(10000);               // time constant
+  out.f64(filter.share * 100);  // share in percent
+  for (double const proof : {0.9, 1.0, 2.0, 1.0, 1.0, 0.0}) out.f64(proof);
+  bool const tested = !strip && !filter.samples.empty();
+  out.u32(tested ? to.samples.section.count : 0);
+  out.u32(tested ? static_cast<std::uint32_t>(filter.samples.size()) : 0);
+  out.zeros(32);
+  to.filters.end_record();
+  for (SectionRecord const& section : filter.sections) append_coefficients(to.coefficients, section);
+  if (tested) {
+    for (SampleRecord const& sample : filter.samples) append_sample(to.samples, sample);
+  }
+}
+
+std::pair<std::uint32_t, std::uint32_t> append_text(SectionWriter& names, std::string const& text) {
+  std::uint32_t const offset = names.section.count;
+  for (char const letter : text) {
+    names.out().text(std::string(1, letter));
+    names.end_record();
+  }
+  return {offset, static_cast<std::uint32_t>(text.size())};
+}
+
 void ByteWriter::number(std::uint64_t value, int size) {
   for (int i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
@@ -239,10 +201,16 @@ std::uint32_t naive_crc32c(std::uint8_t const* bytes, std::size_t size) {
 Bytes write_image(ImageRecord const& image) {
   Sections sections(image);
   for (std::uint32_t i = 0; i < image.axes.size(); ++i) append_axis(sections, image.axes[i], i, image.strip);
+  append_kernels_and_controls(sections, image);
   if (!image.strip) append_source_map(sections, image);
 
   std::vector<SectionBytes const*> parts{&sections.axes.section, &sections.filters.section,
                                          &sections.coefficients.section};
+  for (SectionWriter const* writer :
+       {&sections.kernels, &sections.tails, &sections.slots, &sections.groups, &sections.members,
+        &sections.banks, &sections.choices, &sections.controls, &sections.stages}) {
+    if (writer->count() > 0) parts.push_back(&writer->section);
+  }
   if (!image.strip) {
     parts.insert(parts.end(), {&sections.names.section, &sections.samples.section, &sections.lists.section,
                                &sections.values.section});

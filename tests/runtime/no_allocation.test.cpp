@@ -97,3 +97,52 @@ TEST_CASE("no function of the runtime allocates") {
   CHECK(runtime != nullptr);
   CHECK(state.reset_done == 1);
 }
+
+TEST_CASE("commands, fades and position control do not allocate") {
+  AlignedMemory const image(write_image(channel_image()));
+  AlignedMemory memory(1 << 16);
+  axisrt_config const config{.size = sizeof(axisrt_config),
+                             .cycle_time_ns = 1'000'000,
+                             .image = image.data(),
+                             .image_size = image.size(),
+                             .memory = memory.data(),
+                             .memory_size = memory.size()};
+  axisrt* runtime = nullptr;
+  double in[3] = {};
+  double out[3] = {};
+  double increments[3] = {};
+  std::uint8_t status[3] = {};
+  std::size_t length = 0;
+  axisrt_velocities const velocities{
+      .size = sizeof velocities, .reserved = 0, .v_set = in, .v_motor = in, .v_direct = in};
+  axisrt_filter_command command{};
+  command.size = sizeof command;
+  unsigned accepted = 0;
+  unsigned busy = 0;
+
+  unsigned const before = allocations;
+  axisrt_create(&config, &runtime);
+  for (std::uint32_t axis = 0; axis < 3; ++axis) {
+    axisrt_reset(runtime, axis, 10);
+    axisrt_reset_velocity(runtime, axis, 10, 10, 10);
+  }
+  for (unsigned i = 0; i < 1000; ++i) {
+    in[0] = in[1] = in[2] = i;
+    command.action = i / 7 % 4;
+    command.keywords = i % 3 == 0 ? AXISRT_KEYWORD_HSC : 0;
+    axisrt_status const answer = axisrt_command(runtime, 0, &command);
+    accepted += answer == AXISRT_OK ? 1 : 0;
+    busy += answer == AXISRT_BUSY ? 1 : 0;
+    axisrt_step(runtime, in, out, status);
+    axisrt_step_velocity(runtime, &velocities, out, increments, status);
+  }
+  std::uint32_t const order = axisrt_order_of_time(runtime, 20'000);
+  axisrt_group_name(runtime, 0, &length);
+  unsigned const after = allocations;
+
+  CHECK(after == before);
+  CHECK(accepted > 0);
+  CHECK(busy > 0);
+  CHECK(order == 20);
+  CHECK(length == 7);
+}

@@ -25,7 +25,10 @@ constexpr axisrt_status all_statuses[] = {AXISRT_OK,
                                           AXISRT_MEMORY_TOO_SMALL,
                                           AXISRT_BAD_ARGUMENT,
                                           AXISRT_BAD_INPUT,
-                                          AXISRT_NOT_RESET};
+                                          AXISRT_NOT_RESET,
+                                          AXISRT_BUSY,
+                                          AXISRT_NO_BANK,
+                                          AXISRT_NEEDS_STANDSTILL};
 
 }  // namespace
 
