@@ -65,16 +65,44 @@ schema::Parameter const* row_of_name(std::string const& word) {
                  .arguments = {{"word", word}, {"meant", meant}}});
 }
 
-std::string explain_word(std::string const& word, Language language) {
-  if (auto const* const rule = rule_of(word)) return explain_rule(*rule, 1, language);
-  std::string text;
-  for (auto const id : rows_of_number(word)) {
-    if (!text.empty()) text += "\n";
-    text += explain_parameter(schema::parameter(id), language);
+enum class Form : std::uint8_t { markdown, json };
+
+/// What the user asked about.
+struct Subject {
+  std::vector<validator::Rule const*> rules;
+  std::vector<schema::Parameter const*> parameters;
+};
+
+Subject subject_of(std::string const& word) {
+  Subject subject;
+  if (auto const* const rule = rule_of(word)) {
+    subject.rules.push_back(rule);
+    return subject;
   }
-  if (!text.empty()) return text;
-  if (auto const* const parameter = row_of_name(word)) return explain_parameter(*parameter, language);
+  for (auto const id : rows_of_number(word)) subject.parameters.push_back(&schema::parameter(id));
+  if (!subject.parameters.empty()) return subject;
+  if (auto const* const parameter = row_of_name(word)) {
+    subject.parameters.push_back(parameter);
+    return subject;
+  }
   refuse(word);
+}
+
+Subject everything() {
+  Subject subject;
+  for (auto const& rule : validator::rules()) subject.rules.push_back(&rule);
+  for (auto const& parameter : schema::parameters()) subject.parameters.push_back(&parameter);
+  return subject;
+}
+
+std::string explain_markdown(Subject const& subject, Language language) {
+  std::string text;
+  for (auto const* const rule : subject.rules) text += explain_rule(*rule, 1, language);
+  for (auto const* const parameter : subject.parameters) {
+    if (!text.empty()) text += "\n";
+    text += explain_parameter(*parameter, language);
+  }
+  return text;
 }
 
 }  // namespace
@@ -82,10 +110,13 @@ std::string explain_word(std::string const& word, Language language) {
 ExitStatus explain(Invocation const& invocation) {
   std::optional<std::string> word;
   bool all = false;
+  Form form = Form::markdown;
   CommandLine command_line("explain", Text::cli_explain_purpose, Text::cli_explain_examples,
                            invocation.language);
   command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, Text::cli_arg_subject);
   command_line.flag("--all", all, Text::cli_opt_all);
+  command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
+                      Text::cli_opt_explain_format);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -94,8 +125,13 @@ ExitStatus explain(Invocation const& invocation) {
     throw Failure({.text = Text::cli_argument_missing,
                    .arguments = {{"argument", "CODE|P-AXIS-NNNNN|PARAMETER"}, {"command", "explain"}}});
   }
-  invocation.streams.out.write(all ? explain_all(invocation.language)
-                                   : explain_word(*word, invocation.language));
+  auto const language = invocation.language;
+  if (form == Form::json) {
+    auto const subject = all ? everything() : subject_of(*word);
+    invocation.streams.out.write(explain_json(subject.rules, subject.parameters, language));
+  } else {
+    invocation.streams.out.write(all ? explain_all(language) : explain_markdown(subject_of(*word), language));
+  }
   return ExitStatus::success;
 }
 

@@ -5,6 +5,7 @@
 #include "schema/catalogue.hpp"
 #include "validator/rule.hpp"
 
+#include <span>
 #include <string>
 
 namespace axisc::cli {
@@ -17,5 +18,10 @@ namespace axisc::cli {
 
 /// One row of the catalogue as Markdown.
 [[nodiscard]] std::string explain_parameter(schema::Parameter const& parameter, Language language);
+
+/// Rules and parameters for other programs.
+[[nodiscard]] std::string explain_json(std::span<validator::Rule const* const> rules,
+                                       std::span<schema::Parameter const* const> parameters,
+                                       Language language);
 
 }  // namespace axisc::cli

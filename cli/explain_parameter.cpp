@@ -1,7 +1,6 @@
 #include "cli/explain.hpp"
-#include "cli/quantities.hpp"
+#include "cli/parameter_facts.hpp"
 #include "diagnostics/format_number.hpp"
-#include "diagnostics/pages.hpp"
 
 #include <utility>
 
@@ -62,78 +61,6 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
              {{"first", schema::slot_name(parameter.first_slot)}, {"last", schema::slot_name(last)}});
 }
 
-/// `filter[0].order` and `filter[i].order` become `filter[].order`.
-std::string without_indices(std::string_view text) {
-  std::string result;
-  bool inside = false;
-  for (char const character : text) {
-    inside = inside && character != ']';
-    if (!inside) result += character;
-    inside = inside || character == '[';
-  }
-  return result;
-}
-
-/// The page names the parameter itself, not a longer name that it is part of.
-bool names(std::string_view text, std::string_view name) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]-";
-  for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-    bool const begins = at == 0 || letters.find(text[at - 1]) == std::string_view::npos;
-    auto const behind = text.substr(at + name.size(), 2);
-    bool const full_stop =
-        behind.size() == 2 && behind[0] == '.' && letters.find(behind[1]) == std::string_view::npos;
-    bool const ends = behind.empty() || full_stop || letters.find(behind[0]) == std::string_view::npos;
-    if (begins && ends) return true;
-  }
-  return false;
-}
-
-/// A rule looks at a parameter when its page names it; what follows from the facts of the row is added.
-std::vector<std::string> rules_about(schema::Parameter const& parameter) {
-  std::vector<std::string> codes;
-  auto const number = schema::p_axis_text(parameter.p_axis);
-  bool const numeric = parameter.type != schema::DataType::string && !parameter.is_enumeration();
-  bool const limited = parameter.minimum.kind == schema::Limit::Kind::number ||
-                       parameter.maximum.kind == schema::Limit::Kind::number;
-  bool const limited_by_parameter = parameter.minimum.kind == schema::Limit::Kind::parameter ||
-                                    parameter.maximum.kind == schema::Limit::Kind::parameter;
-  for (auto const& rule : validator::rules()) {
-    auto const text = without_indices(page(rule.code, Language::english));
-    bool about = names(text, parameter.name) || (parameter.p_axis != 0 && names(text, number));
-    switch (static_cast<unsigned>(rule.code)) {
-      case 2002:
-      case 2003:
-        about = true;
-        break;
-      case 2004:
-        about = schema::is_integer(parameter.type);
-        break;
-      case 2005:
-        about = numeric && limited;
-        break;
-      case 2007:
-        about = parameter.is_enumeration();
-        break;
-      case 2008:
-        about = parameter.max_length > 0;
-        break;
-      case 2009:
-        about = !parameter.axis_types.empty();
-        break;
-      case 2015:
-        about = limited_by_parameter;
-        break;
-      case 2016:
-        about = !parameter.since.empty();
-        break;
-      default:
-        break;
-    }
-    if (about) codes.push_back(code_text(rule.code));
-  }
-  return codes;
-}
-
 std::string joined(std::vector<std::string> const& words) {
   std::string text;
   for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -144,13 +71,6 @@ std::string axis_types_text(std::string_view letters) {
   std::vector<std::string> words;
   for (char const letter : letters) words.emplace_back(1, letter);
   return joined(words);
-}
-
-/// As documented, except that 3.000000e+001 is shown as 30.
-std::string default_text(schema::Parameter const& parameter) {
-  auto const number =
-      parameter.type == schema::DataType::string ? std::nullopt : parse_finite(parameter.default_text);
-  return number ? format_exact(*number) : std::string(parameter.default_text);
 }
 
 std::string example(schema::Parameter const& parameter) {
@@ -176,6 +96,7 @@ std::string explain_parameter(schema::Parameter const& parameter, Language langu
   row(Text::explain_longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
   row(Text::explain_axis_types, axis_types_text(parameter.axis_types));
   row(Text::explain_since, std::string(parameter.since));
+  row(Text::explain_manual, manual_section(parameter, language));
   row(Text::explain_rules, joined(rules_about(parameter)));
   if (auto const line = example(parameter); !line.empty()) {
     text += "\n" + say(Text::explain_example, language) + "\n\n" + line;
