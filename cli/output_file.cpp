@@ -99,9 +99,13 @@ void OutputFile::open_beside(bool exists, unsigned old_mode, unsigned old_user, 
   // Renaming needs no right to write the old file, but a write protection is meant.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
   std::string name = folder_of(target_) + "/.axisc-XXXXXX";
-  file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
-  if (!file_.is_open()) fail(errno);
-  temporary_.path = std::move(name);
+  {
+    WithoutInterruption const made_and_remembered;
+    file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+    if (!file_.is_open()) fail(errno);
+    temporary_.path = std::move(name);
+    temporary_.interruption.emplace(temporary_.path.c_str());
+  }
   // Only root may give a file away; the others keep their own name on it.
   [[maybe_unused]] bool const same_owner = exists && ::fchown(file_.get(), old_user, old_group) == 0;
   if (::fchmod(file_.get(), exists ? old_mode & permission_bits : mode_for_new_files()) != 0) fail(errno);
@@ -125,6 +129,7 @@ void OutputFile::commit() {
   if (::fsync(file_.get()) != 0) fail(errno);
   if (int const error = file_.close(); error != 0) fail(error);
   if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(errno);
+  temporary_.interruption.reset();
   temporary_.path.clear();
   // The name survives a power failure only when its folder is synced too; the content is safe either way.
   FileDescriptor const folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

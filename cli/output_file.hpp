@@ -2,14 +2,16 @@
 #pragma once
 
 #include "cli/file_descriptor.hpp"
+#include "cli/interruption.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace axisc::cli {
 
 /// Writes beside the target, syncs and renames, so that nobody ever sees half of it and an old file stays untouched
-/// when anything fails. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
+/// when anything fails or the program is interrupted. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
 /// device, a pipe) is opened and written directly, never renamed over; "-" is standard output.
 /// Every function may throw a Failure (AX9002).
 class OutputFile {
@@ -24,9 +26,10 @@ class OutputFile {
   void commit();
 
  private:
-  /// Removed with this object unless it was renamed before.
+  /// Removed with this object, or when the program is interrupted, unless it was renamed before.
   struct TemporaryFile {
     std::string path;  ///< empty where there is none (any more)
+    std::optional<RemovedWhenInterrupted> interruption;
     TemporaryFile() = default;
     TemporaryFile(TemporaryFile const&) = delete;
     TemporaryFile& operator=(TemporaryFile const&) = delete;

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -28,7 +32,7 @@ constexpr std::size_t shortest_beginning = 3;
 constexpr std::size_t resembling_part = 2;  ///< `fir` for `filter_fir`
 constexpr std::size_t missing_part = 2;     ///< the part is not there at all
 constexpr std::size_t foreign_part = 4;     ///< another word: the parameter is known, but in another family
-/// Suggestions that are this much worse than the best are left out.
+/// Suggestions that are more than this worse than the best are left out.
 constexpr std::size_t tolerance_to_best = 1;
 /// Up to this many other families are worth naming whatever they are called.
 constexpr std::size_t clear_families = 2;
@@ -43,47 +47,136 @@ bool resembles(std::string_view a, std::string_view b) {
   return (at == 0 || b[at - 1] == '_') && (end == b.size() || b[end] == '_');
 }
 
-/// A known name taken apart, in storage that is used again for the next one.
-struct KnownName {
-  std::string bare;
-  std::vector<std::string_view> parts;
+/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less telling, not
+/// wrong.
+using Letters = std::uint64_t;
 
-  void assign(std::string_view pattern) {
-    bare.clear();
-    parts.clear();
-    for (char const byte : pattern) {
-      if (byte != '[' && byte != ']') bare += byte;
-    }
-    for (std::string_view rest = bare; !rest.empty();) parts.push_back(take_part(rest));
+Letters letters_of(std::string_view text) {
+  constexpr unsigned letters = 32;
+  Letters once = 0;
+  Letters twice = 0;
+  for (char const byte : text) {
+    Letters const letter = Letters{1} << (static_cast<unsigned char>(byte) % letters);
+    twice |= once & letter;
+    once |= letter;
   }
+  return once | twice << letters;
+}
+
+struct Word {
+  explicit Word(std::string_view word) : text(word), letters(letters_of(word)) {}
+
+  std::string text;
+  Letters letters;
 };
 
-/// Compares the parts of two names from the last one on. None when they have too little in common.
-std::optional<std::size_t> part_distance(IndexedName const& name,
-                                         std::vector<std::string_view> const& known) {
-  std::size_t const given_count = name.parts.size();
-  std::size_t const common = std::min(given_count, known.size());
-  std::size_t cost = missing_part * (std::max(given_count, known.size()) - common);
+/// Every slip adds or takes away one letter at most.
+bool has_more_than(std::size_t limit, Letters letters) {
+  for (; limit > 0 && letters != 0; --limit) letters &= letters - 1;
+  return letters != 0;
+}
+
+bool is_certainly_beyond(Word const& a, Word const& b, std::size_t limit) {
+  std::size_t const longer = std::max(a.text.size(), b.text.size());
+  if (longer - std::min(a.text.size(), b.text.size()) > limit) return true;
+  return has_more_than(limit, a.letters & ~b.letters) || has_more_than(limit, b.letters & ~a.letters);
+}
+
+std::size_t slips_between(Word const& a, Word const& b, std::size_t limit) {
+  return is_certainly_beyond(a, b, limit) ? limit + 1 : edit_distance(a.text, b.text, limit);
+}
+
+struct KnownName {
+  Word bare;
+  std::size_t last_part = 0;       ///< index into Vocabulary::parts
+  std::vector<std::size_t> parts;  ///< the same for all parts
+};
+
+/// The known names taken apart.
+struct Vocabulary {
+  std::vector<Word> parts;       ///< each different one
+  std::vector<KnownName> names;  ///< in the order of parameters()
+};
+
+Vocabulary take_apart(std::span<Parameter const> known) {
+  Vocabulary vocabulary;
+  std::map<std::string, std::size_t, std::less<>> places;
+  for (Parameter const& parameter : known) {
+    std::string bare(parameter.name);
+    std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
+    KnownName name{.bare = Word(bare), .parts = {}};
+    for (std::string_view rest = bare; !rest.empty();) {
+      std::string_view const part = take_part(rest);
+      auto const [place, is_new] = places.try_emplace(std::string(part), vocabulary.parts.size());
+      if (is_new) vocabulary.parts.emplace_back(part);
+      name.parts.push_back(place->second);
+      name.last_part = place->second;
+    }
+    vocabulary.names.push_back(std::move(name));
+  }
+  return vocabulary;
+}
+
+Vocabulary const& vocabulary() {
+  static Vocabulary const taken_apart = take_apart(parameters());
+  return taken_apart;
+}
+
+/// What one part of the given name has to do with the known parts, found out when it is asked for.
+class PartComparison {
+ public:
+  explicit PartComparison(std::string_view given)
+      : words_(vocabulary().parts),
+        given_(given),
+        limit_(tolerable_distance(given.size())),
+        costs_(words_.size(), not_compared) {}
+
+  struct Result {
+    bool agrees;                      ///< but for some slips
+    std::optional<std::size_t> cost;  ///< none where nothing is alike
+  };
+
+  Result with(std::size_t part) {
+    std::uint8_t& cost = costs_[part];
+    if (cost == not_compared) cost = compare(words_[part]);
+    if (cost == unlike) return {.agrees = false, .cost = std::nullopt};
+    if (cost == resembling) return {.agrees = false, .cost = resembling_part};
+    return {.agrees = true, .cost = cost};
+  }
+
+ private:
+  static constexpr std::uint8_t not_compared = 255;
+  static constexpr std::uint8_t unlike = 254;
+  static constexpr std::uint8_t resembling = 253;
+
+  std::uint8_t compare(Word const& wanted) const {
+    std::size_t const slips = slips_between(given_, wanted, limit_);
+    if (slips <= limit_) return static_cast<std::uint8_t>(slips);
+    // A whole word of the other brings no letter that the other has not.
+    bool const contained = (given_.letters & ~wanted.letters) == 0 || (wanted.letters & ~given_.letters) == 0;
+    return contained && resembles(given_.text, wanted.text) ? resembling : unlike;
+  }
+
+  std::span<Word const> words_;
+  Word given_;
+  std::size_t limit_;
+  std::vector<std::uint8_t> costs_;
+};
+
+/// Compares the parts of two names from the last one on, which is alike. None when they have too little in common.
+std::optional<std::size_t> part_distance(std::vector<PartComparison>& given,
+                                         std::vector<std::size_t> const& known) {
+  std::size_t const common = std::min(given.size(), known.size());
+  std::size_t cost = missing_part * (std::max(given.size(), known.size()) - common);
   std::size_t agreeing = 0;
   std::size_t foreign = 0;
   for (std::size_t i = 1; i <= common; ++i) {
-    std::string_view const given = name.parts[given_count - i].name;
-    std::string_view const wanted = known[known.size() - i];
-    std::size_t const limit = tolerable_distance(given.size());
-    std::size_t const slips = edit_distance(given, wanted, limit);
-    if (slips <= limit) {
-      cost += slips;
-      ++agreeing;
-    } else if (resembles(given, wanted)) {
-      cost += resembling_part;
-    } else if (i == 1) {
-      return std::nullopt;  // the last part says which quantity is meant
-    } else {
-      cost += foreign_part;
-      ++foreign;
-    }
+    auto const part = given[given.size() - i].with(known[known.size() - i]);
+    cost += part.cost.value_or(foreign_part);
+    agreeing += part.agrees ? 1 : 0;
+    foreign += part.cost ? 0 : 1;
   }
-  if (foreign > 1 || 2 * agreeing < given_count) return std::nullopt;
+  if (foreign > 1 || 2 * agreeing < given.size()) return std::nullopt;
   return cost;
 }
 
@@ -107,37 +200,54 @@ std::vector<std::uint32_t> given_indices(IndexedName const& name) {
   return indices;
 }
 
+/// The candidates that are not much worse than the best, the best first.
 std::vector<Candidate> candidates_for(IndexedName const& name) {
-  std::string const bare = bare_name(name);
-  std::size_t const indices = given_indices(name).size();
-  std::size_t const slip_limit = tolerable_distance(bare.size());
+  Word const bare(bare_name(name));
+  std::size_t const slip_limit = tolerable_distance(bare.text.size());
+  std::vector<PartComparison> parts;
+  parts.reserve(name.parts.size());
+  for (NamePart const& part : name.parts) parts.emplace_back(part.name);
+
   std::vector<Candidate> candidates;
-  KnownName known;
-  for (Parameter const& parameter : parameters()) {
-    known.assign(parameter.name);
-    auto cost = part_distance(name, known.parts);
-    std::size_t const slips = edit_distance(bare, known.bare, slip_limit);
+  std::vector<KnownName> const& known_names = vocabulary().names;
+  std::size_t best = std::numeric_limits<std::size_t>::max() - tolerance_to_best;
+  for (std::size_t i = 0; i < known_names.size(); ++i) {
+    KnownName const& known = known_names[i];
+    // The last part says which quantity is meant.
+    bool const is_this_quantity = parts.back().with(known.last_part).cost.has_value();
+    bool const is_far_off = is_certainly_beyond(bare, known.bare, slip_limit);
+    if (!is_this_quantity && is_far_off) continue;
+    auto cost = is_this_quantity ? part_distance(parts, known.parts) : std::nullopt;
+    std::size_t const slips =
+        is_far_off ? slip_limit + 1 : edit_distance(bare.text, known.bare.text, slip_limit);
     if (slips <= slip_limit) {
       std::size_t const whole_cost = slips <= few_slips ? slips : slips + another_word;
       cost = std::min(cost.value_or(whole_cost), whole_cost);
     }
     if (!cost) continue;
-    std::size_t const wanted = parameter.index_count();
-    candidates.push_back({.cost = *cost,
-                          .index_difference = wanted > indices ? wanted - indices : indices - wanted,
-                          .text_distance = edit_distance(bare, known.bare, bare.size() + known.bare.size()),
-                          .parameter = &parameter});
+    best = std::min(best, *cost);
+    if (*cost > best + tolerance_to_best) continue;
+    candidates.push_back({.cost = *cost, .text_distance = slips, .parameter = &parameters()[i]});
+  }
+  std::erase_if(candidates,
+                [best](Candidate const& candidate) { return candidate.cost > best + tolerance_to_best; });
+
+  std::size_t const indices = given_indices(name).size();
+  for (Candidate& candidate : candidates) {
+    std::size_t const wanted = candidate.parameter->index_count();
+    candidate.index_difference = wanted > indices ? wanted - indices : indices - wanted;
+    if (candidate.text_distance <= slip_limit) continue;
+    auto const row = static_cast<std::size_t>(candidate.parameter - parameters().data());
+    std::string_view const known = known_names[row].bare.text;
+    candidate.text_distance = edit_distance(bare.text, known, bare.text.size() + known.size());
   }
   std::sort(candidates.begin(), candidates.end(), is_better);
   return candidates;
 }
 
-/// Leaves the best. A quantity that many families have (`enable`) says nothing about the family that was meant, so
-/// of those only the ones whose family is spelled alike stay.
+/// A quantity that many families have (`enable`) says nothing about the family that was meant, so of those only the ones
+/// whose family is spelled alike stay.
 void drop_arbitrary(std::vector<Candidate>& candidates, std::size_t name_size) {
-  if (candidates.empty()) return;
-  std::size_t const worst = candidates.front().cost + tolerance_to_best;
-  std::erase_if(candidates, [worst](Candidate const& candidate) { return candidate.cost > worst; });
   if (candidates.size() <= clear_families) return;
   std::erase_if(candidates, [name_size](Candidate const& candidate) {
     return candidate.cost >= foreign_part && 2 * candidate.text_distance >= name_size;
@@ -177,7 +287,7 @@ std::vector<std::string> suggest_names(std::string_view name) {
   if (name.size() > longest_compared) return {};
   std::string const folded = lower_case(name);
   auto const parts = split_name(folded);
-  if (!parts) return {};
+  if (!parts || parts->parts.empty()) return {};
   std::vector<Candidate> candidates = candidates_for(*parts);
   drop_arbitrary(candidates, bare_name(*parts).size());
   std::vector<std::uint32_t> const indices = given_indices(*parts);

@@ -3,7 +3,9 @@
 #include "cli/failure.hpp"
 #include "cli/temporary_folder.hpp"
 
+#include <csignal>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace axisc;
@@ -63,6 +65,46 @@ TEST_CASE("without commit nothing is left behind") {
   }
   CHECK(folder.read("out") == "old");
   CHECK(folder.entries() == 1);
+}
+
+TEST_CASE("an interrupted program leaves no temporary file behind") {
+  test::TemporaryFolder const folder;
+  folder.write("out", "old");
+  for (int const signal : {SIGINT, SIGTERM, SIGHUP}) {
+    pid_t const child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+      static_cast<void>(::signal(signal, SIG_DFL));  // the test program handles it
+      OutputFile file(folder / "out");
+      file.write("half");
+      static_cast<void>(::raise(signal));
+      ::_exit(0);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == signal);
+    CHECK(folder.read("out") == "old");
+    CHECK(folder.entries() == 1);
+  }
+}
+
+TEST_CASE("a signal that is ignored does not interrupt") {
+  test::TemporaryFolder const folder;
+  pid_t const child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    static_cast<void>(::signal(SIGHUP, SIG_IGN));
+    OutputFile file(folder / "out");
+    file.write("all");
+    static_cast<void>(::raise(SIGHUP));
+    file.commit();
+    ::_exit(0);
+  }
+  int status = 1;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(status == 0);
+  CHECK(folder.read("out") == "all");
 }
 
 TEST_CASE("a symbolic link is followed") {

@@ -1,0 +1,64 @@
+#include "cli/interruption.hpp"
+
+#include <array>
+#include <unistd.h>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP};
+
+// A handler has no other way to know. It may read atomics without locks, and unlink() is safe in it.
+using Path = std::atomic<char const*>;
+static_assert(Path::is_always_lock_free);
+std::array<Path, 4> paths;
+
+extern "C" void remove_files(int signal) {
+  for (Path const& path : paths) {
+    if (char const* const name = path.load(); name != nullptr) ::unlink(name);
+  }
+  // The handler is reset: this ends the program as soon as it returns, and the caller sees which signal it was.
+  static_cast<void>(::raise(signal));
+}
+
+void handle_signals() {
+  for (int const signal : ending_signals) {
+    struct sigaction action {};
+    bool const is_default = ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL;
+    if (!is_default) continue;
+    action.sa_handler = remove_files;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    static_cast<void>(::sigaction(signal, &action, nullptr));
+  }
+}
+
+}  // namespace
+
+WithoutInterruption::WithoutInterruption() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (int const signal : ending_signals) ::sigaddset(&signals, signal);
+  static_cast<void>(::pthread_sigmask(SIG_BLOCK, &signals, &before_));
+}
+
+WithoutInterruption::~WithoutInterruption() {
+  static_cast<void>(::pthread_sigmask(SIG_SETMASK, &before_, nullptr));
+}
+
+RemovedWhenInterrupted::RemovedWhenInterrupted(char const* path) {
+  handle_signals();
+  for (Path& place : paths) {
+    char const* none = nullptr;
+    if (place.compare_exchange_strong(none, path)) {
+      place_ = &place;
+      return;
+    }
+  }
+}
+
+RemovedWhenInterrupted::~RemovedWhenInterrupted() {
+  if (place_ != nullptr) place_->store(nullptr);
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,34 @@
+// Files that shall not stay behind when the user interrupts the program.
+#pragma once
+
+#include <atomic>
+#include <csignal>
+
+namespace axisc::cli {
+
+/// Keeps the signals that end a program away for as long as it lives, so that making a file and remembering it are one.
+class WithoutInterruption {
+ public:
+  WithoutInterruption();
+  WithoutInterruption(WithoutInterruption const&) = delete;
+  WithoutInterruption& operator=(WithoutInterruption const&) = delete;
+  ~WithoutInterruption();
+
+ private:
+  sigset_t before_{};
+};
+
+/// While it lives, Ctrl-C and SIGTERM remove this file before they end the program. A signal that is ignored or handled
+/// by somebody else stays so. `path` must live longer; of more than four files at once the further ones stay behind.
+class RemovedWhenInterrupted {
+ public:
+  explicit RemovedWhenInterrupted(char const* path);
+  RemovedWhenInterrupted(RemovedWhenInterrupted const&) = delete;
+  RemovedWhenInterrupted& operator=(RemovedWhenInterrupted const&) = delete;
+  ~RemovedWhenInterrupted();
+
+ private:
+  std::atomic<char const*>* place_ = nullptr;
+};
+
+}  // namespace axisc::cli
