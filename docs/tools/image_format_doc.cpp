@@ -59,7 +59,7 @@ constexpr std::array sections = {
 
 constexpr std::string_view introduction =
     R"(<!-- Made from runtime/format/fields.inc by docs/tools/image_format_doc.cpp; change those. -->
-# The coefficient image, format version 1.0
+# The coefficient image, format version 1.1
 
 `axisc compile` writes a coefficient image (`.axim`), the runtime executes it. This page describes every byte. It is
 made from the table from which the writer and the loader take their offsets, so it cannot disagree with them.
@@ -71,7 +71,7 @@ made from the table from which the writer and the loader take their offsets, so 
 - Offsets of sections count from the start of the image, indices of records from 0 in their section.
 - The image is never written to and may lie in read-only memory, at an address that is a multiple of 64.
 - Texts are UTF-8 without terminators; `..._offset` and `..._size` give a range of the names section. Each distinct text
-  is stored once, in the order of first use (axes, lists, values: the name before the value). An empty text is 0, 0.
+  is stored once, in the order of first use (axes, groups, lists, values: the name before the value). An empty text is 0, 0.
 - Ranges of records are a first index and a count. An empty range is 0, 0.
 - Checksums are CRC-32C: polynomial 0x1EDC6F41, bits reflected, initial value and final complement 0xFFFFFFFF; the checksum
   of the characters `123456789` is 0xE3069283.
@@ -87,12 +87,16 @@ Bytes between the end of a section (or of the section table) and the next multip
 too: the total size is a multiple of 64. The header's checksum covers header and section table, with its own field as
 zero; the payload's checksum covers every byte behind the section table, those zeros included, so it is computed first.
 
-A stripped image (`compile --strip`) has the mandatory sections only; fields that point into the others are 0. Any other
-image has all of them, empty ones too.
+Mandatory sections are in every image, empty ones too. Critical sections are there where they have records. Optional
+sections are all there, empty ones too, or none of them: a stripped image (`compile --strip`) has none, and fields that
+point into them are 0.
 
-A reader finds sections by their kind. It accepts a higher minor version: unknown optional sections are skipped, records
-may be longer than it knows (`element_size`), and an unknown mandatory section is refused. It refuses another major
-version.
+A reader finds sections by their kind. It accepts a higher minor version: unknown sections are skipped where their flags
+say optional, and records may be longer than it knows (`element_size`). It refuses an image with an unknown section
+that is not optional, since the axes would move in another way without it; that is what a reader of format 1.0 does with
+an image that has critical sections. It refuses another major version.
+
+Format 1.1 added the critical sections. An image without them has the bytes of format 1.0 but for the minor version.
 
 )";
 
@@ -128,10 +132,79 @@ A pure delay (`realisation` 2) gives `y[n] = x[n - delay_cycles]`. The share ble
     out = share y + (direct + direct_low) x         sections with H(1) = 0
     out = y + (direct + direct_low)(x - y)          a pure delay
 
-The filters of an axis act one after the other in the order of their records.
+The filters of an axis act one after the other in the order of their records; an HSC kernel acts before them, a FIR
+kernel behind them.
 
 Filters with equal sections share one run of coefficient records: a filter whose whole list of sections is already
 stored points there, otherwise its sections are appended. Samples of self-tests are shared in the same way.
+
+## How a kernel is computed
+
+A linear-phase kernel with the causal taps b_0, b_1, ... is stored as tail sums `S_j = sum of b_k over k > j`, each rounded
+once from extended precision. The taps follow from them: `b_0 = 1 - S_0`, `b_j = S_(j-1) - S_j`, the last one is the last
+tail sum. Each cycle, with `d[n] = x[n] - x[n-1]`:
+
+    E = S_0 d[n] + S_1 d[n-1] + ...        y = x - E
+
+So the taps sum to 1 by construction, and at rest y = x exactly, whatever was rounded: a reset sets all d to 0. A symmetric
+kernel has 2h tail sums and a delay of h cycles, a time delay as many tail sums as cycles, each of them its share (1 at
+100 %). The share of a symmetric kernel is in its tail sums. |S_j| <= 64, at most 200 of them. Behind an HSC kernel
+the filters compute with `d = d - (E[n] - E[n-1])`.
+
+Equal kernels are stored once, in the order of first use: by slots the lists' values, then by groups, banks and members. What
+a type ignores stands at its default (frequency 30, quality 1), so that it makes no difference; NoVib has the order that
+its frequency gives. A kernel of order 0 or share 0 is none.
+
+A slot is the one linear-phase filter that an axis may have. `kernel` is that of the lists' values; it works from start-up
+where `on_at_start` is 1. A slot remembers as many increments as its longest kernel needs (`history`), so that each of
+its kernels can begin at any time.
+
+## Channels, banks and fades
+
+A group is an NC channel with its axes (members) and its banks: for each set of #FILTER parameters one kernel for each
+member, in the order of the members (choices). Bank 0 holds the lists' values (no keyword); the parameter sets
+follow in the order of the machine file, last the bank of HSC, if an axis has an HSC filter. A bank concerns the FIR
+slots, that of HSC (bit 4) the HSC slots; the other members' choice is none. A member without a slot has none, too. A slot
+belongs to the first group that names its axis; groups without a slot are not stored.
+
+    #FILTER ON [...]     the bank's kernels, switched on
+    #FILTER [...]        the bank's kernels for the slots that are on
+    #FILTER OFF          no kernel, FIR and HSC
+    end of the program   as at start-up; its fade is the longer one of bank 0 and of OFF, standstill if one of them needs it
+
+All slots of a group change over together. While every slot of the group has seen no increment of 2^-30 units or
+more for as many cycles as it remembers, the change is immediate. Else it takes F = `fade_cycles` from kernel A to
+kernel B, with the same increments for both:
+
+    E = E_A + w (E_B - E_A)        w = t^3 (10 - 15 t + 6 t^2)        t = 1/F, 2/F, ... 1
+
+|w'| is at most 15/(8F), |w''| at most 10/(sqrt(3) F^2). With the axis' largest velocity v and acceleration a per cycle
+(P-AXIS-00212 and P-AXIS-00008) and `L = g sum of |S_A - S_B|`, g the peak gain of the axis' other filters, |B - A| is at
+most L v and changes by at most L a in a cycle. F is the smallest number for which the fade adds at most a quarter of the
+limits:
+
+    15/(8F) L v <= v/4        10/(sqrt(3) F^2) L v + 15/(4F) L a <= a/4
+
+A is the worst kernel that the slot can be at, and of all slots that a bank concerns the largest F counts, at least 1. It
+is 0, at standstill only, where one of them would need more than 4096 cycles or has no limits.
+
+## Improved Position Control
+
+Each cycle, for the stages of an axis, with the velocity that `mode` names through the stage's filters in series:
+
+    v_add = - sum of weight * stage        weight = min(weight_numerator / weight_denominator, 7)
+    v_add = limit with the sign of v_add, where |v_add| > limit        limit = limit_factor/1000 * v_max
+    increments = scale * v_add
+
+with v_max the axis' `velocity_limit`. A gantry slave has no stages: it takes the `v_add` of its `source`, with its own
+scale; its `limit` is that of the source. The scale is rounded once:
+
+    controller 1    v_reso_num / v_reso_denom * (60 | 1 | T in s)        for time_base 0, 1, 2
+    controller 2    6e-5 * multi_gain_z / multi_gain_n
+    controller 0    0
+
+The oscillator in front of a stage of mode 2 or 3 is `w0^2 / (s^2 + 2 D w0 s + w0^2)` by the bilinear transform,
+pre-warped at `frequency`; D stands in `quality`, `prototype` 1 and `order` 2 mean nothing there.
 
 ## Self-tests
 
@@ -142,18 +215,24 @@ move an axis. The compiler chooses this input: with a = 1/64, 8 samples of a; fo
 7 + `delay_cycles` samples of 0; last a 1. Where double arithmetic, with or without contraction, would use up more than half of
 the tolerance, a is (64 - j)/4096 with the smallest j > 0 for which it does not.
 
+A kernel's samples are made in the same way, with as many zeros as the kernel has tail sums behind the 7 and always with
+a = 1/64. They are run without a fade, on any slot whose history is long enough. Samples stand in the order of the axes'
+filters, the stages' filters, the kernels.
+
 ## Proof records
 
 `pole_radius`, `dc_gain`, `group_delay` and `delay_cycles` of the axis come from the design in extended precision.
 `peak_gain` and `overshoot` come from the step response of the stored coefficients in double, in the same order of
-operations on every host, followed until it has settled, for 2^21 cycles at most.
+operations on every host, followed until it has settled, for 2^21 cycles at most. With a kernel that works from start-up
+the axis' `peak_gain` is the product of the chain's and the kernel's, its `delay_cycles` the sum.
 
 ## What a loader refuses
 
 Each with a status of its own: fewer bytes than a header, another magic, another major version, a size that
-is not the given one, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown mandatory
-section, counts and indices outside their section, numbers that are not finite, sections that may be unstable, delays beyond
-100 cycles, unknown kinds, a cycle time of 0 or above 1 s. `runtime/include/axisrt.h` names them.
+is not the given one, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
+section that is not optional, counts and indices outside their section, numbers that are not finite, sections that may be unstable, delays beyond
+100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s. Slot and member of an axis name
+each other, choices fit into their slot's history, a gantry slave's source has stages of its own. `runtime/include/axisrt.h` names them.
 )";
 
 std::string table_row(std::initializer_list<std::string_view> cells) {

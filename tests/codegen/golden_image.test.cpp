@@ -19,6 +19,8 @@ namespace {
 
 constexpr char const* whole_image = "tests/data/images/v1.0-sample.axim";
 constexpr char const* stripped_image = "tests/data/images/v1.0-sample-stripped.axim";
+constexpr char const* whole_channel = "tests/data/images/v1.1-channel.axim";
+constexpr char const* stripped_channel = "tests/data/images/v1.1-channel-stripped.axim";
 
 std::vector<std::byte> bytes_of(std::string const& path) {
   std::string const text = test::read_source_file(path);
@@ -28,11 +30,13 @@ std::vector<std::byte> bytes_of(std::string const& path) {
   return bytes;
 }
 
-/// `image` as if this version of the compiler had written it.
+/// `image` as if this version of the compiler had written it, in its minor version of the format.
 std::vector<std::byte> with_version_of(std::vector<std::byte> image, std::vector<std::byte> const& other) {
+  constexpr std::ptrdiff_t minor_version = 6;
   constexpr std::ptrdiff_t version = 80;
   constexpr std::ptrdiff_t header_checksum = 12;
   constexpr std::size_t section_count = 28;
+  std::copy_n(other.begin() + minor_version, 2, image.begin() + minor_version);
   std::copy_n(other.begin() + version, 16, image.begin() + version);
   std::fill_n(image.begin() + header_checksum, 4, std::byte{0});
   std::size_t const table_end = 128 + 32 * std::to_integer<std::size_t>(image[section_count]);
@@ -44,24 +48,35 @@ std::vector<std::byte> with_version_of(std::vector<std::byte> image, std::vector
   return image;
 }
 
-void write_if_missing(char const* path, ImageOptions const& options) {
+void write_if_missing(char const* path, validator::Machine const& machine, ImageOptions const& options) {
   std::filesystem::path const file = std::filesystem::path(AXISC_SOURCE_DIR) / path;
   if (!test::update_golden() || std::filesystem::exists(file)) return;
   std::filesystem::create_directories(file.parent_path());
-  std::vector<std::byte> const image = write_image(test::sample_machine(), options);
+  std::vector<std::byte> const image = write_image(machine, options);
   std::ofstream out(file, std::ios::binary);
   out.write(reinterpret_cast<char const*>(image.data()), static_cast<std::streamsize>(image.size()));
 }
 
 }  // namespace
 
-TEST_CASE("today's compiler still writes the images of format 1.0", "[image][golden]") {
+TEST_CASE("today's compiler still writes the images of format 1.0, but for the version", "[image][golden]") {
   auto const [path, strip] =
       GENERATE(table<char const*, bool>({{whole_image, false}, {stripped_image, true}}));
-  ImageOptions const options{.strip = strip, .image_version = 3};
-  write_if_missing(path, options);
   std::vector<std::byte> const golden = bytes_of(path);
-  std::vector<std::byte> const today = write_image(test::sample_machine(), options);
+  std::vector<std::byte> const today =
+      write_image(test::sample_machine(), {.strip = strip, .image_version = 3});
+  CHECK(golden.size() == today.size());
+  bool const equal = with_version_of(golden, today) == today;
+  CHECK(equal);
+}
+
+TEST_CASE("today's compiler still writes the images of format 1.1", "[image][golden]") {
+  auto const [path, strip] =
+      GENERATE(table<char const*, bool>({{whole_channel, false}, {stripped_channel, true}}));
+  ImageOptions const options{.strip = strip, .image_version = 4};
+  write_if_missing(path, test::kernel_machine(), options);
+  std::vector<std::byte> const golden = bytes_of(path);
+  std::vector<std::byte> const today = write_image(test::kernel_machine(), options);
   CHECK(golden.size() == today.size());
   bool const equal = with_version_of(golden, today) == today;
   CHECK(equal);
@@ -101,13 +116,56 @@ TEST_CASE("an image of format 1.0 runs", "[image][golden]") {
   CHECK(outputs[3] == 1e9);
 }
 
+TEST_CASE("an image of format 1.1 is read", "[image][golden]") {
+  ImageContents const contents = test::contents_of(bytes_of(whole_channel));
+  CHECK(contents.format_minor == 1);
+  CHECK(contents.image_version == 4);
+  REQUIRE(contents.axes.size() == 5);
+  CHECK(contents.kernels[0].specification.type == design::KernelType::gaussian);
+  CHECK(contents.kernels[0].design.tail_sums.size() == 22);
+  CHECK(contents.axes[2].slot->family == validator::KernelFamily::hsc);
+  CHECK(contents.groups[0].name == "mill");
+  CHECK(contents.groups[0].banks[1].parameters.order == 40U);
+  CHECK(contents.groups[0].banks[6].hsc);
+  CHECK(contents.axes[0].control->stages[1].has_oscillator);
+  CHECK(contents.axes[3].control->source == 0);
+
+  ImageContents const stripped = test::contents_of(bytes_of(stripped_channel));
+  CHECK(stripped.groups[0].name.empty());
+  CHECK(stripped.kernels.size() == contents.kernels.size());
+}
+
+TEST_CASE("an image of format 1.1 runs", "[image][golden]") {
+  RuntimeHost runtime = test::runtime_for(bytes_of(whole_channel));
+  CHECK(runtime.reset_all(1e9) == AXISRT_OK);
+  CHECK(runtime.group_count() == 2);
+  CHECK(runtime.has_position_control(3));
+  std::vector<double> outputs(5);
+  validator::FilterCommand command;
+  command.filter_switch = validator::FilterSwitch::on;
+  command.parameters = test::filter_set(40);
+  CHECK(runtime.command(0, command) == AXISRT_OK);
+  for (int cycle = 0; cycle < 200; ++cycle) {
+    std::vector<double> const inputs(5, 1e9 + 1000.0 * cycle);
+    REQUIRE(runtime.step(inputs, outputs) == AXISRT_OK);
+  }
+  // X lags by the Gaussian's 20 cycles and the PT1's 5; Y's time delay takes the order, 40, too.
+  CHECK(outputs[0] == Approx(1e9 + 1000.0 * (199 - 25)).margin(20));
+  CHECK(outputs[1] == 1e9 + 1000.0 * (199 - 40));
+  CHECK(outputs[3] == 1e9 + 1000.0 * 199);
+}
+
 TEST_CASE("images have the same bytes with every compiler, at every optimisation, on every processor",
           "[image][golden]") {
+  // Machines without kernels have the bytes that they had in format 1.0.
+  bool const with_kernels = GENERATE(false, true);
   test::Random random(1'000'003);
   std::string lines;
   for (int i = 0; i < 24; ++i) {
     // Everything behind the header: it names the compiler's version.
-    std::vector<std::byte> const image = write_image(test::random_machine(random, 0.005), {});
+    validator::Machine const machine =
+        with_kernels ? test::random_kernel_machine(random, 0.005) : test::random_machine(random, 0.005);
+    std::vector<std::byte> const image = write_image(machine, {});
     std::string const content(reinterpret_cast<char const*>(image.data()) + 128, image.size() - 128);
     for (std::uint8_t const octet : sha256(content)) {
       lines += "0123456789abcdef"[octet >> 4U];
@@ -115,7 +173,9 @@ TEST_CASE("images have the same bytes with every compiler, at every optimisation
     }
     lines += '\n';
   }
-  test::check_golden("tests/data/images/v1.0-random-machines.sha256", lines);
+  test::check_golden(with_kernels ? "tests/data/images/v1.1-random-machines.sha256"
+                                  : "tests/data/images/v1.0-random-machines.sha256",
+                     lines);
 }
 
 }  // namespace axisc::codegen

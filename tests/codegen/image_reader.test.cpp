@@ -44,7 +44,7 @@ TEST_CASE("what is written is read back", "[image]") {
   ImageContents const contents = test::contents_of(image);
 
   CHECK(contents.format_major == 1);
-  CHECK(contents.format_minor == 0);
+  CHECK(contents.format_minor == 1);
   CHECK(contents.size == image.size());
   CHECK(contents.cycle_time == machine.cycle_time);
   CHECK(contents.image_version == 41);
@@ -83,6 +83,105 @@ TEST_CASE("what is written is read back", "[image]") {
       CHECK(axis.values[j].line == configured.values[j].line);
     }
   }
+}
+
+TEST_CASE("kernels, channels and banks are read back", "[image]") {
+  validator::Machine const machine = test::kernel_machine();
+  ImageContents const contents = test::contents_of(write_image(machine, {}));
+
+  ImageSlot const slot = contents.axes[0].slot.value();
+  CHECK(slot.family == validator::KernelFamily::fir);
+  CHECK(slot.on_at_start);
+  CHECK(slot.group == 0U);
+  ImageKernel const& kernel = contents.kernels.at(slot.kernel.value());
+  CHECK(kernel.specification.type == design::KernelType::gaussian);
+  CHECK(kernel.specification.order == 21);
+  CHECK(kernel.specification.quality == 0.75);
+  design::KernelDesign const design =
+      design::design_kernel(machine.axes[0].kernel->specification, machine.cycle_time);
+  CHECK(kernel.design.tail_sums == design.tail_sums);
+  CHECK(kernel.design.half_width == 11);
+  CHECK(kernel.design.delay_cycles == 11);
+  CHECK(kernel.design.group_delay_cycles == 11);
+  CHECK(kernel.design.kernel_sum == 1);
+  REQUIRE(kernel.design.taps.size() == 23);
+  for (std::size_t i = 0; i < 23; ++i) CHECK(kernel.design.taps[i] == Approx(design.taps[i]).margin(1e-15));
+  CHECK(kernel.peak_gain == 1);
+  CHECK(kernel.overshoot == 0);
+  CHECK(kernel.tail_gain == Approx(11).epsilon(1e-14));
+  CHECK(kernel.self_test_input.size() == 32 + 22);
+  CHECK(kernel.self_test_output.size() == 32 + 22);
+  CHECK(contents.axes[0].delay_cycles == Approx(11 + 5).epsilon(1e-2));  // and the PT1
+
+  ImageSlot const hsc = contents.axes[2].slot.value();
+  CHECK(hsc.family == validator::KernelFamily::hsc);
+  CHECK_FALSE(hsc.on_at_start);
+  CHECK(contents.kernels[hsc.kernel.value()].specification.share_percent == 90);
+  CHECK(contents.axes[2].delay_cycles == 0);
+  CHECK_FALSE(contents.axes[3].slot);
+  CHECK_FALSE(contents.axes[4].slot->kernel);
+
+  REQUIRE(contents.groups.size() == 2);
+  ImageGroup const& mill = contents.groups[0];
+  CHECK(mill.name == "mill");
+  CHECK(mill.members == std::vector<std::size_t>{0, 3, 1, 2});
+  CHECK(mill.off_fade_cycles > 0);
+  REQUIRE(mill.banks.size() == 7);
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK(mill.banks[i + 1].parameters == machine.groups[0].filter_sets[i]);
+    CHECK_FALSE(mill.banks[i + 1].hsc);
+  }
+  CHECK(mill.banks[0].parameters.empty());
+  CHECK(mill.banks[0].kernels[0] == slot.kernel);
+  CHECK_FALSE(mill.banks[0].kernels[1]);
+  CHECK(mill.banks[0].fade_cycles > 0);
+  CHECK(mill.banks[6].hsc);
+  CHECK(mill.banks[6].kernels[3] == hsc.kernel);
+  CHECK(contents.groups[1].name == "turn");
+
+  ImageContents const stripped = test::contents_of(write_image(machine, {.strip = true}));
+  CHECK(stripped.groups[0].name.empty());
+  CHECK(stripped.kernels[0].self_test_input.empty());
+  CHECK(stripped.kernels[0].design.tail_sums == contents.kernels[0].design.tail_sums);
+}
+
+TEST_CASE("position control is read back", "[image]") {
+  validator::Machine const machine = test::kernel_machine();
+  ImageContents const contents = test::contents_of(write_image(machine, {}));
+  ImageControl const control = contents.axes[0].control.value();
+  CHECK(control.source == 0);
+  CHECK(control.limit == 500'000);
+  CHECK(control.limit_factor == 1000);
+  CHECK(control.scaling.controller == validator::PositionController::drive);
+  CHECK(control.scaling.v_reso_num == 3);
+  CHECK(control.scaling.v_reso_denom == 7);
+  CHECK(control.scaling.time_base == 2);
+  CHECK(control.increments_per_velocity == Approx(3.0 / 7 * 0.001).epsilon(1e-15));
+  REQUIRE(control.stages.size() == 2);
+  CHECK(control.stages[0].mode == validator::StageMode::direct);
+  CHECK_FALSE(control.stages[0].has_oscillator);
+  CHECK(control.stages[0].weight == 3);
+  REQUIRE(control.stages[0].filters.size() == 1);
+  CHECK(control.stages[0].filters[0].specification == machine.axes[0].position_control->stages[0].filters[0]);
+  CHECK(control.stages[1].index == 1);
+  CHECK(control.stages[1].mode == validator::StageMode::indirect);
+  CHECK(control.stages[1].has_oscillator);
+  CHECK(control.stages[1].weight == 1.9);
+  CHECK(control.stages[1].weight_numerator == 190);
+  CHECK(control.stages[1].weight_denominator == 100);
+  REQUIRE(control.stages[1].filters.size() == 2);
+  CHECK(control.stages[1].filters[0].specification.frequency.value == 11);
+  CHECK(control.stages[1].filters[0].specification.quality == 0.8);
+  CHECK(control.stages[1].filters[0].design.dc_gain == 1);
+  CHECK(control.stages[1].filters[1].design.blocks_constant);
+
+  ImageControl const slave = contents.axes[3].control.value();
+  CHECK(slave.source == 0);
+  CHECK(slave.stages.empty());
+  CHECK(slave.limit == 500'000);
+  CHECK(slave.scaling.multi_gain_z == 8);
+  CHECK(slave.increments_per_velocity == Approx(6e-5 * 8 / 3).epsilon(1e-15));
+  CHECK_FALSE(contents.axes[1].control);
 }
 
 TEST_CASE("an image that verify refuses is not read", "[image]") {

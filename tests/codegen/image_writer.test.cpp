@@ -10,6 +10,7 @@ namespace axisc::codegen {
 namespace {
 
 using test::contents_of;
+using test::kernel_machine;
 using test::sample_machine;
 
 /// The bytes are equal; else the last offset at which they differ (the first one is always the checksum's).
@@ -27,7 +28,7 @@ std::string version_of(std::vector<std::byte> const& image) {
 }  // namespace
 
 TEST_CASE("a naive writer that only knows the document builds the same bytes", "[image]") {
-  validator::Machine const machine = sample_machine();
+  validator::Machine const machine = GENERATE(sample_machine(), kernel_machine());
   bool const strip = GENERATE(false, true);
   std::vector<std::byte> const image = write_image(machine, {.strip = strip, .image_version = 17});
   check_equal_bytes(
@@ -37,8 +38,8 @@ TEST_CASE("a naive writer that only knows the document builds the same bytes", "
 
 TEST_CASE("a naive writer agrees on random machines", "[image]") {
   test::Random random(20240607);
-  for (int i = 0; i < 8; ++i) {
-    validator::Machine const machine = test::random_machine(random, 0.002);
+  for (int i = 0; i < 40; ++i) {
+    validator::Machine const machine = test::random_kernel_machine(random, 0.002);
     std::vector<std::byte> const image = write_image(machine, {.strip = true});
     check_equal_bytes(image,
                       test::naive_image(machine, {.strip = true, .compiler_version = version_of(image)}));
@@ -57,6 +58,7 @@ TEST_CASE("a machine without axes or filters has an image too", "[image]") {
 
 TEST_CASE("equal machines give equal bytes", "[image]") {
   check_equal_bytes(write_image(sample_machine(), {}), write_image(sample_machine(), {}));
+  check_equal_bytes(write_image(kernel_machine(), {}), write_image(kernel_machine(), {}));
 }
 
 TEST_CASE("the machine's own name is not in the image", "[image]") {

@@ -2,42 +2,20 @@
 
 #include "design/filter_analysis.hpp"
 #include "design/filter_design.hpp"
+#include "design/oscillator.hpp"
+#include "naive_bytes.hpp"
+#include "naive_kernels.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
 #include <sodium/crypto_hash_sha256.h>
 #include <string>
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace axisc::test {
 namespace {
 
-using Bytes = std::vector<std::byte>;
+using Bytes = NaiveBytes;
 using design::FilterDesign;
-
-void put(Bytes& bytes, std::size_t offset, std::uint64_t value, std::size_t width) {
-  for (std::size_t i = 0; i < width; ++i)
-    bytes.at(offset + i) = static_cast<std::byte>(value >> (8 * i) & 0xFF);
-}
-void put16(Bytes& bytes, std::size_t offset, std::uint64_t value) {
-  put(bytes, offset, value, 2);
-}
-void put32(Bytes& bytes, std::size_t offset, std::uint64_t value) {
-  put(bytes, offset, value, 4);
-}
-void put64(Bytes& bytes, std::size_t offset, std::uint64_t value) {
-  put(bytes, offset, value, 8);
-}
-void put_double(Bytes& bytes, std::size_t offset, double value) {
-  std::uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  put64(bytes, offset, bits);
-}
-void put_text(Bytes& bytes, std::size_t offset, std::string const& text) {
-  for (std::size_t i = 0; i < text.size(); ++i) bytes.at(offset + i) = static_cast<std::byte>(text[i]);
-}
 
 std::array<unsigned char, 32> hash_of(std::string const& text) {
   std::array<unsigned char, 32> hash{};
@@ -56,9 +34,6 @@ std::string digest_input(validator::Machine const& machine) {
 }
 
 /// y = H x in 100 digits with the textbook's direct form, whose coefficients follow exactly from the stored ones.
-using Wide =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
-
 std::vector<Wide> direct_form(design::IncrementSection const& section, bool blocks_constant,
                               std::vector<Wide> const& x) {
   Wide const a2 = 1 - Wide(section.b);
@@ -76,18 +51,8 @@ std::vector<Wide> direct_form(design::IncrementSection const& section, bool bloc
   return y;
 }
 
-struct Sample {
-  double input, output;
-  bool operator==(Sample const& other) const { return input == other.input && output == other.output; }
-};
-
-std::vector<Sample> self_test(FilterDesign const& filter) {
-  std::vector<double> input;
-  for (int i = 0; i < 8; ++i) input.push_back(1.0 / 64);
-  for (int i = 1; i <= 16; ++i) input.push_back((i % 2 != 0 ? -i : i) / 1024.0);
-  for (std::uint32_t i = 0; i < 7 + filter.delay_cycles; ++i) input.push_back(0);
-  input.push_back(1);
-
+std::vector<NaiveSample> self_test(FilterDesign const& filter) {
+  std::vector<double> const input = naive_test_input(filter.delay_cycles);
   std::vector<Wide> signal(input.begin(), input.end());
   if (filter.realisation == design::Realisation::delay) {
     for (std::size_t n = input.size(); n-- > 0;)
@@ -95,7 +60,7 @@ std::vector<Sample> self_test(FilterDesign const& filter) {
   }
   for (auto const& section : filter.sections) signal = direct_form(section, filter.blocks_constant, signal);
 
-  std::vector<Sample> samples;
+  std::vector<NaiveSample> samples;
   for (std::size_t n = 0; n < input.size(); ++n) {
     Wide const x = input[n];
     Wide const direct = Wide(filter.share.direct) + filter.share.direct_low;
@@ -119,14 +84,25 @@ class Writer {
 
   Bytes write() {
     for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_axis(i);
+    for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_control(i);
+    NaiveKernelSections const kernels = naive_kernel_sections(
+        machine_, options_.strip, stores_,
+        [this](validator::AxisConfiguration const& axis) { return peak_gain_of(axis); });
     if (!options_.strip) {
       for (auto const& list : machine_.lists) write_list(list);
       for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_values(i);
     }
     std::vector<Section> sections = {{1, 0, 128, axes_}, {2, 0, 192, filters_}, {3, 0, 32, coefficients_}};
+    for (Section const& section :
+         {Section{4, 0, 128, kernels.kernels}, Section{5, 0, 8, kernels.tails},
+          Section{6, 0, 32, kernels.slots}, Section{7, 0, 32, kernels.groups},
+          Section{8, 0, 4, kernels.members}, Section{9, 0, 64, kernels.banks},
+          Section{10, 0, 4, kernels.choices}, Section{11, 0, 128, controls_}, Section{12, 0, 64, stages_}}) {
+      if (!section.bytes.empty()) sections.push_back(section);
+    }
     if (!options_.strip) {
-      sections.push_back({16, 1, 1, names_});
-      sections.push_back({17, 1, 16, samples_});
+      sections.push_back({16, 1, 1, stores_.names});
+      sections.push_back({17, 1, 16, stores_.samples});
       sections.push_back({18, 1, 64, lists_});
       sections.push_back({19, 1, 32, values_});
     }
@@ -141,12 +117,10 @@ class Writer {
     auto const first_interface = static_cast<std::uint32_t>(filters_.size() / 192);
     for (auto const& filter : axis.interface_filters) write_filter(index, 1, filter);
 
-    std::vector<FilterDesign> chain;
-    for (auto const& filter : axis.filters) chain.push_back(design_of(filter));
-
+    NaiveKernelFigures const kernel = kernel_at_start(axis, machine_.cycle_time);
     std::size_t const at = axes_.size();
     axes_.resize(at + 128);
-    if (!options_.strip) write_text_range(axes_, at, axis.name);
+    if (!options_.strip) stores_.write_text_range(axes_, at, axis.name);
     put32(axes_, at + 8, axis.number);
     put32(axes_, at + 12, static_cast<std::uint32_t>(axis.type));
     put32(axes_, at + 16, axis.type == validator::AxisType::translatory ? 0 : 1);
@@ -157,45 +131,129 @@ class Writer {
     put_double(axes_, at + 40, axis.position_window);
     put_double(axes_, at + 48, axis.velocity_limit);
     put_double(axes_, at + 56, axis.acceleration_limit);
-    put_double(axes_, at + 64, chain.empty() ? 1 : figures(chain).peak_gain);
-    put_double(axes_, at + 72, design::chain_delay_cycles(chain));
+    put_double(axes_, at + 64, peak_gain_of(axis) * kernel.peak_gain);
+    put_double(axes_, at + 72, design::chain_delay_cycles(chain_of(axis)) + kernel.delay_cycles);
+  }
+
+  [[nodiscard]] std::vector<FilterDesign> chain_of(validator::AxisConfiguration const& axis) const {
+    std::vector<FilterDesign> chain;
+    for (auto const& filter : axis.filters) chain.push_back(design_of(filter.specification));
+    return chain;
+  }
+  [[nodiscard]] double peak_gain_of(validator::AxisConfiguration const& axis) const {
+    return axis.filters.empty() ? 1 : figures(chain_of(axis)).peak_gain;
   }
 
   void write_filter(std::uint32_t axis, std::uint32_t port, validator::ConfiguredFilter const& configured) {
-    FilterDesign const design = design_of(configured);
     auto const& specification = configured.specification;
-    std::vector<Sample> const samples = options_.strip ? std::vector<Sample>{} : self_test(design);
-    auto const first_section = place_sections(design);
-    auto const first_sample = place_samples(samples);
+    std::size_t const at = write_design(axis, port, configured.index, design_of(specification));
+    put32(filters_, at + 36, static_cast<std::uint32_t>(specification.type));
+    put32(filters_, at + 40, static_cast<std::uint32_t>(specification.prototype));
+    put32(filters_, at + 44, specification.order);
+    put_double(filters_, at + 72, specification.frequency.value);
+    put_double(filters_, at + 80, specification.quality);
+    put_double(filters_, at + 88, specification.time_constant.value);
+    put_double(filters_, at + 96, specification.share_percent);
+  }
 
+  void write_oscillator(std::uint32_t axis, design::OscillatorSpecification const& oscillator) {
+    std::size_t const at = write_design(
+        axis, 2, 0, design::design_oscillator(oscillator, machine_.cycle_time, design::Precision::exact));
+    put32(filters_, at + 40, 1);
+    put32(filters_, at + 44, 2);
+    put_double(filters_, at + 72, oscillator.frequency.value);
+    put_double(filters_, at + 80, oscillator.damping);
+    put_double(filters_, at + 96, 100);
+  }
+
+  /// Everything but what was configured; returns the record's offset.
+  std::size_t write_design(std::uint32_t axis, std::uint32_t port, std::uint32_t index,
+                           FilterDesign const& design) {
+    std::vector<NaiveSample> const samples = options_.strip ? std::vector<NaiveSample>{} : self_test(design);
+    auto const first_section = place_sections(design);
     std::size_t const at = filters_.size();
     filters_.resize(at + 192);
     put32(filters_, at, axis);
     put32(filters_, at + 4, port);
-    put32(filters_, at + 8, configured.index);
+    put32(filters_, at + 8, index);
     put32(filters_, at + 12, static_cast<std::uint32_t>(design.realisation));
     put32(filters_, at + 20, design.blocks_constant ? 1 : 0);
     put32(filters_, at + 24, first_section);
     put32(filters_, at + 28, design.sections.size());
     put32(filters_, at + 32, design.delay_cycles);
-    put32(filters_, at + 36, static_cast<std::uint32_t>(specification.type));
-    put32(filters_, at + 40, static_cast<std::uint32_t>(specification.prototype));
-    put32(filters_, at + 44, specification.order);
     put_double(filters_, at + 48, design.share.filtered);
     put_double(filters_, at + 56, design.share.direct);
     put_double(filters_, at + 64, design.share.direct_low);
-    put_double(filters_, at + 72, specification.frequency.value);
-    put_double(filters_, at + 80, specification.quality);
-    put_double(filters_, at + 88, specification.time_constant.value);
-    put_double(filters_, at + 96, specification.share_percent);
     put_double(filters_, at + 104, design.pole_radius);
     put_double(filters_, at + 112, design.dc_gain);
     put_double(filters_, at + 120, design.group_delay_cycles);
     put_double(filters_, at + 128, 1);
     put_double(filters_, at + 136, figures({design}).peak_gain);
     put_double(filters_, at + 144, figures({design}).overshoot);
-    put32(filters_, at + 152, first_sample);
+    put32(filters_, at + 152, stores_.place_samples(samples));
     put32(filters_, at + 156, samples.size());
+    return at;
+  }
+
+  void write_control(std::uint32_t index) {
+    auto const& axis = machine_.axes[index];
+    std::size_t const source = axis.gantry_master ? *axis.gantry_master : index;
+    auto const& control = machine_.axes[source].position_control;
+    if (!control) return;
+    bool const own = source == index;
+    std::size_t const at = controls_.size();
+    controls_.resize(at + 128);
+    put32(controls_, at, index);
+    put32(controls_, at + 4, source);
+    put32(controls_, at + 8, own ? stages_.size() / 64 : 0);
+    put32(controls_, at + 12, own ? control->stages.size() : 0);
+    auto const& drive = axis.drive_scaling;
+    put32(controls_, at + 16, static_cast<std::uint32_t>(drive.controller));
+    put32(controls_, at + 20, drive.time_base);
+    put_double(
+        controls_, at + 24,
+        static_cast<double>(Wide(control->limit_factor) * machine_.axes[source].velocity_limit / 1000));
+    put_double(controls_, at + 32, static_cast<double>(scale_of(drive)));
+    put_double(controls_, at + 40, control->limit_factor);
+    put_double(controls_, at + 48, drive.v_reso_num);
+    put_double(controls_, at + 56, drive.v_reso_denom);
+    put_double(controls_, at + 64, drive.multi_gain_z);
+    put_double(controls_, at + 72, drive.multi_gain_n);
+    if (own) {
+      for (auto const& stage : control->stages) write_stage(index, stage);
+    }
+  }
+
+  [[nodiscard]] Wide scale_of(validator::DriveScaling const& drive) const {
+    if (drive.controller == validator::PositionController::unknown) return 0;
+    if (drive.controller == validator::PositionController::cnc) {
+      return Wide(drive.multi_gain_z) / drive.multi_gain_n * 6 / 100'000;
+    }
+    Wide const per_second = Wide(drive.v_reso_num) / drive.v_reso_denom;
+    if (drive.time_base == 0) return per_second * 60;
+    return drive.time_base == 1 ? per_second : Wide(per_second * machine_.cycle_time.nanoseconds / 1e9);
+  }
+
+  void write_stage(std::uint32_t axis, validator::PositionControlStage const& stage) {
+    std::size_t const first = filters_.size() / 192;
+    std::uint32_t index = 0;
+    if (stage.oscillator) {
+      write_oscillator(axis, *stage.oscillator);
+      ++index;
+    }
+    for (auto const& filter : stage.filters) {
+      write_filter(axis, 2, {.index = index, .specification = filter});
+      ++index;
+    }
+    std::size_t const at = stages_.size();
+    stages_.resize(at + 64);
+    put32(stages_, at, stage.index);
+    put32(stages_, at + 4, static_cast<std::uint32_t>(stage.mode));
+    put32(stages_, at + 8, first);
+    put32(stages_, at + 12, index);
+    put_double(stages_, at + 16, std::min(stage.weight_numerator / stage.weight_denominator, 7.0));
+    put_double(stages_, at + 24, stage.weight_numerator);
+    put_double(stages_, at + 32, stage.weight_denominator);
   }
 
   /// All runs of records that were stored, each with the index of its first record.
@@ -220,26 +278,10 @@ class Writer {
     return first;
   }
 
-  std::uint32_t place_samples(std::vector<Sample> const& samples) {
-    if (samples.empty()) return 0;
-    for (auto const& [run, first] : stored_samples_) {
-      if (run == samples) return first;
-    }
-    auto const first = static_cast<std::uint32_t>(samples_.size() / 16);
-    for (auto const& sample : samples) {
-      std::size_t const at = samples_.size();
-      samples_.resize(at + 16);
-      put_double(samples_, at, sample.input);
-      put_double(samples_, at + 8, sample.output);
-    }
-    stored_samples_.emplace_back(samples, first);
-    return first;
-  }
-
   void write_list(validator::MachineList const& list) {
     std::size_t const at = lists_.size();
     lists_.resize(at + 64);
-    write_text_range(lists_, at, list.name);
+    stores_.write_text_range(lists_, at, list.name);
     put32(lists_, at + 8, list.is_default_list ? 1 : 0);
     auto const hash = hash_of(list.content);
     for (std::size_t i = 0; i < 32; ++i) lists_[at + 16 + i] = static_cast<std::byte>(hash[i]);
@@ -252,29 +294,13 @@ class Writer {
       put32(values_, at, axis);
       put32(values_, at + 4, value.list);
       put32(values_, at + 8, value.line);
-      write_text_range(values_, at + 12, value.name);
-      write_text_range(values_, at + 20, value.text);
+      stores_.write_text_range(values_, at + 12, value.name);
+      stores_.write_text_range(values_, at + 20, value.text);
     }
   }
 
-  void write_text_range(Bytes& bytes, std::size_t at, std::string const& text) {
-    std::size_t offset = 0;
-    if (!text.empty()) {
-      std::size_t known = 0;
-      while (known < texts_.size() && texts_[known].first != text) ++known;
-      if (known == texts_.size()) {
-        texts_.emplace_back(text, names_.size());
-        names_.resize(names_.size() + text.size());
-        put_text(names_, texts_[known].second, text);
-      }
-      offset = texts_[known].second;
-    }
-    put32(bytes, at, offset);
-    put32(bytes, at + 4, text.size());
-  }
-
-  [[nodiscard]] FilterDesign design_of(validator::ConfiguredFilter const& filter) const {
-    return design::design_filter(filter.specification, machine_.cycle_time, design::Precision::exact);
+  [[nodiscard]] FilterDesign design_of(design::FilterSpecification const& specification) const {
+    return design::design_filter(specification, machine_.cycle_time, design::Precision::exact);
   }
   static design::StepFigures figures(std::vector<FilterDesign> const& chain) {
     return design::step_figures(chain, 1U << 21U, 1e-9);
@@ -301,6 +327,7 @@ class Writer {
     }
     put_text(image, 0, "AXIM");
     put16(image, 4, 1);
+    put16(image, 6, 1);
     put32(image, 8, 128);
     put64(image, 16, image.size());
     put32(image, 28, sections.size());
@@ -317,10 +344,9 @@ class Writer {
 
   validator::Machine const& machine_;
   NaiveOptions const& options_;
-  Bytes axes_, filters_, coefficients_, names_, samples_, lists_, values_;
+  Bytes axes_, filters_, coefficients_, controls_, stages_, lists_, values_;
+  NaiveStores stores_;
   Stored<std::vector<design::IncrementSection>> stored_sections_;
-  Stored<std::vector<Sample>> stored_samples_;
-  std::vector<std::pair<std::string, std::size_t>> texts_;
 };
 
 }  // namespace

@@ -62,10 +62,49 @@ void step_all(axisrt* runtime, double in) {
   for (double const out : outputs) require(std::isfinite(out));
 }
 
+/// Velocities of all axes; the additive ones stay finite.
+void step_velocity(axisrt* runtime, double in) {
+  std::uint32_t const axes = axisrt_axis_count(runtime);
+  std::vector<double> const inputs(axes, in);
+  std::vector<double> v_add(axes);
+  std::vector<double> increments(axes);
+  std::vector<std::uint8_t> status(axes);
+  axisrt_velocities velocities{};
+  velocities.size = sizeof velocities;
+  velocities.v_set = velocities.v_motor = inputs.data();
+  axisrt_step_velocity(runtime, &velocities, v_add.data(), increments.data(), status.data());
+  for (double const v : v_add) require(std::isfinite(v));
+  for (double const increment : increments) require(std::isfinite(increment));
+}
+
+/// Every action on every group, with the parameters of sound images and others.
+void command_all(axisrt* runtime, std::uint32_t round) {
+  for (std::uint32_t group = 0; group < axisrt_group_count(runtime); ++group) {
+    axisrt_filter_command command{};
+    command.size = sizeof command;
+    command.action = (round + group) % 4;
+    constexpr std::uint32_t keywords[] = {0, AXISRT_KEYWORD_HSC, AXISRT_KEYWORD_ORDER,
+                                          AXISRT_KEYWORD_ORDER | AXISRT_KEYWORD_SHARE};
+    command.keywords = keywords[round / 4 % std::size(keywords)];
+    command.order = command.keywords == AXISRT_KEYWORD_ORDER ? 8 : 3;
+    command.share = 50;
+    axisrt_status const status = axisrt_command(runtime, group, &command);
+    require(status == AXISRT_OK || status == AXISRT_BUSY || status == AXISRT_NO_BANK ||
+            status == AXISRT_NEEDS_STANDSTILL);
+    std::size_t length = 0;
+    char const* const name = axisrt_group_name(runtime, group, &length);
+    unsigned sum = 0;
+    for (std::size_t i = 0; i < length; ++i) sum += static_cast<unsigned char>(name[i]);
+    require(sum <= 255 * length);
+  }
+}
+
 void run(axisrt* runtime) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::uint32_t const axes = axisrt_axis_count(runtime);
   step_all(runtime, 1e308);
+  step_velocity(runtime, 1e308);
+  command_all(runtime, 1);
   for (std::uint32_t axis = 0; axis < axes; ++axis) {
     std::size_t length = 0;
     char const* const name = axisrt_axis_name(runtime, axis, &length);
@@ -74,9 +113,15 @@ void run(axisrt* runtime) {
     require(sum <= 255 * length);
     require(axisrt_reset(runtime, axis, 1e9) == AXISRT_OK);
     require(axisrt_reset_interface(runtime, axis, -0x1p53) == AXISRT_OK);
+    require(axisrt_reset_velocity(runtime, axis, 0x1p53, -0x1p53, 0) == AXISRT_OK);
   }
+  std::uint32_t commands = 0;
   for (int round = 0; round < 5; ++round) {
-    for (double const in : {0x1p53, -0x1p53, infinity, 1e9, 0.0, 5e-324}) step_all(runtime, in);
+    for (double const in : {0x1p53, -0x1p53, infinity, 1e9, 0.0, 5e-324}) {
+      step_all(runtime, in);
+      step_velocity(runtime, in);
+      command_all(runtime, commands++);
+    }
     for (std::uint32_t axis = 0; axis < axes; ++axis) {
       axisrt_axis_state state{};
       axisrt_rebase(runtime, axis, 3'600'000);
@@ -101,8 +146,25 @@ std::uint64_t edge_value(std::minstd_rand& random) {
                                 2 - 0x1p-52,
                                 std::numeric_limits<double>::quiet_NaN(),
                                 std::numeric_limits<double>::infinity()};
-  constexpr std::uint64_t integers[] = {
-      0, 1, 2, 3, 4, 6, 7, 63, 64, 100, 101, 1024, 0xFFFFFFFF, 0x7FFFFFFF, 0xFFFFFFFFFFFFFFC0};
+  constexpr std::uint64_t integers[] = {0,
+                                        1,
+                                        2,
+                                        3,
+                                        4,
+                                        6,
+                                        7,
+                                        63,
+                                        64,
+                                        100,
+                                        101,
+                                        200,
+                                        201,
+                                        1024,
+                                        4096,
+                                        4097,
+                                        0xFFFFFFFF,
+                                        0x7FFFFFFF,
+                                        0xFFFFFFFFFFFFFFC0};
   if (random() % 2 == 0) return std::bit_cast<std::uint64_t>(doubles[random() % std::size(doubles)]);
   return integers[random() % std::size(integers)];
 }

@@ -109,6 +109,22 @@ TEST_CASE("in motion the axes change over together, and a command meanwhile find
   CHECK(runtime.state(0).kernel == 0);
 }
 
+TEST_CASE("the end of a program fades as long as the slower of its two changes") {
+  for (std::uint32_t const off : {5U, 60U}) {
+    ImageRecord image = channel_image();
+    image.groups[0].off_fade_cycles = off;
+    TestRuntime runtime(write_image(image));
+    runtime.reset_all(0);
+    REQUIRE(runtime.command(AXISRT_ACTION_ON, AXISRT_KEYWORD_HSC) == AXISRT_OK);
+    double position = 0;
+    move(runtime, 50, position);
+    REQUIRE(runtime.command(AXISRT_ACTION_PROGRAM_END) == AXISRT_OK);
+    int cycles = 0;
+    for (; runtime.state(1).fading != 0; ++cycles) move(runtime, 1, position);
+    CHECK(cycles == (off == 5 ? 40 : 60));
+  }
+}
+
 TEST_CASE("a reset ends a fade") {
   TestRuntime runtime(write_image(channel_image()));
   runtime.reset_all(0);

@@ -78,6 +78,50 @@ TEST_CASE("the filter that is off fades to the setpoint itself") {
   }
 }
 
+TEST_CASE("a second fade begins where the first one ended") {
+  KernelRecord const a = moving_average(12);
+  KernelRecord const b = symmetric_kernel({9, 7, 4, 1});
+  TestRuntime runtime(two_kernels(a, b));
+  ExactKernel kernel_b(b.tails, motion(0));
+  runtime.reset_all(motion(0));
+  for (int cycle = 0; cycle < 200; ++cycle) {
+    if (cycle == 30) REQUIRE(runtime.command(AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER, 2) == AXISRT_OK);
+    if (cycle == 90) REQUIRE(runtime.command(AXISRT_ACTION_OFF) == AXISRT_OK);
+    Quad const x = motion(cycle);
+    Quad const y_b = kernel_b.step(x);
+    double const y = runtime.step(motion(cycle));
+    if (cycle < 70) continue;
+    Quad const w = cycle < 90 ? Quad{0} : cycle < 130 ? quintic(cycle - 89) : Quad{1};
+    REQUIRE(static_cast<double>(absolute(static_cast<Quad>(y) - (y_b + w * (x - y_b)))) < 1e-9);
+  }
+}
+
+TEST_CASE("an axis stands as soon as no kernel of its own remembers an increment, and not before") {
+  constexpr int remembered = 6;
+  for (int const cycles : {0, 1, remembered - 1, remembered, remembered + 1, 100}) {
+    INFO(cycles);
+    TestRuntime runtime(two_kernels(moving_average(2), moving_average(remembered / 2)));
+    runtime.reset_all(0);
+    CHECK(runtime.step(10) < 10);
+    for (int cycle = 0; cycle < cycles; ++cycle) static_cast<void>(runtime.step(10));
+    REQUIRE(runtime.command(AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER, 2) == AXISRT_OK);
+    CHECK(runtime.state().fading == (cycles < remembered ? 1U : 0U));
+    if (cycles >= remembered) CHECK(runtime.step(10) == 10);
+  }
+}
+
+TEST_CASE("increments of a thousand-millionth of a unit are rest") {
+  TestRuntime runtime(two_kernels(moving_average(2), moving_average(3)));
+  runtime.reset_all(0);
+  double x = 0;
+  for (int cycle = 0; cycle < 10; ++cycle) static_cast<void>(runtime.step(x += 0x1p-31));
+  REQUIRE(runtime.command(AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER, 2) == AXISRT_OK);
+  CHECK(runtime.state().fading == 0);
+  for (int cycle = 0; cycle < 10; ++cycle) static_cast<void>(runtime.step(x += 0x1p-30));
+  REQUIRE(runtime.command(AXISRT_ACTION_OFF) == AXISRT_OK);
+  CHECK(runtime.state().fading == 1);
+}
+
 TEST_CASE("a constant setpoint comes out unchanged through any sequence of switches") {
   TestRuntime runtime(two_kernels(moving_average(50), delay_kernel(33, 0.7)));
   runtime.reset_all(0);
