@@ -108,6 +108,7 @@ class Loader {
     if (machine_.groups.empty()) add_default_group();
     machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+    machine_.build = options_.build;
     return std::move(machine_);
   }
 
