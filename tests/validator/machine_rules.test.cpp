@@ -193,3 +193,14 @@ TEST_CASE("AX4015: numbers of axes and of the default list") {
   files["y.lis"] = "kopf.achs_nr 1\n";
   CHECK(Checked(files, "m.json").found() == Lines{"d.lis:1:14 AX2006"});
 }
+
+TEST_CASE("AX3038 and AX4016: the machine file's drive wins over the list's") {
+  std::string const scaled = "antr.v_reso_num 100\n" + ipc;
+  CHECK(found({{"x", "kenngr.antr_typ 4\n" + scaled, R"(, "drive": "CANopen")"}}).empty());
+  Checked const simulated = machine({{"x", "kenngr.antr_typ 2\n" + scaled, R"(, "drive": "simulation")"}});
+  CHECK(simulated.found() == Lines{"1:74 AX3038"});
+  CHECK(simulated.result.findings.front().axis == "x");
+  CHECK(found({{"x", ipc, R"(, "drive": "SERCOS")"}}) == Lines{"x.lis:2:43 AX4016"});
+  CHECK(found({{"x", ipc, R"(, "drive": "SERCOS", "position_control": "cnc")"}}).empty());
+  CHECK(found({{"x", ipc, R"(, "position_control": "drive")"}}) == Lines{"x.lis:2:43 AX4016"});
+}

@@ -26,6 +26,7 @@ using Delays = std::vector<DelayedAxis>;
 /// The axes whose delay is known.
 Delays delays_of(GroupContext const& context) {
   Delays delays;
+  if (context.group.axes.size() < 2) return delays;
   for (std::size_t const index : context.group.axes) {
     LoadedAxis const& axis = context.whole.machine.axes[index];
     if (auto const delay = axis_delay(axis.merged.values, context.whole.cycle_time)) {
