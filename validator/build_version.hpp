@@ -9,12 +9,14 @@
 
 namespace axisc::validator {
 
+// NOLINT below: clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
 struct BuildVersion {
   std::uint32_t major = 0;
   std::uint32_t minor = 0;
   std::uint32_t build = 0;
   std::uint32_t patch = 0;
-  friend constexpr auto operator<=>(BuildVersion const&, BuildVersion const&) = default;
+  friend constexpr auto operator<=>(BuildVersion const&,
+                                    BuildVersion const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// `V3.1.NNNN.NN`, `V2.11.NNNN`, `V3.00.NNNN`, with or without the V; none for anything else.
