@@ -49,6 +49,7 @@ validator::AxisType parse_axis_type(std::string const& word) {
 void declare_checking(CommandLine& command_line, CheckingWords& words) {
   command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
   command_line.value("--axis-type", "T|R|S", words.axis_type, Text::cli_opt_axis_type);
+  command_line.value("--build", "VERSION", words.build, Text::cli_opt_build);
   command_line.choice("--format", {{"text", FindingFormat::text}, {"json", FindingFormat::json}},
                       words.format, Text::cli_opt_finding_format);
   command_line.flag("--werror", words.werror, Text::cli_opt_werror);
@@ -68,6 +69,10 @@ validator::CheckOptions check_options(CheckingWords const& words) {
     }
   }
   if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
+  if (words.build) {
+    options.build = validator::parse_build_version(*words.build);
+    if (!options.build) throw Failure({.text = Text::cli_bad_build, .arguments = {{"value", *words.build}}});
+  }
   for (auto const& list : words.disabled) {
     for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
   }

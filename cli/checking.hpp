@@ -17,6 +17,7 @@ enum class FindingFormat : std::uint8_t { text, json };
 struct CheckingWords {
   std::optional<std::string> cycle_time;
   std::optional<std::string> axis_type;
+  std::optional<std::string> build;
   std::optional<std::string> threads;
   std::vector<std::string> disabled;
   bool werror = false;

@@ -4,6 +4,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
+#include "validator/build_version.hpp"
 #include "validator/files.hpp"
 #include "validator/machine.hpp"
 
@@ -17,6 +18,7 @@ namespace axisc::validator {
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
   std::optional<AxisType> axis_type;            ///< overrides kenngr.achs_typ of a list
+  std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
 };

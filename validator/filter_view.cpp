@@ -3,6 +3,7 @@
 #include "schema/catalogue.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <tuple>
 
@@ -14,10 +15,32 @@ constexpr std::uint32_t interface_filters = 1;
 constexpr int hsc_prototype = 5;
 constexpr int hsc_mean = 8;
 
+enum class Member : std::uint8_t { enable, order, prototype, type, frequency, quality, share, time_constant };
+
+constexpr std::array<std::string_view, 8> member_names = {
+    "enable", "order", "prototype", "type", "fg_f0", "guete", "share_percent", "time_constant"};
+
+using Slots = std::array<std::array<schema::Slot, member_names.size()>, setpoint_filters + interface_filters>;
+
+Slots look_up_slots() {
+  Slots slots{};
+  for (std::uint32_t i = 0; i < slots.size(); ++i) {
+    bool const setpoint = i < setpoint_filters;
+    for (std::size_t member = 0; member < member_names.size(); ++member) {
+      std::string pattern(setpoint ? "filter[]." : "lr_param.add_interface.filter[].");
+      pattern.append(member_names[member]);
+      slots[i][member] = slot_at(pattern, setpoint ? i : i - setpoint_filters);
+    }
+  }
+  return slots;
+}
+
+/// Views are made by the thousand; the names are looked up once.
 EffectiveValue const& value_of(EffectiveValues const& values, FilterPort port, std::uint32_t index,
-                               std::string_view member) {
-  std::string pattern(port == FilterPort::setpoint ? "filter[]." : "lr_param.add_interface.filter[].");
-  return values.at(pattern.append(member), index);
+                               Member member) {
+  static Slots const slots = look_up_slots();
+  return values[slots[port == FilterPort::setpoint ? index : setpoint_filters + index]
+                     [static_cast<std::size_t>(member)]];
 }
 
 bool is_standard(int type) {
@@ -42,14 +65,14 @@ bool time_constant_fits(design::FilterType type, design::Microseconds time, desi
 FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uint32_t index_)
     : port(port_),
       index(index_),
-      enable(value_of(values, port_, index_, "enable")),
-      order(value_of(values, port_, index_, "order")),
-      prototype(value_of(values, port_, index_, "prototype")),
-      type(value_of(values, port_, index_, "type")),
-      frequency(value_of(values, port_, index_, "fg_f0")),
-      quality(value_of(values, port_, index_, "guete")),
-      share(value_of(values, port_, index_, "share_percent")),
-      time_constant(value_of(values, port_, index_, "time_constant")) {}
+      enable(value_of(values, port_, index_, Member::enable)),
+      order(value_of(values, port_, index_, Member::order)),
+      prototype(value_of(values, port_, index_, Member::prototype)),
+      type(value_of(values, port_, index_, Member::type)),
+      frequency(value_of(values, port_, index_, Member::frequency)),
+      quality(value_of(values, port_, index_, Member::quality)),
+      share(value_of(values, port_, index_, Member::share)),
+      time_constant(value_of(values, port_, index_, Member::time_constant)) {}
 
 bool FilterView::touched() const {
   auto const values = all();

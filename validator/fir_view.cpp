@@ -54,7 +54,8 @@ std::optional<design::KernelSpecification> FirView::specification(design::CycleT
   specification.order = static_cast<std::uint32_t>(resulting);
   if (kind == FirType::windowed_sinc) {
     specification.frequency = {frequency.value.number};
-    bool const fits = frequency.value.number > 0 && specification.frequency < cycle_time.nyquist();
+    bool const fits =
+        frequency.value.number > 0 && specification.frequency.value < cycle_time.nyquist().value;
     if (frequency.unusable || !fits) return std::nullopt;
   }
   if (kind == FirType::gaussian) {

@@ -48,7 +48,8 @@ std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
   }
   specification.type = design::KernelType::novib;
   specification.frequency = {filter.frequency.value.number};
-  bool const fits = specification.frequency.value > 0 && specification.frequency < cycle_time.nyquist() &&
+  bool const fits = specification.frequency.value > 0 &&
+                    specification.frequency.value < cycle_time.nyquist().value &&
                     design::novib_order(specification.frequency, cycle_time) <= design::longest_kernel_order;
   if (order == 0 || filter.frequency.unusable || !fits) return std::nullopt;
   return specification;

@@ -116,6 +116,7 @@ class Loader {
     }
     machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+    machine_.build = options_.build;
     return std::move(machine_);
   }
 

@@ -73,6 +73,7 @@ struct LoadedMachine {
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list
   bool inch = false;                       ///< lengths in programs are inches
+  std::optional<BuildVersion> build;       ///< of the control, where the options name it
   std::vector<Finding> findings;           ///< AX4020
   std::vector<std::string> files;
 

@@ -1,16 +1,70 @@
 #include "validator/position_control_view.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace axisc::validator {
 namespace {
 
-EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, std::string_view member,
+enum class Member : std::uint8_t {
+  mode,
+  numerator,
+  denominator,
+  older_damping,
+  newer_damping,
+  older_order,
+  older_frequency,
+  older_quality,
+  type,
+  order,
+  frequency,
+  quality,
+};
+
+struct MemberRow {
+  std::string_view name;
+  bool per_filter;  ///< filter[k].x
+};
+
+constexpr std::array<MemberRow, 12> members = {{
+    {.name = "mode", .per_filter = false},
+    {.name = "weight_fact_num", .per_filter = false},
+    {.name = "weight_fact_denom", .per_filter = false},
+    {.name = "filter.damping", .per_filter = false},
+    {.name = "osc_damping", .per_filter = false},
+    {.name = "filter.order", .per_filter = false},
+    {.name = "filter.fg_f0", .per_filter = false},
+    {.name = "filter.q_factor", .per_filter = false},
+    {.name = "filter[].type", .per_filter = true},
+    {.name = "filter[].order", .per_filter = true},
+    {.name = "filter[].fg_f0", .per_filter = true},
+    {.name = "filter[].q_factor", .per_filter = true},
+}};
+
+using FilterSlots = std::array<schema::Slot, filters_per_stage>;
+using Slots = std::array<std::array<FilterSlots, members.size()>, position_control_stages>;
+
+Slots look_up_slots() {
+  Slots slots{};
+  for (std::uint32_t stage = 0; stage < slots.size(); ++stage) {
+    for (std::size_t member = 0; member < members.size(); ++member) {
+      std::string pattern("lr_param.improved_position_control.stage[].");
+      pattern.append(members[member].name);
+      for (std::uint32_t filter = 0; filter < filters_per_stage; ++filter) {
+        slots[stage][member][filter] = slot_at(pattern, stage, members[member].per_filter ? filter : 0);
+      }
+    }
+  }
+  return slots;
+}
+
+/// Views are made by the thousand; the names are looked up once.
+EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, Member member,
                                   std::uint32_t filter = 0) {
-  std::string pattern("lr_param.improved_position_control.stage[].");
-  return values.at(pattern.append(member), stage, filter);
+  static Slots const slots = look_up_slots();
+  return values[slots[stage][static_cast<std::size_t>(member)][filter]];
 }
 
 StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
@@ -22,18 +76,18 @@ StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
 
 StageFilterView older_filter(EffectiveValues const& values, std::uint32_t stage) {
   return {.type = nullptr,
-          .order = stage_value(values, stage, "filter.order"),
-          .frequency = stage_value(values, stage, "filter.fg_f0"),
-          .quality = stage_value(values, stage, "filter.q_factor"),
+          .order = stage_value(values, stage, Member::older_order),
+          .frequency = stage_value(values, stage, Member::older_frequency),
+          .quality = stage_value(values, stage, Member::older_quality),
           .kind = StageFilterType::bandpass};
 }
 
 StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage, std::uint32_t filter) {
-  EffectiveValue const& type = stage_value(values, stage, "filter[].type", filter);
+  EffectiveValue const& type = stage_value(values, stage, Member::type, filter);
   return {.type = &type,
-          .order = stage_value(values, stage, "filter[].order", filter),
-          .frequency = stage_value(values, stage, "filter[].fg_f0", filter),
-          .quality = stage_value(values, stage, "filter[].q_factor", filter),
+          .order = stage_value(values, stage, Member::order, filter),
+          .frequency = stage_value(values, stage, Member::frequency, filter),
+          .quality = stage_value(values, stage, Member::quality, filter),
           .kind = kind_of(type, filter)};
 }
 
@@ -41,11 +95,11 @@ StageFilterView newer_filter(EffectiveValues const& values, std::uint32_t stage,
 
 StageView::StageView(EffectiveValues const& values, std::uint32_t index_)
     : index(index_),
-      mode(stage_value(values, index_, "mode")),
-      weight_numerator(stage_value(values, index_, "weight_fact_num")),
-      weight_denominator(stage_value(values, index_, "weight_fact_denom")),
-      older_damping(stage_value(values, index_, "filter.damping")),
-      newer_damping(stage_value(values, index_, "osc_damping")),
+      mode(stage_value(values, index_, Member::mode)),
+      weight_numerator(stage_value(values, index_, Member::numerator)),
+      weight_denominator(stage_value(values, index_, Member::denominator)),
+      older_damping(stage_value(values, index_, Member::older_damping)),
+      newer_damping(stage_value(values, index_, Member::newer_damping)),
       older(older_filter(values, index_)),
       newer{newer_filter(values, index_, 0), newer_filter(values, index_, 1)} {}
 

@@ -122,6 +122,19 @@ TEST_CASE("a list is linted once, through its machine file") {
   CHECK_THAT(outcome.out, !Catch::Matchers::Contains("AX9006"));
 }
 
+TEST_CASE("the build of the control is named on the command line") {
+  TemporaryFolder const folder;
+  auto const path = folder.write("x.lis", "filter_fir.quality 0.5\nEnde\n");
+  CHECK(run_axisc({"lint", path}).out.find("AX2016") == std::string::npos);
+  CHECK_THAT(run_axisc({"lint", path, "--build", "V3.1.3075.02"}).out, Catch::Matchers::Contains("AX2016"));
+  CHECK(run_axisc({"lint", path, "--build", "V3.1.3075.04"}).out.find("AX2016") == std::string::npos);
+  for (auto const* const wrong : {"3075", "V3.1", "V3.1.x", "V3.1.3075.04.1", ""}) {
+    auto const outcome = run_axisc({"lint", path, "--build", wrong});
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains("V3.1.3075.04"));
+  }
+}
+
 TEST_CASE("quiet means findings alone") {
   auto const outcome = run_axisc({"lint", "machine", "--quiet"}, in_data);
   CHECK(outcome.status == 0);

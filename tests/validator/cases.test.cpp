@@ -31,6 +31,7 @@ validator::CheckOptions options_of(std::string const& text) {
     if (word == "type=S") options.axis_type = validator::AxisType::spindle;
     if (word == "type=R") options.axis_type = validator::AxisType::rotary;
     if (word == "pedantic") options.pedantic = true;
+    if (word.rfind("build=", 0) == 0) options.build = validator::parse_build_version(word.substr(6));
   }
   return options;
 }

@@ -34,4 +34,6 @@ void reference_index(AxisContext const& context, Report& report);         // AX2
 void reference_unit(AxisContext const& context, Report& report);          // AX2014
 void limit_by_parameter(AxisContext const& context, Report& report);      // AX2015
 
+void newer_than_build(AxisContext const& context, Report& report);  // AX2016
+
 }  // namespace axisc::validator::checks

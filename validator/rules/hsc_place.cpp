@@ -50,7 +50,8 @@ void hsc_on_spindle(FilterContext const& context, Report& report) {
 
 void hsc_superseded(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (!is_configured_hsc(filter)) return;
+  auto const& build = context.axis.machine.build;
+  if (!is_configured_hsc(filter) || (build && *build < builds::fir_command)) return;
   Finding& finding = report.add(filter.prototype, {Text::ax4007, {{"filter", filter_name(filter)}}});
   finding.help.push_back({Text::ax4007_help, {}});
 }

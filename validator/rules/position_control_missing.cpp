@@ -8,6 +8,13 @@
 namespace axisc::validator::checks {
 namespace {
 
+/// `filter.order`: which stage it is stands in the headline.
+std::string name_in_stage(EffectiveValue const& value) {
+  std::string const name = parameter_name(value);
+  constexpr std::string_view behind_stage = "].";
+  return name.substr(name.find(behind_stage) + behind_stage.size());
+}
+
 /// Names of what is missing, and the control's numbers for it.
 class Missing {
  public:
@@ -16,7 +23,7 @@ class Missing {
     bool const given =
         configured(value) || value.unusable || (other_spelling != nullptr && configured(*other_spelling));
     if (given) return;
-    append(names_, ", ", '`' + parameter_name(value) + '`');
+    append(names_, ", ", '`' + name_in_stage(value) + '`');
     append(messages_, "/", message);
   }
 

@@ -13,6 +13,7 @@ set(axisc_rules_text_and_parameter
   rules/letter_case.cpp
   rules/limit_by_parameter.cpp
   rules/malformed_number.cpp
+  rules/newer_than_build.cpp
   rules/out_of_data_range.cpp
   rules/out_of_range.cpp
   rules/references.cpp
@@ -92,4 +93,13 @@ set(axisc_rules_program
   rules/guard_with_fir_in_list.cpp
   rules/hsc_without_preconfiguration.cpp
   rules/program_helpers.cpp
+)
+
+# Several axes together: AX4.
+set(axisc_rules_machine
+  axis_delay.cpp
+  rules/axis_number.cpp
+  rules/gantry_broken.cpp
+  rules/gantry_position_control.cpp
+  rules/group_delay.cpp
 )

@@ -3,6 +3,7 @@
 #include "validator/rules/checks.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/kernel_checks.hpp"
+#include "validator/rules/machine_checks.hpp"
 #include "validator/rules/position_control_checks.hpp"
 #include "validator/rules/program_checks.hpp"
 
@@ -71,6 +72,8 @@ std::vector<Rule> rows() {
        .needs = Needs::nothing, .silenced_by = {}, .check = AxisCheck{checks::reference_unit}},
       {.code = Code{2015}, .name = "limit-by-parameter", .severity = Severity::error, .control = "",
        .needs = Needs::nothing, .silenced_by = {}, .check = AxisCheck{checks::limit_by_parameter}},
+      {.code = Code{2016}, .name = "newer-than-build", .severity = Severity::warning, .control = "",
+       .needs = Needs::nothing, .silenced_by = {}, .check = AxisCheck{checks::newer_than_build}},
       {.code = Code{4020}, .name = "machine-file", .severity = Severity::error, .control = "",
        .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
       {.code = Code{9001}, .name = "cannot-read", .severity = Severity::error, .control = "",
@@ -88,6 +91,7 @@ std::vector<Rule> rows() {
   // clang-format on
 #include "validator/rules/filter_rows.inc"
 #include "validator/rules/kernel_rows.inc"
+#include "validator/rules/machine_rows.inc"
 #include "validator/rules/position_control_rows.inc"
 #include "validator/rules/program_rows.inc"
   };

@@ -1,0 +1,90 @@
+// AX2016: what the control's build does not know yet.
+#include "validator/build_version.hpp"
+#include "validator/rules/checks.hpp"
+#include "validator/rules/helpers.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace axisc::validator {
+namespace {
+
+struct Family {
+  std::string_view prefix;
+  BuildVersion since;
+};
+
+// The first that fits counts.
+constexpr std::array<Family, 4> families = {{
+    {.prefix = "filter_fir.quality", .since = builds::fir_quality},
+    {.prefix = "filter_fir.", .since = builds::fir},
+    {.prefix = "vib_guard.", .since = builds::fir},
+    {.prefix = "lr_param.improved_position_control.", .since = builds::position_control},
+}};
+
+BuildVersion needed_for(schema::Parameter const& parameter) {
+  if (auto const since = parse_build_version(parameter.since)) return *since;
+  auto const* const family = std::find_if(families.begin(), families.end(), [&](Family const& candidate) {
+    return parameter.name.substr(0, candidate.prefix.size()) == candidate.prefix;
+  });
+  return family == families.end() ? BuildVersion{} : family->since;
+}
+
+bool is_time_delay(schema::Parameter const& parameter, Reading const& reading) {
+  constexpr double time_delay = 11;
+  bool const is_type =
+      parameter.name == "filter[].type" || parameter.name == "lr_param.add_interface.filter[].type";
+  return is_type && reading.status == ReadingStatus::value && reading.value.number == time_delay;
+}
+
+/// What the line needs beyond the build, as text; empty where nothing.
+std::string missing_build(schema::Parameter const& parameter, Reading const& reading,
+                          BuildVersion const& build) {
+  BuildVersion const needed = needed_for(parameter);
+  if (build < needed) return to_text(needed);
+  if (is_time_delay(parameter, reading) && !builds::has_time_delay(build)) {
+    return "V2.11.2013, V2.11.2803, V3.00.3013";
+  }
+  if (reading.quoted && build < builds::quotes) return to_text(builds::quotes);
+  return {};
+}
+
+Text headline(schema::Parameter const& parameter, Reading const& reading, BuildVersion const& build) {
+  if (build < needed_for(parameter)) return Text::ax2016;
+  return is_time_delay(parameter, reading) ? Text::ax2016_time_delay : Text::ax2016_quotes;
+}
+
+void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
+  if (context.type != AxisType::spindle || build >= builds::spindle_filters) return;
+  for (FilterView const& filter : touched_filters(context.values)) {
+    bool const on = !filter.enable.unusable && filter.enable.value.flag();
+    if (filter.port != FilterPort::setpoint || !on) continue;
+    report.add(filter.enable, message(Text::ax2016_spindle, {{"needed", to_text(builds::spindle_filters)},
+                                                             {"build", to_text(build)}}));
+  }
+}
+
+}  // namespace
+
+void checks::newer_than_build(AxisContext const& context, Report& report) {
+  if (!context.machine.build) return;
+  BuildVersion const& build = *context.machine.build;
+  for (LoadedList const* const list : lists_of(context)) {
+    if (list == nullptr) continue;
+    for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+      if (!reading.usable()) return;
+      schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+      std::string const needed = missing_build(parameter, reading, build);
+      if (needed.empty()) return;
+      Place const place{.source = list->source, .span = assignment.value};
+      report.add(
+          place, reading.name.slot,
+          message(headline(parameter, reading, build), {{"parameter", schema::slot_name(reading.name.slot)},
+                                                        {"needed", needed},
+                                                        {"build", to_text(build)}}));
+    });
+  }
+  check_spindle(context, build, report);
+}
+
+}  // namespace axisc::validator
