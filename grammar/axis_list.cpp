@@ -91,7 +91,7 @@ class Reader {
 
   void read_assignment(std::string_view line) {
     syntax::AssignmentLine parsed;
-    Failure failure;
+    Failure<ProblemKind> failure;
     char const* position = line.data();
     syntax::assignment.parse(position, line.data() + line.size(), x3::make_context<FailureTag>(failure),
                              x3::unused, parsed);
@@ -113,7 +113,7 @@ class Reader {
     keep_directive(trailer, false);
   }
 
-  void report(Failure const& failure, std::string_view line) {
+  void report(Failure<ProblemKind> const& failure, std::string_view line) {
     std::string_view const rest = line.substr(static_cast<std::size_t>(failure.where - line.data()));
     switch (failure.kind) {
       case ProblemKind::malformed_index:

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "diagnostics/span.hpp"
+#include "grammar/directive.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -55,14 +56,6 @@ enum class ProblemKind : std::uint8_t {
 struct Problem {
   ProblemKind kind{};
   Span span;
-  std::uint32_t line = 0;
-};
-
-/// A comment that may carry `axisc: allow CODE[,CODE]`: only those that contain "axisc:" are kept. Lines with a problem
-/// may have one too; comments behind `Ende` are not read.
-struct Directive {
-  Span comment;
-  bool whole_line = false;  ///< the line holds nothing else, so it speaks for the next line
   std::uint32_t line = 0;
 };
 

@@ -1,4 +1,4 @@
-// Which bytes the axis list language tells apart, as one table, and the Spirit X3 primitives over it.
+// Which bytes axis lists and NC programs tell apart, as one table, and the Spirit X3 primitives over it.
 //
 // X3's own character parsers ask the C locale or compare ranges one by one; a table of 256 entries is neither
 // dependent on the surroundings nor slower for a larger class.
@@ -24,6 +24,10 @@ inline constexpr CharacterClasses high = 1U << 5U;         ///< above 0x7F: part
 inline constexpr CharacterClasses control = 1U << 6U;      ///< below 0x20 except the tab, and 0x7F
 inline constexpr CharacterClasses sign = 1U << 7U;         ///< + and -
 inline constexpr CharacterClasses quote = 1U << 8U;        ///< "
+inline constexpr CharacterClasses line_end = 1U << 9U;    ///< LF, between the lines of one block of a program
+inline constexpr CharacterClasses bracket = 1U << 10U;    ///< [ and ]
+inline constexpr CharacterClasses equals = 1U << 11U;     ///< =
+inline constexpr CharacterClasses semicolon = 1U << 12U;  ///< ; opens a comment of a program
 }  // namespace character
 
 namespace detail {
@@ -45,6 +49,11 @@ constexpr std::array<CharacterClasses, 256> make_class_table() {
   add('a', 'f', character::hexadecimal);
   add('(', '(', character::parenthesis);
   add('"', '"', character::quote);
+  add('\n', '\n', character::line_end);
+  add('[', '[', character::bracket);
+  add(']', ']', character::bracket);
+  add('=', '=', character::equals);
+  add(';', ';', character::semicolon);
   add('+', '+', character::sign);
   add('-', '-', character::sign);
   add(0x80, 0xFF, character::high);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "diagnostics/span.hpp"
+#include "grammar/directive.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,18 +19,17 @@ class DirectiveFinder {
   /// together cost one search through it.
   [[nodiscard]] bool within(Span comment) {
     if (next_ < comment.begin) advance(comment.begin);
-    return next_ != std::string_view::npos && next_ + introducer.size() <= comment.end;
+    return next_ != std::string_view::npos && next_ + directive_introducer.size() <= comment.end;
   }
 
  private:
-  static constexpr std::string_view introducer = "axisc:";
-
   void advance(std::size_t from) {
     std::size_t colon = from;
     while ((colon = bytes_.find(':', colon)) != std::string_view::npos) {
       ++colon;
-      if (colon >= from + introducer.size() && bytes_.substr(0, colon).ends_with(introducer)) {
-        next_ = colon - introducer.size();
+      if (colon >= from + directive_introducer.size() &&
+          bytes_.substr(0, colon).ends_with(directive_introducer)) {
+        next_ = colon - directive_introducer.size();
         return;
       }
     }

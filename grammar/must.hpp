@@ -6,22 +6,22 @@
 // alternative it would remember a failure that the next branch repairs.
 #pragma once
 
-#include "grammar/axis_list.hpp"
-
 #include <boost/spirit/home/x3.hpp>
 
 namespace axisc::grammar {
 
-/// The first expectation of a line that was not met; `where` is null while there is none.
+/// The first expectation of a line that was not met; `where` is null while there is none. Each grammar has its own
+/// enumeration of what can be wrong.
+template <typename Kind>
 struct Failure {
-  ProblemKind kind{};
+  Kind kind{};
   char const* where = nullptr;
 };
 
 /// Under this tag the context of a parse carries its Failure.
 struct FailureTag {};
 
-template <ProblemKind kind, typename Subject>
+template <auto kind, typename Subject>
 struct MustDirective : boost::spirit::x3::unary_parser<Subject, MustDirective<kind, Subject>> {
   using base_type = boost::spirit::x3::unary_parser<Subject, MustDirective<kind, Subject>>;
   static bool const is_pass_through_unary = true;
@@ -34,13 +34,13 @@ struct MustDirective : boost::spirit::x3::unary_parser<Subject, MustDirective<ki
              Attribute& attribute) const {
     Iterator const start = first;
     if (this->subject.parse(first, last, context, rule_context, attribute)) return true;
-    Failure& failure = boost::spirit::x3::get<FailureTag>(context);
+    Failure<decltype(kind)>& failure = boost::spirit::x3::get<FailureTag>(context);
     if (failure.where == nullptr) failure = {.kind = kind, .where = start};
     return false;
   }
 };
 
-template <ProblemKind kind>
+template <auto kind>
 struct MustGenerator {
   template <typename Subject>
   constexpr auto operator[](Subject const& expected) const {
@@ -49,7 +49,7 @@ struct MustGenerator {
   }
 };
 
-template <ProblemKind kind>
+template <auto kind>
 inline constexpr MustGenerator<kind> must{};
 
 }  // namespace axisc::grammar

@@ -1,0 +1,95 @@
+#include "grammar/nc_command.hpp"
+
+#include "grammar/nc_command_def.hpp"
+
+#include <algorithm>
+
+namespace axisc::grammar {
+namespace {
+
+std::string_view view(block_syntax::Range const& range) {
+  return {range.begin(), static_cast<std::size_t>(range.size())};
+}
+
+bool is_upper_case(std::string_view name) {
+  return std::none_of(name.begin(), name.end(), [](char byte) { return byte >= 'a' && byte <= 'z'; });
+}
+
+/// One command, from its `#` on.
+class CommandReader {
+ public:
+  CommandReader(std::string_view text, std::uint32_t offset) : text_(text), offset_(offset) {}
+
+  /// Stands behind what belongs to the command then.
+  NcCommand read(char const*& position) {
+    char const* const end = text_.data() + text_.size();
+    block_syntax::CommandName name;
+    block_syntax::command_name.parse(position, end, x3::unused, x3::unused, name);
+    NcCommand command;
+    command.kind = name.kind;
+    command.name = span(view(name.text));
+    if (command.kind == CommandKind::filter || command.kind == CommandKind::vibration_guard) {
+      if (!is_upper_case(view(name.text))) {
+        command.problem = {.kind = CommandProblemKind::letter_case, .span = command.name};
+      }
+      read_body(position, end, command);
+    }
+    return command;
+  }
+
+ private:
+  void read_body(char const*& position, char const* end, NcCommand& command) const {
+    block_syntax::CommandBody body;
+    Failure<CommandProblemKind> failure;
+    block_syntax::command_body.parse(position, end, x3::make_context<FailureTag>(failure), x3::unused, body);
+    command.command_switch = body.command_switch;
+    for (block_syntax::KeywordToken const& keyword : body.brackets.keywords) {
+      command.keywords.push_back({.name = span(view(keyword.name)),
+                                  .kind = keyword.value.kind,
+                                  .value = span(view(keyword.value.text))});
+    }
+    if (failure.where == nullptr) return;
+    position = failure.where;
+    if (command.problem) return;
+    command.problem = {.kind = failure.kind,
+                       .span = failure.kind == CommandProblemKind::unclosed_bracket
+                                   ? span(view(body.brackets.opening))
+                                   : span(token_at(position, end))};
+  }
+
+  /// What a message points at: up to the next blank or whatever else ends a value, at least one byte.
+  static std::string_view token_at(char const* first, char const* end) {
+    char const* const stop =
+        std::find_if(first + 1, end, [](char byte) { return is(block_syntax::value_stops, byte); });
+    return {first, static_cast<std::size_t>(stop - first)};
+  }
+
+  [[nodiscard]] Span span(std::string_view token) const {
+    auto const begin = offset_ + static_cast<std::uint32_t>(token.data() - text_.data());
+    return {.begin = begin, .end = begin + static_cast<std::uint32_t>(token.size())};
+  }
+
+  std::string_view text_;
+  std::uint32_t offset_;
+};
+
+}  // namespace
+
+NcCommand read_nc_command(std::string_view block, std::size_t& position, std::uint32_t offset) {
+  char const* first = block.data() + position;
+  NcCommand command = CommandReader(block, offset).read(first);
+  position = static_cast<std::size_t>(first - block.data());
+  return command;
+}
+
+std::optional<NcCommand> parse_nc_command(std::string_view text) {
+  char const* first = text.data();
+  block_syntax::gap.parse(first, text.data() + text.size(), x3::unused, x3::unused, x3::unused);
+  auto position = static_cast<std::size_t>(first - text.data());
+  if (position == text.size() || text[position] != '#') return std::nullopt;
+  NcCommand command = read_nc_command(text, position, 0);
+  command.line = 1;
+  return command;
+}
+
+}  // namespace axisc::grammar

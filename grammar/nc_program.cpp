@@ -1,0 +1,181 @@
+#include "grammar/nc_program.hpp"
+
+#include "grammar/line_splitter.hpp"
+#include "grammar/nc_program_def.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace axisc::grammar {
+namespace {
+
+/// A block that goes on for longer than this ends at the line that reached it; what a line may have, a block may have.
+constexpr std::size_t longest_block = 1U << 20U;
+
+/// Runs one parser from `first` on; `first` stands behind what matched.
+template <typename Parser, typename Attribute>
+bool parse(Parser const& parser, char const*& first, char const* last, Attribute& attribute) {
+  return parser.parse(first, last, x3::unused, x3::unused, attribute);
+}
+
+template <typename Parser>
+bool begins_with(Parser const& parser, std::string_view line) {
+  char const* first = line.data();
+  return parser.parse(first, line.data() + line.size(), x3::unused, x3::unused, x3::unused);
+}
+
+/// Calls `found` with every comment of a line, strings left out.
+template <typename Found>
+void for_each_comment(std::string_view line, Found found) {
+  char const* const end = line.data() + line.size();
+  for (char const* position = line.data(); position != end;) {
+    if (*position == '"') {
+      position = std::find(position + 1, end, '"');
+      if (position != end) ++position;
+    } else if (opens_comment(*position)) {
+      char const* const behind = behind_comment(position, end);
+      found(std::string_view(position, static_cast<std::size_t>(behind - position)));
+      position = behind;
+    } else {
+      ++position;
+    }
+  }
+}
+
+/// True if the line holds nothing but blanks, comments and a block number.
+bool says_nothing(std::string_view line) {
+  using namespace block_syntax;
+  return begins_with(gap >> -block_number >> gap >> eoi, line);
+}
+
+/// The line without the `\` that ends it outside of comments and strings; the whole line where there is none.
+std::string_view without_continuation(std::string_view line) {
+  std::size_t const last = line.find_last_not_of(" \t");
+  if (last == std::string_view::npos || line[last] != '\\') return line;
+  bool quoted = false;
+  for (char const* position = line.data(); position != line.data() + last;) {
+    if (*position == '"') quoted = !quoted;
+    if (!quoted && opens_comment(*position)) {
+      position = behind_comment(position, line.data() + line.size());
+      if (position > line.data() + last) return line;
+    } else {
+      ++position;
+    }
+  }
+  return quoted ? line : line.substr(0, last);
+}
+
+/// Keeps what checks look at.
+class Collector final : public ProgramListener {
+ public:
+  void word(Word const& /*word*/) override {}
+  void command(NcCommand command) override {
+    if (command.kind != CommandKind::other) program.commands.push_back(std::move(command));
+  }
+  void directive(Directive const& directive) override { program.directives.push_back(directive); }
+
+  NcProgram program;
+};
+
+}  // namespace
+
+void ProgramReader::line(std::string_view text, std::uint32_t offset) {
+  ++number_;
+  bool const has_command = text.find('#') != std::string_view::npos;
+  if (in_comment_) {
+    if (has_command) in_comment_ = !begins_with(block_syntax::comment_end, text);
+    return;
+  }
+  find_directives(text, offset);
+  if (has_command && begins_with(block_syntax::comment_begin, text)) {
+    finish();
+    in_comment_ = true;
+    return;
+  }
+  std::string_view const kept = without_continuation(text);
+  bool const goes_on = kept.size() != text.size();
+  if (goes_on || !open_block_.empty()) {
+    continue_block(kept, offset, goes_on || says_nothing(text));
+  } else if (has_command || detail_ == ProgramDetail::words) {
+    block(text, offset, number_);
+  }
+}
+
+void ProgramReader::finish() {
+  if (open_block_.empty()) return;
+  std::string const whole = std::exchange(open_block_, {});
+  block(whole, open_offset_, open_line_);
+}
+
+void ProgramReader::continue_block(std::string_view text, std::uint32_t offset, bool goes_on) {
+  if (open_block_.empty()) {
+    open_offset_ = offset;
+    open_line_ = number_;
+  } else {
+    // Offsets stay those of the program: blanks stand for `\` and CR, and the line's end is the last byte before `text`.
+    open_block_.resize(offset - open_offset_ - 1, ' ');
+    open_block_ += '\n';
+  }
+  open_block_ += text;
+  if (!goes_on || open_block_.size() > longest_block) finish();
+}
+
+void ProgramReader::block(std::string_view text, std::uint32_t offset, std::uint32_t line) {
+  char const* position = text.data();
+  char const* const end = text.data() + text.size();
+  char const* counted = position;
+  bool at_start = true;
+  while (true) {
+    parse(block_syntax::gap, position, end, x3::unused);
+    if (position == end) return;
+    line += static_cast<std::uint32_t>(std::count(counted, position, '\n'));
+    counted = position;
+    if (*position == '#') {
+      auto at = static_cast<std::size_t>(position - text.data());
+      NcCommand command = read_nc_command(text, at, offset);
+      position = text.data() + at;
+      command.line = line;
+      listener_.command(std::move(command));
+      at_start = false;
+      continue;
+    }
+    block_syntax::WordToken token;
+    if (!at_start || !parse(block_syntax::block_start, position, end, token)) {
+      parse(block_syntax::word, position, end, token);
+    }
+    at_start = token.kind == WordKind::skip;
+    if (detail_ != ProgramDetail::words) continue;
+    std::uint32_t const begin = offset + static_cast<std::uint32_t>(token.text.begin() - text.data());
+    listener_.word({.kind = token.kind,
+                    .span = {.begin = begin, .end = begin + static_cast<std::uint32_t>(token.text.size())},
+                    .line = line});
+  }
+}
+
+void ProgramReader::find_directives(std::string_view text, std::uint32_t offset) {
+  if (text.find(directive_introducer) == std::string_view::npos) return;
+  bool const whole_line = says_nothing(text);
+  for_each_comment(text, [&](std::string_view comment) {
+    if (comment.find(directive_introducer) == std::string_view::npos) return;
+    std::uint32_t const begin = offset + static_cast<std::uint32_t>(comment.data() - text.data());
+    listener_.directive(
+        {.comment = {.begin = begin, .end = begin + static_cast<std::uint32_t>(comment.size())},
+         .whole_line = whole_line,
+         .line = number_});
+  });
+}
+
+NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin) {
+  Collector collector;
+  ProgramReader reader(collector, ProgramDetail::commands);
+  LineSplitter splitter(bytes.substr(text_begin));
+  for (std::string_view line; splitter.next(line);) {
+    reader.line(line, static_cast<std::uint32_t>(line.data() - bytes.data()));
+  }
+  reader.finish();
+  collector.program.lines = splitter.number();
+  return std::move(collector.program);
+}
+
+}  // namespace axisc::grammar

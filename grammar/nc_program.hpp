@@ -1,0 +1,91 @@
+// An NC program as its commands with spans, or as its words for those who follow them.
+//
+// A program is read line by line, whatever its length: a line knows of the one before only through an open
+// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never hides another
+// line. A comment, `( … )` or `; …`, may stand in every gap; what stands in a comment or in a string is no command.
+#pragma once
+
+#include "diagnostics/span.hpp"
+#include "grammar/directive.hpp"
+#include "grammar/nc_command.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::grammar {
+
+enum class WordKind : std::uint8_t {
+  skip,          ///< `/` or `/3` at the start of a block
+  block_number,  ///< N10, at the start of a block or behind `/`
+  program,       ///< %MAIN, %L UP1: a program or a local subprogram begins
+  control,       ///< $IF
+  address,       ///< G01, X-10.5, F4000, P10
+  name,          ///< LL, UP1, V.P.LENGTH, X1 in `X1=5`
+  number,        ///< 20, .5
+  text,          ///< "…", up to the line's end where it is not closed
+  other,         ///< any other byte
+};
+
+struct Word {
+  WordKind kind{};
+  Span span;
+  std::uint32_t line = 0;  ///< from 1
+};
+
+/// Receives what a program says, in the order of its text.
+class ProgramListener {
+ public:
+  virtual ~ProgramListener() = default;
+  virtual void word(Word const& word) = 0;
+  virtual void command(NcCommand command) = 0;
+  virtual void directive(Directive const& directive) = 0;
+
+ protected:
+  ProgramListener() = default;
+  ProgramListener(ProgramListener const&) = default;
+  ProgramListener& operator=(ProgramListener const&) = default;
+};
+
+enum class ProgramDetail : std::uint8_t {
+  commands,  ///< no words; lines without a command cost a search for `#`
+  words,
+};
+
+/// Reads a program line by line in constant memory: the state is the comment or the block that is open.
+class ProgramReader {
+ public:
+  ProgramReader(ProgramListener& listener, ProgramDetail detail) : listener_(listener), detail_(detail) {}
+
+  /// The next line without its line end; `offset` is its place in the program, from which all spans count. `text` may
+  /// change afterwards.
+  void line(std::string_view text, std::uint32_t offset);
+  /// Behind the last line.
+  void finish();
+
+ private:
+  void continue_block(std::string_view text, std::uint32_t offset, bool goes_on);
+  void block(std::string_view text, std::uint32_t offset, std::uint32_t line);
+  void find_directives(std::string_view text, std::uint32_t offset);
+
+  ProgramListener& listener_;
+  ProgramDetail detail_;
+  std::uint32_t number_ = 0;  ///< of the line read last
+  bool in_comment_ = false;   ///< behind #COMMENT BEGIN
+  std::string open_block_;    ///< the lines of a block that goes on, as blanks what does not belong to it
+  std::uint32_t open_offset_ = 0;
+  std::uint32_t open_line_ = 0;
+};
+
+/// What the checks look at: a program of any length keeps only these.
+struct NcProgram {
+  std::vector<NcCommand> commands;  ///< without those of kind `other`
+  std::vector<Directive> directives;
+  std::uint32_t lines = 0;
+};
+
+/// `bytes` without byte order mark begins at `text_begin`. Cost: one pass.
+[[nodiscard]] NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin);
+
+}  // namespace axisc::grammar
