@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 struct Found {
   std::string path;
   fs::path identity;  ///< the same for every way to write the path
-  std::vector<fs::path> lists;
+  std::vector<fs::path> named;  ///< lists and programs of a machine file
 };
 
 fs::path identity_of(fs::path const& path) {
@@ -34,14 +34,14 @@ MachineOutline outline_of(std::string const& path) {
   DiskFiles files;
   auto const bytes = files.read(path);
   auto const* const text = std::get_if<std::string>(&bytes);
-  return text == nullptr ? MachineOutline{.is_machine = true, .lists = {}} : read_machine_outline(*text);
+  return text == nullptr ? MachineOutline{.is_machine = true, .named = {}} : read_machine_outline(*text);
 }
 
 Found found(std::string path, MachineOutline const& outline) {
-  Found result{.path = std::move(path), .identity = {}, .lists = {}};
+  Found result{.path = std::move(path), .identity = {}, .named = {}};
   result.identity = result.path == "-" ? fs::path("-") : identity_of(result.path);
   auto const folder = fs::path(result.path).parent_path();
-  for (auto const& list : outline.lists) result.lists.push_back(identity_of(folder / list));
+  for (auto const& file : outline.named) result.named.push_back(identity_of(folder / file));
   return result;
 }
 
@@ -51,7 +51,7 @@ bool may_be_input(fs::directory_entry const& entry) {
   // A link that leads nowhere is reported when it is read.
   if (type != fs::file_type::regular && type != fs::file_type::not_found) return false;
   auto const name = entry.path().filename().string();
-  return has_extension(name, ".lis") || has_extension(name, ".json");
+  return has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc");
 }
 
 void expand_folder(std::string const& folder, std::vector<Found>& inputs, std::vector<Failure>& failures) {
@@ -89,14 +89,12 @@ Inputs expand_inputs(std::vector<std::string> const& named) {
     std::error_code error;
     if (name != "-" && fs::is_directory(name, error)) {
       expand_folder(name, inputs, result.failures);
-    } else if (has_extension(name, ".nc")) {
-      result.failures.push_back(Failure({.text = Text::cli_nc_program, .arguments = {{"file", name}}}));
     } else {
       inputs.push_back(found(name, outline_of(name)));
     }
   }
   std::set<fs::path> through_machine;
-  for (auto const& input : inputs) through_machine.insert(input.lists.begin(), input.lists.end());
+  for (auto const& input : inputs) through_machine.insert(input.named.begin(), input.named.end());
   std::set<fs::path> taken;
   for (auto& input : inputs) {
     bool const again = !taken.insert(input.identity).second;

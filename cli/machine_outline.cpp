@@ -10,10 +10,19 @@ namespace {
 
 using json_type = nlohmann::json;
 
-void add_list(std::vector<std::string>& lists, json_type const& object, char const* key) {
+void add_list(std::vector<std::string>& named, json_type const& object, char const* key) {
   if (!object.is_object()) return;
   auto const found = object.find(key);
-  if (found != object.end() && found->is_string()) lists.push_back(found->get<std::string>());
+  if (found != object.end() && found->is_string()) named.push_back(found->get<std::string>());
+}
+
+void add_programs(std::vector<std::string>& named, json_type const& object) {
+  if (!object.is_object()) return;
+  auto const found = object.find("programs");
+  if (found == object.end() || !found->is_array()) return;
+  for (auto const& program : *found) {
+    if (program.is_string()) named.push_back(program.get<std::string>());
+  }
 }
 
 }  // namespace
@@ -22,13 +31,17 @@ MachineOutline read_machine_outline(std::string_view json) {
   auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);
   if (document.is_discarded()) {
     // A broken machine file is still one: its mistake is a finding.
-    return {.is_machine = json.find("\"axes\"") != std::string_view::npos, .lists = {}};
+    return {.is_machine = json.find("\"axes\"") != std::string_view::npos, .named = {}};
   }
   MachineOutline outline;
   if (!document.is_object() || !document.contains("axes")) return outline;
   outline.is_machine = true;
-  add_list(outline.lists, document, "default_list");
-  for (auto const& axis : document["axes"]) add_list(outline.lists, axis, "list");
+  add_list(outline.named, document, "default_list");
+  for (auto const& axis : document["axes"]) add_list(outline.named, axis, "list");
+  add_programs(outline.named, document);
+  if (document.contains("groups")) {
+    for (auto const& group : document["groups"]) add_programs(outline.named, group);
+  }
   return outline;
 }
 

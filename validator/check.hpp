@@ -31,7 +31,7 @@ struct NotCompiled {
 
 struct CheckResult {
   std::vector<Finding> findings;          ///< in output order
-  std::optional<Machine> machine;         ///< only without errors
+  std::optional<Machine> machine;         ///< only without errors, and not of an NC program
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it
@@ -39,7 +39,8 @@ struct CheckResult {
   std::vector<std::string> files;         ///< every file that was read, in order (for dependency files)
 };
 
-/// `path` ends in .json and holds an object: a machine file; else one axis list. `sources` receives every
+/// `path` ends in .json and holds an object: a machine file; in .nc: an NC program alone, of which no machine comes;
+/// else one axis list. `sources` receives every
 /// text read. Never throws for bad input.
 [[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);

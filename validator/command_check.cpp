@@ -183,7 +183,7 @@ class CommandCheck {
     }
     double const value = number_of(slice(text_, keyword.value));
     KeywordRange const range = range_of(name, limits_);
-    if (!range.contains(value)) out_of_range(keyword, name, range);
+    if (!range.contains(value)) out_of_range(keyword, name, value, range);
     if (usable(name, value, range)) take(name, value);
   }
 
@@ -194,14 +194,23 @@ class CommandCheck {
     return fits;
   }
 
-  void out_of_range(Keyword const& keyword, std::string const& name, KeywordRange const& range) {
+  void out_of_range(Keyword const& keyword, std::string const& name, double value,
+                    KeywordRange const& range) {
     CommandMistake& mistake = add(keyword_mistake, keyword.value, Text::ax5002_range,
                                   {{"keyword", name}, {"value", word(keyword.value)}});
     mistake.label = Message{.text = range.whole ? Text::ax5002_range_whole : Text::fixed_placeholder,
                             .arguments = {{"text", range.text}}};
+    mistake.control = range.control;
+    if (range.control.empty()) mistake.reaction.reset();
     bool const order = name == "ORDER" || name == "ORDER_TIME";
     if (order && limits_.time_delay) mistake.notes.push_back({.text = Text::ax5002_delay, .arguments = {}});
-    mistake.control = range.control;
+    if (order && value > *range.maximum) {
+      mistake.control = "50911";
+      mistake.reaction = Text::ax3001_clipped;
+    } else if (name == "ORDER_TIME") {
+      mistake.control = "50910";
+      mistake.reaction = Text::filter_reaction_inactive;
+    }
     mistake.depends_on_cycle_time = range.depends_on_cycle_time;
   }
 

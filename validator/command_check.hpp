@@ -39,6 +39,7 @@ struct CommandMistake {
   std::optional<Span> first;          ///< where a repeated keyword stands first
   std::optional<std::string> better;  ///< what to write in `span` instead
   std::string control;                ///< the control's message numbers; empty where none is known
+  std::optional<Text> reaction = Text::program_reaction_aborted;  ///< none where it is not documented
   bool depends_on_cycle_time = false;
 };
 

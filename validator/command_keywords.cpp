@@ -27,7 +27,6 @@ KeywordRange at_least(std::string_view keyword, double minimum, std::string_view
 KeywordRange order(CommandLimits const& limits) {
   KeywordRange range = closed("ORDER", 0, limits.longest_order());
   range.whole = true;
-  range.control = "50911";
   return range;
 }
 
@@ -38,7 +37,6 @@ KeywordRange order_time(CommandLimits const& limits) {
   range.text = fmt::format("T = {} µs ≤ ORDER_TIME ≤ {} T = {} µs", format_exact(cycle),
                            format_exact(longest), format_exact(longest * cycle));
   range.depends_on_cycle_time = true;
-  range.control = "50910/50911";
   return range;
 }
 

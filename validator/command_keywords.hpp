@@ -19,7 +19,8 @@ struct KeywordRange {
   bool whole = false;             ///< whole numbers only
   std::string text;               ///< "0 ≤ ORDER ≤ 200", with the formula where there is one
   bool depends_on_cycle_time = false;
-  std::string_view control;  ///< the control's message for another value; empty where none is known
+  std::string_view
+      control;  ///< the control's message that aborts the program for another value; empty: none known
 
   [[nodiscard]] bool contains(double value) const;
 };

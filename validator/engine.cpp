@@ -1,6 +1,7 @@
 #include "validator/engine.hpp"
 
 #include "diagnostics/writers.hpp"
+#include "validator/channel.hpp"
 #include "validator/precedence.hpp"
 #include "validator/suppression.hpp"
 
@@ -37,6 +38,8 @@ class Engine {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
       run_machine_checks();
     }
+    run_programs();
+    run_filter_sets();
     decide();
     sort_findings(result_.findings);
     return std::move(result_);
@@ -112,7 +115,7 @@ class Engine {
       } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
         for (FilterView const& filter : filters) {
           call(rule, *filter_check, FilterContext{.axis = context, .filter = filter}, axis.name,
-               Subject{.axis = index, .port = filter.port, .filter = filter.index});
+               Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}});
         }
       }
     }
@@ -132,6 +135,83 @@ class Engine {
     }
   }
 
+  /// The channels that run a program; null for one that none runs, or whose axes have no known values.
+  [[nodiscard]] std::vector<LoadedGroup const*> groups_of(std::size_t program) const {
+    std::vector<LoadedGroup const*> groups;
+    for (LoadedGroup const& group : machine_.groups) {
+      bool const runs =
+          std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
+      if (runs && !machine_.default_list_missing) groups.push_back(&group);
+    }
+    if (groups.empty()) groups.push_back(nullptr);
+    return groups;
+  }
+
+  [[nodiscard]] CommandLimits limits_of(LoadedGroup const* group) const {
+    CommandLimits limits{.cycle_time = cycle_time_, .time_delay = false};
+    if (group != nullptr) limits.time_delay = has_time_delay(machine_, *group);
+    return limits;
+  }
+
+  void run_programs() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    for (std::size_t index = 0; index < machine_.programs.size(); ++index) {
+      LoadedProgram const& program = machine_.programs[index];
+      std::string_view const text = sources_[program.source].bytes();
+      Subject const subject{.axis = 0, .port = FilterPort::setpoint, .filter = 0, .program = index};
+      for (LoadedGroup const* const group : groups_of(index)) {
+        for (grammar::NcCommand const& command : program.tree.commands) {
+          if (command.kind == grammar::CommandKind::axis_exchange) continue;
+          CheckedCommand const checked = check_command(command, text, limits_of(group), Variables::accepted);
+          run_command(
+              {.whole = whole, .checked = checked, .source = program.source, .offset = 0, .instead = {}});
+          note_cycle_time(command, text);
+        }
+        ProgramContext const context{.whole = whole, .program = program, .text = text, .group = group};
+        for (Rule const& rule : rules()) {
+          auto const* const check = std::get_if<ProgramCheck>(&rule.check);
+          if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, subject);
+        }
+      }
+    }
+  }
+
+  void run_filter_sets() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    std::vector<LoadedGroup const*> groups{nullptr};
+    if (!machine_.default_list_missing) {
+      for (LoadedGroup const& group : machine_.groups) groups.push_back(&group);
+    }
+    for (LocatedText const& set : machine_.filter_sets) {
+      Span const quoted = set.place.span;
+      bool const plain = quoted.size() == set.text.size() + 2;
+      for (LoadedGroup const* const group : groups) {
+        CheckedCommand const checked = parse_filter_command(set.text, limits_of(group));
+        run_command({.whole = whole,
+                     .checked = checked,
+                     .source = set.place.source,
+                     .offset = quoted.begin + 1,
+                     .instead = plain ? std::nullopt : std::optional(quoted)});
+      }
+      if (auto const command = grammar::parse_nc_command(set.text)) note_cycle_time(*command, set.text);
+    }
+  }
+
+  void run_command(CommandContext const& context) {
+    if (context.checked.mistakes.empty()) return;
+    for (Rule const& rule : rules()) {
+      auto const* const check = std::get_if<CommandCheck>(&rule.check);
+      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, std::nullopt);
+    }
+  }
+
+  void note_cycle_time(grammar::NcCommand const& command, std::string_view text) {
+    bool const uses = command.kind == grammar::CommandKind::filter &&
+                      (find_keyword(command, text, "ORDER_TIME") != nullptr ||
+                       find_keyword(command, text, "FCUT") != nullptr);
+    result_.cycle_time_needed = result_.cycle_time_needed || uses;
+  }
+
   void decide() {
     std::vector<RawFinding> standing = std::move(raw_);
     auto const is_disabled = [this](RawFinding const& raw) {
@@ -141,7 +221,12 @@ class Engine {
     standing.erase(std::remove_if(standing.begin(), standing.end(), is_disabled), standing.end());
 
     Suppressions suppressions;
-    for (NamedList const& list : machine_.lists) suppressions.add(sources_[list.list.source], list.list);
+    for (NamedList const& list : machine_.lists) {
+      suppressions.add(sources_, list.list.source, list.list.tree.directives);
+    }
+    for (LoadedProgram const& program : machine_.programs) {
+      suppressions.add(sources_, program.source, program.tree.directives);
+    }
     auto const is_silenced = [&](RawFinding const& raw) {
       return suppressions.silences(raw.finding, sources_);
     };

@@ -1,26 +1,29 @@
-// Runs the table of rules over lists, axes and filters, and decides which findings stand.
+// Runs the table of rules over lists, axes, filters, channels and programs, and decides which findings stand.
 #pragma once
 
 #include "validator/loading.hpp"
 #include "validator/rule.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace axisc::validator {
 
-/// What a finding is about, for rules that silence each other on one filter.
+/// What a finding is about, for rules that silence each other on one filter or in one program.
 // NOLINT below: clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
 struct Subject {
   std::size_t axis = 0;
   FilterPort port = FilterPort::setpoint;
   std::uint32_t filter = 0;
+  std::optional<std::size_t>
+      program;  ///< index into LoadedMachine::programs: it is about that, not about a filter
   friend auto operator<=>(Subject const&, Subject const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// A finding as its rule reported it, before the engine decides.
 struct RawFinding {
   Finding finding;
-  std::optional<Subject> subject;  ///< none for rules that do not look at one filter
+  std::optional<Subject> subject;  ///< none for rules that look neither at one filter nor at one program
 };
 
 struct EngineResult {

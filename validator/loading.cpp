@@ -1,7 +1,9 @@
 #include "validator/loading.hpp"
 
 #include "grammar/axis_list.hpp"
+#include "grammar/nc_program.hpp"
 #include "validator/closest_word.hpp"
+#include "validator/command_check.hpp"
 #include "validator/gantry.hpp"
 #include "validator/rule.hpp"
 
@@ -36,8 +38,7 @@ std::string beside(std::string const& path, std::string const& name) {
   return path.substr(0, path.size() - file_name(path).size()) + name;
 }
 
-bool ends_in_json(std::string_view path) {
-  constexpr std::string_view extension = ".json";
+bool ends_in(std::string_view path, std::string_view extension) {
   if (path.size() < extension.size()) return false;
   return equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
@@ -98,14 +99,21 @@ class Loader {
     machine_.name = without_extension(file_name(path));
     machine_.files.push_back(path);
     auto& text = std::get<std::string>(bytes);
-    bool const is_machine = ends_in_json(path) && looks_like_machine_file(text);
+    bool const is_machine = ends_in(path, ".json") && looks_like_machine_file(text);
     SourceId const source = sources_.add(SourceText(path, std::move(text)));
     if (is_machine) {
       load_machine(source);
+    } else if (ends_in(path, ".nc")) {
+      add_program(std::string(file_name(path)), source);
     } else {
       load_single(source);
     }
     if (machine_.groups.empty()) add_default_group();
+    for (LoadedGroup& group : machine_.groups) {
+      for (std::size_t const program : common_programs_) {
+        if (!runs_in(group, program)) group.programs.push_back(program);
+      }
+    }
     machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
     machine_.build = options_.build;
@@ -148,10 +156,10 @@ class Loader {
     }
     for (MachineFileGroup const& group : file.groups) add_group(group);
     for (MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
-    for (LocatedText const& program : file.programs) require_program(program);
-    for (MachineFileGroup const& group : file.groups) {
-      for (LocatedText const& program : group.programs) require_program(program);
+    for (LocatedText const& name : file.programs) {
+      if (auto const program = program_named(name)) common_programs_.push_back(*program);
     }
+    machine_.filter_sets = file.filter_sets;
   }
 
   /// None for an axis whose list could not be read.
@@ -168,6 +176,10 @@ class Loader {
     for (LocatedText const& name : named.axes) {
       std::optional<std::size_t> const axis = axis_named(name);
       if (axis) group.axes.push_back(*axis);
+    }
+    for (LocatedText const& name : named.programs) {
+      std::optional<std::size_t> const program = program_named(name);
+      if (program && !runs_in(group, *program)) group.programs.push_back(*program);
     }
     std::sort(group.axes.begin(), group.axes.end());
     group.axes.erase(std::unique(group.axes.begin(), group.axes.end()), group.axes.end());
@@ -222,14 +234,39 @@ class Loader {
     return machine_.lists.size() - 1;
   }
 
-  void require_program(LocatedText const& name) {
+  std::size_t add_program(std::string name, SourceId source) {
+    SourceText const& text = sources_[source];
+    LoadedProgram program;
+    program.name = std::move(name);
+    program.source = source;
+    program.tree = grammar::parse_nc_program(text.bytes(), text.text_begin());
+    program.gives_order =
+        std::any_of(program.tree.commands.begin(), program.tree.commands.end(),
+                    [&](grammar::NcCommand const& command) { return gives_order(command, text.bytes()); });
+    machine_.programs.push_back(std::move(program));
+    return machine_.programs.size() - 1;
+  }
+
+  /// Index of the program; a file that is named several times is read once.
+  std::optional<std::size_t> program_named(LocatedText const& name) {
     std::string const path = beside(machine_.path, name.text);
-    std::variant<std::string, FileError> const bytes = read_text(files_, path);
+    std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
+    auto const known = programs_by_path_.find(key);
+    if (known != programs_by_path_.end()) return known->second;
+    std::variant<std::string, FileError> bytes = read_text(files_, path);
     if (auto const* const error = std::get_if<FileError>(&bytes)) {
       missing(name, *error);
-    } else {
-      machine_.files.push_back(path);
+      return std::nullopt;
     }
+    machine_.files.push_back(path);
+    SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+    std::size_t const program = add_program(name.text, source);
+    programs_by_path_.emplace(key, program);
+    return program;
+  }
+
+  [[nodiscard]] static bool runs_in(LoadedGroup const& group, std::size_t program) {
+    return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
   }
 
   void missing(LocatedText const& name, FileError error) {
@@ -244,12 +281,26 @@ class Loader {
   SourceSet& sources_;
   LoadedMachine machine_;
   std::map<std::string, std::size_t> by_path_;
+  std::map<std::string, std::size_t> programs_by_path_;
+  std::vector<std::size_t> common_programs_;  ///< those that every group runs
 };
 
 }  // namespace
 
-bool program_gives_order(LoadedMachine const& /*machine*/, std::size_t /*axis*/) {
-  // Programs are not read yet: none gives an order.
+bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
+  auto const belongs = [axis](LoadedGroup const& group) {
+    return std::find(group.axes.begin(), group.axes.end(), axis) != group.axes.end();
+  };
+  for (LoadedGroup const& group : machine.groups) {
+    if (!belongs(group)) continue;
+    for (std::size_t const program : group.programs) {
+      if (machine.programs[program].gives_order) return true;
+    }
+    for (LocatedText const& text : machine.filter_sets) {
+      auto const command = grammar::parse_nc_command(text.text);
+      if (command && gives_order(*command, text.text)) return true;
+    }
+  }
   return false;
 }
 

@@ -1,6 +1,7 @@
 // From a path to lists that were read and merged: what the rules look at.
 #pragma once
 
+#include "grammar/nc_program.hpp"
 #include "validator/check.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/machine_file.hpp"
@@ -25,6 +26,14 @@ struct LoadedAxis {
   PositionController position_control =
       PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
   MergedValues merged;
+};
+
+/// An NC program, alone or named by a machine file.
+struct LoadedProgram {
+  std::string name;  ///< as the machine file names it; the file's own name for a single program
+  SourceId source{};
+  grammar::NcProgram tree;
+  bool gives_order = false;  ///< one of its #FILTER commands gives an order
 };
 
 /// A channel: its axes and the NC programs that run in it.
@@ -57,7 +66,9 @@ struct LoadedMachine {
   bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
   bool complete = true;               ///< every file that is named was read
   std::vector<LoadedAxis> axes;
-  std::vector<LoadedGroup> groups;  ///< without any in the machine file: all axes but spindles
+  std::deque<LoadedProgram> programs;    ///< each file once
+  std::vector<LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
+  std::vector<LoadedGroup> groups;       ///< without any in the machine file: all axes but spindles
   std::vector<LoadedGantry> gantries;
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list

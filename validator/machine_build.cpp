@@ -1,5 +1,6 @@
 #include "validator/machine_build.hpp"
 
+#include "validator/channel.hpp"
 #include "validator/drive.hpp"
 #include "validator/fir_view.hpp"
 #include "validator/hsc_view.hpp"
@@ -208,7 +209,10 @@ BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources
     for (std::size_t const slave : gantry.slaves) built.machine.axes[slave].gantry_master = gantry.master;
   }
   for (LoadedGroup const& group : loaded.groups) {
-    built.machine.groups.push_back({.name = group.name, .axes = group.axes, .filter_sets = {}});
+    built.machine.groups.push_back(
+        {.name = group.name,
+         .axes = group.axes,
+         .filter_sets = filter_sets_of(loaded, group, sources, built.not_compiled)});
   }
   return built;
 }

@@ -9,6 +9,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
+#include "validator/command_check.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/filter_view.hpp"
 #include "validator/loading.hpp"
@@ -63,6 +64,28 @@ struct GroupContext {
   LoadedGroup const& group;
 };
 
+/// What a rule about one NC program in one channel sees.
+struct ProgramContext {
+  MachineContext const& whole;
+  LoadedProgram const& program;
+  std::string_view text;     ///< the program's bytes, from which its spans count
+  LoadedGroup const* group;  ///< null for a program that no channel runs: one that is checked alone
+};
+
+/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's filter_sets.
+struct CommandContext {
+  MachineContext const& whole;
+  CheckedCommand const& checked;
+  SourceId source;
+  std::uint32_t offset;         ///< of the command's text in its source
+  std::optional<Span> instead;  ///< stands for every span, where the source spells the text with escapes
+
+  [[nodiscard]] Place place(Span span) const {
+    Span const shifted{.begin = span.begin + offset, .end = span.end + offset};
+    return {.source = source, .span = instead.value_or(shifted)};
+  }
+};
+
 /// What a rule about one axis sees.
 struct AxisContext {
   LoadedMachine const& machine;
@@ -91,8 +114,11 @@ using AxisCheck = void (*)(AxisContext const&, Report&);
 using FilterCheck = void (*)(FilterContext const&, Report&);
 using GroupCheck = void (*)(GroupContext const&, Report&);
 using MachineCheck = void (*)(MachineContext const&, Report&);
+using ProgramCheck = void (*)(ProgramContext const&, Report&);
+using CommandCheck = void (*)(CommandContext const&, Report&);
 /// monostate: reported by the reading of machine files or by the program itself, not by a check.
-using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck>;
+using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck,
+                           ProgramCheck, CommandCheck>;
 
 struct Rule {
   Code code{};
@@ -101,7 +127,7 @@ struct Rule {
   std::string_view control;  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
   std::span<Code const>
-      silenced_by;  ///< for the same filter: when one of these was reported, this rule says nothing
+      silenced_by;  ///< for the same filter or program: when one of these was reported, this rule says nothing
   Check check;
 };
 

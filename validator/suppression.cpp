@@ -60,10 +60,11 @@ Code code_of(std::string_view word) {
 
 }  // namespace
 
-void Suppressions::add(SourceText const& source, LoadedList const& list) {
-  std::vector<Allowance>& allowances = allowances_[list.source];
-  for (grammar::Directive const& directive : list.tree.directives) {
-    std::string_view const comment = source.slice(directive.comment);
+void Suppressions::add(SourceSet const& sources, SourceId source,
+                       std::vector<grammar::Directive> const& directives) {
+  std::vector<Allowance>& allowances = allowances_[source];
+  for (grammar::Directive const& directive : directives) {
+    std::string_view const comment = sources[source].slice(directive.comment);
     std::size_t const from = behind_allow(comment);
     if (from == std::string_view::npos) continue;
     std::vector<Word> words = words_of(comment, from);
@@ -74,7 +75,7 @@ void Suppressions::add(SourceText const& source, LoadedList const& list) {
       allowance.known = find_rule(allowance.code) != nullptr;
       allowance.next_line = directive.whole_line;
       allowance.line = directive.line + (directive.whole_line ? 1 : 0);
-      allowance.place = {.source = list.source,
+      allowance.place = {.source = source,
                          .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
                                   .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
       allowances.push_back(allowance);

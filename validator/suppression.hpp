@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
-#include "validator/effective_values.hpp"
+#include "grammar/directive.hpp"
 
 #include <cstdint>
 #include <map>
@@ -21,10 +21,10 @@ struct Allowance {
   bool used = false;
 };
 
-/// All allowances of the lists of a run.
+/// All allowances of the lists and programs of a run.
 class Suppressions {
  public:
-  void add(SourceText const& source, LoadedList const& list);
+  void add(SourceSet const& sources, SourceId source, std::vector<grammar::Directive> const& directives);
 
   /// True where an allowance silences the finding; it counts as used then.
   bool silences(Finding const& finding, SourceSet const& sources);

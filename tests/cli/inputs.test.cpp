@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("a folder stands for its lists and machine files, sorted") {
+TEST_CASE("a folder stands for its lists, machine files and programs, sorted") {
   axisc::test::TemporaryFolder const folder;
   for (auto const* const name : {"b.lis", "A.LIS", "sub/c.lis", "notes.txt", "part.nc"})
     folder.write(name, "");
@@ -29,7 +29,7 @@ TEST_CASE("a folder stands for its lists and machine files, sorted") {
   folder.write("machine.json", R"({"axes": []})");
   folder.write("broken.json", R"({"axes": [)");
   auto const inputs = expand_inputs({folder.path()});
-  CHECK(names(folder, inputs.paths) == Names{"A.LIS", "b.lis", "broken.json", "machine.json", "sub/c.lis"});
+  CHECK(names(folder, inputs.paths) == Names{"A.LIS", "b.lis", "broken.json", "machine.json", "part.nc", "sub/c.lis"});
   CHECK(inputs.failures.empty());
 }
 
@@ -44,14 +44,21 @@ TEST_CASE("a list is checked once, through its machine file") {
         Names{"machine.json"});
 }
 
+TEST_CASE("a program is checked once, through the machine file that names it") {
+  axisc::test::TemporaryFolder const folder;
+  for (auto const* const name : {"x.lis", "a.nc", "b.nc", "alone.nc"}) folder.write(name, "");
+  folder.write("machine.json", R"({"axes": [{"list": "x.lis"}], "programs": ["a.nc", 1],
+                                   "groups": [{"programs": ["sub/../b.nc"]}, 2, {"programs": {}}]})");
+  CHECK(names(folder, expand_inputs({folder.path()}).paths) == Names{"alone.nc", "machine.json"});
+}
+
 TEST_CASE("names that cannot be used are reported, the others are kept") {
   axisc::test::TemporaryFolder const folder;
   fs::create_directories(folder / "empty");
   auto const inputs = expand_inputs({folder / "part.NC", folder / "empty", folder / "missing.lis"});
-  CHECK(names(folder, inputs.paths) == Names{"missing.lis"});
-  REQUIRE(inputs.failures.size() == 2);
-  CHECK_THAT(inputs.failures[0].what(), Catch::Matchers::Contains("is an NC program"));
-  CHECK_THAT(inputs.failures[1].what(), Catch::Matchers::Contains("holds no list"));
+  CHECK(names(folder, inputs.paths) == Names{"part.NC", "missing.lis"});
+  REQUIRE(inputs.failures.size() == 1);
+  CHECK_THAT(inputs.failures[0].what(), Catch::Matchers::Contains("holds no list"));
 }
 
 TEST_CASE("links that run in a circle end") {
@@ -67,5 +74,5 @@ TEST_CASE("the outline of a machine file") {
   CHECK_FALSE(read_machine_outline("no json").is_machine);
   auto const odd = read_machine_outline(R"({"axes": [1, {"list": 2}, "x"], "cycle_time_us": 1})");
   CHECK(odd.is_machine);
-  CHECK(odd.lists.empty());
+  CHECK(odd.named.empty());
 }

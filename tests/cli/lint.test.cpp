@@ -62,7 +62,6 @@ TEST_CASE("what is no list is one line") {
   check("binary.lis", std::string(4096, '\x01'), "AX9001]");
   check("image.lis", std::string("AXIM") + std::string(200, '\0'), "coefficient image");
   check("utf16.lis", std::string("\xFF\xFEk\0o\0p\0f\0", 10), "UTF-16");
-  check("part.nc", "N10 G0\n", "NC program");
   check("long.lis", std::string(100'000'000, 'a'), "AX9003]");
   std::filesystem::create_directories(folder / "empty");
   CHECK_THAT(run_axisc({"lint", folder / "empty"}).err, Catch::Matchers::Contains("holds no list"));

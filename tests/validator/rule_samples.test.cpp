@@ -1,9 +1,10 @@
 // Walks over the table of rules: each has texts, a page in both languages, a sample that it reports and one that it
 // passes.
 //
-// A sample is tests/data/rules/AXNNNN.fail.lis, or a folder AXNNNN.fail with machine.json where a machine is needed; the
-// same with `pass`. AXNNNN.fail.expected holds the findings in output order, `line:column CODE`, in other files than the
-// input `file:line:column CODE`, without place `- CODE`. A first line `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
+// A sample is tests/data/rules/AXNNNN.fail.lis, for NC programs AXNNNN.fail.nc, or a folder AXNNNN.fail with machine.json
+// where a machine is needed; the same with `pass`. AXNNNN.fail.expected holds the findings in output order,
+// `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
+// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
 #include "diagnostics/pages.hpp"
 #include "diagnostics/text.hpp"
 #include "support/catch.hpp"
@@ -92,7 +93,7 @@ Outcome outcome_of(validator::CheckResult const& result, SourceSet const& source
 Outcome run_sample(std::string const& name, Code code) {
   fs::path const base = fs::path(AXISC_SOURCE_DIR) / samples / name;
   std::map<std::string, std::string> contents;
-  std::string input = name + ".lis";
+  std::string input = name + (fs::exists(base.string() + ".nc") ? ".nc" : ".lis");
   validator::CheckOptions options;
   if (fs::is_directory(base)) {
     input = "machine.json";
@@ -101,7 +102,7 @@ Outcome run_sample(std::string const& name, Code code) {
     }
     options = options_of(contents["x.lis"]);
   } else {
-    contents[input] = read(base.string() + ".lis");
+    contents[input] = read(fs::path(AXISC_SOURCE_DIR) / samples / input);
     options = options_of(contents[input]);
   }
   tests::MapFiles files(contents);

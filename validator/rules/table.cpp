@@ -5,6 +5,7 @@
 #include "validator/rules/kernel_checks.hpp"
 #include "validator/rules/machine_checks.hpp"
 #include "validator/rules/position_control_checks.hpp"
+#include "validator/rules/program_checks.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -92,6 +93,7 @@ std::vector<Rule> rows() {
 #include "validator/rules/kernel_rows.inc"
 #include "validator/rules/machine_rows.inc"
 #include "validator/rules/position_control_rows.inc"
+#include "validator/rules/program_rows.inc"
   };
   std::sort(table.begin(), table.end(), [](Rule const& a, Rule const& b) { return a.code < b.code; });
   return table;

@@ -1,0 +1,34 @@
+#include "validator/rules/command_mistakes.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator {
+
+void report_mistakes(CommandContext const& context, Code code, Report& report) {
+  for (CommandMistake const& mistake : context.checked.mistakes) {
+    if (mistake.code != code) continue;
+    Place const place = context.place(mistake.span);
+    Finding& finding = report.add(place, mistake.message);
+    finding.label = mistake.label;
+    finding.notes = mistake.notes;
+    finding.help = mistake.help;
+    if (mistake.depends_on_cycle_time && !context.whole.machine.cycle_time) {
+      finding.notes.push_back(message(Text::cycle_time_assumed_note));
+    }
+    if (mistake.first) {
+      finding.related.push_back(
+          {.place = context.place(*mistake.first), .message = message(Text::ax5002_first)});
+    }
+    if (mistake.better && !context.instead) {
+      finding.fix =
+          replace_by(place, *mistake.better, message(Text::program_fix, {{"replacement", *mistake.better}}));
+    }
+    finding.control.reset();
+    if (mistake.reaction) {
+      finding.control =
+          ControlReaction{.message = mistake.control, .reaction = message(*mistake.reaction), .value = {}};
+    }
+  }
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,11 @@
+// From the mistakes of a command to findings.
+#pragma once
+
+#include "validator/rule.hpp"
+
+namespace axisc::validator {
+
+/// Reports the command's mistakes of one code.
+void report_mistakes(CommandContext const& context, Code code, Report& report);
+
+}  // namespace axisc::validator

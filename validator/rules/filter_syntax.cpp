@@ -1,0 +1,10 @@
+#include "validator/rules/command_mistakes.hpp"
+#include "validator/rules/program_checks.hpp"
+
+namespace axisc::validator::checks {
+
+void filter_syntax(CommandContext const& context, Report& report) {
+  report_mistakes(context, Code{5001}, report);
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,26 @@
+#include "validator/hsc_view.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_checks.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+namespace axisc::validator::checks {
+
+void hsc_without_preconfiguration(ProgramContext const& context, Report& report) {
+  if (context.group == nullptr) return;
+  auto const with_hsc =
+      axes_where(context, [](EffectiveValues const& values) { return !configured_hsc(values).empty(); });
+  if (!with_hsc.empty()) return;
+  std::vector<Span> spans;
+  for (grammar::NcCommand const& command : context.program.tree.commands) {
+    bool const on =
+        command.kind == grammar::CommandKind::filter && command.command_switch == grammar::CommandSwitch::on;
+    grammar::Keyword const* const keyword = on ? find_keyword(command, context.text, "HSC") : nullptr;
+    if (keyword != nullptr) spans.push_back(keyword->name);
+  }
+  if (spans.empty()) return;
+  Finding& finding = report_at_last(context, report, spans, message(Text::ax5010));
+  finding.help.push_back(message(Text::ax5010_help));
+  set_reaction(finding, Text::filter_reaction_inactive);
+}
+
+}  // namespace axisc::validator::checks

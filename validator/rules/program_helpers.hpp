@@ -1,0 +1,52 @@
+// What the checks of AX5 share.
+#pragma once
+
+#include "validator/rule.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+/// `#FILTER` as it switches FIR filters: without [HSC]. On: `#FILTER ON` alone.
+[[nodiscard]] bool is_fir_filter(ProgramContext const& context, grammar::NcCommand const& command);
+[[nodiscard]] bool is_fir_filter_on(ProgramContext const& context, grammar::NcCommand const& command);
+
+/// The names of the program's commands that `wanted` chooses.
+template <typename Wanted>
+[[nodiscard]] std::vector<Span> commands_where(ProgramContext const& context, Wanted wanted) {
+  std::vector<Span> spans;
+  for (grammar::NcCommand const& command : context.program.tree.commands) {
+    if (wanted(command)) spans.push_back(command.name);
+  }
+  return spans;
+}
+
+/// One finding at the last of `spans`; the others are related, of a great many the last ones. `spans` is not empty and
+/// in the order of the text.
+Finding& report_at_last(ProgramContext const& context, Report& report, std::vector<Span> const& spans,
+                        Message message);
+
+/// The axes of the channel that `wanted` chooses; none for a program that no channel runs.
+template <typename Wanted>
+[[nodiscard]] std::vector<LoadedAxis const*> axes_where(ProgramContext const& context, Wanted wanted) {
+  std::vector<LoadedAxis const*> axes;
+  if (context.group == nullptr) return axes;
+  for (std::size_t const index : context.group->axes) {
+    LoadedAxis const& axis = context.whole.machine.axes[index];
+    if (wanted(axis.merged.values)) axes.push_back(&axis);
+  }
+  return axes;
+}
+
+/// "X, Y".
+[[nodiscard]] std::string names_of(std::vector<LoadedAxis const*> const& axes);
+
+/// Sets the finding's axis where it is a single one.
+void set_axis(Finding& finding, std::vector<LoadedAxis const*> const& axes);
+
+/// Relates the places where the axes' lists set a parameter.
+void relate_values(Finding& finding, std::vector<LoadedAxis const*> const& axes, std::string_view pattern,
+                   Text text);
+
+}  // namespace axisc::validator
