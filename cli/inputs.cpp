@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct Found {
   std::string path;
-  fs::path identity;  ///< the same for every way to write the path
+  fs::path identity;            ///< the same for every way to write the path
   std::vector<fs::path> named;  ///< lists and programs of a machine file
 };
 
