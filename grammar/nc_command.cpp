@@ -57,10 +57,12 @@ class CommandReader {
                                    : span(token_at(position, end))};
   }
 
-  /// What a message points at: up to the next blank or whatever else ends a value, at least one byte.
+  /// What a message points at: a string, or up to the next blank or whatever else ends a value, at least one byte.
   static std::string_view token_at(char const* first, char const* end) {
-    char const* const stop =
-        std::find_if(first + 1, end, [](char byte) { return is(block_syntax::value_stops, byte); });
+    char const* stop = first;
+    if (!block_syntax::text.parse(stop, end, x3::unused, x3::unused, x3::unused)) {
+      stop = std::find_if(first + 1, end, [](char byte) { return is(block_syntax::value_stops, byte); });
+    }
     return {first, static_cast<std::size_t>(stop - first)};
   }
 

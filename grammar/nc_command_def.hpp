@@ -85,14 +85,17 @@ struct AnyCase : x3::parser<AnyCase> {
 };
 
 // Gaps and where a token stops.
-inline constexpr Gap<0> gap{};
-inline constexpr Gap<1> some_gap{};
+inline constexpr Gap gap{};
+inline constexpr auto inner_blanks = some_of<character::blank | character::line_end>;  // within a name
 inline constexpr CharacterClasses value_stops = character::blank | character::line_end | character::bracket |
                                                 character::equals | character::parenthesis |
-                                                character::semicolon;
+                                                character::semicolon | character::quote;
 inline constexpr auto identifier = one_of<character::letter> >> any_of<character::letter | character::digit>;
 inline constexpr auto word_end = !one_of<character::letter | character::digit>;
 inline constexpr auto value_end = &one_of<value_stops> | eoi;
+
+// A string ends at the line's end where it is not closed.
+inline constexpr auto text = '"' >> any_until<character::quote | character::line_end> >> -lit('"');
 
 // Numbers. A program may write leading zeros.
 inline constexpr auto digits = some_of<character::digit>;
@@ -106,9 +109,9 @@ inline constexpr auto coordinate = sign >> (fraction | digits);
 // The head of a command. The control wants capitals; in another letter case the two filter commands are recognised, so
 // that somebody says so.
 inline constexpr auto filter_name = '#' >> AnyCase("FILTER") >> word_end;
-inline constexpr auto guard_name = '#' >> AnyCase("VIB") >> some_gap >> AnyCase("GUARD") >> word_end;
-inline constexpr auto exchange_name = '#' >> (lit("CALL") | "PUT" | "SET") >> some_gap >> "AX" >> word_end >>
-                                      !(gap >> "LINK" >> word_end);
+inline constexpr auto guard_name = '#' >> AnyCase("VIB") >> inner_blanks >> AnyCase("GUARD") >> word_end;
+inline constexpr auto exchange_name = '#' >> (lit("CALL") | "PUT" | "SET") >> inner_blanks >> "AX" >> word_end
+                                      >> !(gap >> "LINK" >> word_end);
 inline constexpr auto other_name = '#' >> any_of<character::letter | character::digit>;
 
 inline constexpr auto command_name = x3::rule<struct CommandNameRule, CommandName>{"command_name"} =

@@ -25,16 +25,16 @@ namespace axisc::grammar::block_syntax {
 // A comment over several lines: nothing but a block number may stand before its commands.
 inline constexpr auto block_number = 'N' >> digits;
 inline constexpr auto comment_begin =
-    gap >> -block_number >> gap >> "#COMMENT" >> some_gap >> "BEGIN" >> word_end;
+    gap >> -block_number >> gap >> "#COMMENT" >> inner_blanks >> "BEGIN" >> word_end;
 inline constexpr auto comment_end =
-    gap >> -block_number >> gap >> "#COMMENT" >> some_gap >> "END" >> word_end;
+    gap >> -block_number >> gap >> "#COMMENT" >> inner_blanks >> "END" >> word_end;
 
 // Words.
 inline constexpr auto skip = '/' >> any_of<character::digit>;
 inline constexpr auto title_part =
-    some_until<character::blank | character::line_end | character::parenthesis | character::semicolon>;
+    some_until<character::blank | character::line_end | character::parenthesis | character::quote |
+               character::semicolon>;
 inline constexpr auto title = '%' >> -title_part >> *(some_of<character::blank> >> title_part);
-inline constexpr auto text = '"' >> any_until<character::quote | character::line_end> >> -lit('"');
 inline constexpr auto name = identifier >> *('.' >> identifier);
 inline constexpr auto address = one_of<character::letter> >> coordinate >> !lit('=');
 

@@ -26,27 +26,23 @@ namespace axisc::grammar {
   return first;
 }
 
-/// Matches blanks, line ends inside a block, and comments, at least `minimum` (0 or 1) bytes; no attribute.
-template <int minimum>
-struct Gap : x3::parser<Gap<minimum>> {
+/// Matches blanks, line ends inside a block, and comments, or nothing; no attribute.
+struct Gap : x3::parser<Gap> {
   using attribute_type = x3::unused_type;
   static bool const has_attribute = false;
 
   template <typename Context, typename RuleContext, typename Attribute>
   bool parse(char const*& first, char const* const& last, Context const& /*context*/,
              RuleContext& /*rule_context*/, Attribute& /*attribute*/) const {
-    char const* position = first;
-    while (position != last) {
-      if (is(character::blank | character::line_end, *position)) {
-        ++position;
-      } else if (opens_comment(*position)) {
-        position = behind_comment(position, last);
+    while (first != last) {
+      if (is(character::blank | character::line_end, *first)) {
+        ++first;
+      } else if (opens_comment(*first)) {
+        first = behind_comment(first, last);
       } else {
         break;
       }
     }
-    if (position - first < minimum) return false;
-    first = position;
     return true;
   }
 };

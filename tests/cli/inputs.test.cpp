@@ -29,7 +29,8 @@ TEST_CASE("a folder stands for its lists, machine files and programs, sorted") {
   folder.write("machine.json", R"({"axes": []})");
   folder.write("broken.json", R"({"axes": [)");
   auto const inputs = expand_inputs({folder.path()});
-  CHECK(names(folder, inputs.paths) == Names{"A.LIS", "b.lis", "broken.json", "machine.json", "part.nc", "sub/c.lis"});
+  CHECK(names(folder, inputs.paths) ==
+        Names{"A.LIS", "b.lis", "broken.json", "machine.json", "part.nc", "sub/c.lis"});
   CHECK(inputs.failures.empty());
 }
 

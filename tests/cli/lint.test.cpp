@@ -67,6 +67,20 @@ TEST_CASE("what is no list is one line") {
   CHECK_THAT(run_axisc({"lint", folder / "empty"}).err, Catch::Matchers::Contains("holds no list"));
 }
 
+TEST_CASE("an NC program is an input") {
+  TemporaryFolder const folder;
+  auto const part = folder.write("part.nc", "N10 #FILTER ON [ORDR=20]\nN20 M30\n");
+  auto const outcome = run_axisc({"lint", part});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.empty());
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("AX5002") && Catch::Matchers::Contains("1 file: 1 error"));
+  CHECK(run_axisc({"lint", folder.write("clean.NC", "N10 G01 X5\n")}).status == 0);
+  auto const compiled = run_axisc({"compile", part, "-o", folder / "out.axim", "--cycle-time", "1ms"});
+  CHECK(compiled.status == 2);
+  CHECK_THAT(compiled.err, Catch::Matchers::Contains("is an NC program"));
+}
+
 TEST_CASE("an empty list is a list") {
   TemporaryFolder const folder;
   auto const outcome = run_axisc({"lint", folder.write("empty.lis", "")});

@@ -4,7 +4,7 @@
 // A sample is tests/data/rules/AXNNNN.fail.lis, for NC programs AXNNNN.fail.nc, or a folder AXNNNN.fail with machine.json
 // where a machine is needed; the same with `pass`. AXNNNN.fail.expected holds the findings in output order,
 // `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
-// `# test: --cycle-time 1ms --pedantic` gives options, of a folder in its file `options` or in x.lis.
+// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
 #include "diagnostics/pages.hpp"
 #include "diagnostics/text.hpp"
 #include "support/catch.hpp"
@@ -100,7 +100,7 @@ Outcome run_sample(std::string const& name, Code code) {
     for (fs::directory_entry const& entry : fs::directory_iterator(base)) {
       contents[entry.path().filename().string()] = read(entry.path());
     }
-    options = options_of(contents.contains("options") ? contents["options"] : contents["x.lis"]);
+    options = options_of(contents["x.lis"]);
   } else {
     contents[input] = read(fs::path(AXISC_SOURCE_DIR) / samples / input);
     options = options_of(contents[input]);

@@ -1,0 +1,7 @@
+N10 #FILTER ON [ORDER_TIME=20000 \
+  ; comment
+
+  SHARE=80 \
+  QUALITY=0.5]
+#SET AX LINK [1, X=Y]
+#CALL AX FAST [X,1,0]
