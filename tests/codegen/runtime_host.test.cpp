@@ -96,6 +96,67 @@ TEST_CASE("a bad setpoint is reported and does no harm", "[runtime-host]") {
   CHECK(std::isfinite(values[1]));
 }
 
+TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
+  validator::Machine const machine = test::kernel_machine();
+  RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
+  ImageContents const contents = test::contents_of(write_image(machine, {}));
+  CHECK(runtime.reset_all(0) == AXISRT_OK);
+  CHECK(runtime.group_count() == 2);
+  auto const kernel_of = [&](std::uint32_t axis) {
+    return std::get<axisrt_axis_state>(runtime.axis_state(axis)).kernel;
+  };
+  validator::FilterCommand command;
+  command.filter_switch = validator::FilterSwitch::on;
+  for (ImageBank const& bank : contents.groups[0].banks) {
+    command.parameters = bank.parameters;
+    command.hsc = bank.hsc;
+    CHECK(runtime.command(0, command) == AXISRT_OK);
+    std::uint32_t const axis = bank.hsc ? 2 : 0;
+    CHECK(kernel_of(axis) == bank.kernels[bank.hsc ? 3 : 0].value_or(AXISRT_NO_KERNEL));
+  }
+  command.hsc = false;
+  command.parameters = test::filter_set(41);
+  CHECK(runtime.command(0, command) == AXISRT_NO_BANK);
+  command.filter_switch = validator::FilterSwitch::off;
+  CHECK(runtime.command(0, command) == AXISRT_OK);
+  CHECK(kernel_of(0) == AXISRT_NO_KERNEL);
+  command.filter_switch = validator::FilterSwitch::unchanged;
+  command.parameters = test::filter_set(40);
+  CHECK(runtime.command(0, command) == AXISRT_OK);
+  CHECK(kernel_of(0) == AXISRT_NO_KERNEL);
+  CHECK(runtime.end_program(0) == AXISRT_OK);
+  CHECK(kernel_of(0) == contents.axes[0].slot->kernel);
+  CHECK(runtime.command(2, command) == AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.end_program(2) == AXISRT_BAD_ARGUMENT);
+}
+
+TEST_CASE("velocities have one entry per axis, the direct ones may be missing", "[runtime-host]") {
+  RuntimeHost runtime = test::runtime_for(write_image(test::kernel_machine(), {}));
+  CHECK(runtime.has_position_control(0));
+  CHECK_FALSE(runtime.has_position_control(1));
+  CHECK(runtime.reset_all(0) == AXISRT_OK);
+  std::array<double, 5> const v = {100, 100, 100, 100, 100};
+  std::array<double, 5> v_add{};
+  std::array<double, 5> increments{};
+  std::array<std::uint8_t, 5> status{};
+  std::span<double const> const four = std::span(v).first(4);
+  CHECK(runtime.step_velocity({.set = v, .motor = v, .direct = v}, v_add, increments, status) == AXISRT_OK);
+  CHECK(v_add[0] != 0);
+  CHECK(v_add[3] == v_add[0]);
+  CHECK(increments[3] == Approx(v_add[0] * 6e-5 * 8 / 3).epsilon(1e-15));
+  CHECK(runtime.step_velocity({.set = v, .motor = v, .direct = {}}, v_add, increments) == AXISRT_OK);
+  CHECK(runtime.step_velocity({.set = four, .motor = v, .direct = v}, v_add, increments) ==
+        AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step_velocity({.set = v, .motor = four, .direct = v}, v_add, increments) ==
+        AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step_velocity({.set = v, .motor = v, .direct = four}, v_add, increments) ==
+        AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.step_velocity({.set = v, .motor = v, .direct = v}, std::span(v_add).first(4), increments) ==
+        AXISRT_BAD_ARGUMENT);
+  CHECK(runtime.reset_velocity(0, NAN, 0, 0) == AXISRT_BAD_INPUT);
+  CHECK(runtime.reset_velocity(5, 0, 0, 0) == AXISRT_BAD_ARGUMENT);
+}
+
 TEST_CASE("the additional interface has filters of its own", "[runtime-host]") {
   RuntimeHost runtime = test::runtime_for(sample_image());
   CHECK(runtime.reset_all(0) == AXISRT_OK);

@@ -15,13 +15,15 @@ namespace {
 
 constexpr double ulp_of_largest_input = std::numeric_limits<double>::epsilon();
 
-double largest_error_in_ulp(RuntimeHost& runtime, ImageFilter const& filter) {
+/// Of a filter or a kernel.
+template <class Tested>
+double largest_error_in_ulp(RuntimeHost& runtime, Tested const& tested) {
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   double largest = 0;
-  for (std::size_t i = 0; i < filter.self_test_input.size(); ++i) {
-    std::array<double, 1> value = {filter.self_test_input[i]};
+  for (std::size_t i = 0; i < tested.self_test_input.size(); ++i) {
+    std::array<double, 1> value = {tested.self_test_input[i]};
     CHECK(runtime.step(value, value) == AXISRT_OK);
-    largest = std::max(largest, std::abs(value[0] - filter.self_test_output[i]));
+    largest = std::max(largest, std::abs(value[0] - tested.self_test_output[i]));
   }
   return largest / ulp_of_largest_input;
 }
@@ -45,6 +47,46 @@ TEST_CASE("the runtime passes self-tests with margin", "[self-test]") {
     RuntimeHost runtime = test::runtime_for(image);
     // Two are allowed; how the runtime's order of operations differs from the compiler's model takes a little.
     CHECK(largest_error_in_ulp(runtime, test::contents_of(image).axes[0].filters[0]) <= 1.25);
+  }
+}
+
+TEST_CASE("the runtime passes self-tests of kernels with margin", "[self-test]") {
+  test::Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    validator::Machine machine = test::machine_with({}, {1'000'000});
+    design::KernelSpecification kernel;
+    kernel.type = static_cast<design::KernelType>(random.below(5));
+    kernel.order = 1 + random.below(kernel.type == design::KernelType::time_delay ? 100 : 200);
+    kernel.frequency = {random.between(10, 480)};
+    kernel.quality = random.between(0.05, 1);
+    kernel.share_percent = random.between(1, 100);
+    machine.axes[0].kernel = test::fir(kernel, true);
+    CAPTURE(static_cast<int>(kernel.type), kernel.order, kernel.frequency.value, kernel.quality);
+    std::vector<std::byte> const image = write_image(machine, {});
+    RuntimeHost runtime = test::runtime_for(image);
+    CHECK(largest_error_in_ulp(runtime, test::contents_of(image).kernels.at(0)) <= 1.25);
+  }
+}
+
+TEST_CASE("self-tests of kernels see every wrong tail", "[self-test]") {
+  for (design::KernelType const type :
+       {design::KernelType::moving_average, design::KernelType::gaussian, design::KernelType::windowed_sinc,
+        design::KernelType::time_delay, design::KernelType::novib}) {
+    design::KernelDesign const kernel =
+        design::design_kernel({.type = type, .order = 30, .frequency = {31}}, {1'000'000});
+    SelfTest const right = make_self_test(kernel);
+    CHECK(right.input.size() == 32 + kernel.tail_sums.size());
+    for (std::size_t tail = 0; tail < kernel.tail_sums.size(); ++tail) {
+      design::KernelDesign wrong = kernel;
+      wrong.tail_sums[tail] += 0x1p-40;
+      SelfTest const test = make_self_test(wrong);
+      double largest = 0;
+      for (std::size_t n = 0; n < right.output.size(); ++n) {
+        largest = std::max(largest, std::abs(test.output[n] - right.output[n]));
+      }
+      CAPTURE(static_cast<int>(type), tail);
+      CHECK(largest > 2 * ulp_of_largest_input);
+    }
   }
 }
 

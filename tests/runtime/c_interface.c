@@ -9,7 +9,8 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
                     double* arrived);
 
 _Static_assert(sizeof(axisrt_axis_state) == 72, "the layout of axisrt_axis_state is part of the interface");
-_Static_assert(sizeof(axisrt_filter_command) == 40, "the layout of axisrt_filter_command is part of the interface");
+_Static_assert(sizeof(axisrt_filter_command) == 40,
+               "the layout of axisrt_filter_command is part of the interface");
 
 int c_interface_run(const void* image, size_t image_size, void* memory, size_t memory_size, double target,
                     double* arrived) {
@@ -62,7 +63,8 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   velocities.v_motor = in;
   if (axisrt_has_position_control(runtime, 0)) return 14;
   if (axisrt_reset_velocity(runtime, 0, 0.0, 0.0, 0.0) != AXISRT_OK) return 15;
-  if (axisrt_step_velocity(runtime, &velocities, out + 4, NULL, status) != AXISRT_OK || out[4] != 0) return 16;
+  if (axisrt_step_velocity(runtime, &velocities, out + 4, NULL, status) != AXISRT_OK || out[4] != 0)
+    return 16;
   memset(&command, 0, sizeof command);
   command.size = sizeof command;
   command.action = AXISRT_ACTION_ON;

@@ -77,6 +77,30 @@ TEST_CASE("filters of stages belong to a stage") {
   CHECK(verify(write_image(image)) == AXISRT_OUT_OF_BOUNDS);
 }
 
+TEST_CASE("a gantry slave's master is none") {
+  ImageRecord image = channel_image();
+  image.controls.insert(image.controls.begin() + 1, {.axis = 1, .source = 0, .stages = {}});
+  CHECK(verify(write_image(image)) == AXISRT_OK);
+  image.controls[1].source = 2;
+  CHECK(verify(write_image(image)) == AXISRT_OUT_OF_BOUNDS);
+}
+
+TEST_CASE("stages are one to three, a slave's none, each of them with a filter") {
+  ImageRecord image = channel_image();
+  StageRecord const direct = image.controls[0].stages[0];
+  image.controls[0].stages = {direct, direct, direct};
+  CHECK(verify(write_image(image)) == AXISRT_OK);
+  image.controls[0].stages.push_back(direct);
+  CHECK(verify(write_image(image)) == AXISRT_OUT_OF_BOUNDS);
+  image = channel_image();
+  image.controls[1].stages = {direct};
+  CHECK(verify(write_image(image)) == AXISRT_OUT_OF_BOUNDS);
+  image = channel_image();
+  image.controls[0].stages[1].filters.clear();
+  CHECK(verify(write_image(image)) == AXISRT_OUT_OF_BOUNDS);
+  check_mutations(image, {u32("stage that is left over", controls_kind, 0, 12, 1, AXISRT_OUT_OF_BOUNDS)});
+}
+
 TEST_CASE("an image has stages only for its controls") {
   // The entry of the controls becomes one that may be skipped: nobody claims the stages then.
   check_mutations(channel_image(), {{"controls skipped",

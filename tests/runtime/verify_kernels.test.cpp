@@ -119,6 +119,43 @@ TEST_CASE("each fault of a group has its status") {
   check_mutations(channel_image(), group_mutations());
 }
 
+TEST_CASE("a kernel has at least one tail") {
+  CHECK(verify(kernel_image(delay_kernel(1))) == AXISRT_OK);
+  CHECK(verify(kernel_image(delay_kernel(0))) == AXISRT_OUT_OF_BOUNDS);
+}
+
+TEST_CASE("a slot's member is a record of its own axis") {
+  ImageRecord image = channel_image();
+  image.groups[0].members = {2, 1};
+  for (BankRecord& bank : image.groups[0].banks) bank.choices.erase(bank.choices.begin());
+  image.slots[0].group = none;
+  CHECK(verify(write_image(image)) == AXISRT_OK);
+  check_mutations(image, {{"member without a slot claimed by another axis",
+                           [](Bytes& b) {
+                             poke(b, record_offset(b, slots_kind, 0) + 24, 0, 4);
+                             poke(b, record_offset(b, slots_kind, 0) + 28, 0, 4);
+                           },
+                           AXISRT_OUT_OF_BOUNDS}});
+}
+
+TEST_CASE("no record of a group is left over") {
+  // One record more, made of the zeros between two sections.
+  auto const one_more = [](std::string name, std::uint32_t kind) {
+    return Mutation{std::move(name),
+                    [kind](Bytes& b) {
+                      std::size_t const at = entry_offset(b, kind);
+                      poke(b, at + 16, peek(b, at + 16, 8) + 4, 8);
+                      poke(b, at + 28, peek(b, at + 28, 4) + 1, 4);
+                    },
+                    AXISRT_OUT_OF_BOUNDS};
+  };
+  check_mutations(channel_image(), {one_more("member", members_kind), one_more("choice", choices_kind)});
+  ImageRecord image = channel_image();
+  image.groups.push_back({.name = "", .members = {}, .banks = {{}, {}}});
+  CHECK(verify(write_image(image)) == AXISRT_OK);
+  check_mutations(image, {u32("bank", groups_kind, 1, 20, 1, AXISRT_OUT_OF_BOUNDS)});
+}
+
 TEST_CASE("commands of two groups never reach one slot") {
   ImageRecord image = channel_image();
   image.groups.push_back(image.groups[0]);
