@@ -79,22 +79,6 @@ set(axisc_rules_position_control
   rules/position_control_spelling.cpp
 )
 
-# NC programs and their commands: AX5.
-set(axisc_rules_program
-  rules/acc_fact_needs_weight.cpp
-  rules/axis_exchange_disables.cpp
-  rules/command_mistakes.cpp
-  rules/filter_and_vibration_guard.cpp
-  rules/filter_keyword.cpp
-  rules/filter_syntax.cpp
-  rules/filter_with_guard_in_list.cpp
-  rules/filter_without_order.cpp
-  rules/filter_without_type.cpp
-  rules/guard_with_fir_in_list.cpp
-  rules/hsc_without_preconfiguration.cpp
-  rules/program_helpers.cpp
-)
-
 # Several axes together: AX4.
 set(axisc_rules_machine
   axis_delay.cpp
