@@ -141,12 +141,14 @@ std::string InspectWriter::channel_text(std::size_t index) const {
   for (auto const& bank : group.banks) {
     auto const keywords = bank.hsc ? std::string("HSC") : to_text(bank.parameters);
     rows.push_back({keywords.empty() ? "#FILTER ON" : "#FILTER ON [" + keywords + "]"});
+    bool any = false;
     for (std::size_t member = 0; member < group.members.size(); ++member) {
       auto const& slot = image_.axes[group.members[member]].slot;
       bool const concerned = slot && (slot->family == validator::KernelFamily::hsc) == bank.hsc;
       rows.back().push_back(concerned ? kernel_name(bank.kernels[member]) : "-");
+      any = any || concerned;
     }
-    rows.back().push_back(change(bank.fade_cycles));
+    rows.back().push_back(any ? change(bank.fade_cycles) : "-");
   }
   rows.push_back({"#FILTER OFF"});
   for (auto const axis : group.members) {

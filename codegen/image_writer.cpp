@@ -85,7 +85,7 @@ class ImageBuilder {
     Record<records::list> record = tables_.lists.append();
     record.set(fields::list::name_offset, name.offset);
     record.set(fields::list::name_size, name.size);
-    record.set(fields::list::role, list.is_default_list ? 1U : 0U);
+    record.set(fields::list::role, list.is_program ? 2U : list.is_default_list ? 1U : 0U);
     record.set(fields::list::sha256, sha256(list.content));
   }
 

@@ -126,7 +126,7 @@ axisrt_status check_sample(Record<record::sample> sample) {
 }
 
 axisrt_status check_list(ImageView const& view, Record<record::list> list) {
-  if (list[field::list::role] > 1) return AXISRT_UNKNOWN_KIND;
+  if (list[field::list::role] > 2) return AXISRT_UNKNOWN_KIND;
   return check_bounds(view.names.holds(list[field::list::name_offset], list[field::list::name_size]));
 }
 

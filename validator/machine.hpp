@@ -99,11 +99,12 @@ struct AxisConfiguration {
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 
-/// A list as the image remembers it.
+/// A list, or an NC program, as the image remembers it.
 struct MachineList {
   std::string name;  ///< as the machine file names it; never an absolute path
   std::string content;
   bool is_default_list = false;
+  bool is_program = false;  ///< an NC program: its commands decide which kernels there are
 };
 
 /// An NC channel: the axes that #FILTER acts on.

@@ -200,7 +200,14 @@ BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources
   for (NamedList const& named : loaded.lists) {
     built.machine.lists.push_back({.name = named.name,
                                    .content = std::string(sources[named.list.source].bytes()),
-                                   .is_default_list = named.list.is_default_list});
+                                   .is_default_list = named.list.is_default_list,
+                                   .is_program = false});
+  }
+  for (LoadedProgram const& program : loaded.programs) {
+    built.machine.lists.push_back({.name = program.name,
+                                   .content = std::string(sources[program.source].bytes()),
+                                   .is_default_list = false,
+                                   .is_program = true});
   }
   for (LoadedAxis const& axis : loaded.axes) {
     built.machine.axes.push_back(AxisBuilder(loaded, axis, sources, built.not_compiled).build());

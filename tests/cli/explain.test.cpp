@@ -2,6 +2,8 @@
 #include "support/golden.hpp"
 #include "validator/rule.hpp"
 
+#include <nlohmann/json.hpp>
+
 using namespace axisc::test;
 
 TEST_CASE("a code is explained by code, number or name, in both languages") {
@@ -51,4 +53,24 @@ TEST_CASE("an unknown word is met with a suggestion") {
 
 TEST_CASE("docs/rules.md is what the program prints") {
   check_golden("docs/rules.md", run_axisc({"explain", "--all"}).out);
+}
+
+TEST_CASE("rules and parameters as JSON") {
+  auto const parameter =
+      nlohmann::json::parse(run_axisc({"explain", "filter_fir.order", "--format", "json"}).out);
+  REQUIRE(parameter["parameters"].size() == 1);
+  auto const& facts = parameter["parameters"][0];
+  CHECK(facts["p_axis"] == "P-AXIS-00587");
+  CHECK(facts["type"] == "UNS32");
+  CHECK(facts["default"] == "0");
+  CHECK(facts["since"] == "V3.1.3075.00");
+  CHECK(facts["manual"] == "FIR filters, section 6.2");
+  CHECK(parameter["rules"].empty());
+  auto const rule = nlohmann::json::parse(run_axisc({"explain", "AX3005", "--format", "json"}).out);
+  REQUIRE(rule["rules"].size() == 1);
+  CHECK(rule["rules"][0]["name"] == "delay-too-long");
+  CHECK(rule["rules"][0]["severity"] == "error");
+  auto const all = nlohmann::json::parse(run_axisc({"explain", "--all", "--format", "json"}).out);
+  CHECK(all["rules"].size() > 90);
+  CHECK(all["parameters"].size() > 780);
 }

@@ -130,7 +130,7 @@ std::vector<Mutation> mutations() {
       f64("sample", self_tests_kind, 0, 0, not_a_number, AXISRT_NOT_FINITE),
       f64("sample too large", self_tests_kind, 0, 0, 0x1.8p53, AXISRT_OUT_OF_BOUNDS),
       f64("expected output", self_tests_kind, 29, 8, infinity, AXISRT_NOT_FINITE),
-      u32("role", lists_kind, 0, 8, 2, AXISRT_UNKNOWN_KIND),
+      u32("role", lists_kind, 0, 8, 3, AXISRT_UNKNOWN_KIND),
       u32("name of a list", lists_kind, 0, 4, 1000, AXISRT_OUT_OF_BOUNDS),
       u32("axis of a value", values_kind, 0, 0, 2, AXISRT_OUT_OF_BOUNDS),
       u32("list of a value", values_kind, 0, 4, 1, AXISRT_OUT_OF_BOUNDS),
