@@ -172,7 +172,7 @@ belongs to the first group that names its axis; groups without a slot are not st
     #FILTER OFF          no kernel, FIR and HSC
     end of the program   as at start-up; its fade is the longer one of bank 0 and of OFF, standstill if one of them needs it
 
-All slots of a group change over together. While every slot of the group has seen no increment of 2^-30 units or
+All slots that a command reaches change over together. While every slot of the group has seen no increment of 2^-30 units or
 more for as many cycles as it remembers, the change is immediate. Else it takes F = `fade_cycles` from kernel A to
 kernel B, with the same increments for both:
 
