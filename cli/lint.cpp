@@ -3,9 +3,11 @@
 #include "cli/checking.hpp"
 #include "cli/commands.hpp"
 #include "cli/finding_report.hpp"
+#include "cli/fixing.hpp"
 #include "cli/inputs.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report_context.hpp"
+#include "diagnostics/unified_diff.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
@@ -21,6 +23,8 @@ struct LintWords {
   std::vector<std::string> named;
   std::optional<std::string> baseline;
   std::optional<std::string> write_baseline;
+  std::optional<std::string> fix;
+  bool diff = false;
   bool statistics = false;
 };
 
@@ -33,6 +37,8 @@ struct Report {
 void declare(CommandLine& command_line, LintWords& words) {
   command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
   declare_checking(command_line, words.checking);
+  command_line.flag_with_word("--fix", "[=all]", words.fix, Text::cli_opt_fix);
+  command_line.flag("--diff", words.diff, Text::cli_opt_lint_diff);
   command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
   command_line.value("--write-baseline", "FILE", words.write_baseline, Text::cli_opt_write_baseline);
   command_line.flag("--statistics", words.statistics, Text::cli_opt_statistics);
@@ -48,6 +54,14 @@ void require_sense(LintWords const& words) {
   if (words.statistics && !countable) throw Failure({.text = Text::cli_statistics_format, .arguments = {}});
 }
 
+FixChoice fix_choice(LintWords const& words) {
+  if (!words.fix) return words.diff ? FixChoice::safe : FixChoice::none;
+  if (words.fix->empty()) return FixChoice::safe;
+  if (*words.fix == "all") return FixChoice::all;
+  throw Failure({.text = Text::cli_bad_choice,
+                 .arguments = {{"option", "--fix"}, {"value", *words.fix}, {"choices", "all"}}});
+}
+
 /// One lint: the words of the command line, and what they lead to.
 class Lint {
  public:
@@ -55,6 +69,7 @@ class Lint {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;
     job_.write = {.language = language, .color = color};
+    choice_ = fix_choice(words);
     if (words.baseline) baseline_ = Baseline::read(*words.baseline);
   }
 
@@ -62,6 +77,7 @@ class Lint {
     auto inputs = expand_inputs(words_.named);
     job_.text_at_once =
         words_.checking.format == FindingFormat::text && !words_.baseline && !words_.write_baseline;
+    auto const fixed = choice_ == FixChoice::none ? FixedInputs{} : apply_fixes(inputs.paths, streams.out);
     auto results = check_inputs(job_, inputs.paths, thread_count(words_.checking));
     for (auto const& checked : results) {
       if (checked.failure) inputs.failures.push_back(*checked.failure);
@@ -69,12 +85,37 @@ class Lint {
     for (auto const& failure : inputs.failures) streams.err.write(failure.line(job_.write.language));
     sum_up_files(results);
     auto const report = job_.text_at_once ? report_texts(results) : report_findings(results, inputs.failures);
-    streams.out.write(report.text);
+    bool const out_is_taken = words_.diff || (fixed.edited.contains("-") && choice_ != FixChoice::none);
+    (out_is_taken ? streams.err : streams.out).write(report.text);
     if (!inputs.failures.empty()) return ExitStatus::failure;
-    return objectionable(words_.checking, report.counts) ? ExitStatus::findings : ExitStatus::success;
+    // Nothing was written: what the patch repairs still stands in the files.
+    return would_change_ || objectionable(words_.checking, report.counts) ? ExitStatus::findings
+                                                                          : ExitStatus::success;
   }
 
  private:
+  /// Writes what the fixes make of the files, or shows it.
+  FixedInputs apply_fixes(std::vector<std::string> const& paths, Console& out) {
+    auto fixed = fix_inputs(job_, paths, choice_, baseline_);
+    for (auto const& [path, before] : fixed.original) {
+      auto const& after = fixed.edited.at(path);
+      if (words_.diff) {
+        out.write(unified_diff(path, before, after));
+        would_change_ = would_change_ || before != after;
+      } else if (path == "-") {
+        out.write(after);
+      } else if (after != before) {
+        OutputFile file(path);
+        file.write(after);
+        file.commit();
+      }
+    }
+    run_.fixes = fixed.facts;
+    if (words_.diff) run_.fixes->applied = 0;
+    job_.edited = fixed.edited;
+    return fixed;
+  }
+
   void sum_up_files(std::vector<Checked> const& results) {
     for (auto const& checked : results) files_.insert(checked.files.begin(), checked.files.end());
     run_.files = files_.size();
@@ -157,6 +198,8 @@ class Lint {
 
   LintWords const& words_;
   CheckJob job_;
+  FixChoice choice_ = FixChoice::none;
+  bool would_change_ = false;
   Baseline baseline_;
   std::set<std::string> files_;
   RunFacts run_;
