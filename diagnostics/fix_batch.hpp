@@ -12,7 +12,7 @@ namespace axisc {
 
 struct EditedSource {
   SourceId source{};
-  std::string bytes;  ///< of the whole source; what no edit replaces is as it was
+  std::string bytes;  ///< of the whole source; what no edit replaces is as it was, columns included
 };
 
 class FixBatch {
@@ -24,7 +24,8 @@ class FixBatch {
   /// encoding of its source lacks.
   bool add(Fix const& fix);
 
-  /// The sources as they become, in the encoding and with the line ends they have.
+  /// The sources as they become, in the encoding and with the line ends they have. What stands behind at least two
+  /// blanks keeps its column where the blanks allow it: they make up for a longer or shorter text before them.
   [[nodiscard]] std::vector<EditedSource> apply() const;
 
  private:

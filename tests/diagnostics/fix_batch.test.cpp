@@ -57,3 +57,23 @@ TEST_CASE("a character that the encoding lacks is no fix") {
   CHECK(!batch.add(fix));
   CHECK(batch.apply().empty());
 }
+
+TEST_CASE("what stands behind a gap keeps its column where the blanks allow it") {
+  auto const replaced = [](std::string const& line, std::string const& by) {
+    SourceSet sources;
+    SourceId const list = sources.add(SourceText("a", line));
+    Fix const fix = fix_of({{.place = place_of(sources, list, "old"), .text = by}});
+    FixBatch batch(sources);
+    REQUIRE(batch.add(fix));
+    return batch.apply().front().bytes;
+  };
+  CHECK(replaced("old    1   # c\n", "o") == "o      1   # c\n");
+  CHECK(replaced("old    1   # c\n", "older") == "older  1   # c\n");
+  CHECK(replaced("old  1\n", "much longer") == "much longer 1\n");
+  CHECK(replaced("old    # \xFC\n", "\xC3\xBC") == "\xFC      # \xFC\n");
+  // One blank is no column, and a tab finds its own.
+  CHECK(replaced("old 1\n", "o") == "o 1\n");
+  CHECK(replaced("old\t1\n", "o") == "o\t1\n");
+  CHECK(replaced("old  \t1\n", "o") == "o  \t1\n");
+  CHECK(replaced("old   \r\n", "o") == "o   \r\n");
+}
