@@ -50,7 +50,12 @@ void declare_checking(CommandLine& command_line, CheckingWords& words) {
   command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
   command_line.value("--axis-type", "T|R|S", words.axis_type, Text::cli_opt_axis_type);
   command_line.value("--build", "VERSION", words.build, Text::cli_opt_build);
-  command_line.choice("--format", {{"text", FindingFormat::text}, {"json", FindingFormat::json}},
+  command_line.choice("--format",
+                      {{"text", FindingFormat::text},
+                       {"json", FindingFormat::json},
+                       {"sarif", FindingFormat::sarif},
+                       {"github", FindingFormat::github},
+                       {"gitlab", FindingFormat::gitlab}},
                       words.format, Text::cli_opt_finding_format);
   command_line.flag("--werror", words.werror, Text::cli_opt_werror);
   command_line.values("--disable", "CODE[,CODE]", words.disabled, Text::cli_opt_disable);

@@ -11,7 +11,7 @@
 
 namespace axisc::cli {
 
-enum class FindingFormat : std::uint8_t { text, json };
+enum class FindingFormat : std::uint8_t { text, json, sarif, github, gitlab };
 
 /// As the user wrote them.
 struct CheckingWords {

@@ -89,6 +89,17 @@ void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
   row.take = [&target](std::vector<std::string> const&) { target = true; };
 }
 
+void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
+                                 std::optional<std::string>& target, Text meaning) {
+  auto& row = declare(names, shown, meaning);
+  row.option =
+      parser_->app.add_flag(std::string(names))->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  // The parser's word for a flag that stands alone.
+  row.take = [&target](std::vector<std::string> const& given) {
+    target = given.back() == "true" ? std::string() : given.back();
+  };
+}
+
 void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
                         Text meaning) {
   auto& row = declare(names, shown, meaning);
@@ -221,7 +232,8 @@ std::string CommandLine::help() const {
     }
     std::string name = row.names;
     if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
-    options += help_row(row.shown.empty() ? name : name + " " + row.shown, say(row.meaning));
+    if (!row.shown.empty()) name += (row.shown.front() == '[' ? "" : " ") + row.shown;
+    options += help_row(name, say(row.meaning));
   }
   return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(Text::cli_help_options_heading) + ":\n" +
          options + "\n" + say(examples_) + "\n";

@@ -35,6 +35,9 @@ class CommandLine {
   void flag(std::string_view names, bool& target, Text meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
              Text meaning);
+  /// A flag that may carry a word, only behind "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
+  void flag_with_word(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                      Text meaning);
   /// An option that may be repeated.
   void values(std::string_view names, std::string_view shown, std::vector<std::string>& target, Text meaning);
   /// One of a few words.

@@ -18,6 +18,7 @@ struct Invocation {
 };
 
 [[nodiscard]] ExitStatus lint(Invocation const& invocation);
+[[nodiscard]] ExitStatus fmt(Invocation const& invocation);
 [[nodiscard]] ExitStatus compile(Invocation const& invocation);
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);

@@ -1,15 +1,15 @@
 #include "cli/checking.hpp"
-#include "cli/codes.hpp"
 #include "cli/commands.hpp"
 #include "cli/depfile.hpp"
 #include "cli/disk_files.hpp"
+#include "cli/finding_report.hpp"
 #include "cli/machine_outline.hpp"
 #include "cli/output_file.hpp"
 #include "cli/quantities.hpp"
+#include "cli/report_context.hpp"
 #include "codegen/image_writer.hpp"
 #include "diagnostics/writers.hpp"
 
-#include <filesystem>
 #include <limits>
 
 namespace axisc::cli {
@@ -57,15 +57,6 @@ void require_complete(validator::CheckResult const& result, SourceSet const& sou
                                {"feature", render(first.feature, language)}}});
 }
 
-void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {
-  for (auto const& source : sources) {
-    std::error_code error;
-    if (output != "-" && std::filesystem::equivalent(output, source, error)) {
-      throw Failure({.text = Text::cli_output_is_input, .arguments = {{"file", output}}}, cannot_write);
-    }
-  }
-}
-
 std::string_view as_text(std::vector<std::byte> const& bytes) {
   return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
 }
@@ -82,16 +73,14 @@ void write_files(CompileWords const& words, std::vector<std::byte> const& image,
   output.commit();
 }
 
-std::string findings_text(CheckingWords const& words, validator::CheckResult const& result,
-                          SourceSet const& sources, WriteOptions const& options) {
-  auto const counts = count(result.findings);
-  if (words.format == FindingFormat::json) {
-    return write_json(result.findings, sources, result.files.size(), options);
-  }
-  std::string text;
-  for (auto const& finding : result.findings) text += write_text(finding, sources, options) + "\n";
-  if (!words.quiet && !result.findings.empty()) {
-    text += write_text_summary(result.files.size(), counts, options);
+std::string findings_text(CompileWords const& words, validator::CheckResult& result, SourceSet const& sources,
+                          WriteOptions const& options) {
+  auto const format = words.checking.format;
+  RunFacts const run{.files = result.files.size(), .fixes = {}, .baseline = {}, .statistics = false};
+  number_occurrences(result.findings, sources);
+  auto text = document_of(format, result.findings, sources, run, report_context({*words.input}), options);
+  if (format == FindingFormat::text && !words.checking.quiet && !result.findings.empty()) {
+    text += write_text_summary(run.files, count(result.findings), options);
   }
   return text;
 }
@@ -157,7 +146,7 @@ ExitStatus compile(Invocation const& invocation) {
   require_cycle_time(*words.input, result);
   apply_quiet(words.checking, result.findings);
   WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
-  invocation.streams.err.write(findings_text(words.checking, result, sources, write));
+  invocation.streams.err.write(findings_text(words, result, sources, write));
   if (!result.machine || objectionable(words.checking, count(result.findings))) return ExitStatus::findings;
 
   require_complete(result, sources, invocation.language);

@@ -15,6 +15,8 @@ class Failure : public std::exception {
   explicit Failure(Message message, std::optional<Code> code = std::nullopt);
 
   [[nodiscard]] char const* what() const noexcept override { return what_.c_str(); }
+  /// What is wrong, without the frame of a line.
+  [[nodiscard]] std::string sentence(Language language) const { return render(message_, language); }
   /// "axisc: error[AX9001]: …" with a line end.
   [[nodiscard]] std::string line(Language language) const;
 

@@ -1,191 +1,222 @@
+#include "cli/baseline.hpp"
+#include "cli/check_inputs.hpp"
 #include "cli/checking.hpp"
-#include "cli/codes.hpp"
 #include "cli/commands.hpp"
-#include "cli/disk_files.hpp"
+#include "cli/finding_report.hpp"
+#include "cli/fixing.hpp"
 #include "cli/inputs.hpp"
-#include "diagnostics/writers.hpp"
+#include "cli/output_file.hpp"
+#include "cli/report_context.hpp"
+#include "diagnostics/unified_diff.hpp"
+#include "validator/rule.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
+#include <map>
 #include <set>
-#include <thread>
 
 namespace axisc::cli {
 
 namespace {
 
-/// One input, checked; everything that the output in input order needs.
-struct Checked {
-  std::vector<Finding> findings;  ///< only for JSON
-  SourceSet sources;              ///< only for JSON
+struct LintWords {
+  CheckingWords checking;
+  std::vector<std::string> named;
+  std::optional<std::string> baseline;
+  std::optional<std::string> write_baseline;
+  std::optional<std::string> fix;
+  bool diff = false;
+  bool statistics = false;
+};
+
+/// What is printed, and what decides about the exit status.
+struct Report {
   std::string text;
   FindingCounts counts;
-  std::vector<std::string> files;
-  std::optional<Failure> failure;
-  std::optional<Finding> assumption;  ///< AX9006, which is said once per run
 };
 
-struct Job {
-  CheckingWords words;
-  validator::CheckOptions options;
-  WriteOptions write;
-};
-
-std::optional<Finding> take_assumption(std::vector<Finding>& findings) {
-  auto const found = std::find_if(findings.begin(), findings.end(),
-                                  [](Finding const& finding) { return finding.code == cycle_time_assumed; });
-  if (found == findings.end()) return std::nullopt;
-  std::optional<Finding> assumption = std::move(*found);
-  findings.erase(found);
-  return assumption;
+void declare(CommandLine& command_line, LintWords& words) {
+  command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
+  declare_checking(command_line, words.checking);
+  command_line.flag_with_word("--fix", "[=all]", words.fix, Text::cli_opt_fix);
+  command_line.flag("--diff", words.diff, Text::cli_opt_lint_diff);
+  command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
+  command_line.value("--write-baseline", "FILE", words.write_baseline, Text::cli_opt_write_baseline);
+  command_line.flag("--statistics", words.statistics, Text::cli_opt_statistics);
 }
 
-Checked check_input(Job const& job, std::string const& path) {
-  Checked checked;
-  DiskFiles files(path == "-");
-  auto result = validator::check(files, path, job.options, checked.sources);
-  if (result.unreadable) {
-    checked.failure = unreadable(path, *result.unreadable);
-    return checked;
+void require_sense(LintWords const& words) {
+  if (words.named.empty()) {
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "lint"}}});
   }
-  apply_quiet(job.words, result.findings);
-  checked.assumption = take_assumption(result.findings);
-  checked.counts = count(result.findings);
-  checked.files = std::move(result.files);
-  if (job.words.format == FindingFormat::json) {
-    checked.findings = std::move(result.findings);
-    return checked;
-  }
-  for (auto const& finding : result.findings) {
-    checked.text += write_text(finding, checked.sources, job.write) + "\n";
-  }
-  checked.sources = {};
-  return checked;
+  bool const countable =
+      words.checking.format == FindingFormat::text || words.checking.format == FindingFormat::json;
+  if (words.statistics && !countable) throw Failure({.text = Text::cli_statistics_format, .arguments = {}});
 }
 
-/// Each thread takes the next input; an exception ends the program, but only after all threads have stopped.
-std::vector<Checked> check_all(Job const& job, std::vector<std::string> const& paths, unsigned threads) {
-  std::vector<Checked> results(paths.size());
-  std::vector<std::exception_ptr> errors(paths.size());
-  std::atomic<std::size_t> next{0};
-  auto const work = [&] {
-    for (std::size_t i = next++; i < paths.size(); i = next++) {
-      try {
-        results[i] = check_input(job, paths[i]);
-      } catch (...) {
-        errors[i] = std::current_exception();
+FixChoice fix_choice(LintWords const& words) {
+  if (!words.fix) return words.diff ? FixChoice::safe : FixChoice::none;
+  if (words.fix->empty()) return FixChoice::safe;
+  if (*words.fix == "all") return FixChoice::all;
+  throw Failure({.text = Text::cli_bad_choice,
+                 .arguments = {{"option", "--fix"}, {"value", *words.fix}, {"choices", "all"}}});
+}
+
+/// One lint: the words of the command line, and what they lead to.
+class Lint {
+ public:
+  Lint(LintWords const& words, Language language, bool color) : words_(words) {
+    job_.options = check_options(words.checking);
+    job_.quiet = words.checking.quiet;
+    job_.write = {.language = language, .color = color};
+    choice_ = fix_choice(words);
+    if (words.baseline) baseline_ = Baseline::read(*words.baseline);
+  }
+
+  [[nodiscard]] ExitStatus run(Streams& streams) {
+    auto inputs = expand_inputs(words_.named);
+    job_.text_at_once =
+        words_.checking.format == FindingFormat::text && !words_.baseline && !words_.write_baseline;
+    auto const fixed = choice_ == FixChoice::none ? FixedInputs{} : apply_fixes(inputs.paths, streams.out);
+    auto results = check_inputs(job_, inputs.paths, thread_count(words_.checking));
+    for (auto const& checked : results) {
+      if (checked.failure) inputs.failures.push_back(*checked.failure);
+    }
+    for (auto const& failure : inputs.failures) streams.err.write(failure.line(job_.write.language));
+    sum_up_files(results);
+    auto const report = job_.text_at_once ? report_texts(results) : report_findings(results, inputs.failures);
+    bool const out_is_taken = words_.diff || (fixed.edited.contains("-") && choice_ != FixChoice::none);
+    (out_is_taken ? streams.err : streams.out).write(report.text);
+    if (!inputs.failures.empty()) return ExitStatus::failure;
+    // Nothing was written: what the patch repairs still stands in the files.
+    return would_change_ || objectionable(words_.checking, report.counts) ? ExitStatus::findings
+                                                                          : ExitStatus::success;
+  }
+
+ private:
+  /// Writes what the fixes make of the files, or shows it.
+  FixedInputs apply_fixes(std::vector<std::string> const& paths, Console& out) {
+    auto fixed = fix_inputs(job_, paths, choice_, baseline_);
+    for (auto const& [path, before] : fixed.original) {
+      auto const& after = fixed.edited.at(path);
+      if (words_.diff) {
+        out.write(unified_diff(path, before, after));
+        would_change_ = would_change_ || before != after;
+      } else if (path == "-") {
+        out.write(after);
+      } else if (after != before) {
+        OutputFile file(path);
+        file.write(after);
+        file.commit();
       }
     }
-  };
-  std::vector<std::thread> helpers;
-  auto const wanted = std::min<std::size_t>(threads, paths.size());
-  for (std::size_t i = 1; i < wanted; ++i) helpers.emplace_back(work);
-  work();
-  for (auto& helper : helpers) helper.join();
-  for (auto const& error : errors) {
-    if (error) std::rethrow_exception(error);
+    run_.fixes = fixed.facts;
+    if (words_.diff) run_.fixes->applied = 0;
+    job_.edited = fixed.edited;
+    return fixed;
   }
-  return results;
-}
 
-void shift(Place& place, std::size_t by) {
-  place.source = static_cast<SourceId>(static_cast<std::size_t>(place.source) + by);
-}
+  void sum_up_files(std::vector<Checked> const& results) {
+    for (auto const& checked : results) files_.insert(checked.files.begin(), checked.files.end());
+    run_.files = files_.size();
+    run_.statistics = words_.statistics;
+  }
 
-/// Moves the findings of one input into the collection of all.
-void collect(Checked& checked, std::vector<Finding>& findings, SourceSet& sources) {
-  auto const before = sources.size();
-  if (!checked.findings.empty()) {
-    for (std::size_t i = 0; i < checked.sources.size(); ++i) {
-      sources.add(checked.sources[static_cast<SourceId>(i)]);
+  Report report_texts(std::vector<Checked> const& results) const {
+    Report report;
+    std::map<Code, CodeCount> codes;
+    for (auto const& checked : results) {
+      report.counts.errors += checked.counts.errors;
+      report.counts.warnings += checked.counts.warnings;
+      report.counts.notes += checked.counts.notes;
+      report.text += checked.text;
+      for (auto const& row : checked.codes) {
+        auto& sum = codes[row.code];
+        sum = {.code = row.code,
+               .name = row.name,
+               .count = sum.count + row.count,
+               .fixable = sum.fixable + row.fixable};
+      }
     }
+    std::vector<CodeCount> rows;
+    for (auto const& [code, row] : codes) rows.push_back(row);
+    most_frequent_first(rows);
+    report.text += end_of_text(rows, report.counts);
+    return report;
   }
-  for (auto& finding : checked.findings) {
-    if (finding.place) shift(*finding.place, before);
-    for (auto& related : finding.related) shift(related.place, before);
-    if (finding.fix) {
-      for (auto& edit : finding.fix->edits) shift(edit.place, before);
-    }
-    findings.push_back(std::move(finding));
-  }
-}
 
-struct Total {
-  FindingCounts counts;
-  std::size_t files = 0;
+  Report report_findings(std::vector<Checked>& results, std::vector<Failure> const& failures) {
+    auto all = collect(results);
+    if (words_.baseline || words_.write_baseline) apply_baseline(all, !failures.empty());
+    auto context = report_context(words_.named);
+    for (auto const& failure : failures) context.failures.push_back(failure.sentence(job_.write.language));
+    Report report{.text = {}, .counts = count(all.findings)};
+    report.text = document_of(words_.checking.format, all.findings, all.sources, run_, context, job_.write);
+    if (words_.checking.format == FindingFormat::text) {
+      report.text += end_of_text(count_codes(all.findings), report.counts);
+    }
+    return report;
+  }
+
+  [[nodiscard]] std::string end_of_text(std::vector<CodeCount> const& codes,
+                                        FindingCounts const& counts) const {
+    std::string text;
+    if (words_.statistics && !codes.empty()) text += write_text_statistics(codes, job_.write) + "\n";
+    if (words_.checking.quiet || run_.files == 0) return text;
+    return text + write_text_facts(run_, job_.write) + write_text_summary(run_.files, counts, job_.write);
+  }
+
+  void apply_baseline(Collected& all, bool incomplete) {
+    BaselineFacts facts;
+    if (words_.write_baseline) {
+      baseline_ = Baseline(all.findings, all.sources);
+      write_baseline();
+      facts.recorded = baseline_.size();
+    } else if (!incomplete) {
+      facts.stale = baseline_.stale(all.findings, all.sources);
+      std::erase_if(facts.stale, [this](Identity const& identity) { return !is_judged(identity.code); });
+    }
+    facts.hidden = baseline_.hide(all.findings, all.sources);
+    run_.baseline = std::move(facts);
+  }
+
+  void write_baseline() const {
+    refuse_overwriting(*words_.write_baseline, {files_.begin(), files_.end()});
+    OutputFile file(*words_.write_baseline);
+    file.write(baseline_.text());
+    file.commit();
+  }
+
+  /// What this run does not look for cannot be missing.
+  [[nodiscard]] bool is_judged(Code code) const {
+    auto const* const rule = validator::find_rule(code);
+    if (rule == nullptr) return true;
+    bool const shown = rule->severity != Severity::note || (job_.options.pedantic && !words_.checking.quiet);
+    auto const& disabled = job_.options.disabled;
+    return shown && std::find(disabled.begin(), disabled.end(), code) == disabled.end();
+  }
+
+  LintWords const& words_;
+  CheckJob job_;
+  FixChoice choice_ = FixChoice::none;
+  bool would_change_ = false;
+  Baseline baseline_;
+  std::set<std::string> files_;
+  RunFacts run_;
 };
-
-Total sum_up(std::vector<Checked> const& results) {
-  Total total;
-  std::set<std::string> files;
-  for (auto const& checked : results) {
-    total.counts.errors += checked.counts.errors;
-    total.counts.warnings += checked.counts.warnings;
-    total.counts.notes += checked.counts.notes;
-    files.insert(checked.files.begin(), checked.files.end());
-  }
-  total.files = files.size();
-  return total;
-}
-
-/// Keeps the first assumption of the run, as the first finding of its input.
-void say_assumption_once(Job const& job, std::vector<Checked>& results) {
-  auto const first = std::find_if(results.begin(), results.end(),
-                                  [](Checked const& checked) { return checked.assumption.has_value(); });
-  if (first == results.end()) return;
-  ++first->counts.notes;
-  if (job.words.format == FindingFormat::text) {
-    first->text.insert(0, write_text(*first->assumption, {}, job.write) + "\n");
-  } else {
-    first->findings.insert(first->findings.begin(), *first->assumption);
-  }
-}
-
-std::string output(Job const& job, std::vector<Checked>& results, Total const& total) {
-  if (job.words.format == FindingFormat::json) {
-    std::vector<Finding> findings;
-    SourceSet sources;
-    for (auto& checked : results) collect(checked, findings, sources);
-    return write_json(findings, sources, total.files, job.write);
-  }
-  std::string text;
-  for (auto const& checked : results) text += checked.text;
-  if (!job.words.quiet && total.files > 0) text += write_text_summary(total.files, total.counts, job.write);
-  return text;
-}
 
 }  // namespace
 
 ExitStatus lint(Invocation const& invocation) {
-  Job job;
-  std::vector<std::string> named;
+  LintWords words;
   CommandLine command_line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, invocation.language);
-  command_line.arguments("INPUT...", named, Text::cli_arg_inputs);
-  declare_checking(command_line, job.words);
+  declare(command_line, words);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
   }
-  if (named.empty()) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "lint"}}});
-  }
-  job.options = check_options(job.words);
-  job.write = {.language = invocation.language, .color = use_color(command_line.color(), 1)};
-  auto const threads = thread_count(job.words);
-
-  auto inputs = expand_inputs(named);
-  auto results = check_all(job, inputs.paths, threads);
-  for (auto const& checked : results) {
-    if (checked.failure) inputs.failures.push_back(*checked.failure);
-  }
-  for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
-  say_assumption_once(job, results);
-  auto const total = sum_up(results);
-  invocation.streams.out.write(output(job, results, total));
-  if (!inputs.failures.empty()) return ExitStatus::failure;
-  return objectionable(job.words, total.counts) ? ExitStatus::findings : ExitStatus::success;
+  require_sense(words);
+  return Lint(words, invocation.language, use_color(command_line.color(), 1)).run(invocation.streams);
 }
 
 }  // namespace axisc::cli

@@ -26,7 +26,8 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 7> commands = {{{"lint", Text::cli_lint_meaning, lint},
+constexpr std::array<Command, 8> commands = {{{"lint", Text::cli_lint_meaning, lint},
+                                              {"fmt", Text::cli_fmt_meaning, fmt},
                                               {"compile", Text::cli_compile_meaning, compile},
                                               {"inspect", Text::cli_inspect_meaning, inspect},
                                               {"run", Text::cli_run_meaning, run},

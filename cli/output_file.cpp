@@ -136,4 +136,13 @@ void OutputFile::commit() {
   if (folder.is_open()) static_cast<void>(::fsync(folder.get()));
 }
 
+void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {
+  for (auto const& source : sources) {
+    std::error_code error;
+    if (output != "-" && fs::equivalent(output, source, error)) {
+      throw Failure({.text = Text::cli_output_is_input, .arguments = {{"file", output}}}, cannot_write);
+    }
+  }
+}
+
 }  // namespace axisc::cli

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -45,5 +46,8 @@ class OutputFile {
   TemporaryFile temporary_;
   FileDescriptor file_;
 };
+
+/// Failure where `output` is one of the files that were read, under whatever name.
+void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources);
 
 }  // namespace axisc::cli

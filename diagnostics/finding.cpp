@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axisc {
@@ -27,6 +29,27 @@ FindingCounts count(std::vector<Finding> const& findings) {
         break;
     }
   }
+  return counts;
+}
+
+void most_frequent_first(std::vector<CodeCount>& counts) {
+  std::sort(counts.begin(), counts.end(), [](CodeCount const& left, CodeCount const& right) {
+    return std::pair(right.count, left.code) < std::pair(left.count, right.code);
+  });
+}
+
+std::vector<CodeCount> count_codes(std::vector<Finding> const& findings) {
+  std::map<Code, CodeCount> by_code;
+  for (Finding const& finding : findings) {
+    CodeCount& row = by_code[finding.code];
+    row.code = finding.code;
+    row.name = finding.name;
+    ++row.count;
+    if (finding.fix) ++row.fixable;
+  }
+  std::vector<CodeCount> counts;
+  for (auto const& [code, row] : by_code) counts.push_back(row);
+  most_frequent_first(counts);
   return counts;
 }
 

@@ -61,9 +61,10 @@ struct Finding {
   std::vector<Related> related;
   std::optional<Fix> fix;
   std::optional<ControlReaction> control;
-  std::string axis;       ///< name of the axis, where one is concerned
-  std::string parameter;  ///< path as the list writes it, `filter[0].order`
-  std::string p_axis;     ///< "P-AXIS-00140"
+  std::string axis;              ///< name of the axis, where one is concerned
+  std::string parameter;         ///< path as the list writes it, `filter[0].order`
+  std::string p_axis;            ///< "P-AXIS-00140"
+  std::uint32_t occurrence = 1;  ///< among the findings of one identity, see fingerprint.hpp
 };
 
 struct FindingCounts {
@@ -73,5 +74,19 @@ struct FindingCounts {
 };
 
 [[nodiscard]] FindingCounts count(std::vector<Finding> const& findings);
+
+/// How often a code was reported.
+struct CodeCount {
+  Code code{};
+  std::string_view name;
+  std::size_t count = 0;
+  std::size_t fixable = 0;  ///< of them with a fix
+};
+
+/// By number of findings, then by code.
+void most_frequent_first(std::vector<CodeCount>& counts);
+
+/// The codes that were reported, the most frequent first.
+[[nodiscard]] std::vector<CodeCount> count_codes(std::vector<Finding> const& findings);
 
 }  // namespace axisc

@@ -1,7 +1,7 @@
+#include "diagnostics/json_layout.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers.hpp"
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,24 +79,37 @@ Json as_json(Finding const& finding, SourceSet const& sources, Language language
           {"fix", as_json(finding.fix, sources, language)}};
 }
 
-// Line breaks inside strings are escaped, so every one here is between tokens.
-void append_indented(std::string& text, Json const& value, std::string_view indent) {
-  std::string const dumped = value.dump(2, ' ', false, Json::error_handler_t::replace);
-  std::string_view rest = dumped;
-  while (true) {
-    std::size_t const end = std::min(rest.find('\n'), rest.size() - 1) + 1;
-    text.append(rest.substr(0, end));
-    rest.remove_prefix(end);
-    if (rest.empty()) return;
-    text.append(indent);
+Json as_json(Identity const& identity) {
+  return {{"code", code_text(identity.code)}, {"axis", identity.axis}, {"parameter", identity.parameter}};
+}
+
+Json summary(std::vector<Finding> const& findings, RunFacts const& run) {
+  FindingCounts const counts = count(findings);
+  Json summary = {{"files", run.files},
+                  {"errors", counts.errors},
+                  {"warnings", counts.warnings},
+                  {"notes", counts.notes}};
+  if (run.fixes) summary["fixed"] = run.fixes->applied;
+  if (run.baseline) {
+    Json stale = Json::array();
+    for (Identity const& identity : run.baseline->stale) stale.push_back(as_json(identity));
+    summary["baseline"] = {{"hidden", run.baseline->hidden}, {"stale", std::move(stale)}};
   }
+  return summary;
+}
+
+Json statistics(std::vector<Finding> const& findings) {
+  Json rows = Json::array();
+  for (CodeCount const& row : count_codes(findings)) {
+    rows.push_back(
+        {{"code", code_text(row.code)}, {"name", row.name}, {"count", row.count}, {"fixable", row.fixable}});
+  }
+  return rows;
 }
 
 }  // namespace
 
-// One document of all findings would take several kilobytes of memory for each; here only one finding is a
-// tree at a time.
-std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, std::size_t files,
+std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, RunFacts const& run,
                        WriteOptions const& options) {
   std::string text = "{\n  \"version\": 1,\n  \"diagnostics\": [";
   for (Finding const& finding : findings) {
@@ -104,11 +117,11 @@ std::string write_json(std::vector<Finding> const& findings, SourceSet const& so
     append_indented(text, as_json(finding, sources, options.language), "    ");
   }
   text += findings.empty() ? "],\n  \"summary\": " : "\n  ],\n  \"summary\": ";
-  FindingCounts const counts = count(findings);
-  append_indented(
-      text,
-      {{"files", files}, {"errors", counts.errors}, {"warnings", counts.warnings}, {"notes", counts.notes}},
-      "  ");
+  append_indented(text, summary(findings, run), "  ");
+  if (run.statistics) {
+    text += ",\n  \"statistics\": ";
+    append_indented(text, statistics(findings), "  ");
+  }
   return text + "\n}\n";
 }
 

@@ -161,26 +161,8 @@ class TextWriter {
     out_ += ' ' + paint_(Style::strong, head) + text + '\n';
   }
 
-  /// "message 50663: the filter is switched off; runs with 0".
   [[nodiscard]] std::string control_text() const {
-    if (!finding_.control) return {};
-    ControlReaction const& control = *finding_.control;
-    std::string text;
-    if (!control.message.empty()) {
-      bool const is_one = control.message.find('/') == std::string::npos;
-      text += sentence({.text = is_one ? Text::control_message : Text::control_messages,
-                        .arguments = {{.name = "number", .value = control.message}}});
-    }
-    if (control.reaction) {
-      if (!text.empty()) text += ": ";
-      text += sentence(*control.reaction);
-    }
-    if (!control.value.empty()) {
-      if (!text.empty()) text += "; ";
-      text +=
-          sentence({.text = Text::control_value, .arguments = {{.name = "value", .value = control.value}}});
-    }
-    return text;
+    return printable(axisc::control_text(finding_, language_));
   }
 
   void write_fix() {

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
+#include "diagnostics/fingerprint.hpp"
+#include "diagnostics/repository_path.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axisc {
@@ -11,6 +15,41 @@ namespace axisc {
 struct WriteOptions {
   Language language = Language::english;
   bool color = false;  ///< ANSI colours in the text form
+};
+
+/// What was done with the findings that are not shown.
+struct FixFacts {
+  std::size_t applied = 0;
+  std::size_t left_out = 0;  ///< fixes that would have led to further findings
+};
+struct BaselineFacts {
+  std::size_t hidden = 0;
+  std::vector<Identity> stale;                         ///< entries that nothing answers to any more
+  std::optional<std::size_t> recorded = std::nullopt;  ///< a baseline was written with so many entries
+};
+
+/// A run as its summary tells it.
+struct RunFacts {
+  std::size_t files = 0;
+  std::optional<FixFacts> fixes = std::nullopt;
+  std::optional<BaselineFacts> baseline = std::nullopt;
+  bool statistics = false;
+};
+
+/// A rule as other tools want to know it.
+struct RuleFacts {
+  Code code{};
+  std::string_view name;
+  Severity severity = Severity::error;
+  std::string_view control;  ///< the control's message numbers, "50663/60311"; may be empty
+};
+
+/// What the formats of code hosts need beside the findings.
+struct ReportContext {
+  std::vector<RuleFacts> rules;  ///< by rising code
+  std::string version;           ///< of the program: "0.1.0"
+  RepositoryPaths paths;
+  std::vector<std::string> failures;  ///< inputs that could not be read, one sentence each
 };
 
 /// Shape of the text form:
@@ -37,13 +76,43 @@ struct WriteOptions {
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
                                              WriteOptions const& options);
 
+/// What stands behind the findings and before the last line: entries of the baseline that are not needed any more, what
+/// was fixed. Empty where there is nothing to say.
+[[nodiscard]] std::string write_text_facts(RunFacts const& run, WriteOptions const& options);
+
+/// A table, one line per code: count, code, name, and how many of them carry a fix.
+[[nodiscard]] std::string write_text_statistics(std::vector<CodeCount> const& counts,
+                                                WriteOptions const& options);
+
 /// The JSON form of `axisc lint --format json`: all findings and the summary, one document, two-space
 /// indentation, a line end behind it. Strings are well-formed UTF-8 whatever the source holds. What a finding
 /// has not is null (place, parameter, p_axis, axis, control and its parts, fix) or an empty array.
 /// `end_column` is the column behind the last character; `notes` holds the label, the notes and the help, in
-/// this order. Cost: linear in the findings.
+/// this order. Only where the run has them: `fixed` and `baseline` in the summary, `statistics` behind it. Cost: linear
+/// in the findings.
 [[nodiscard]] std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources,
-                                     std::size_t files, WriteOptions const& options);
+                                     RunFacts const& run, WriteOptions const& options);
+
+/// SARIF 2.1.0: one run, paths relative to the repository, columns in code points, the pages of the rules as help.
+/// `finding.occurrence` must be numbered. Cost: linear in the findings.
+[[nodiscard]] std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& sources,
+                                      ReportContext const& context, WriteOptions const& options);
+
+/// One workflow command of GitHub Actions, with its line end: "::error file=…,line=…,…,title=…::message".
+[[nodiscard]] std::string write_github(Finding const& finding, SourceSet const& sources,
+                                       ReportContext const& context, WriteOptions const& options);
+
+/// A code quality report of GitLab, one line per finding: errors are major, warnings minor, notes info.
+/// `finding.occurrence` must be numbered.
+[[nodiscard]] std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,
+                                       ReportContext const& context, WriteOptions const& options);
+
+/// Everything a finding says, for formats that have one message only: the headline, then a line for each of label, notes,
+/// control, help and fix.
+[[nodiscard]] std::string whole_message(Finding const& finding, Language language);
+
+/// "message 50663: the filter is switched off; runs with 0"; empty where nothing is known.
+[[nodiscard]] std::string control_text(Finding const& finding, Language language);
 
 /// Order of every output: by source in input order, then line, then column, then code; equal ones keep their
 /// order. Findings without place stand before all others, by file and code.

@@ -14,9 +14,9 @@ std::string const wrong = "kopf.achs_nr 1,5\nEnde\n";
 
 }  // namespace
 
-TEST_CASE("findings as text and JSON in both languages") {
+TEST_CASE("findings in every format and both languages") {
   for (std::string const language : {"en", "de"}) {
-    for (std::string const format : {"text", "json"}) {
+    for (std::string const format : {"text", "json", "sarif", "github", "gitlab"}) {
       auto const outcome = run_axisc(
           {"lint", "mistakes.lis", "--cycle-time", "1ms", "--lang", language, "--format", format}, in_data);
       CHECK(outcome.status == 1);
@@ -100,7 +100,7 @@ TEST_CASE("the output is the same for every number of threads") {
   TemporaryFolder const folder;
   std::string const list = axisc::test::read_source_file("tests/cli/data/mistakes.lis");
   for (int i = 0; i < 40; ++i) folder.write("axis" + std::to_string(i) + ".lis", list);
-  for (std::string const format : {"text", "json"}) {
+  for (std::string const format : {"text", "json", "sarif", "github", "gitlab"}) {
     auto const one = run_axisc({"lint", folder.path(), "-j", "1", "--format", format});
     auto const eight = run_axisc({"lint", folder.path(), "-j", "8", "--format", format});
     CHECK(one.status == 1);
@@ -185,7 +185,7 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
 }
 
 TEST_CASE("every command has its own help in both languages") {
-  for (std::string const command : {"lint", "compile", "inspect", "run", "response", "explain"}) {
+  for (std::string const command : {"lint", "fmt", "compile", "inspect", "run", "response", "explain"}) {
     auto const english = run_axisc({command, "--help"});
     auto const german = run_axisc({command, "--help", "--lang", "de"});
     CHECK(english.status == 0);

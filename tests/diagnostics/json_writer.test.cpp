@@ -32,11 +32,11 @@ TEST_CASE("JSON form of findings with and without everything") {
   without_place.message = say("the file cannot be read");
   findings.insert(findings.begin(), without_place);
   check_golden("tests/diagnostics/data/json/findings.en.json",
-               write_json(findings, example.sources, 2, {.language = Language::english}));
+               write_json(findings, example.sources, {.files = 2}, {.language = Language::english}));
 }
 
 TEST_CASE("JSON form without findings") {
-  CHECK(write_json({}, SourceSet{}, 1, {}) ==
+  CHECK(write_json({}, SourceSet{}, {.files = 1}, {}) ==
         "{\n  \"version\": 1,\n  \"diagnostics\": [],\n  \"summary\": {\n    \"files\": 1,\n    \"errors\": "
         "0,\n"
         "    \"warnings\": 0,\n    \"notes\": 0\n  }\n}\n");
@@ -45,7 +45,7 @@ TEST_CASE("JSON form without findings") {
 TEST_CASE("the fields of the JSON form") {
   FullExample const example;
   auto const json = nlohmann::ordered_json::parse(
-      write_json({example.finding}, example.sources, 1, {.language = Language::german}));
+      write_json({example.finding}, example.sources, {.files = 1}, {.language = Language::german}));
   CHECK(keys_of(json) == std::vector<std::string>{"version", "diagnostics", "summary"});
   auto const& finding = json["diagnostics"][0];
   CHECK(keys_of(finding) == std::vector<std::string>{"code", "name", "severity", "message", "file", "line",
@@ -66,8 +66,8 @@ TEST_CASE("messages of the JSON form follow the language") {
   DelayExample example;
   example.finding.message = {.text = Text::summary_nothing, .arguments = {}};
   auto const message = [&](Language language) {
-    auto const json =
-        nlohmann::json::parse(write_json({example.finding}, example.sources, 1, {.language = language}));
+    auto const json = nlohmann::json::parse(
+        write_json({example.finding}, example.sources, {.files = 1}, {.language = language}));
     CHECK(json["diagnostics"][0]["severity"] == "error");
     return json["diagnostics"][0]["message"].get<std::string>();
   };
@@ -82,7 +82,7 @@ TEST_CASE("the JSON form is well-formed whatever the strings hold") {
   finding.parameter = "x\xC0";
   finding.label = say("label");
   finding.help = {say("help")};
-  auto const json = nlohmann::json::parse(write_json({finding, finding}, sources, 1, {}));
+  auto const json = nlohmann::json::parse(write_json({finding, finding}, sources, {.files = 1}, {}));
   REQUIRE(json["diagnostics"].size() == 2);
   auto const& first = json["diagnostics"][0];
   CHECK(first["message"] == "bad \xEF\xBF\xBD \"quoted\"\n{\x01}");
@@ -94,6 +94,6 @@ TEST_CASE("the JSON form is well-formed whatever the strings hold") {
 
 TEST_CASE("the JSON form has the layout of the library's own indentation") {
   FullExample const example;
-  std::string const text = write_json({example.finding, example.finding}, example.sources, 3, {});
+  std::string const text = write_json({example.finding, example.finding}, example.sources, {.files = 3}, {});
   CHECK(nlohmann::ordered_json::parse(text).dump(2) + "\n" == text);
 }

@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         if (axisc::write_text(finding, sources, {.language = language, .color = false}).empty()) std::abort();
       }
     }
-    if (axisc::write_json(result.findings, sources, 1, {}).empty()) std::abort();
+    if (axisc::write_json(result.findings, sources, {.files = 1}, {}).empty()) std::abort();
   }
   return 0;
 }

@@ -20,6 +20,12 @@ void checks::duplicate_parameter(ListContext const& context, Report& report) {
                                                      {"line", std::to_string(later.line)}}));
     finding.related.push_back(
         {.place = place_of(context, later.value), .message = message(Text::ax2006_related)});
+    // The last one wins, so the earlier line is ignored. One that carries a directive would speak for the next line.
+    std::string_view const line = context.source.slice(context.source.line_span(assignment.line));
+    if (line.find("axisc:") == std::string_view::npos) {
+      Span const before{.begin = assignment.name.begin, .end = assignment.name.begin};
+      finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax2006_fix), FixSafety::safe);
+    }
     earlier->second = i;
   }
 }

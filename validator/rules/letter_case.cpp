@@ -10,7 +10,8 @@ constexpr std::string_view end_marker = "Ende";
 
 void describe(Finding& finding, std::string const& expected) {
   set_reaction(finding, Text::ax1010_reaction);
-  finding.fix = replace_by(*finding.place, expected, message(Text::ax1010_fix, {{"expected", expected}}));
+  finding.fix = replace_by(*finding.place, expected, message(Text::ax1010_fix, {{"expected", expected}}),
+                           FixSafety::safe);
 }
 
 Message headline(std::string written, std::string expected) {

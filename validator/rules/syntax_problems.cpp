@@ -24,6 +24,42 @@ std::string hexadecimal(char const* format, unsigned char byte) {
   return text.data();
 }
 
+/// How other languages open a comment that takes the rest of the line.
+bool opens_foreign_comment(std::string_view word) {
+  for (std::string_view const opener : {";", "//", "/*", "(", "*", "--", "'"}) {
+    if (word.substr(0, opener.size()) == opener) return true;
+  }
+  return false;
+}
+
+/// `[ 0 ]` and `[0` as `[0]`; empty where no number can be meant.
+std::string repaired_index(std::string_view index) {
+  std::string digits;
+  for (char const character : index) {
+    if (character >= '0' && character <= '9') digits += character;
+  }
+  bool const only_blanks_beside = index.find_first_not_of("[]0123456789 \t") == std::string_view::npos &&
+                                  index.find('[', 1) == std::string_view::npos;
+  return digits.empty() || !only_blanks_beside ? std::string{} : '[' + digits + ']';
+}
+
+/// Everything from `begin` to the end of the file becomes comments.
+std::vector<Edit> comments_from(ListContext const& context, std::uint32_t begin) {
+  SourceText const& source = context.source;
+  std::vector<Edit> edits;
+  std::uint32_t const first = source.position(begin).line;
+  for (std::uint32_t line = first; line <= source.line_count(); ++line) {
+    Span span = source.line_span(line);
+    if (line == first) span.begin = begin;
+    std::string_view const text = source.slice(span);
+    std::size_t const content = text.find_first_not_of(" \t");
+    if (content == std::string_view::npos || text[content] == '#') continue;
+    auto const at = span.begin + static_cast<std::uint32_t>(content);
+    edits.push_back({.place = place_of(context, {.begin = at, .end = at}), .text = "# "});
+  }
+  return edits;
+}
+
 }  // namespace
 
 void checks::invalid_character(ListContext const& context, Report& report) {
@@ -42,6 +78,9 @@ void checks::expected_name(ListContext const& context, Report& report) {
   for_each_problem(context, ProblemKind::expected_name, [&](Problem const& problem) {
     Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1002));
     set_reaction(finding, Text::ax1002_reaction);
+    if (!opens_foreign_comment(context.source.slice(problem.span))) return;
+    Span const before{.begin = problem.span.begin, .end = problem.span.begin};
+    finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax1002_fix), FixSafety::safe);
   });
 }
 
@@ -59,6 +98,10 @@ void checks::malformed_index(ListContext const& context, Report& report) {
     std::string const index = context.source.utf8(problem.span);
     Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1004, {{"index", index}}));
     finding.help.push_back(message(Text::ax1004_help));
+    std::string const repaired = repaired_index(index);
+    if (repaired.empty()) return;
+    finding.fix = replace_by(place_of(context, problem.span), repaired,
+                             message(Text::ax1004_fix, {{"replacement", repaired}}));
   });
 }
 
@@ -69,12 +112,19 @@ void checks::text_after_end(ListContext const& context, Report& report) {
       finding.related.push_back({.place = place_of(context, *context.list.tree.end_marker),
                                  .message = message(Text::ax1008_related)});
     }
+    finding.fix = Fix{.title = message(Text::ax1008_fix),
+                      .edits = comments_from(context, problem.span.begin),
+                      .safety = FixSafety::safe};
   });
 }
 
 void checks::unterminated_string(ListContext const& context, Report& report) {
   for_each_problem(context, ProblemKind::unterminated_string, [&](Problem const& problem) {
-    report.add(place_of(context, problem.span), message(Text::ax1012));
+    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1012));
+    // With a comment on the line nobody knows where the string was meant to end.
+    if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
+    Span const behind{.begin = problem.span.end, .end = problem.span.end};
+    finding.fix = replace_by(place_of(context, behind), "\"", message(Text::ax1012_fix));
   });
 }
 

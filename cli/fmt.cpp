@@ -1,0 +1,107 @@
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/disk_files.hpp"
+#include "cli/inputs.hpp"
+#include "cli/machine_outline.hpp"
+#include "cli/output_file.hpp"
+#include "diagnostics/unified_diff.hpp"
+#include "validator/list_layout.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace axisc::cli {
+
+namespace {
+
+struct FmtWords {
+  std::vector<std::string> named;
+  bool check = false;
+  bool diff = false;
+};
+
+/// The lists behind the inputs: a machine file stands for those that it names.
+std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
+  std::vector<std::string> lists;
+  auto const add = [&lists](std::string list) {
+    if (std::find(lists.begin(), lists.end(), list) == lists.end()) lists.push_back(std::move(list));
+  };
+  for (auto const& input : inputs) {
+    if (!has_extension(input, ".json")) {
+      add(input);
+      continue;
+    }
+    DiskFiles files;
+    auto const bytes = files.read(input);
+    if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(input, *error);
+    auto const folder = std::filesystem::path(input).parent_path();
+    for (auto const& list : read_machine_outline(std::get<std::string>(bytes)).lists) {
+      add((folder / list).string());
+    }
+  }
+  return lists;
+}
+
+std::string read_list(std::string const& path) {
+  DiskFiles files(path == "-");
+  auto bytes = files.read(path);
+  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
+  auto& text = std::get<std::string>(bytes);
+  auto const problem = validator::check_text(text);
+  if (auto const* const error = std::get_if<validator::FileError>(&problem)) throw unreadable(path, *error);
+  return std::move(text);
+}
+
+/// True when the list was, or is to be, written differently.
+bool format_list(std::string const& path, FmtWords const& words, Invocation const& invocation) {
+  auto const before = read_list(path);
+  auto const after = validator::aligned_list(SourceText(path, before));
+  auto& out = invocation.streams.out;
+  if (path == "-" && !words.check && !words.diff) out.write(after);
+  if (after == before) return false;
+  if (words.diff) out.write(unified_diff(path, before, after));
+  if (words.check && !words.diff) {
+    out.write(
+        render({.text = Text::cli_fmt_would_change, .arguments = {{"file", path}}}, invocation.language) +
+        "\n");
+  }
+  if (path != "-" && !words.check && !words.diff) {
+    OutputFile file(path);
+    file.write(after);
+    file.commit();
+  }
+  return true;
+}
+
+}  // namespace
+
+ExitStatus fmt(Invocation const& invocation) {
+  FmtWords words;
+  CommandLine command_line("fmt", Text::cli_fmt_purpose, Text::cli_fmt_examples, invocation.language);
+  command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
+  command_line.flag("--check", words.check, Text::cli_opt_fmt_check);
+  command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  if (words.named.empty()) {
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "fmt"}}});
+  }
+  auto inputs = expand_inputs(words.named);
+  bool changed = false;
+  for (auto const& list : lists_of(inputs.paths)) {
+    try {
+      changed = format_list(list, words, invocation) || changed;
+    } catch (Failure const& failure) {
+      // The other lists are still looked at.
+      inputs.failures.push_back(failure);
+    }
+  }
+  for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
+  if (!inputs.failures.empty()) return ExitStatus::failure;
+  return words.check && changed ? ExitStatus::findings : ExitStatus::success;
+}
+
+}  // namespace axisc::cli

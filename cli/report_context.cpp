@@ -1,0 +1,43 @@
+#include "cli/report_context.hpp"
+
+#include "validator/rule.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> repository_of(fs::path folder) {
+  while (true) {
+    std::error_code error;
+    // A folder, or a file in the work trees and submodules of git.
+    if (fs::exists(folder / ".git", error)) return folder;
+    if (!folder.has_relative_path()) return std::nullopt;
+    folder = folder.parent_path();
+  }
+}
+
+}  // namespace
+
+ReportContext report_context(std::vector<std::string> const& inputs) {
+  ReportContext context;
+  context.version = AXISC_VERSION;
+  for (auto const& rule : validator::rules()) {
+    context.rules.push_back(
+        {.code = rule.code, .name = rule.name, .severity = rule.severity, .control = rule.control});
+  }
+  std::error_code error;
+  auto const folder = fs::current_path(error);
+  if (error) return context;
+  auto root = repository_of(folder);
+  if (!root && !inputs.empty())
+    root = repository_of((folder / inputs.front()).lexically_normal().parent_path());
+  context.paths = {.root = root.value_or(folder).string(), .folder = folder.string()};
+  return context;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,15 @@
+// What reports for code hosts need: the rules, the version, and where the repository is.
+#pragma once
+
+#include "diagnostics/writers.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+/// The repository is that of the working folder, else that of the first input; where there is none, paths are relative
+/// to the working folder.
+[[nodiscard]] ReportContext report_context(std::vector<std::string> const& inputs);
+
+}  // namespace axisc::cli

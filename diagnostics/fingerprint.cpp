@@ -1,0 +1,69 @@
+#include "diagnostics/fingerprint.hpp"
+
+#include "diagnostics/location.hpp"
+#include "diagnostics/utf8.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+namespace {
+
+/// FNV-1a with 64 bits: nobody attacks a baseline, and a thousand million findings would be needed for a likely clash.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (char const character : text) mix(static_cast<unsigned char>(character));
+    // Two parts never run into one another.
+    mix(0);
+  }
+  [[nodiscard]] std::string hexadecimal() const {
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text;
+    for (int shift = 60; shift >= 0; shift -= 4)
+      text += digits[(state_ >> static_cast<unsigned>(shift)) & 0xFU];
+    return text;
+  }
+
+ private:
+  void mix(unsigned char byte) { state_ = (state_ ^ byte) * 0x100000001B3ULL; }
+
+  std::uint64_t state_ = 0xCBF29CE484222325ULL;
+};
+
+std::string_view without_folders(std::string_view path) {
+  std::size_t const separator = path.find_last_of("/\\");
+  return separator == std::string_view::npos ? path : path.substr(separator + 1);
+}
+
+}  // namespace
+
+Identity identity_of(Finding const& finding, SourceSet const& sources) {
+  // Well-formed, because a baseline is JSON.
+  return {
+      .code = finding.code,
+      .axis = repair_utf8(finding.axis.empty() ? without_folders(file_of(finding, sources)) : finding.axis),
+      .parameter = repair_utf8(finding.parameter)};
+}
+
+void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources) {
+  std::map<Identity, std::uint32_t> counts;
+  for (Finding& finding : findings) finding.occurrence = ++counts[identity_of(finding, sources)];
+}
+
+std::string fingerprint(Identity const& identity, std::uint32_t occurrence) {
+  Hash hash;
+  hash.add(code_text(identity.code));
+  hash.add(identity.axis);
+  hash.add(identity.parameter);
+  return hash.hexadecimal() + ':' + std::to_string(occurrence);
+}
+
+std::string fingerprint(Finding const& finding, SourceSet const& sources) {
+  return fingerprint(identity_of(finding, sources), finding.occurrence);
+}
+
+}  // namespace axisc

@@ -1,0 +1,31 @@
+// Who a finding is, whatever line it stands on and whatever words it uses: code, axis, parameter path. The same identity
+// is the fingerprint in SARIF and GitLab reports and the key of a baseline.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+
+/// Order and equality of identities are those of their members.
+struct Identity {
+  Code code{};
+  std::string axis;       ///< its name; the file's name without folders where no axis is concerned
+  std::string parameter;  ///< `filter[0].order`; empty where no parameter is concerned
+  friend auto operator<=>(Identity const&, Identity const&) = default;
+};
+
+[[nodiscard]] Identity identity_of(Finding const& finding, SourceSet const& sources);
+
+/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it before any of
+/// them is hidden.
+void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources);
+
+/// "39fa2ee980eb94b0:1": a hash of the identity and the occurrence. Stays as it is for all time: baselines hold it.
+[[nodiscard]] std::string fingerprint(Identity const& identity, std::uint32_t occurrence);
+[[nodiscard]] std::string fingerprint(Finding const& finding, SourceSet const& sources);
+
+}  // namespace axisc

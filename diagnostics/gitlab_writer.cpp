@@ -1,0 +1,54 @@
+#include "diagnostics/fingerprint.hpp"
+#include "diagnostics/location.hpp"
+#include "diagnostics/writers.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "critical" and "blocker" stay for what a person decides.
+std::string_view severity_of(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "major";
+    case Severity::warning:
+      return "minor";
+    case Severity::note:
+      break;
+  }
+  return "info";
+}
+
+Json as_json(Finding const& finding, SourceSet const& sources, ReportContext const& context,
+             Language language) {
+  Location const location = finding.place ? locate(*finding.place, sources) : Location{};
+  return {{"description", code_text(finding.code) + ": " + render(finding.message, language)},
+          {"check_name", code_text(finding.code)},
+          {"fingerprint", fingerprint(finding, sources)},
+          {"severity", severity_of(finding.severity)},
+          {"location",
+           {{"path", shown_path(context.paths, file_of(finding, sources))},
+            {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
+}
+
+}  // namespace
+
+std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,
+                         ReportContext const& context, WriteOptions const& options) {
+  std::string text = "[";
+  for (Finding const& finding : findings) {
+    text += &finding == &findings.front() ? "\n  " : ",\n  ";
+    text += as_json(finding, sources, context, options.language)
+                .dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  return text + (findings.empty() ? "]\n" : "\n]\n");
+}
+
+}  // namespace axisc

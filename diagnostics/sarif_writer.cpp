@@ -1,0 +1,245 @@
+#include "diagnostics/fingerprint.hpp"
+#include "diagnostics/json_layout.hpp"
+#include "diagnostics/location.hpp"
+#include "diagnostics/pages.hpp"
+#include "diagnostics/writers.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view schema =
+    "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+constexpr std::string_view root_name = "SRCROOT";
+
+std::string_view first_paragraph(std::string_view text) {
+  return text.substr(0, std::min(text.find('\n'), text.size()));
+}
+
+std::string_view first_sentence(std::string_view paragraph) {
+  std::size_t const end = std::min(paragraph.find(". "), paragraph.size() - 1) + 1;
+  std::string_view const sentence = paragraph.substr(0, end);
+  return sentence.ends_with(':') ? sentence.substr(0, end - 1) : sentence;
+}
+
+class SarifWriter {
+ public:
+  SarifWriter(std::vector<Finding> const& findings, SourceSet const& sources, ReportContext const& context,
+              Language language)
+      : findings_(findings), sources_(sources), context_(context), language_(language) {
+    for (Finding const& finding : findings) codes_.insert(finding.code);
+  }
+
+  [[nodiscard]] std::string write() const {
+    std::string text = "{\n  \"$schema\": \"" + std::string(schema) +
+                       "\",\n  \"version\": \"2.1.0\",\n  \"runs\": [\n    {\n      \"tool\": ";
+    append_indented(text, tool(), "      ");
+    append_member(text, "language", language_ == Language::german ? "de" : "en");
+    append_member(text, "columnKind", "unicodeCodePoints");
+    append_member(text, "originalUriBaseIds",
+                  {{root_name, {{"description", {{"text", "The root of the repository."}}}}}});
+    append_member(text, "invocations", Json::array({invocation()}));
+    append_member(text, "artifacts", artifacts());
+    text += ",\n      \"results\": [";
+    for (Finding const& finding : findings_) {
+      text += &finding == &findings_.front() ? "\n        " : ",\n        ";
+      append_indented(text, result(finding), "        ");
+    }
+    text += findings_.empty() ? "]\n    }\n  ]\n}\n" : "\n      ]\n    }\n  ]\n}\n";
+    return text;
+  }
+
+ private:
+  static void append_member(std::string& text, std::string_view name, Json const& value) {
+    text += ",\n      \"" + std::string(name) + "\": ";
+    append_indented(text, value, "      ");
+  }
+
+  [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
+
+  /// Only the rules that the results name: the pages of all of them would outweigh the findings.
+  [[nodiscard]] Json tool() const {
+    Json rules = Json::array();
+    for (RuleFacts const& rule : context_.rules) {
+      if (codes_.contains(rule.code)) rules.push_back(descriptor(rule));
+    }
+    return {{"driver",
+             {{"name", "axisc"},
+              {"version", context_.version},
+              {"semanticVersion", context_.version},
+              {"rules", std::move(rules)}}}};
+  }
+
+  [[nodiscard]] Json descriptor(RuleFacts const& rule) const {
+    std::string_view const text = page(rule.code, language_);
+    std::string_view const paragraph = text.empty() ? rule.name : first_paragraph(text);
+    Json descriptor = {{"id", code_text(rule.code)},
+                       {"name", rule.name},
+                       {"shortDescription", {{"text", first_sentence(paragraph)}}},
+                       {"fullDescription", {{"text", paragraph}}},
+                       {"help", {{"text", text.empty() ? paragraph : text}}},
+                       {"defaultConfiguration", {{"level", severity_name(rule.severity)}}}};
+    if (!text.empty()) descriptor["help"]["markdown"] = text;
+    if (!rule.control.empty()) descriptor["properties"] = {{"controlMessages", rule.control}};
+    return descriptor;
+  }
+
+  [[nodiscard]] Json invocation() const {
+    Json notifications = Json::array();
+    for (std::string const& failure : context_.failures) {
+      notifications.push_back({{"level", "error"}, {"message", {{"text", failure}}}});
+    }
+    Json invocation = {{"executionSuccessful", context_.failures.empty()}};
+    if (!notifications.empty()) invocation["toolExecutionNotifications"] = std::move(notifications);
+    return invocation;
+  }
+
+  [[nodiscard]] Json artifacts() const {
+    std::set<SourceId> used;
+    for (Finding const& finding : findings_) {
+      if (finding.place) used.insert(finding.place->source);
+      for (Related const& related : finding.related) used.insert(related.place.source);
+    }
+    // Sources that several inputs share have one name.
+    std::set<std::string_view> named;
+    Json artifacts = Json::array();
+    for (SourceId const id : used) {
+      SourceText const& source = sources_[id];
+      if (!named.insert(source.name()).second) continue;
+      artifacts.push_back(
+          {{"location", artifact_location(source.name())},
+           {"encoding", source.encoding() == Encoding::windows_1252 ? "windows-1252" : "UTF-8"}});
+    }
+    return artifacts;
+  }
+
+  [[nodiscard]] Json artifact_location(std::string_view file) const {
+    if (auto const path = path_in_repository(context_.paths, file)) {
+      return {{"uri", as_uri(*path)}, {"uriBaseId", root_name}};
+    }
+    bool const is_absolute = file.substr(0, 1) == "/";
+    return {{"uri", (is_absolute ? "file://" : "") + as_uri(file)}};
+  }
+
+  [[nodiscard]] static Json region(Location const& location) {
+    return {{"startLine", location.begin.line},
+            {"startColumn", location.begin.column},
+            {"endLine", location.end.line},
+            {"endColumn", location.end.column}};
+  }
+
+  [[nodiscard]] Json physical_location(Place const& place) const {
+    Location const location = locate(place, sources_);
+    return {{"artifactLocation", artifact_location(location.file)}, {"region", region(location)}};
+  }
+
+  [[nodiscard]] Json location(Finding const& finding) const {
+    Json location = Json::object();
+    if (finding.place) {
+      location["physicalLocation"] = physical_location(*finding.place);
+    } else if (!finding.file.empty()) {
+      location["physicalLocation"] = {{"artifactLocation", artifact_location(finding.file)}};
+    }
+    if (!finding.parameter.empty()) {
+      std::string const axis = finding.axis.empty() ? "" : finding.axis + "/";
+      location["logicalLocations"] = Json::array({{{"name", finding.parameter},
+                                                   {"fullyQualifiedName", axis + finding.parameter},
+                                                   {"kind", "parameter"}}});
+    }
+    return location;
+  }
+
+  [[nodiscard]] Json related(Finding const& finding) const {
+    Json locations = Json::array();
+    for (Related const& place : finding.related) {
+      locations.push_back({{"id", locations.size() + 1},
+                           {"physicalLocation", physical_location(place.place)},
+                           {"message", {{"text", say(place.message)}}}});
+    }
+    return locations;
+  }
+
+  [[nodiscard]] Json fix(Fix const& fix) const {
+    Json changes = Json::array();
+    std::vector<SourceId> changed;
+    for (Edit const& edit : fix.edits) {
+      auto const found = std::find(changed.begin(), changed.end(), edit.place.source);
+      auto const index = static_cast<std::size_t>(found - changed.begin());
+      if (found == changed.end()) {
+        changed.push_back(edit.place.source);
+        changes.push_back({{"artifactLocation", artifact_location(sources_[edit.place.source].name())},
+                           {"replacements", Json::array()}});
+      }
+      changes[index]["replacements"].push_back({{"deletedRegion", region(locate(edit.place, sources_))},
+                                                {"insertedContent", {{"text", edit.text}}}});
+    }
+    return {{"description", {{"text", say(fix.title)}}},
+            {"artifactChanges", std::move(changes)},
+            {"properties", {{"safe", fix.safety == FixSafety::safe}}}};
+  }
+
+  [[nodiscard]] Json properties(Finding const& finding) const {
+    Json properties = Json::object();
+    auto const add = [&properties](std::string_view name, std::string_view value) {
+      if (!value.empty()) properties[std::string(name)] = value;
+    };
+    add("axis", finding.axis);
+    add("parameter", finding.parameter);
+    add("pAxis", finding.p_axis);
+    if (finding.control) {
+      add("controlMessage", finding.control->message);
+      if (finding.control->reaction) add("controlReaction", say(*finding.control->reaction));
+      add("controlValue", finding.control->value);
+    }
+    return properties;
+  }
+
+  [[nodiscard]] std::size_t rule_index(Code code) const {
+    std::size_t index = 0;
+    for (RuleFacts const& rule : context_.rules) {
+      if (rule.code == code) break;
+      if (codes_.contains(rule.code)) ++index;
+    }
+    return index;
+  }
+
+  [[nodiscard]] Json result(Finding const& finding) const {
+    Json result = {{"ruleId", code_text(finding.code)},
+                   {"ruleIndex", rule_index(finding.code)},
+                   {"level", severity_name(finding.severity)},
+                   {"message", {{"text", whole_message(finding, language_)}}}};
+    if (Json place = location(finding); !place.empty()) result["locations"] = Json::array({std::move(place)});
+    if (!finding.related.empty()) result["relatedLocations"] = related(finding);
+    // Code hosts compare the second name only; without it they would hash the line.
+    std::string const identity = fingerprint(finding, sources_);
+    result["partialFingerprints"] = {{"axiscIdentity/v1", identity}, {"primaryLocationLineHash", identity}};
+    if (finding.fix) result["fixes"] = Json::array({fix(*finding.fix)});
+    if (Json bag = properties(finding); !bag.empty()) result["properties"] = std::move(bag);
+    return result;
+  }
+
+  std::vector<Finding> const& findings_;
+  SourceSet const& sources_;
+  ReportContext const& context_;
+  Language language_;
+  std::set<Code> codes_;
+};
+
+}  // namespace
+
+std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& sources,
+                        ReportContext const& context, WriteOptions const& options) {
+  return SarifWriter(findings, sources, context, options.language).write();
+}
+
+}  // namespace axisc

@@ -1,0 +1,118 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+
+namespace {
+
+std::string mistakes() {
+  return read_source_file("tests/cli/data/mistakes.lis");
+}
+
+Outcome lint(TemporaryFolder const& folder, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"lint", "x.lis", "--cycle-time", "1ms"});
+  return run_axisc(arguments, in_folder(folder.path()));
+}
+
+}  // namespace
+
+TEST_CASE("a baseline hides what it records, also when lines move") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  CHECK(lint(folder, {"--write-baseline", "known.json"}).status == 0);
+  auto const hidden = lint(folder, {"--baseline", "known.json"});
+  CHECK(hidden.status == 0);
+  CHECK(hidden.out == "note: 3 findings are hidden by the baseline\n1 file: no findings\n");
+
+  folder.write("x.lis", "# new\n\n" + mistakes());
+  CHECK(lint(folder, {"--baseline", "known.json"}).status == 0);
+  folder.write("x.lis", "kopf.hugo 1,5\n" + mistakes());
+  auto const added = lint(folder, {"--baseline", "known.json"});
+  CHECK(added.status == 1);
+  CHECK_THAT(added.out, Catch::Matchers::Contains("x.lis:1:") && !Catch::Matchers::Contains("x.lis:6:"));
+}
+
+TEST_CASE("the baseline is sorted, one line per finding") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  REQUIRE(lint(folder, {"--write-baseline", "known.json"}).status == 0);
+  check_golden("tests/cli/data/golden/baseline.json", folder.read("known.json"));
+}
+
+TEST_CASE("one identity in SARIF, GitLab report and baseline") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  REQUIRE(lint(folder, {"--write-baseline", "known.json"}).status == 0);
+  std::string const sarif_text = lint(folder, {"--format", "sarif"}).out;
+  CHECK(sarif_complaints(sarif_text) == std::vector<std::string>{});
+  auto const sarif = nlohmann::json::parse(sarif_text)["runs"][0]["results"];
+  auto const gitlab = nlohmann::json::parse(lint(folder, {"--format", "gitlab"}).out);
+  std::string const baseline = folder.read("known.json");
+  REQUIRE(sarif.size() == gitlab.size());
+  for (std::size_t i = 0; i < sarif.size(); ++i) {
+    auto const fingerprint = gitlab[i]["fingerprint"].get<std::string>();
+    CHECK(sarif[i]["partialFingerprints"]["axiscIdentity/v1"] == fingerprint);
+    CHECK_THAT(baseline, Catch::Matchers::Contains("\"" + fingerprint + "\""));
+  }
+}
+
+TEST_CASE("entries of the baseline that are not needed any more are named once") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  REQUIRE(lint(folder, {"--write-baseline", "known.json"}).status == 0);
+  folder.write("x.lis", "kopf.achs_nr 1\nEnde\n");
+  auto const outcome = lint(folder, {"--baseline", "known.json"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains(
+                              "note: the baseline holds AX3001 x filter[1].order, which is not found"));
+  CHECK(lines_of(outcome.out) == 4);
+  CHECK(lines_of(lint(folder, {"--baseline", "known.json", "--disable", "AX3001"}).out) == 3);
+  auto const json = nlohmann::json::parse(lint(folder, {"--baseline", "known.json", "--format", "json"}).out);
+  CHECK(json["summary"]["baseline"]["hidden"] == 0);
+  CHECK(json["summary"]["baseline"]["stale"].size() == 3);
+}
+
+TEST_CASE("a baseline that cannot be used is a clear failure") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  auto const refused = [&](std::string const& bytes, std::string const& expected) {
+    folder.write("known.json", bytes);
+    auto const outcome = lint(folder, {"--baseline", "known.json"});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(lines_of(outcome.err) == 1);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
+  };
+  refused("", "is not the JSON");
+  refused("[]", "is not the JSON");
+  refused(R"({"version": 2, "findings": []})", "\"version\" must be 1");
+  refused(R"({"version": 1})", "\"findings\" is missing");
+  refused(R"({"version": 1, "findings": [{"code": "AX3005"}]})", "entry 1");
+  refused(R"({"version": 1, "findings": [{"code": "3005", "axis": "", "parameter": "", "occurrence": 1}]})",
+          "entry 1");
+  refused(R"({"version": 1, "findings": [{"code": "AX3005", "axis": "", "parameter": "", "occurrence": 0}]})",
+          "entry 1");
+  CHECK(lint(folder, {"--baseline", "missing.json"}).status == 2);
+  CHECK(lint(folder, {"--write-baseline", "missing/known.json"}).status == 2);
+  CHECK(lint(folder, {"--write-baseline", "./x.lis"}).status == 2);
+  CHECK(folder.read("x.lis") == mistakes());
+}
+
+TEST_CASE("statistics count the findings of each code") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", mistakes());
+  auto const text = lint(folder, {"--statistics"});
+  CHECK_THAT(text.out, Catch::Matchers::EndsWith("1  AX1005  decimal-comma\n"
+                                                 "1  AX2001  unknown-parameter      1 with a fix\n"
+                                                 "1  AX3001  filter-order-for-type  1 with a fix\n\n"
+                                                 "1 file: 3 errors\n"));
+  auto const json = nlohmann::json::parse(lint(folder, {"--statistics", "--format", "json"}).out);
+  CHECK(json["statistics"].size() == 3);
+  CHECK(json["statistics"][0]["code"] == "AX1005");
+  CHECK(json["statistics"][0]["count"] == 1);
+  CHECK(lint(folder, {"--statistics", "--format", "sarif"}).status == 2);
+}

@@ -1,0 +1,64 @@
+#include "diagnostics/fingerprint.hpp"
+
+#include "example_findings.hpp"
+#include "support/catch.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace axisc;
+using namespace axisc::test;
+
+TEST_CASE("a fingerprint survives moved lines and other words") {
+  DelayExample example;
+  std::string const before = fingerprint(example.finding, example.sources);
+  Finding moved = example.finding;
+  moved.place = place_of(example.sources, example.list, "dead");
+  moved.message = say("other words");
+  moved.severity = Severity::warning;
+  CHECK(fingerprint(moved, example.sources) == before);
+}
+
+TEST_CASE("a fingerprint tells code, axis, parameter and occurrence apart") {
+  DelayExample const example;
+  std::set<std::string> all{fingerprint(example.finding, example.sources)};
+  auto const differs = [&](auto change) {
+    Finding finding = example.finding;
+    change(finding);
+    return all.insert(fingerprint(finding, example.sources)).second;
+  };
+  CHECK(differs([](Finding& finding) { finding.code = Code{3004}; }));
+  CHECK(differs([](Finding& finding) { finding.axis = "Y"; }));
+  CHECK(differs([](Finding& finding) { finding.parameter = "filter[1].time_constant"; }));
+  CHECK(differs([](Finding& finding) { finding.occurrence = 2; }));
+  CHECK(differs([](Finding& finding) {
+    finding.axis = "Xf";
+    finding.parameter = "ilter[0].time_constant";
+  }));
+}
+
+TEST_CASE("fingerprints never change: baselines hold them") {
+  CHECK(fingerprint({.code = Code{3005}, .axis = "X", .parameter = "filter[0].time_constant"}, 1) ==
+        "03555cb9fd23bebc:1");
+  CHECK(fingerprint({.code = Code{1002}, .axis = "x.lis", .parameter = ""}, 12) == "4a598ee9ee76be5d:12");
+}
+
+TEST_CASE("without an axis the file's name stands for it, wherever the file lies") {
+  DelayExample example;
+  example.finding.axis.clear();
+  CHECK(identity_of(example.finding, example.sources).axis == "x.lis");
+  example.finding.place.reset();
+  example.finding.file = "C:\\lists\\G\xFCte.lis";
+  CHECK(identity_of(example.finding, example.sources).axis == "G\xEF\xBF\xBDte.lis");
+}
+
+TEST_CASE("findings of one identity are counted") {
+  DelayExample const example;
+  std::vector<Finding> findings(3, example.finding);
+  findings[1].code = Code{3004};
+  number_occurrences(findings, example.sources);
+  CHECK(findings[0].occurrence == 1);
+  CHECK(findings[1].occurrence == 1);
+  CHECK(findings[2].occurrence == 2);
+}

@@ -1,0 +1,38 @@
+// Findings and surroundings for the tests of the formats that code hosts read.
+#pragma once
+
+#include "diagnostics/writers.hpp"
+#include "example_findings.hpp"
+
+#include <vector>
+
+namespace axisc::test {
+
+/// One finding with everything, one with nothing but a place, one without a place; one input failed.
+struct ReportExample {
+  FullExample full;
+  std::vector<Finding> findings;
+  ReportContext context;
+
+  ReportExample() {
+    Finding without_place;
+    without_place.code = Code{9006};
+    without_place.name = "cycle-time-assumed";
+    without_place.severity = Severity::note;
+    without_place.file = "x.lis";
+    without_place.message = say("1 ms, 100 %: assumed");
+    Finding over_lines =
+        error_at(place_of(full.sources, full.list, "LOWPASS\r\nfilter[0].quality"), "two lines");
+    findings = {without_place, over_lines, full.finding, full.finding};
+    number_occurrences(findings, full.sources);
+    context.rules = {
+        {.code = Code{1005}, .name = "unused", .severity = Severity::error, .control = ""},
+        {.code = Code{3005}, .name = "delay-too-long", .severity = Severity::error, .control = "50663"},
+        {.code = Code{9006}, .name = "cycle-time-assumed", .severity = Severity::note, .control = ""}};
+    context.version = "1.2.3";
+    context.paths = {.root = "/repository", .folder = "/repository/axes 1"};
+    context.failures = {"cannot read y.lis"};
+  }
+};
+
+}  // namespace axisc::test

@@ -1,0 +1,53 @@
+#include "support/sarif_schema.hpp"
+
+#include "support/golden.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+namespace axisc::test {
+
+namespace {
+
+using json_type = nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+void validate(json_type const& document, json_type const& schema_document,
+              std::vector<std::string>& complaints) {
+  valijson::Schema schema;
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(schema_document), schema);
+  valijson::ValidationResults results;
+  valijson::Validator(valijson::Validator::kStrongTypes).validate(schema, Adapter(document), &results);
+  for (auto const& error : results) {
+    std::string place;
+    for (auto const& part : error.context) place += part;
+    complaints.push_back(place + ": " + error.description);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> sarif_complaints(std::string const& text) {
+  auto const document = json_type::parse(text, nullptr, false);
+  if (document.is_discarded()) return {"no JSON"};
+  std::vector<std::string> complaints;
+  validate(document, json_type::parse(read_source_file("tests/data/sarif/structure-2.1.0.schema.json")),
+           complaints);
+  if (char const* const published = std::getenv("AXISC_SARIF_SCHEMA")) {  // NOLINT(concurrency-mt-unsafe)
+    std::ifstream file(published, std::ios::binary);
+    REQUIRE(file.good());
+    std::string const schema(std::istreambuf_iterator<char>(file), {});
+    validate(document, json_type::parse(schema), complaints);
+  }
+  return complaints;
+}
+
+}  // namespace axisc::test

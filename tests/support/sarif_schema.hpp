@@ -1,0 +1,13 @@
+// Whether a text is SARIF 2.1.0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace axisc::test {
+
+/// What is wrong with it: against tests/data/sarif/structure-2.1.0.schema.json and, where the environment names a file in
+/// AXISC_SARIF_SCHEMA, against the schema that OASIS publishes.
+[[nodiscard]] std::vector<std::string> sarif_complaints(std::string const& text);
+
+}  // namespace axisc::test

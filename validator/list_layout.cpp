@@ -1,0 +1,140 @@
+#include "validator/list_layout.hpp"
+
+#include "diagnostics/utf8.hpp"
+#include "grammar/axis_list.hpp"
+#include "validator/reading.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::size_t gap = 2;
+constexpr std::size_t tab_width = 8;
+/// A longer value does not push the comments of its neighbours away.
+constexpr std::size_t widest_value = 32;
+
+/// An assignment in three parts; `comment` may be empty.
+struct Row {
+  Span line;
+  std::string_view indent;
+  std::string_view name;
+  std::string_view value;
+  std::string_view comment;
+  std::uint32_t number = 0;
+};
+
+std::string_view without_blanks_behind(std::string_view text) {
+  std::size_t const last = text.find_last_not_of(" \t");
+  return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
+}
+
+/// Behind these the control takes any text for a comment.
+bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
+  using grammar::ValueKind;
+  if (!reading.usable()) return false;
+  if (reading.status == ReadingStatus::reference) return true;
+  schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+  if (parameter.type == schema::DataType::boolean) return true;
+  if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
+  return assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal ||
+         assignment.kind == ValueKind::real;
+}
+
+class Layout {
+ public:
+  explicit Layout(SourceText const& source) : source_(source), list_(parse(source)) {}
+
+  std::string write() && {
+    auto const rows = this->rows();
+    for (std::size_t begin = 0; begin < rows.size();) {
+      std::size_t end = begin + 1;
+      while (end < rows.size() && rows[end].number == rows[end - 1].number + 1) ++end;
+      write_paragraph({rows.begin() + static_cast<std::ptrdiff_t>(begin),
+                       rows.begin() + static_cast<std::ptrdiff_t>(end)});
+      begin = end;
+    }
+    out_ += source_.bytes().substr(copied_);
+    return std::move(out_);
+  }
+
+ private:
+  static grammar::AxisList parse(SourceText const& source) {
+    return grammar::parse_axis_list(source.bytes(), source.text_begin(),
+                                    source.encoding() == Encoding::windows_1252);
+  }
+
+  [[nodiscard]] std::vector<Row> rows() const {
+    std::vector<Reading> const readings = read_assignments(source_, list_);
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      grammar::Assignment const& assignment = list_.assignments[i];
+      Span const line = source_.line_span(assignment.line);
+      Span const value = ends_at_blank(assignment, readings[i]) ? assignment.value : assignment.free_text;
+      rows.push_back({.line = line,
+                      .indent = source_.slice({.begin = line.begin, .end = assignment.name.begin}),
+                      .name = source_.slice(assignment.name),
+                      .value = source_.slice(value),
+                      .comment = comment_behind(value.end, line.end),
+                      .number = assignment.line});
+    }
+    return rows;
+  }
+
+  [[nodiscard]] std::string_view comment_behind(std::uint32_t value_end, std::uint32_t line_end) const {
+    std::string_view const rest = without_blanks_behind(source_.slice({.begin = value_end, .end = line_end}));
+    return rest.substr(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  }
+
+  [[nodiscard]] std::size_t width(std::string_view text) const {
+    if (source_.encoding() == Encoding::windows_1252) return text.size();
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
+  }
+
+  /// Columns before the value: the indentation stays as it is written.
+  [[nodiscard]] std::size_t name_end(Row const& row) const {
+    std::size_t column = 0;
+    for (char const blank : row.indent) {
+      column = blank == '\t' ? (column / tab_width + 1) * tab_width : column + 1;
+    }
+    return column + width(row.name);
+  }
+
+  void write_paragraph(std::vector<Row> const& rows) {
+    std::size_t value_column = 0;
+    std::size_t value_width = 0;
+    for (Row const& row : rows) {
+      value_column = std::max(value_column, name_end(row) + gap);
+      std::size_t const wide = width(row.value);
+      if (!row.comment.empty() && wide <= widest_value) value_width = std::max(value_width, wide);
+    }
+    for (Row const& row : rows) {
+      out_ += source_.bytes().substr(copied_, row.line.begin - copied_);
+      copied_ = row.line.end;
+      out_ += row.indent;
+      out_ += row.name;
+      out_.append(value_column - name_end(row), ' ');
+      out_ += row.value;
+      if (row.comment.empty()) continue;
+      std::size_t const wide = width(row.value);
+      out_.append(std::max(wide, value_width) - wide + gap, ' ');
+      out_ += row.comment;
+    }
+  }
+
+  SourceText const& source_;
+  grammar::AxisList list_;
+  std::string out_;
+  std::uint32_t copied_ = 0;
+};
+
+}  // namespace
+
+std::string aligned_list(SourceText const& source) {
+  return Layout(source).write();
+}
+
+}  // namespace axisc::validator
