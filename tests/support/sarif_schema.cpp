@@ -1,5 +1,6 @@
 #include "support/sarif_schema.hpp"
 
+#include "support/catch.hpp"
 #include "support/golden.hpp"
 
 #include <cstdlib>
