@@ -11,6 +11,9 @@ namespace axisc::cli {
 
 namespace {
 
+/// In one round; thousands of fixes that none may be applied would take hours otherwise.
+constexpr std::size_t most_checks = 200;
+
 using Counts = std::map<Identity, std::size_t>;
 using Fixes = std::vector<Fix const*>;
 
@@ -87,7 +90,8 @@ class Fixer {
                     .sources = sources,
                     .findings = identities_of(found.findings, sources),
                     .accepted = {},
-                    .edited = result_.edited};
+                    .edited = result_.edited,
+                    .checks = 0};
     accept(attempt, fixes);
     left_out = fixes.size() - attempt.accepted.size();
     if (attempt.accepted.empty()) return false;
@@ -103,11 +107,12 @@ class Fixer {
     Counts findings;  ///< that are left with the accepted fixes
     Fixes accepted;
     EditedBytes edited;  ///< with the accepted fixes
+    std::size_t checks = 0;
   };
 
   /// Takes all of `fixes` if that is an improvement, else looks for the ones that are, half by half.
   void accept(Attempt& attempt, std::span<Fix const* const> fixes) const {
-    if (fixes.empty()) return;
+    if (fixes.empty() || ++attempt.checks > most_checks) return;
     FixBatch batch(attempt.sources);
     for (auto const* const fix : attempt.accepted) batch.add(*fix);
     for (auto const* const fix : fixes) batch.add(*fix);
