@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "diagnostics/fix_batch.hpp"
 
+#include <filesystem>
 #include <map>
 #include <span>
 #include <variant>
@@ -45,7 +46,8 @@ class Fixer {
   }
 
   void fix(std::string const& path) {
-    if (path == "-") keep_standard_input();
+    std::error_code error;
+    if (path == "-" || !std::filesystem::is_regular_file(path, error)) keep(path);
     std::size_t left_out = 0;
     while (round(path, left_out)) {
     }
@@ -55,13 +57,14 @@ class Fixer {
   FixedInputs result() && { return std::move(result_); }
 
  private:
-  /// It can be read only once.
-  void keep_standard_input() {
-    DiskFiles files(true);
-    auto bytes = files.read("-");
+  /// Standard input and pipes can be read only once.
+  void keep(std::string const& path) {
+    if (result_.edited.contains(path)) return;
+    DiskFiles files(path == "-");
+    auto bytes = files.read(path);
     if (auto* const text = std::get_if<std::string>(&bytes)) {
-      result_.original.emplace("-", *text);
-      result_.edited.emplace("-", std::move(*text));
+      result_.original.emplace(path, *text);
+      result_.edited.emplace(path, std::move(*text));
     }
   }
 
