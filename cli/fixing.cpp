@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "diagnostics/fix_batch.hpp"
 
+#include <filesystem>
 #include <map>
 #include <span>
 #include <variant>
@@ -10,6 +11,9 @@
 namespace axisc::cli {
 
 namespace {
+
+/// In one round; thousands of fixes that none may be applied would take hours otherwise.
+constexpr std::size_t most_checks = 200;
 
 using Counts = std::map<Identity, std::size_t>;
 using Fixes = std::vector<Fix const*>;
@@ -42,7 +46,8 @@ class Fixer {
   }
 
   void fix(std::string const& path) {
-    if (path == "-") keep_standard_input();
+    std::error_code error;
+    if (path == "-" || !std::filesystem::is_regular_file(path, error)) keep(path);
     std::size_t left_out = 0;
     while (round(path, left_out)) {
     }
@@ -52,13 +57,14 @@ class Fixer {
   FixedInputs result() && { return std::move(result_); }
 
  private:
-  /// It can be read only once.
-  void keep_standard_input() {
-    DiskFiles files(true);
-    auto bytes = files.read("-");
+  /// Standard input and pipes can be read only once.
+  void keep(std::string const& path) {
+    if (result_.edited.contains(path)) return;
+    DiskFiles files(path == "-");
+    auto bytes = files.read(path);
     if (auto* const text = std::get_if<std::string>(&bytes)) {
-      result_.original.emplace("-", *text);
-      result_.edited.emplace("-", std::move(*text));
+      result_.original.emplace(path, *text);
+      result_.edited.emplace(path, std::move(*text));
     }
   }
 
@@ -87,7 +93,8 @@ class Fixer {
                     .sources = sources,
                     .findings = identities_of(found.findings, sources),
                     .accepted = {},
-                    .edited = result_.edited};
+                    .edited = result_.edited,
+                    .checks = 0};
     accept(attempt, fixes);
     left_out = fixes.size() - attempt.accepted.size();
     if (attempt.accepted.empty()) return false;
@@ -103,11 +110,12 @@ class Fixer {
     Counts findings;  ///< that are left with the accepted fixes
     Fixes accepted;
     EditedBytes edited;  ///< with the accepted fixes
+    std::size_t checks = 0;
   };
 
   /// Takes all of `fixes` if that is an improvement, else looks for the ones that are, half by half.
   void accept(Attempt& attempt, std::span<Fix const* const> fixes) const {
-    if (fixes.empty()) return;
+    if (fixes.empty() || ++attempt.checks > most_checks) return;
     FixBatch batch(attempt.sources);
     for (auto const* const fix : attempt.accepted) batch.add(*fix);
     for (auto const* const fix : fixes) batch.add(*fix);

@@ -1,6 +1,7 @@
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
 
 #include <sys/stat.h>
 
@@ -134,4 +135,18 @@ TEST_CASE("findings of compile as JSON go to standard error") {
   auto const outcome = run_axisc({"compile", machine, "-o", folder / "m.axim", "--format", "json"});
   CHECK(outcome.status == 0);
   CHECK_THAT(outcome.err, Catch::Matchers::StartsWith("{") && Catch::Matchers::Contains("\"summary\""));
+}
+
+TEST_CASE("compile reports to code hosts on standard error") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "filter[0].order 7\nEnde\n");
+  for (std::string const format : {"sarif", "gitlab", "github"}) {
+    auto const outcome =
+        run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms", "--format", format},
+                  in_folder(folder.path()));
+    CHECK(outcome.status == 1);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains("AX3001"));
+    if (format == "sarif") CHECK(sarif_complaints(outcome.err) == std::vector<std::string>{});
+  }
 }

@@ -1,6 +1,7 @@
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
 
 using namespace axisc::test;
 
@@ -15,10 +16,16 @@ std::string const wrong = "kopf.achs_nr 1,5\nEnde\n";
 }  // namespace
 
 TEST_CASE("findings in every format and both languages") {
+  // A repository of its own: reports name paths from its root.
+  TemporaryFolder const repository;
+  repository.write(".git/HEAD", "");
+  repository.write("axes/mistakes.lis", read_source_file("tests/cli/data/mistakes.lis"));
   for (std::string const language : {"en", "de"}) {
     for (std::string const format : {"text", "json", "sarif", "github", "gitlab"}) {
-      auto const outcome = run_axisc(
-          {"lint", "mistakes.lis", "--cycle-time", "1ms", "--lang", language, "--format", format}, in_data);
+      auto const outcome =
+          run_axisc({"lint", "mistakes.lis", "--cycle-time", "1ms", "--lang", language, "--format", format},
+                    in_folder(repository / "axes"));
+      if (format == "sarif") CHECK(sarif_complaints(outcome.out) == std::vector<std::string>{});
       CHECK(outcome.status == 1);
       CHECK(outcome.err.empty());
       check_golden("tests/cli/data/golden/lint." + language + "." + format, outcome.out);
@@ -196,4 +203,12 @@ TEST_CASE("every command has its own help in both languages") {
     CHECK_THAT(run_axisc({"--help"}).out, Catch::Matchers::Contains("  " + command + " "));
     CHECK_THAT(run_axisc({command, "--version"}).out, Catch::Matchers::StartsWith("axisc "));
   }
+}
+
+TEST_CASE("a report says which inputs could not be read") {
+  auto const outcome = run_axisc({"lint", "missing.lis", "warning.lis", "--format", "sarif"}, in_data);
+  CHECK(outcome.status == 2);
+  CHECK(sarif_complaints(outcome.out) == std::vector<std::string>{});
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"executionSuccessful\": false") &&
+                              Catch::Matchers::Contains("cannot read missing.lis"));
 }

@@ -53,6 +53,7 @@ namespace axisc::tests {
       "getriebe[0].dynamik.a_max 20000",
       "getriebe[0].dynamik.a_max 0x4E20",
       "kopf.hugo 1",
+      "kopf[0].link_to 1",
       "kenngr.antr_typ 8 ( P-AXIS-00021",
       "kenngr.antr_typ 2",
       "; Kommentar von anderswo",

@@ -19,6 +19,10 @@ void checks::index_out_of_range(ListContext const& context, Report& report) {
     }
     Finding& finding = add_at(context, report, assignment, reading, assignment.name, std::move(text));
     set_reaction(finding, Text::ax2002_reaction);
+    // A scalar's name is the whole repair; where other indices remain, nobody knows which one was meant.
+    if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
+    finding.fix = replace_by(place_of(context, assignment.name), pattern,
+                             message(Text::parameter_fix, {{"replacement", pattern}}));
   });
 }
 
