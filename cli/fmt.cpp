@@ -14,6 +14,11 @@ namespace axisc::cli {
 
 namespace {
 
+/// NC programs are no lists: their layout is their author's.
+bool is_program(std::string const& path) {
+  return has_extension(path, ".nc");
+}
+
 struct FmtWords {
   std::vector<std::string> named;
   bool check = false;
@@ -27,6 +32,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     if (std::find(lists.begin(), lists.end(), list) == lists.end()) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
+    if (is_program(input)) continue;
     if (!has_extension(input, ".json")) {
       add(input);
       continue;
@@ -35,8 +41,8 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     auto const bytes = files.read(input);
     if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(input, *error);
     auto const folder = std::filesystem::path(input).parent_path();
-    for (auto const& list : read_machine_outline(std::get<std::string>(bytes)).lists) {
-      add((folder / list).string());
+    for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
+      if (!is_program(named)) add((folder / named).string());
     }
   }
   return lists;
