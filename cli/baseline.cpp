@@ -129,6 +129,7 @@ std::vector<Identity> Baseline::stale(std::vector<Finding> const& findings, Sour
   auto missing = entries_;
   for (auto const& finding : findings) missing.erase(entry_of(finding, sources));
   std::vector<Identity> identities;
+  identities.reserve(missing.size());
   for (auto const& entry : missing) identities.push_back(identity_of(entry));
   return identities;
 }

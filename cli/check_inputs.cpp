@@ -31,11 +31,12 @@ Result check_input(CheckJob const& job, std::string const& path) {
   Result result;
   auto& checked = result.checked;
   EditedFiles files(job.edited, path == "-");
-  auto outcome = validator::check(files, path, job.options, checked.sources);
+  auto outcome = validator::check(files, path, options_for(job, path), checked.sources);
   if (outcome.unreadable) {
     checked.failure = unreadable(path, *outcome.unreadable);
     return result;
   }
+  apply_settings_of(job, path, checked.sources, outcome.findings);
   if (job.quiet) {
     std::erase_if(outcome.findings,
                   [](Finding const& finding) { return finding.severity == Severity::note; });
@@ -72,6 +73,17 @@ void shift(Place& place, std::size_t by) {
 }
 
 }  // namespace
+
+validator::CheckOptions options_for(CheckJob const& job, std::string const& path) {
+  auto const settings = job.settings == nullptr ? std::nullopt : job.settings->find(path);
+  return settings ? with_settings(job.options, *settings, path) : job.options;
+}
+
+void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,
+                       std::vector<Finding>& findings) {
+  auto const settings = job.settings == nullptr ? std::nullopt : job.settings->find(path);
+  if (settings) apply_settings(*settings, sources, findings);
+}
 
 std::vector<Checked> check_inputs(CheckJob const& job, std::vector<std::string> const& paths,
                                   unsigned threads) {

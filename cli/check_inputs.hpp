@@ -3,6 +3,7 @@
 
 #include "cli/edited_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/settings.hpp"
 #include "diagnostics/writers.hpp"
 #include "validator/check.hpp"
 
@@ -19,7 +20,14 @@ struct CheckJob {
       false;  ///< findings become text as soon as an input is checked, and their sources are dropped
   WriteOptions write;
   EditedBytes edited;  ///< read instead of the files
+  SettingsFinder* settings = nullptr;
 };
+
+/// The job's options with the settings that apply to `path`.
+[[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
+/// What the settings that apply to `path` make of the findings there.
+void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,
+                       std::vector<Finding>& findings);
 
 /// One input, checked.
 struct Checked {

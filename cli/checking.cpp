@@ -1,6 +1,7 @@
 #include "cli/checking.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/finding_codes.hpp"
 #include "cli/quantities.hpp"
 #include "cli/suggestion.hpp"
 #include "validator/rule.hpp"
@@ -24,8 +25,8 @@ std::string upper(std::string_view text) {
 
 Code parse_code(std::string const& word) {
   std::vector<std::string> codes;
+  if (auto const code = find_code(word)) return *code;
   for (auto const& rule : validator::rules()) {
-    if (code_text(rule.code) == upper(word) || rule.name == word) return rule.code;
     codes.push_back(code_text(rule.code));
     codes.emplace_back(rule.name);
   }

@@ -7,6 +7,7 @@
 #include "cli/output_file.hpp"
 #include "cli/quantities.hpp"
 #include "cli/report_context.hpp"
+#include "cli/settings.hpp"
 #include "codegen/image_writer.hpp"
 #include "diagnostics/writers.hpp"
 
@@ -141,7 +142,10 @@ ExitStatus compile(Invocation const& invocation) {
 
   DiskFiles files(words.input == "-");
   SourceSet sources;
-  auto result = validator::check(files, *words.input, options, sources);
+  SettingsFinder finder;
+  auto const settings = finder.find(*words.input);
+  auto result = validator::check(
+      files, *words.input, settings ? with_settings(options, *settings, *words.input) : options, sources);
   if (result.unreadable) throw unreadable(*words.input, *result.unreadable);
   require_cycle_time(*words.input, result);
   apply_quiet(words.checking, result.findings);

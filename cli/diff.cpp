@@ -72,8 +72,9 @@ std::optional<ImageFile> load_side(std::string const& path, validator::CheckOpti
   DiskFiles disk(path == "-");
   auto read = disk.read(path);
   if (auto const* const error = std::get_if<validator::FileError>(&read)) {
-    if (*error == validator::FileError::image || *error == validator::FileError::binary)
+    if (*error == validator::FileError::image || *error == validator::FileError::binary) {
       return load_image(path);
+    }
     throw unreadable(path, *error);
   }
   auto& content = std::get<std::string>(read);

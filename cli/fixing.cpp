@@ -71,7 +71,7 @@ class Fixer {
   [[nodiscard]] validator::CheckResult check(std::string const& path, EditedBytes const& edited,
                                              SourceSet& sources) const {
     EditedFiles files(edited, path == "-");
-    return validator::check(files, path, job_.options, sources);
+    return validator::check(files, path, options_for(job_, path), sources);
   }
 
   [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {

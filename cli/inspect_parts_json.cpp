@@ -104,8 +104,9 @@ ordered_json kernel_json(codegen::ImageKernel const& kernel, design::CycleTime c
   json["kernel_sum"] = kernel.design.kernel_sum;
   json["self_test_samples"] = kernel.self_test_input.size();
   json["zeros_hz"] = ordered_json::array();
-  for (auto const zero : design::zero_frequencies(kernel.design, cycle_time))
+  for (auto const zero : design::zero_frequencies(kernel.design, cycle_time)) {
     json["zeros_hz"].push_back(zero.value);
+  }
   json["taps"] = kernel.design.taps;
   json["tail_sums"] = kernel.design.tail_sums;
   return json;

@@ -26,6 +26,7 @@ struct LintWords {
   std::optional<std::string> fix;
   bool diff = false;
   bool statistics = false;
+  bool print_config = false;
 };
 
 /// What is printed, and what decides about the exit status.
@@ -42,6 +43,7 @@ void declare(CommandLine& command_line, LintWords& words) {
   command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
   command_line.value("--write-baseline", "FILE", words.write_baseline, Text::cli_opt_write_baseline);
   command_line.flag("--statistics", words.statistics, Text::cli_opt_statistics);
+  command_line.flag("--print-config", words.print_config, Text::cli_opt_print_config);
 }
 
 void require_sense(LintWords const& words) {
@@ -52,6 +54,11 @@ void require_sense(LintWords const& words) {
   bool const countable =
       words.checking.format == FindingFormat::text || words.checking.format == FindingFormat::json;
   if (words.statistics && !countable) throw Failure({.text = Text::cli_statistics_format, .arguments = {}});
+}
+
+bool names_language(std::span<std::string const> arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](std::string const& word) { return word.substr(0, 6) == "--lang"; });
 }
 
 FixChoice fix_choice(LintWords const& words) {
@@ -68,9 +75,24 @@ class Lint {
   Lint(LintWords const& words, Language language, bool color) : words_(words) {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;
+    job_.settings = &settings_;
     job_.write = {.language = language, .color = color};
     choice_ = fix_choice(words);
     if (words.baseline) baseline_ = Baseline::read(*words.baseline);
+  }
+
+  /// The language that the first input's settings ask for; the command line's own is asked for elsewhere.
+  [[nodiscard]] std::optional<Language> language_of_settings() {
+    auto const settings = settings_.find(words_.named.front());
+    return settings ? settings->language : std::nullopt;
+  }
+  void speak(Language language) { job_.write.language = language; }
+
+  [[nodiscard]] ExitStatus print_settings(Streams& streams) {
+    for (auto const& path : expand_inputs(words_.named).paths) {
+      streams.out.write(describe_settings(path, job_.options, settings_.find(path), job_.write.language));
+    }
+    return ExitStatus::success;
   }
 
   [[nodiscard]] ExitStatus run(Streams& streams) {
@@ -139,6 +161,7 @@ class Lint {
       }
     }
     std::vector<CodeCount> rows;
+    rows.reserve(codes.size());
     for (auto const& [code, row] : codes) rows.push_back(row);
     most_frequent_first(rows);
     report.text += end_of_text(rows, report.counts);
@@ -197,6 +220,7 @@ class Lint {
   }
 
   LintWords const& words_;
+  SettingsFinder settings_;
   CheckJob job_;
   FixChoice choice_ = FixChoice::none;
   bool would_change_ = false;
@@ -216,7 +240,11 @@ ExitStatus lint(Invocation const& invocation) {
     return ExitStatus::success;
   }
   require_sense(words);
-  return Lint(words, invocation.language, use_color(command_line.color(), 1)).run(invocation.streams);
+  Lint lint(words, invocation.language, use_color(command_line.color(), 1));
+  if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
+    lint.speak(*language);
+  }
+  return words.print_config ? lint.print_settings(invocation.streams) : lint.run(invocation.streams);
 }
 
 }  // namespace axisc::cli

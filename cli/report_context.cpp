@@ -34,8 +34,9 @@ ReportContext report_context(std::vector<std::string> const& inputs) {
   auto const folder = fs::current_path(error);
   if (error) return context;
   auto root = repository_of(folder);
-  if (!root && !inputs.empty())
+  if (!root && !inputs.empty()) {
     root = repository_of((folder / inputs.front()).lexically_normal().parent_path());
+  }
   context.paths = {.root = root.value_or(folder).string(), .folder = folder.string()};
   return context;
 }

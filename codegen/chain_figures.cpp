@@ -126,9 +126,15 @@ std::vector<design::Hertz> characteristic_frequencies(ImageContents const& conte
       frequencies.push_back(kernel->specification.frequency);
     }
   }
-  std::sort(frequencies.begin(), frequencies.end());
-  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  sort_frequencies(frequencies);
   return frequencies;
+}
+
+void sort_frequencies(std::vector<design::Hertz>& frequencies) {
+  auto const below = [](design::Hertz a, design::Hertz b) { return a.value < b.value; };
+  auto const same = [](design::Hertz a, design::Hertz b) { return a.value == b.value; };
+  std::sort(frequencies.begin(), frequencies.end(), below);
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end(), same), frequencies.end());
 }
 
 }  // namespace axisc::codegen

@@ -38,4 +38,7 @@ inline constexpr std::uint64_t longest_settling = std::uint64_t{1} << 18U;
 [[nodiscard]] std::vector<design::Hertz> characteristic_frequencies(ImageContents const& contents,
                                                                     std::size_t axis);
 
+/// Rising, each once.
+void sort_frequencies(std::vector<design::Hertz>& frequencies);
+
 }  // namespace axisc::codegen

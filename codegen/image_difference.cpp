@@ -82,8 +82,9 @@ ImageKernel const* listed_kernel(ImageContents const& contents, ImageAxis const&
 bool same_kernel(ImageContents const& before, ImageAxis const& a, ImageContents const& after,
                  ImageAxis const& b) {
   if (a.slot.has_value() != b.slot.has_value()) return false;
-  if (a.slot && (a.slot->on_at_start != b.slot->on_at_start || a.slot->family != b.slot->family))
+  if (a.slot && (a.slot->on_at_start != b.slot->on_at_start || a.slot->family != b.slot->family)) {
     return false;
+  }
   ImageKernel const* const was = listed_kernel(before, a);
   ImageKernel const* const is = listed_kernel(after, b);
   if (was == nullptr || is == nullptr) return was == is;
@@ -103,8 +104,7 @@ std::vector<GainChange> compare_gains(ImageContents const& before, std::size_t o
   auto frequencies = characteristic_frequencies(before, old_axis);
   auto const more = characteristic_frequencies(after, new_axis);
   frequencies.insert(frequencies.end(), more.begin(), more.end());
-  std::sort(frequencies.begin(), frequencies.end());
-  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
+  sort_frequencies(frequencies);
   double const highest = std::min(before.cycle_time.nyquist().value, after.cycle_time.nyquist().value);
   std::vector<GainChange> gains;
   for (design::Hertz const frequency : frequencies) {

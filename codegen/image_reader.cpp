@@ -67,8 +67,9 @@ ImageContents read(ImageRecords const& image) {
   contents.image_version = image.header.get(fields::header::image_version);
   contents.compiler_version = compiler_version(image.header);
   contents.source_digest = image.header.get(fields::header::source_digest);
-  for (std::uint32_t i = 0; i < image.axes.count(); ++i)
+  for (std::uint32_t i = 0; i < image.axes.count(); ++i) {
     contents.axes.push_back(read_axis(image, image.axes[i]));
+  }
   for (std::uint32_t i = 0; i < image.kernels.count(); ++i) {
     contents.kernels.push_back(read_kernel(image, image.kernels[i]));
   }

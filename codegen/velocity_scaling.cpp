@@ -14,13 +14,15 @@ constexpr double largest_weight = 7;
 
 /// Seconds of the time base, as a quotient.
 Exact time_base(validator::DriveScaling const& scaling, design::CycleTime cycle_time) {
+  constexpr int seconds_per_minute = 60;
+  constexpr int nanoseconds_per_second = 1'000'000'000;
   switch (scaling.time_base) {
     case 0:
-      return Exact(60);
+      return {seconds_per_minute};
     case 1:
-      return Exact(1);
+      return {1};
     default:
-      return Exact(cycle_time.nanoseconds) / 1'000'000'000;
+      return Exact(cycle_time.nanoseconds) / nanoseconds_per_second;
   }
 }
 

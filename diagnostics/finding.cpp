@@ -48,6 +48,7 @@ std::vector<CodeCount> count_codes(std::vector<Finding> const& findings) {
     if (finding.fix) ++row.fixable;
   }
   std::vector<CodeCount> counts;
+  counts.reserve(by_code.size());
   for (auto const& [code, row] : by_code) counts.push_back(row);
   most_frequent_first(counts);
   return counts;

@@ -23,8 +23,9 @@ class Hash {
   [[nodiscard]] std::string hexadecimal() const {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4)
+    for (int shift = 60; shift >= 0; shift -= 4) {
       text += digits[(state_ >> static_cast<unsigned>(shift)) & 0xFU];
+    }
     return text;
   }
 

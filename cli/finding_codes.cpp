@@ -1,0 +1,18 @@
+#include "cli/finding_codes.hpp"
+
+#include "validator/rule.hpp"
+
+namespace axisc::cli {
+
+std::optional<Code> find_code(std::string const& word) {
+  std::string upper(word);
+  for (char& character : upper) {
+    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
+  }
+  for (auto const& rule : validator::rules()) {
+    if (code_text(rule.code) == upper || rule.name == word) return rule.code;
+  }
+  return std::nullopt;
+}
+
+}  // namespace axisc::cli

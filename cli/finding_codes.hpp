@@ -1,0 +1,14 @@
+// Codes as users write them.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+
+#include <optional>
+#include <string>
+
+namespace axisc::cli {
+
+/// "AX3005", "ax3005" or "delay-too-long"; none for anything else.
+[[nodiscard]] std::optional<Code> find_code(std::string const& word);
+
+}  // namespace axisc::cli

@@ -1,0 +1,214 @@
+#include "cli/settings.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/disk_files.hpp"
+#include "cli/failure.hpp"
+#include "cli/finding_codes.hpp"
+#include "cli/glob.hpp"
+#include "cli/machine_outline.hpp"
+#include "cli/surroundings.hpp"
+#include "validator/located_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using validator::JsonKind;
+using validator::JsonValue;
+
+constexpr std::string_view file_name = "axisc.json";
+
+/// Reads one settings file; every complaint carries its place.
+class Reader {
+ public:
+  Reader(std::string path, SourceText const& source) : path_(std::move(path)), source_(source) {}
+
+  Settings read(std::string folder) {
+    auto parsed = validator::parse_json(source_.bytes().substr(source_.text_begin()), source_.text_begin());
+    if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) {
+      refuse(error->span, Text::settings_json);
+    }
+    document_ = std::get<validator::JsonDocument>(std::move(parsed));
+    settings_.file = path_;
+    settings_.folder = std::move(folder);
+    if (document_.root().kind != JsonKind::object) refuse(document_.root().span, Text::settings_object);
+    for (auto const& member : document_.root().members) read_member(member);
+    return std::move(settings_);
+  }
+
+ private:
+  void read_member(validator::JsonMember const& member) {
+    auto const& value = document_[member.value];
+    if (member.key == "cycle_time_us") {
+      settings_.cycle_time = cycle_time(value);
+    } else if (member.key == "build") {
+      settings_.build = validator::parse_build_version(text(value));
+      if (!settings_.build) refuse(value.span, Text::settings_build, {{"value", value.string}});
+    } else if (member.key == "language") {
+      settings_.language = parse_language(text(value));
+      if (!settings_.language) refuse(value.span, Text::settings_language);
+    } else if (member.key == "disable") {
+      settings_.disabled = codes(value);
+    } else if (member.key == "severity") {
+      read_severities(value);
+    } else if (member.key == "paths") {
+      read_paths(value);
+    } else {
+      refuse(member.key_span, Text::settings_unknown_key,
+             {{"key", member.key}, {"keys", "cycle_time_us, build, language, disable, severity, paths"}});
+    }
+  }
+
+  design::CycleTime cycle_time(JsonValue const& value) const {
+    double const nanoseconds = value.number * 1000;
+    bool const good = value.kind == JsonKind::number && nanoseconds >= 1 && nanoseconds <= 1e9 &&
+                      nanoseconds == std::floor(nanoseconds);
+    if (!good) refuse(value.span, Text::settings_cycle_time);
+    return {static_cast<std::uint32_t>(nanoseconds)};
+  }
+
+  std::string const& text(JsonValue const& value) const {
+    if (value.kind != JsonKind::string) refuse(value.span, Text::settings_text);
+    return value.string;
+  }
+
+  Code code(std::string const& word, Span span) const {
+    auto const found = find_code(word);
+    if (!found) refuse(span, Text::settings_code, {{"code", word}});
+    return *found;
+  }
+
+  std::vector<Code> codes(JsonValue const& value) const {
+    if (value.kind != JsonKind::array) refuse(value.span, Text::settings_list);
+    std::vector<Code> codes;
+    for (auto const item : value.items) codes.push_back(code(text(document_[item]), document_[item].span));
+    return codes;
+  }
+
+  void read_severities(JsonValue const& value) {
+    if (value.kind != JsonKind::object) refuse(value.span, Text::settings_object);
+    for (auto const& member : value.members) {
+      auto const& wanted = document_[member.value];
+      auto const& word = text(wanted);
+      Code const which = code(member.key, member.key_span);
+      if (word == "error") {
+        settings_.severities[which] = Severity::error;
+      } else if (word == "warning") {
+        settings_.severities[which] = Severity::warning;
+      } else if (word == "note") {
+        settings_.severities[which] = Severity::note;
+      } else {
+        refuse(wanted.span, Text::settings_severity);
+      }
+    }
+  }
+
+  void read_paths(JsonValue const& value) {
+    if (value.kind != JsonKind::array) refuse(value.span, Text::settings_list);
+    for (auto const item : value.items) {
+      auto const& entry = document_[item];
+      if (entry.kind != JsonKind::object) refuse(entry.span, Text::settings_object);
+      PathSettings path;
+      for (auto const& member : entry.members) {
+        if (member.key == "pattern") {
+          path.pattern = text(document_[member.value]);
+        } else if (member.key == "disable") {
+          path.disabled = codes(document_[member.value]);
+        } else {
+          refuse(member.key_span, Text::settings_unknown_key,
+                 {{"key", member.key}, {"keys", "pattern, disable"}});
+        }
+      }
+      if (path.pattern.empty()) refuse(entry.span, Text::settings_pattern);
+      settings_.paths.push_back(std::move(path));
+    }
+  }
+
+  [[noreturn]] void refuse(Span span, Text what, std::vector<Argument> arguments = {}) const {
+    auto const place = source_.position(span.begin);
+    arguments.push_back(
+        {"place", path_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
+    throw Failure({.text = what, .arguments = std::move(arguments)});
+  }
+
+  std::string path_;
+  SourceText const& source_;
+  validator::JsonDocument document_;
+  Settings settings_;
+};
+
+/// Below `folder`, with slashes; the whole path where it lies elsewhere.
+std::string relative_to(std::string const& folder, std::string const& path) {
+  std::error_code error;
+  auto const absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+  auto const relative = absolute.lexically_relative(folder);
+  return relative.empty() ? absolute.generic_string() : relative.generic_string();
+}
+
+}  // namespace
+
+bool Settings::disables(std::string const& path, Code code) const {
+  auto const relative = relative_to(folder, path);
+  return std::any_of(paths.begin(), paths.end(), [&](PathSettings const& rule) {
+    bool const named = std::find(rule.disabled.begin(), rule.disabled.end(), code) != rule.disabled.end();
+    return named && matches_glob(rule.pattern, relative);
+  });
+}
+
+Settings read_settings(std::string const& path, std::string const& folder) {
+  DiskFiles files(false);
+  auto bytes = files.read(path);
+  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
+  SourceText const source(path, std::get<std::string>(std::move(bytes)));
+  return Reader(path, source).read(folder);
+}
+
+std::optional<Settings> SettingsFinder::find(std::string const& input) {
+  std::error_code error;
+  auto const start = input == "-" ? fs::current_path(error) : fs::absolute(input, error).parent_path();
+  auto const folder = fs::weakly_canonical(start, error);
+  std::lock_guard const lock(mutex_);
+  if (auto const known = known_.find(folder.string()); known != known_.end()) return known->second;
+  std::optional<Settings> found;
+  for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
+    auto const file = candidate / file_name;
+    if (fs::is_regular_file(file, error)) {
+      auto const shown = fs::proximate(file, fs::current_path(error), error);
+      found = read_settings(shown.empty() ? file.string() : shown.string(), candidate.string());
+    }
+    if (candidate == candidate.parent_path()) break;
+  }
+  known_.emplace(folder.string(), found);
+  return found;
+}
+
+validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
+                                      std::string const& input) {
+  // A machine file says its own cycle time, and only the command line knows better.
+  if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
+  if (!options.build) options.build = settings.build;
+  options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
+  for (auto const& rule : settings.paths) {
+    for (Code const code : rule.disabled) {
+      if (settings.disables(input, code)) options.disabled.push_back(code);
+    }
+  }
+  return options;
+}
+
+void apply_settings(Settings const& settings, SourceSet const& sources, std::vector<Finding>& findings) {
+  std::erase_if(findings, [&](Finding const& finding) {
+    return finding.place && settings.disables(sources[finding.place->source].name(), finding.code);
+  });
+  for (auto& finding : findings) {
+    auto const wanted = settings.severities.find(finding.code);
+    if (wanted != settings.severities.end()) finding.severity = wanted->second;
+  }
+}
+
+}  // namespace axisc::cli
