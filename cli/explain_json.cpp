@@ -1,5 +1,6 @@
 #include "cli/explain.hpp"
 #include "cli/parameter_facts.hpp"
+#include "diagnostics/location.hpp"
 #include "diagnostics/pages.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,18 +10,6 @@ namespace axisc::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-char const* severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      return "error";
-    case Severity::warning:
-      return "warning";
-    case Severity::note:
-      break;
-  }
-  return "note";
-}
 
 ordered_json limit_json(schema::Limit const& limit) {
   switch (limit.kind) {

@@ -1,6 +1,7 @@
 #include "cli/settings.hpp"
 #include "cli/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/location.hpp"
 
 namespace axisc::cli {
 
@@ -14,11 +15,6 @@ std::string joined(std::vector<Code> const& codes) {
   std::string text;
   for (Code const code : codes) text += (text.empty() ? "" : ", ") + code_text(code);
   return text;
-}
-
-std::string severity_name(Severity severity) {
-  if (severity == Severity::error) return "error";
-  return severity == Severity::warning ? "warning" : "note";
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
       add("paths: " + rule.pattern, joined(rule.disabled), from_file);
     }
     for (auto const& [code, severity] : settings->severities) {
-      add("severity: " + code_text(code), severity_name(severity), from_file);
+      add("severity: " + code_text(code), std::string(severity_name(severity)), from_file);
     }
   }
   return input + "\n" + text_table(rows, 2);
