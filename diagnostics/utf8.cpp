@@ -70,8 +70,9 @@ DecodedCharacter decode_utf8(std::string_view text) {
   if (size == 0) return {.value = replacement_character, .size = 1};
   constexpr std::array<unsigned, 5> payload_of_lead{0, 0x7F, 0x1F, 0x0F, 0x07};
   char32_t value = static_cast<unsigned char>(text.front()) & payload_of_lead.at(size);
-  for (char const byte : text.substr(1, size - 1))
+  for (char const byte : text.substr(1, size - 1)) {
     value = (value << 6U) | (static_cast<unsigned char>(byte) & 0x3FU);
+  }
   return {.value = value, .size = size};
 }
 

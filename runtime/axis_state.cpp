@@ -24,7 +24,8 @@ axisrt_status axisrt_get_axis_state(axisrt const* runtime, uint32_t axis, axisrt
     auto const kernel = static_cast<uint32_t>(slot->state->to - runtime->kernels);
     bool const works = kernel < runtime->kernel_count;
     if (works) state->kernel = kernel;
-    if (!works) state->filters_on &= ~(1U << (before != nullptr ? 0U : standard));
+    uint32_t const place = (before != nullptr ? 0U : standard) % AXISRT_MOST_FILTERS;
+    if (!works) state->filters_on &= ~(1U << place);
     state->fading = axisc::runtime::is_fading(*slot->state) ? 1 : 0;
   }
   state->settled = reset_done && distance <= runtime->axes[axis].position_window ? 1 : 0;

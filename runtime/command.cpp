@@ -134,5 +134,6 @@ uint32_t axisrt_order_of_time(axisrt const* runtime, double time_us) {
   double const cycles = time_us * 1000 / runtime->cycle_time_ns;
   constexpr double longest = 1e6;
   if (!(cycles >= 1)) return 0;
-  return static_cast<uint32_t>((cycles < longest ? cycles : longest) + 0.5);
+  double const half_up = (cycles < longest ? cycles : longest) + 0.5;
+  return static_cast<uint32_t>(half_up);
 }

@@ -38,7 +38,7 @@ void build_slots(ImageView const& view, Layout const& layout, Memory memory) {
                 .listed = kernel_at(view, kernels, record[field::slot::kernel]),
                 .on_at_start = record[field::slot::on_at_start],
                 .group = record[field::slot::group]};
-    history += 2 * slots[i].history_length;
+    history += size_t{2} * slots[i].history_length;
     states[i] = SlotState{};
     states[i].to = slots[i].on_at_start != 0 ? slots[i].listed : kernel_at(view, kernels, AXIM_NONE);
     states[i].on = slots[i].on_at_start;

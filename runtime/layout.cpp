@@ -12,7 +12,7 @@ class Reservation {
   uint64_t take(uint64_t count) {
     static_assert(alignof(T) <= AXISRT_ALIGNMENT);
     uint64_t const offset = end_;
-    uint64_t const bytes = count * sizeof(T);
+    uint64_t const bytes = count * sizeof(T);  // NOLINT(bugprone-sizeof-expression): some parts hold pointers
     end_ += (bytes + AXISRT_ALIGNMENT - 1) / AXISRT_ALIGNMENT * AXISRT_ALIGNMENT;
     return offset;
   }
