@@ -105,7 +105,8 @@ TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-p
 
   machine.axes[0].acceleration_limit = 0;  // this axis only changes at standstill, and all with it
   CompiledKernels others(cycle_time);
-  for (PlannedBank const& bank : plan_of(machine, others).groups[0].banks) CHECK(bank.fade_cycles == 0);
+  KernelPlan const standing = plan_of(machine, others);
+  for (PlannedBank const& bank : standing.groups[0].banks) CHECK(bank.fade_cycles == 0);
 }
 
 TEST_CASE("HSC banks fade as HSC filters need it, FIR banks as FIR filters do", "[kernel-plan]") {
