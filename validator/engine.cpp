@@ -169,8 +169,9 @@ class Engine {
         }
         ProgramContext const context{.whole = whole, .program = program, .text = text, .group = group};
         for (Rule const& rule : rules()) {
-          auto const* const check = std::get_if<ProgramCheck>(&rule.check);
-          if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, subject);
+          auto const* const only = std::get_if<ProgramCheck>(&rule.check);
+          ProgramCheck const check = only != nullptr ? *only : rule.program_check;
+          if (check != nullptr && enabled(rule)) call(rule, check, context, {}, subject);
         }
       }
     }

@@ -15,13 +15,18 @@ int rank(Code code) {
     case 2004:
     case 2007:
     case 2015:
-      return 4;
+      return 5;
+    case 2006:
+    case 2009:
+    case 2014:
+    case 2016:
+      return 1;  // Warnings, which the other codes of AX2 are not: the lower code.
     case 2005:
-      return 6;
+      return 7;
     case 3009:
     case 3023:
     case 3024:
-      return 3;
+      return 4;
     default:
       break;
   }
@@ -29,13 +34,13 @@ int rank(Code code) {
     case 1:
       return 0;
     case 4:
-      return 1;
-    case 3:
       return 2;
+    case 3:
+      return 3;
     case 2:
-      return 5;
+      return 6;
     default:
-      return 7;
+      return 8;
   }
 }
 

@@ -129,6 +129,7 @@ struct Rule {
   std::span<Code const>
       silenced_by;  ///< for the same filter or program: when one of these was reported, this rule says nothing
   Check check;
+  ProgramCheck program_check = nullptr;  ///< for a rule that looks at NC programs as well
 };
 
 /// codes<3001, 3040>: for the column `silenced_by`.

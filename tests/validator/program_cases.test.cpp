@@ -1,6 +1,7 @@
 // tests/data/program_cases.txt: NC programs and machines with the findings they must give, and no other.
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
+#include "validator/build_version.hpp"
 #include "validator/check.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ struct Case {
   std::string name;
   std::string cycle_time_us;
   bool pedantic = false;
+  std::string build;
   std::vector<std::string> names;  ///< of the files, in their order
   std::map<std::string, std::string> files;
   std::vector<std::string> expected;  ///< "part.nc 12 AX5001", sorted
@@ -37,6 +39,7 @@ Case heading(std::string const& line) {
   for (std::string word; words >> word;) {
     if (word.rfind("T=", 0) == 0) one.cycle_time_us = word.substr(2);
     if (word == "pedantic") one.pedantic = true;
+    if (word.rfind("build=", 0) == 0) one.build = word.substr(6);
   }
   return one;
 }
@@ -90,6 +93,7 @@ std::string machine_of(Case const& one) {
 std::vector<std::string> findings_of(Case one) {
   validator::CheckOptions options;
   options.pedantic = one.pedantic;
+  options.build = validator::parse_build_version(one.build);
   bool const has_list =
       std::any_of(one.names.begin(), one.names.end(), [](auto const& name) { return ends_in(name, ".lis"); });
   std::string input = "machine.json";

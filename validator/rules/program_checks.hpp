@@ -15,5 +15,6 @@ void filter_without_order(ProgramContext const& context, Report& report);
 void acc_fact_needs_weight(ProgramContext const& context, Report& report);
 void axis_exchange_disables(ProgramContext const& context, Report& report);
 void hsc_without_preconfiguration(ProgramContext const& context, Report& report);
+void commands_newer_than_build(ProgramContext const& context, Report& report);  // AX2016
 
 }  // namespace axisc::validator::checks

@@ -93,6 +93,7 @@ set(axisc_rules_program
   rules/acc_fact_needs_weight.cpp
   rules/axis_exchange_disables.cpp
   rules/command_mistakes.cpp
+  rules/commands_newer_than_build.cpp
   rules/filter_and_vibration_guard.cpp
   rules/filter_keyword.cpp
   rules/filter_syntax.cpp
