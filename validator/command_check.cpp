@@ -105,18 +105,17 @@ class CommandCheck {
   void check_keyword(std::size_t index) {
     Keyword const& keyword = command_.keywords[index];
     std::string const name = word(keyword.name);
-    if (command_.kind == CommandKind::filter && name == hsc) {
-      check_hsc(keyword);
-      return;
-    }
     std::vector<std::string_view> const& known = keywords_of(command_.kind);
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
+    bool const is_hsc = command_.kind == CommandKind::filter && name == hsc;
+    if (!is_hsc && std::find(known.begin(), known.end(), name) == known.end()) {
       unknown(keyword, name, known);
     } else if (Keyword const* const first = earlier(index, name)) {
       CommandMistake& mistake =
           add(keyword_mistake, keyword.name, Text::ax5002_repeated, {{"keyword", name}});
       mistake.first = first->name;
       mistake.control = "21411";
+    } else if (is_hsc) {
+      check_hsc(keyword);
     } else if (hsc_) {
       beside_hsc(keyword, name);
     } else {

@@ -55,16 +55,18 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
     return configured(*value) || value->unusable;
   });
   if (given) return;
-  auto const* const set =
-      std::find_if(scaling.begin(), scaling.end(), [](EffectiveValue const* value) { return value->set(); });
-  Finding& finding = report.add(set != scaling.end() ? **set : view.enable, {Text::ax4016, {}});
+  EffectiveValue const* last = nullptr;
+  for (EffectiveValue const* const value : scaling) {
+    if (value->set() && (last == nullptr || last->value_place < value->value_place)) last = value;
+  }
+  Finding& finding = report.add(last != nullptr ? *last : view.enable, {Text::ax4016, {}});
   finding.notes.push_back(
       {Text::ax4016_defaults,
        {{"denominator", number(scaling[1]->value.number)}, {"numerator", number(scaling[0]->value.number)}}});
   DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
   finding.notes.push_back({sercos ? Text::ax4016_mapping_sercos : Text::ax4016_mapping, {}});
-  if (set != scaling.end()) relate_enable(finding, view);
+  if (last != nullptr) relate_enable(finding, view);
 }
 
 }  // namespace axisc::validator::checks
