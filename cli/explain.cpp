@@ -4,6 +4,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
+#include "cli/finding_codes.hpp"
 #include "cli/quantities.hpp"
 #include "cli/suggestion.hpp"
 
@@ -21,12 +22,9 @@ std::string upper(std::string_view text) {
 
 /// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
 validator::Rule const* rule_of(std::string const& word) {
-  auto const code = upper(word);
-  for (auto const& rule : validator::rules()) {
-    auto const text = code_text(rule.code);
-    if (text == code || text.substr(2) == code || rule.name == word) return &rule;
-  }
-  return nullptr;
+  auto const code = find_code(word);
+  auto const by_number = code ? code : find_code("AX" + word);
+  return by_number ? validator::find_rule(*by_number) : nullptr;
 }
 
 /// Rows with the number in "P-AXIS-00140"; zeros in front may be missing.

@@ -13,8 +13,6 @@ namespace axisc::codegen {
 namespace {
 
 constexpr double settled_within = 1e-4;
-/// Setpoints stand for real positions: large against 1, so that nothing depends on where the axis is.
-constexpr double step_height = 1;
 
 std::vector<design::FilterDesign> designs(ImageAxis const& axis) {
   std::vector<design::FilterDesign> chain;
@@ -86,7 +84,7 @@ ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const
   std::uint64_t const cycles =
       bound.value_or(longest_settling) + (kernel != nullptr ? kernel->design.tail_sums.size() : 0) + 1;
 
-  auto const step = execute(*runtime, axis, cycles, [](std::uint64_t) { return step_height; });
+  auto const step = execute(*runtime, axis, cycles, [](std::uint64_t) { return 1.0; });
   double dc_gain = 1;
   for (design::FilterDesign const& filter : chain) dc_gain *= filter.dc_gain;
   std::uint64_t settled = cycles;

@@ -37,7 +37,7 @@ void build_slots(ImageView const& view, Layout const& layout, Memory memory) {
                 .family = record[field::slot::family],
                 .listed = kernel_at(view, kernels, record[field::slot::kernel]),
                 .on_at_start = record[field::slot::on_at_start],
-                .group = record[field::slot::group]};
+                .reserved = 0};
     history += size_t{2} * slots[i].history_length;
     states[i] = SlotState{};
     states[i].to = slots[i].on_at_start != 0 ? slots[i].listed : kernel_at(view, kernels, AXIM_NONE);

@@ -51,7 +51,7 @@ struct Slot {
   uint32_t family;
   Kernel const* listed;  ///< of the lists' values
   uint32_t on_at_start;
-  uint32_t group;  ///< AXIM_NONE: no command reaches it
+  uint32_t reserved;
 };
 
 [[nodiscard]] inline bool is_fading(SlotState const& state) {

@@ -196,7 +196,8 @@ typedef struct axisrt_filter_command {
 /* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the image holds for
  * these parameters; nothing is computed here. To be called between two cycles.
  *
- * While every axis of the group stands, the change is immediate and no output moves. In motion all axes change over
+ * While every axis of the group stands (as many cycles as its longest kernel remembers without an increment of 2^-30 units
+ * or more), the change is immediate, and no output moves by more than such increments amount to. In motion all axes change over
  * together in a fade over F cycles, y = A + w (B - A), of which the image knows F. With setpoints within P-AXIS-00212 and
  * P-AXIS-00008 (v and a per cycle) and P_A, P_B the two chains' peak gains, outputs of the fade keep
  *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
