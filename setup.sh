@@ -2,6 +2,7 @@
 # Installs what is missing from Debian packages. Does nothing, and needs no rights, where everything is there.
 #   ./setup.sh        what building and testing needs
 #   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators
+#   ./setup.sh long   and what .ci/long needs: libraries of another processor
 set -euo pipefail
 
 packages=(
@@ -9,16 +10,19 @@ packages=(
   libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libvalijson-dev
   catch2 librapidcheck-dev
 )
-if [ "${1:-}" = ci ]; then
+if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   packages+=(
     clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
   )
 fi
+if [ "${1:-}" = long ]; then
+  packages+=(libsodium-dev:arm64)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
-  dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+  dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
 done
 [ ${#missing[@]} -gt 0 ] || exit 0
 
@@ -34,7 +38,10 @@ fi
 echo "setup.sh: installing ${missing[*]}"
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-if ! { "${as_root[@]}" apt-get update &&
+other_processors() {
+  [[ " ${missing[*]} " != *:arm64* ]] || "${as_root[@]}" dpkg --add-architecture arm64
+}
+if ! { other_processors && "${as_root[@]}" apt-get update &&
        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
   tail -20 "$log" >&2
   echo "setup.sh: the packages could not be installed" >&2
