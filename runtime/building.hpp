@@ -4,6 +4,7 @@
 #include "runtime/image_view.hpp"
 #include "runtime/layout.hpp"
 #include "runtime/runtime_object.hpp"
+#include "runtime/shape.hpp"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -19,13 +20,25 @@ struct Memory {
   }
 };
 
+/// The next multiple of a vector of the widest group, so that none is cut by a cache line.
+[[nodiscard]] constexpr uint64_t whole_lines(uint64_t doubles) {
+  return (doubles + most_lanes - 1) / most_lanes * most_lanes;
+}
+
+/// Doubles of a group's state.
+[[nodiscard]] uint32_t state_stride(Group const& group);
+
+/// True if two groups of one batch have the same coefficients in every lane.
+[[nodiscard]] bool same_constants(ImageView const& view, PortKind port, Group const& a, Group const& b,
+                                  uint32_t step);
+
 /// Kernels and their tails; one kernel without tails behind them.
 void build_kernels(ImageView const& view, Layout const& layout, Memory memory);
-/// Slots in the steady state, switched as at start-up, put into the setpoint chains. Expects kernels and chains.
-void build_slots(ImageView const& view, Layout const& layout, Memory memory);
-/// Groups with their banks. Expects kernels and slots.
-void build_groups(ImageView const& view, Layout const& layout, Memory memory);
-/// Improved Position Control. Expects filters.
+/// Lines in their lanes, in the steady state for 0 and never reset. Expects kernels.
+LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout, Memory memory);
+/// Channels with their banks. Expects kernels and ports.
+void build_channels(ImageView const& view, Layout const& layout, Memory memory);
+/// Improved Position Control.
 void build_controls(ImageView const& view, Layout const& layout, Memory memory);
 
 }  // namespace axisc::runtime

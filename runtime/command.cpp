@@ -1,7 +1,7 @@
 #include "axisrt.h"
 #include "runtime/double_bits.hpp"
 #include "runtime/format/image_format.h"
-#include "runtime/runtime_object.hpp"
+#include "runtime/lane.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -22,14 +22,14 @@ bool is_meant(Bank const& bank, axisrt_filter_command const& command) {
          (!has(keywords, axim_keyword_quality) || bank.quality == command.quality);
 }
 
-Bank const* find_bank(Group const& group, axisrt_filter_command const& command) {
-  for (uint32_t i = 0; i < group.bank_count; ++i) {
-    if (is_meant(group.banks[i], command)) return group.banks + i;
+Bank const* find_bank(Channel const& channel, axisrt_filter_command const& command) {
+  for (uint32_t i = 0; i < channel.bank_count; ++i) {
+    if (is_meant(channel.banks[i], command)) return channel.banks + i;
   }
   return nullptr;
 }
 
-/// What a command makes of the slots of a group.
+/// What a command makes of the slots of a channel.
 struct Change {
   uint32_t action;
   Bank const* bank;  ///< for SET and ON
@@ -61,23 +61,23 @@ Target target_of(Change const& change, Slot const& slot, uint32_t member) {
   }
 }
 
-/// Calls `visit(slot, target)` for every slot of the group that the command reaches.
+/// Calls `visit(slot, target)` for every slot of the channel that the command reaches.
 template <class Visit>
-void for_each_slot(Group const& group, Change const& change, Visit visit) {
-  for (uint32_t member = 0; member < group.member_count; ++member) {
-    Slot const* const slot = group.members[member];
+void for_each_slot(Channel const& channel, Change const& change, Visit visit) {
+  for (uint32_t member = 0; member < channel.member_count; ++member) {
+    Slot const* const slot = channel.members[member];
     if (slot != nullptr && reaches(change, *slot)) visit(*slot, target_of(change, *slot, member));
   }
 }
 
 /// 0 where only standstill allows it.
-uint32_t fade_cycles(Group const& group, Change const& change) {
+uint32_t fade_cycles(Channel const& channel, Change const& change) {
   switch (change.action) {
     case AXISRT_ACTION_OFF:
-      return group.off_fade_cycles;
+      return channel.off_fade_cycles;
     case AXISRT_ACTION_PROGRAM_END: {
-      uint32_t const on = group.banks[0].fade_cycles;
-      uint32_t const off = group.off_fade_cycles;
+      uint32_t const on = channel.banks[0].fade_cycles;
+      uint32_t const off = channel.off_fade_cycles;
       if (on == 0 || off == 0) return 0;
       return on > off ? on : off;
     }
@@ -86,25 +86,25 @@ uint32_t fade_cycles(Group const& group, Change const& change) {
   }
 }
 
-axisrt_status apply(Group const& group, Change const& change) {
+axisrt_status apply(Channel const& channel, Change const& change) {
   bool busy = false;
   bool changes = false;
   bool rests = true;
-  for (uint32_t member = 0; member < group.member_count; ++member) {
-    Slot const* const slot = group.members[member];
+  for (uint32_t member = 0; member < channel.member_count; ++member) {
+    Slot const* const slot = channel.members[member];
     if (slot == nullptr) continue;
-    busy = busy || is_fading(*slot->state);
+    busy = busy || is_fading(*slot);
     rests = rests && is_at_rest(*slot);
   }
   if (busy) return AXISRT_BUSY;
-  for_each_slot(group, change, [&](Slot const& slot, Target target) {
-    changes = changes || slot.state->to != target.kernel;
+  for_each_slot(channel, change, [&](Slot const& slot, Target target) {
+    changes = changes || slot.group->kernel[slot.lane] != target.kernel;
   });
   // All slots of the channel change over the same cycles, so that its axes stay together.
-  uint32_t const fade = fade_cycles(group, change);
+  uint32_t const fade = fade_cycles(channel, change);
   if (changes && !rests && fade == 0) return AXISRT_NEEDS_STANDSTILL;
-  for_each_slot(group, change, [&](Slot const& slot, Target target) {
-    if (slot.state->to != target.kernel) switch_slot(slot, target.kernel, rests ? 0 : fade);
+  for_each_slot(channel, change, [&](Slot const& slot, Target target) {
+    if (slot.group->kernel[slot.lane] != target.kernel) switch_slot(slot, target.kernel, rests ? 0 : fade);
     slot.state->on = target.on;
   });
   return AXISRT_OK;
@@ -118,15 +118,15 @@ axisrt_status axisrt_command(axisrt* runtime, uint32_t group, axisrt_filter_comm
   if (runtime == nullptr || command == nullptr || command->size != sizeof(axisrt_filter_command)) {
     return AXISRT_BAD_ARGUMENT;
   }
-  if (group >= runtime->group_count || command->action > AXISRT_ACTION_PROGRAM_END) {
+  if (group >= runtime->channel_count || command->action > AXISRT_ACTION_PROGRAM_END) {
     return AXISRT_BAD_ARGUMENT;
   }
   Change change{.action = command->action, .bank = nullptr, .pass = runtime->kernels + runtime->kernel_count};
   if (command->action == AXISRT_ACTION_ON || command->action == AXISRT_ACTION_SET) {
-    change.bank = find_bank(runtime->groups[group], *command);
+    change.bank = find_bank(runtime->channels[group], *command);
     if (change.bank == nullptr) return AXISRT_NO_BANK;
   }
-  return apply(runtime->groups[group], change);
+  return apply(runtime->channels[group], change);
 }
 
 uint32_t axisrt_order_of_time(axisrt const* runtime, double time_us) {

@@ -1,4 +1,5 @@
 #include "runtime/building.hpp"
+#include "runtime/double_bits.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -15,36 +16,25 @@ uint32_t index_of_source(ImageView const& view, uint32_t index) {
 }  // namespace
 
 void build_controls(ImageView const& view, Layout const& layout, Memory memory) {
-  auto const* const filters = memory.part<Filter>(layout.filters);
   auto* const stages = memory.part<Stage>(layout.stages);
-  auto* const stage_states = memory.part<ChainState>(layout.stage_states);
   auto* const controls = memory.part<Control>(layout.controls);
   auto* const additive_velocities = memory.part<double>(layout.additive_velocities);
-  for (uint32_t i = 0; i < view.stages.count; ++i) {
-    Record<record::stage> const record = view.stages[i];
-    stages[i] = {.chain = {.filters = filters + record[field::stage::first_filter],
-                           .before = nullptr,
-                           .behind = nullptr,
-                           .filter_count = record[field::stage::filter_count],
-                           .reserved = 0},
-                 .mode = record[field::stage::mode],
-                 .reserved = 0,
-                 .weight = record[field::stage::weight]};
-    stage_states[i] = ChainState{};
-  }
   for (uint32_t i = 0; i < view.controls.count; ++i) {
     Record<record::control> const record = view.controls[i];
     uint32_t const stage_count = record[field::control::stage_count];
-    uint32_t const first_stage = stage_count > 0 ? record[field::control::first_stage] : 0;
-    controls[i] = {.stages = stages + first_stage,
-                   .stage_states = stage_states + first_stage,
+    controls[i] = {.first_stage = stage_count > 0 ? record[field::control::first_stage] : 0,
                    .stage_count = stage_count,
                    .axis = record[field::control::axis],
                    .source = index_of_source(view, i),
-                   .reserved = 0,
                    .limit = magnitude(record[field::control::limit]),  // -0 too is a limit
                    .scale = record[field::control::scale]};
     additive_velocities[i] = 0;
+    for (uint32_t k = 0; k < stage_count; ++k) {
+      uint32_t const stage = controls[i].first_stage + k;
+      stages[stage] = {.mode = view.stages[stage][field::stage::mode],
+                       .axis = controls[i].axis,
+                       .weight = view.stages[stage][field::stage::weight]};
+    }
   }
 }
 

@@ -1,5 +1,5 @@
 // Largest magnitudes the runtime computes with. Everything that stays within them stays finite (see
-// section_kernel.hpp).
+// lanes/sections_def.hpp).
 #pragma once
 
 namespace axisc::runtime {
@@ -13,15 +13,15 @@ inline constexpr double largest_numerator = 64;
 /// |S| of a kernel.
 inline constexpr double largest_tail = 64;
 
-/// Increments below this are rest where a switch needs standstill: a nanometre's millionth part.
-inline constexpr double standstill_increment = 0x1p-30;
+/// The largest increment that is rest where a switch needs standstill, just below a nanometre's millionth part.
+inline constexpr double largest_increment_at_rest = 0x1.fffffffffffffp-31;
 
 /// Factor from additive velocity to drive increments, and additive velocity itself.
 inline constexpr double largest_scale = 0x1p100;
 inline constexpr double largest_weight = 7;
 
 /// A filter's state is at most this large, and zero instead of smaller than this.
-inline constexpr double largest_state = 0x1p500;
+inline constexpr double largest_state = 0x1p200;
 inline constexpr double smallest_state = 0x1p-500;
 
 }  // namespace axisc::runtime

@@ -1,75 +1,72 @@
-#include "runtime/reset.hpp"
-
 #include "axisrt.h"
+#include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
-#include "runtime/runtime_object.hpp"
+#include "runtime/twofold.hpp"
 
 namespace axisc::runtime {
 namespace {
 
-/// Slots hold increments only, so that every constant signal passes them unchanged.
-void reset_chain(Chain const& chain, ChainState& state, double position) {
-  Signal signal{.base = position, .sum = 0, .d = 0};
-  double* output = state.filter_output;
-  if (chain.before != nullptr) {
-    reset_slot(*chain.before);
-    *output++ = value_of(signal);
+void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
+  for (uint32_t i = 0; i < filter.section_count; ++i) {
+    lane.e(filter, i) = 0;
+    lane.r(filter, i) = 0;
   }
-  for (uint32_t i = 0; i < chain.filter_count; ++i) {
-    signal = reset_filter(chain.filters[i], signal);
-    *output++ = value_of(signal);
+  if (filter.kind != FilterKind::delay) return;
+  for (uint32_t i = 0; i <= filter.delay_cycles; ++i) {
+    lane.state(filter, 3 * i) = in.base;
+    lane.state(filter, 3 * i + 1) = in.sum;
+    lane.state(filter, 3 * i + 2) = 0;
   }
-  if (chain.behind != nullptr) {
-    reset_slot(*chain.behind);
-    *output = value_of(signal);
-  }
-  state.input = position;
-  state.output = value_of(signal);
-  state.reset_done = all_set;
 }
 
-axisrt_status reset_port(axisrt const* runtime, Port const& port, uint32_t axis, double position) {
+/// Slots hold increments only, so that every constant signal passes them unchanged.
+void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double position) {
+  LineChain const& line = port.lines[index];
+  Lane const lane(port, line);
+  Value value{.base = position, .sum = 0};
+  if (line.before != nullptr) reset_slot(*line.before);
+  for (uint32_t i = 0; i < line.filter_count; ++i) {
+    Filter const& filter = runtime.filters[line.first_filter + i];
+    reset_filter(lane, filter, value);
+    value = steady_output(lane, filter, value);
+  }
+  if (line.behind != nullptr) reset_slot(*line.behind);
+  lane.part(GroupParts::input) = position;
+  lane.part(GroupParts::output) = rounded(value);
+  lane.set_reset_done();
+}
+
+axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t axis, double position) {
   if (axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
   if (!is_within(position, largest_position)) return AXISRT_BAD_INPUT;
-  reset_chain(port.chains[axis], port.states[axis], position);
+  reset_line(*runtime, port, axis, position);
   return AXISRT_OK;
 }
 
 /// Adds a constant to every signal in a delay, without loss where it is representable.
-void shift_ring(Filter const& filter, Signal const& shift) {
-  for (uint32_t i = 0; i < filter.delay_cycles; ++i) {
-    Signal& signal = filter.ring[i];
-    Twofold const base = exact_sum(signal.base, shift.base);
-    signal.base = base.high;
-    signal.sum += base.low + shift.sum;
+void shift_ring(Lane const& lane, Filter const& filter, Value const& shift) {
+  if (filter.kind != FilterKind::delay) return;
+  for (uint32_t i = 0; i <= filter.delay_cycles; ++i) {
+    double& base = lane.state(filter, 3 * i);
+    Twofold const shifted = exact_sum(base, shift.base);
+    base = shifted.high;
+    lane.state(filter, 3 * i + 1) += shifted.low + shift.sum;
   }
 }
 
-/// States of sections hold increments only: what moves with the origin are setpoints and delayed signals.
-void rebase_chain(Chain const& chain, ChainState& state, double offset) {
-  Signal shift{.base = offset, .sum = 0, .d = 0};
-  double* output = state.filter_output;
-  if (chain.before != nullptr) *output++ += offset;
-  for (uint32_t i = 0; i < chain.filter_count; ++i) {
-    Filter const& filter = chain.filters[i];
-    shift_ring(filter, shift);
-    shift = steady_output(filter, shift);
-    *output++ += value_of(shift);
+/// States of sections and slots hold increments only: what moves with the origin are setpoints and delayed signals.
+void rebase_line(axisrt const& runtime, LineChain const& line, Lane const& lane, double offset) {
+  Value shift{.base = offset, .sum = 0};
+  for (uint32_t i = 0; i < line.filter_count; ++i) {
+    Filter const& filter = runtime.filters[line.first_filter + i];
+    shift_ring(lane, filter, shift);
+    shift = steady_output(lane, filter, shift);
   }
-  if (chain.behind != nullptr) *output += value_of(shift);
-  state.input += offset;
-  state.output += value_of(shift);
+  lane.part(GroupParts::input) += offset;
+  lane.part(GroupParts::output) += rounded(shift);
 }
 
 }  // namespace
-
-Signal reset_filter(Filter const& filter, Signal const& in) {
-  for (uint32_t i = 0; i < filter.section_count; ++i) filter.states[i] = {.e = 0, .r = 0};
-  for (uint32_t i = 0; i < filter.delay_cycles; ++i) filter.ring[i] = in;
-  *filter.oldest = 0;
-  return steady_output(filter, in);
-}
-
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
@@ -93,9 +90,9 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.axis != axis) continue;
-    for (uint32_t stage = 0; stage < control.stage_count; ++stage) {
-      reset_chain(control.stages[stage].chain, control.stage_states[stage],
-                  velocities[control.stages[stage].mode - 1]);
+    for (uint32_t k = 0; k < control.stage_count; ++k) {
+      uint32_t const stage = control.first_stage + k;
+      reset_line(*runtime, runtime->velocity, stage, velocities[runtime->stages[stage].mode - 1]);
     }
   }
   return AXISRT_OK;
@@ -104,10 +101,11 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset) {
   using namespace axisc::runtime;
   if (runtime == nullptr || axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
-  ChainState& state = runtime->setpoint.states[axis];
-  if (state.reset_done == 0) return AXISRT_NOT_RESET;
+  LineChain const& line = runtime->setpoint.lines[axis];
+  Lane const lane(runtime->setpoint, line);
+  if (!lane.reset_done()) return AXISRT_NOT_RESET;
   if (!is_within(offset, largest_position)) return AXISRT_BAD_INPUT;
-  if (!is_within(state.input + offset, largest_position)) return AXISRT_BAD_INPUT;
-  rebase_chain(runtime->setpoint.chains[axis], state, offset);
+  if (!is_within(lane.part(GroupParts::input) + offset, largest_position)) return AXISRT_BAD_INPUT;
+  rebase_line(*runtime, line, lane, offset);
   return AXISRT_OK;
 }

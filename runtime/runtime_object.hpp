@@ -1,10 +1,10 @@
 // What stands in the caller's memory behind the handle. Everything that is fixed after create stands apart
-// from what changes in a cycle, and equal things of all axes stand together.
+// from what changes in a cycle.
 #pragma once
 
 #include "axisrt.h"
-#include "runtime/chain.hpp"
-#include "runtime/double_bits.hpp"
+#include "runtime/batch.hpp"
+#include "runtime/instructions.hpp"
 
 #include <stdint.h>
 
@@ -16,10 +16,50 @@ struct Axis {
   double position_window;
 };
 
-/// Chains of all axes that one call executes.
-struct Port {
-  Chain const* chains;
-  ChainState* states;
+enum class FilterKind : uint32_t { pass_through, passing, shared, blocking, delay };
+
+/// Where a filter of the image stands in the operations of its batch.
+struct Filter {
+  FilterKind kind;
+  uint32_t operation;
+  uint32_t first_section;  ///< in the operation: before it stand those of other filters
+  uint32_t section_count;
+  uint32_t delay_cycles;
+};
+
+struct SlotSwitch {
+  uint32_t on;  ///< 1: the filter is switched on
+};
+
+/// A linear-phase filter of an axis: its lane of a group.
+struct Slot {
+  SlotGroup* group;
+  double* parts;  ///< the group's piece of the state (SlotParts)
+  SlotSwitch* state;
+  Kernel const* listed;  ///< of the lists' values
+  uint32_t width;
+  uint32_t lane;
+  uint32_t history_length;
+  uint32_t family;
+  uint32_t on_at_start;
+  uint32_t reserved;
+};
+
+/// Where a line stands, and its chain.
+struct LineChain {
+  uint32_t batch;
+  uint32_t group;
+  uint32_t lane;
+  uint32_t first_filter;  ///< in the image
+  uint32_t filter_count;
+  uint32_t reserved;
+  Slot const* before;  ///< HSC; null where there is none
+  Slot const* behind;  ///< FIR; null where there is none
+};
+
+struct LinePort {
+  Port port;
+  LineChain const* lines;
 };
 
 /// A set of #FILTER parameters: one kernel for each member of its group.
@@ -33,7 +73,7 @@ struct Bank {
 };
 
 /// An NC channel.
-struct Group {
+struct Channel {
   Slot const* const* members;  ///< slots of its axes; null for an axis without one
   Bank const* banks;
   uint32_t member_count;
@@ -44,45 +84,53 @@ struct Group {
   uint32_t reserved;
 };
 
-/// A stage of Improved Position Control.
+/// A stage of Improved Position Control: a line of the velocity port.
 struct Stage {
-  Chain chain;
   uint32_t mode;
-  uint32_t reserved;
+  uint32_t axis;
   double weight;
 };
 
 /// Improved Position Control of an axis.
 struct Control {
-  Stage const* stages;
-  ChainState* stage_states;
+  uint32_t first_stage;
   uint32_t stage_count;
   uint32_t axis;
   uint32_t source;  ///< index of the control whose additive velocity it gives out: its own, or the master's
-  uint32_t reserved;
   double limit;
   double scale;
+};
+
+/// Stages in the latest cycle, in the order of the image.
+struct StageSignals {
+  double* in;
+  double* out;
+  uint8_t* status;
 };
 
 }  // namespace axisc::runtime
 
 struct axisrt {
   uint32_t axis_count;
-  uint32_t filter_count;
   uint32_t cycle_time_ns;
   uint32_t kernel_count;
   uint32_t slot_count;
-  uint32_t group_count;
+  uint32_t channel_count;
+  uint32_t stage_count;
   uint32_t control_count;
   uint32_t reserved;
+  axisc::runtime::Instructions const* instructions;
   uint8_t const* names;  ///< in the image; null if it has none
   axisc::runtime::Axis const* axes;
   axisc::runtime::Filter const* filters;
-  axisc::runtime::Port setpoint;
-  axisc::runtime::Port additional_interface;
+  axisc::runtime::LinePort setpoint;
+  axisc::runtime::LinePort additional_interface;
+  axisc::runtime::LinePort velocity;
   axisc::runtime::Kernel const* kernels;  ///< one more than the image has: the last lets the signal pass
   axisc::runtime::Slot const* slots;
-  axisc::runtime::Group const* groups;
+  axisc::runtime::Channel const* channels;
+  axisc::runtime::Stage const* stages;
   axisc::runtime::Control const* controls;
+  axisc::runtime::StageSignals stage_signals;
   double* additive_velocities;  ///< of the controls, in the latest cycle
 };

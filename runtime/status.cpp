@@ -36,6 +36,8 @@ const char* axisrt_status_text(axisrt_status status) {
       return "This processor does not compute what the image demands.";
     case AXISRT_MEMORY_TOO_SMALL:
       return "The memory is smaller than axisrt_memory_size demands.";
+    case AXISRT_NO_LEVEL:
+      return "This processor or this build does not have the instruction set that was asked for.";
     case AXISRT_BAD_ARGUMENT:
       return "An argument is null, out of range or of unknown size.";
     case AXISRT_BAD_INPUT:
@@ -90,6 +92,8 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_MEMORY_TOO_SMALL";
     case AXISRT_BAD_ARGUMENT:
       return "AXISRT_BAD_ARGUMENT";
+    case AXISRT_NO_LEVEL:
+      return "AXISRT_NO_LEVEL";
     case AXISRT_BAD_INPUT:
       return "AXISRT_BAD_INPUT";
     case AXISRT_NOT_RESET:

@@ -1,22 +1,14 @@
 #include "axisrt.h"
-#include "runtime/double_bits.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/runtime_object.hpp"
 
 namespace axisc::runtime {
 namespace {
 
-axisrt_status step_port(uint32_t axis_count, Port const& port, double const* in, double* out,
+axisrt_status step_port(axisrt const& runtime, Port const& port, double const* in, double* out,
                         uint8_t* status) {
-  Mask worst = AXISRT_OK;
-  for (uint32_t axis = 0; axis < axis_count; ++axis) {
-    ChainState& state = port.states[axis];
-    double const setpoint = in[axis];
-    Mask const happened = step_chain(port.chains[axis], state, setpoint);
-    out[axis] = select(state.reset_done, state.output, keep(mask_if_finite(setpoint), setpoint));
-    if (status != nullptr) status[axis] = static_cast<uint8_t>(happened);
-    worst = worse(worst, happened);
-  }
-  return static_cast<axisrt_status>(worst);
+  CycleArithmetic const arithmetic;
+  return static_cast<axisrt_status>(runtime.instructions->step(port, in, out, status));
 }
 
 }  // namespace
@@ -24,10 +16,10 @@ axisrt_status step_port(uint32_t axis_count, Port const& port, double const* in,
 
 axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::step_port(runtime->axis_count, runtime->setpoint, in, out, status);
+  return axisc::runtime::step_port(*runtime, runtime->setpoint.port, in, out, status);
 }
 
 axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::step_port(runtime->axis_count, runtime->additional_interface, in, out, status);
+  return axisc::runtime::step_port(*runtime, runtime->additional_interface.port, in, out, status);
 }

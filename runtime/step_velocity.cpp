@@ -1,6 +1,7 @@
 #include "axisrt.h"
+#include "runtime/control_word.hpp"
 #include "runtime/double_bits.hpp"
-#include "runtime/runtime_object.hpp"
+#include "runtime/lane.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -8,15 +9,21 @@ namespace {
 constexpr uint32_t mode_direct = 1;
 constexpr uint32_t mode_indirect = 2;
 
-double input_of(uint32_t mode, uint32_t axis, axisrt_velocities const& in) {
-  switch (mode) {
+double input_of(Stage const& stage, axisrt_velocities const& in) {
+  switch (stage.mode) {
     case mode_direct:
-      return (in.v_direct != nullptr ? in.v_direct : in.v_motor)[axis];
+      return (in.v_direct != nullptr ? in.v_direct : in.v_motor)[stage.axis];
     case mode_indirect:
-      return in.v_motor[axis];
+      return in.v_motor[stage.axis];
     default:
-      return in.v_set[axis];
+      return in.v_set[stage.axis];
   }
+}
+
+void step_stages(axisrt const& runtime, axisrt_velocities const& in) {
+  StageSignals const& signals = runtime.stage_signals;
+  for (uint32_t i = 0; i < runtime.stage_count; ++i) signals.in[i] = input_of(runtime.stages[i], in);
+  runtime.instructions->step(runtime.velocity.port, signals.in, signals.out, signals.status);
 }
 
 /// v, or the limit with the sign of v.
@@ -26,15 +33,19 @@ double limited(double v, double limit) {
   return select(mask_if_within(v, limit), v, std::bit_cast<double>(bound));
 }
 
+Mask worse(Mask a, Mask b) {
+  return select(mask_if_less(a, b), b, a);
+}
+
 /// v_add = - sum of weight_i stage_i; 0 before a reset.
-Mask step_control(Control const& control, axisrt_velocities const& in, double& v_add) {
+Mask join_stages(axisrt const& runtime, Control const& control, double& v_add) {
   Mask worst = AXISRT_OK;
   double sum = 0;
-  for (uint32_t i = 0; i < control.stage_count; ++i) {
-    Stage const& stage = control.stages[i];
-    ChainState& state = control.stage_states[i];
-    worst = worse(worst, step_chain(stage.chain, state, input_of(stage.mode, control.axis, in)));
-    sum -= keep(state.reset_done, stage.weight * state.output);
+  for (uint32_t i = control.first_stage; i < control.first_stage + control.stage_count; ++i) {
+    Lane const lane(runtime.velocity, runtime.velocity.lines[i]);
+    auto const reset_done = std::bit_cast<Mask>(lane.part(GroupParts::reset_done));
+    worst = worse(worst, runtime.stage_signals.status[i]);
+    sum -= keep(reset_done, runtime.stages[i].weight * runtime.stage_signals.out[i]);
   }
   v_add = limited(sum, control.limit);
   return worst;
@@ -50,11 +61,13 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in,
     return AXISRT_BAD_ARGUMENT;
   }
   if (in->v_set == nullptr || in->v_motor == nullptr) return AXISRT_BAD_ARGUMENT;
+  CycleArithmetic const arithmetic;
+  step_stages(*runtime, *in);
   Mask worst = AXISRT_OK;
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.source != i) continue;
-    Mask const happened = step_control(control, *in, runtime->additive_velocities[i]);
+    Mask const happened = join_stages(*runtime, control, runtime->additive_velocities[i]);
     if (status != nullptr) status[control.axis] = static_cast<uint8_t>(happened);
     worst = worse(worst, happened);
   }

@@ -47,6 +47,7 @@ typedef enum axisrt_status {
   AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
   AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
+  AXISRT_NO_LEVEL = 24,     /* this processor, or this build, does not have the instruction set that was asked for */
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
@@ -65,7 +66,7 @@ const char* axisrt_status_text(axisrt_status status);
 const char* axisrt_status_name(axisrt_status status);
 
 /* Version of this interface; changes when a program must be rebuilt. */
-#define AXISRT_ABI_VERSION 2u
+#define AXISRT_ABI_VERSION 3u
 uint32_t axisrt_abi_version(void);
 
 #define AXISRT_ALIGNMENT 64u
@@ -76,6 +77,17 @@ uint32_t axisrt_abi_version(void);
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
 
+/* Instruction sets. Each computes the same filters within the accuracy that axisrt_step states; only PORTABLE gives the
+ * same bits on every processor (the others differ in the last place where they contract multiplications and additions). */
+typedef enum axisrt_level {
+  AXISRT_LEVEL_AUTOMATIC = 0, /* the best one that this processor has */
+  AXISRT_LEVEL_PORTABLE = 1,  /* one axis after the other, every operation rounded */
+  AXISRT_LEVEL_X86_64_V2 = 2, /* SSE up to 4.2 */
+  AXISRT_LEVEL_X86_64_V3 = 3, /* AVX2, FMA, BMI2 and their companions */
+  AXISRT_LEVEL_X86_64_V4 = 4, /* AVX-512 F, BW, CD, DQ, VL */
+  AXISRT_LEVEL_NEON = 16      /* AArch64 */
+} axisrt_level;
+
 typedef struct axisrt axisrt;
 
 typedef struct axisrt_config {
@@ -85,11 +97,14 @@ typedef struct axisrt_config {
   size_t image_size;
   void* memory; /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
   size_t memory_size;
+  uint32_t level;    /* an axisrt_level; axisrt_memory_size and axisrt_create get the same */
+  uint32_t reserved; /* 0 */
 } axisrt_config;
 
 /* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
  * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
- * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much. Cost as axisrt_verify. Not in the cycle. */
+ * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, or AXISRT_NO_LEVEL. Cost as axisrt_verify, and a
+ * pass over the axes for each shape of chains. Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 
 /* Verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
@@ -101,6 +116,8 @@ axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
 /* What was created; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 uint32_t axisrt_axis_count(const axisrt* runtime);
 uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
+/* The axisrt_level that is executed: never AUTOMATIC. */
+uint32_t axisrt_level_of(const axisrt* runtime);
 /* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image; never null. */
 const char* axisrt_axis_name(const axisrt* runtime, uint32_t axis, size_t* length);
 /* 1 if the axis has a filter on its additional interface, else 0. */
@@ -203,7 +220,8 @@ typedef struct axisrt_filter_command {
  *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
  *     |y[n] - 2 y[n-1] + y[n-2]|    <= max(P_A, P_B) a + a/4
  * Returns AXISRT_OK (also where nothing changes), AXISRT_BUSY, AXISRT_NO_BANK, AXISRT_NEEDS_STANDSTILL, or
- * AXISRT_BAD_ARGUMENT. Cost: the group's banks and axes; a cycle during a fade computes two kernels per axis. */
+ * AXISRT_BAD_ARGUMENT. Cost: the group's banks, axes and the tails of their kernels; a cycle during a fade and up to 16
+ * cycles behind it applies two kernels to the whole history of each axis. */
 axisrt_status axisrt_command(axisrt* runtime, uint32_t group, const axisrt_filter_command* command);
 
 /* The order that ORDER_TIME (in us) means: floor(time/T + 0.5), 0 below one cycle. */

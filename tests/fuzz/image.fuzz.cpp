@@ -196,7 +196,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
                        .image = image.data(),
                        .image_size = image.size(),
                        .memory = nullptr,
-                       .memory_size = 0};
+                       .memory_size = 0,
+                       .level = AXISRT_LEVEL_AUTOMATIC,
+                       .reserved = 0};
   std::size_t alignment = 0;
   require(axisrt_memory_size(&config, &config.memory_size, &alignment) == AXISRT_OK);
   AlignedMemory memory(config.memory_size);

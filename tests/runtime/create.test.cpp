@@ -16,7 +16,9 @@ struct Prepared {
               .image = image.data(),
               .image_size = image.size(),
               .memory = memory.data(),
-              .memory_size = memory.size()};
+              .memory_size = memory.size(),
+              .level = test_level(),
+              .reserved = 0};
   }
   axisrt_status create() { return axisrt_create(&config, &runtime); }
 

@@ -7,11 +7,19 @@
 #include "runtime/image_builder.hpp"
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <vector>
 
 namespace axisc::test {
+
+/// The instruction set under test: an axisrt_level in the environment, else the best one.
+inline std::uint32_t test_level() {
+  char const* const level = std::getenv("AXISRT_TEST_LEVEL");
+  return level == nullptr ? std::uint32_t{AXISRT_LEVEL_AUTOMATIC}
+                          : static_cast<std::uint32_t>(std::strtoul(level, nullptr, 10));
+}
 
 class TestRuntime {
  public:
@@ -22,7 +30,9 @@ class TestRuntime {
                          .image = image_->data(),
                          .image_size = image_->size(),
                          .memory = nullptr,
-                         .memory_size = 0};
+                         .memory_size = 0,
+                         .level = test_level(),
+                         .reserved = 0};
     std::size_t alignment = 0;
     status = axisrt_memory_size(&config, &memory_size, &alignment);
     if (status != AXISRT_OK) return;

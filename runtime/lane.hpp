@@ -1,0 +1,93 @@
+// One lane of a group, as everything outside the cycle sees it.
+#pragma once
+
+#include "runtime/double_bits.hpp"
+#include "runtime/runtime_object.hpp"
+
+#include <bit>
+#include <stddef.h>
+#include <stdint.h>
+
+namespace axisc::runtime {
+
+/// Value base + sum of a signal.
+struct Value {
+  double base, sum;
+};
+
+[[nodiscard]] inline double rounded(Value const& value) {
+  return value.base + value.sum;
+}
+
+/// The state and the constants of a line.
+class Lane {
+ public:
+  Lane(LinePort const& port, LineChain const& line)
+      : batch_(port.port.batches[line.batch]),
+        parts_(batch_.states + static_cast<size_t>(line.group) * batch_.state_stride),
+        constants_(batch_.constants + static_cast<size_t>(line.group) * batch_.operation_count),
+        lane_(line.lane) {}
+
+  /// A double of the group's own pieces (GroupParts).
+  [[nodiscard]] double& part(uint32_t index) const { return parts_[index * batch_.width + lane_]; }
+  [[nodiscard]] bool reset_done() const {
+    return std::bit_cast<uint64_t>(part(GroupParts::reset_done)) != 0;
+  }
+  void set_reset_done() const { part(GroupParts::reset_done) = std::bit_cast<double>(all_set); }
+
+  [[nodiscard]] Operation const& operation(Filter const& filter) const {
+    return batch_.operations[filter.operation];
+  }
+  [[nodiscard]] double& state(Filter const& filter, uint32_t index) const {
+    return part(operation(filter).first_state + index);
+  }
+  /// e and r of a section.
+  [[nodiscard]] double& e(Filter const& filter, uint32_t section) const {
+    return state(filter, 2 * (filter.first_section + section));
+  }
+  [[nodiscard]] double& r(Filter const& filter, uint32_t section) const {
+    return state(filter, 2 * (filter.first_section + section) + 1);
+  }
+  /// s, 1 - s, the rest of 1 - s; not for passing filters.
+  [[nodiscard]] double share(Filter const& filter, uint32_t index) const {
+    return constants_[filter.operation][index * batch_.width + lane_];
+  }
+
+ private:
+  Batch const& batch_;
+  double* parts_;
+  double const* const* constants_;
+  uint32_t lane_;
+};
+
+/// A double per lane of a slot's piece (SlotParts).
+[[nodiscard]] inline double& slot_part(Slot const& slot, uint32_t index) {
+  return slot.parts[static_cast<size_t>(index) * slot.width + slot.lane];
+}
+
+[[nodiscard]] inline bool is_fading(Slot const& slot) {
+  return slot.group->fade_position[slot.lane] < slot.group->fade_length[slot.lane];
+}
+
+/// True where switching kernels cannot be seen in the output.
+[[nodiscard]] inline bool is_at_rest(Slot const& slot) {
+  return std::bit_cast<uint64_t>(slot_part(slot, SlotParts::rest_cycles)) >= slot.history_length;
+}
+
+/// The steady state for any constant signal; a fade has ended.
+void reset_slot(Slot const& slot);
+
+/// Begins to work with `kernel`; without a fade where `fade_cycles` is 0. Expects that none runs. Cost: the tails of a
+/// slot's longest kernel.
+void switch_slot(Slot const& slot, Kernel const* kernel, uint32_t fade_cycles);
+
+/// Chooses how a group works whose lanes are all in the steady state.
+void start_at_rest(SlotGroup& group, uint32_t width);
+
+/// What comes out of a filter for a signal that has always been `in`. Does not touch the states.
+[[nodiscard]] Value steady_output(Lane const& lane, Filter const& filter, Value const& in);
+
+/// What came out of a filter in the latest cycle, if `in` went in.
+[[nodiscard]] Value latest_output(Lane const& lane, Filter const& filter, Value const& in);
+
+}  // namespace axisc::runtime

@@ -1,0 +1,56 @@
+// The table of an instruction set. Calls between here and the rest of the runtime go through it alone.
+#pragma once
+
+#include "runtime/instructions.hpp"
+#include "runtime/lanes/batch_def.hpp"
+
+namespace axisc::runtime::AXISRT_LEVEL {
+
+/// Calls call.template operator()<Width>() for the width of the batch.
+template <class Call>
+AXISRT_INLINE void with_width(uint32_t width, Call const& call) {
+  if (width == 1) call.template operator()<1>();
+  if constexpr (AXISRT_LANES >= 2) {
+    if (width == 2) call.template operator()<2>();
+  }
+  if constexpr (AXISRT_LANES >= 4) {
+    if (width == 4) call.template operator()<4>();
+  }
+  if constexpr (AXISRT_LANES >= 8) {
+    if (width == 8) call.template operator()<8>();
+  }
+}
+
+uint64_t step(Port const& port, double const* in, double* out, uint8_t* status) {
+  uint64_t worst = AXISRT_OK;
+  for (uint32_t i = 0; i < port.batch_count; ++i) {
+    Batch const& batch = port.batches[i];
+    with_width(batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
+      uint64_t const happened = step_batch<Width>(batch, in, out, status);
+      worst = happened > worst ? happened : worst;
+    });
+  }
+  return worst;
+}
+
+void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, double* signal) {
+  Operation const& one = batch.operations[operation];
+  double const* const constants =
+      batch.constants[static_cast<size_t>(group) * batch.operation_count + operation];
+  double* const parts = batch.states + static_cast<size_t>(group) * batch.state_stride;
+  with_width(batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
+    Signal<Width> const in{load<Real<Width>>(signal), load<Real<Width>>(signal + Width),
+                           load<Real<Width>>(signal + 2 * Width)};
+    Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
+    store(signal, out.base);
+    store(signal + Width, out.sum);
+    store(signal + 2 * Width, out.d);
+    bound_operation<Width>(one, parts);
+    advance_operation(one);
+  });
+}
+
+extern Instructions const instructions;
+Instructions const instructions{AXISRT_LEVEL_NUMBER, AXISRT_LANES, step, run_one_operation};
+
+}  // namespace axisc::runtime::AXISRT_LEVEL

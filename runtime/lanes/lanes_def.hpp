@@ -1,0 +1,173 @@
+// Values of several lanes: the compiler's vectors, and plain numbers for one lane.
+//
+// This and the other _def headers are compiled once for each instruction set, into a namespace of its own
+// (AXISRT_LEVEL), with groups of up to AXISRT_LANES lanes. They use nothing that another level could define too: of two
+// equal inline functions a linker keeps one, and it might be the one that this processor cannot execute.
+#pragma once
+
+#include "runtime/batch.hpp"
+#include "runtime/limits.hpp"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define AXISRT_INLINE inline __attribute__((always_inline))
+#else
+#define AXISRT_INLINE inline
+#endif
+
+namespace axisc::runtime::AXISRT_LEVEL {
+
+template <uint32_t Width>
+struct Lanes;
+
+template <>
+struct Lanes<1> {
+  using Real = double;
+  using Bits = uint64_t;
+};
+template <>
+struct Lanes<2> {
+  using Real = double __attribute__((vector_size(16)));
+  using Bits = uint64_t __attribute__((vector_size(16)));
+  using Octets = uint8_t __attribute__((vector_size(2)));
+};
+template <>
+struct Lanes<4> {
+  using Real = double __attribute__((vector_size(32)));
+  using Bits = uint64_t __attribute__((vector_size(32)));
+  using Octets = uint8_t __attribute__((vector_size(4)));
+};
+template <>
+struct Lanes<8> {
+  using Real = double __attribute__((vector_size(64)));
+  using Bits = uint64_t __attribute__((vector_size(64)));
+  using Octets = uint8_t __attribute__((vector_size(8)));
+};
+
+template <uint32_t Width>
+using Real = typename Lanes<Width>::Real;
+template <uint32_t Width>
+using Bits = typename Lanes<Width>::Bits;
+
+/// From any address that is aligned to a double.
+template <class Value>
+AXISRT_INLINE Value load(void const* from) {
+  Value value;
+  __builtin_memcpy(&value, from, sizeof value);
+  return value;
+}
+
+template <class Value>
+AXISRT_INLINE void store(void* to, Value value) {
+  __builtin_memcpy(to, &value, sizeof value);
+}
+
+/// The same number in every lane.
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> all(double value) {
+  if constexpr (Width == 1) {
+    return value;
+  } else {
+    return value - Real<Width>{};
+  }
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> bits_of(Real<Width> value) {
+  return __builtin_bit_cast(Bits<Width>, value);
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> real_of(Bits<Width> bits) {
+  return __builtin_bit_cast(Real<Width>, bits);
+}
+
+/// The same mask, of which a compiler knows nothing: else it turns selections between two numbers back into branches.
+AXISRT_INLINE uint64_t opaque(uint64_t mask) {
+#if defined(__GNUC__)
+  __asm__("" : "+r"(mask));
+#endif
+  return mask;
+}
+
+/// All bits of a lane set where a <= b; clear where one is NaN.
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> mask_if_at_most(Real<Width> a, Real<Width> b) {
+  if constexpr (Width == 1) {
+    return opaque(0U - static_cast<uint64_t>(a <= b));
+  } else {
+    return __builtin_bit_cast(Bits<Width>, a <= b);
+  }
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> magnitude(Real<Width> value) {
+  return real_of<Width>(bits_of<Width>(value) & 0x7FFF'FFFF'FFFF'FFFFU);
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> mask_if_within(Real<Width> value, double limit) {
+  return mask_if_at_most<Width>(magnitude<Width>(value), all<Width>(limit));
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> select(Bits<Width> mask, Real<Width> if_set, Real<Width> if_clear) {
+  return real_of<Width>((bits_of<Width>(if_set) & mask) | (bits_of<Width>(if_clear) & ~mask));
+}
+
+/// The value or 0.
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
+  return real_of<Width>(mask & bits_of<Width>(value));
+}
+
+/// The same value, of which a compiler knows nothing: keeps it from merging a rounded product with a following sum where
+/// an error term depends on the rounding.
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> rounded(Real<Width> value) {
+#if defined(AXISRT_CONTRACTS) && defined(__x86_64__)
+  __asm__("" : "+x"(value));
+#elif defined(AXISRT_CONTRACTS) && defined(__aarch64__)
+  if constexpr (Width <= 2) __asm__("" : "+w"(value));
+#endif
+  return value;
+}
+
+template <uint32_t Width>
+AXISRT_INLINE double sum_of_lanes(Real<Width> value) {
+  if constexpr (Width == 1) {
+    return value;
+  } else {
+    double sum = 0;
+    for (uint32_t lane = 0; lane < Width; ++lane) sum += value[lane];
+    return sum;
+  }
+}
+
+/// Values of lines that need not be neighbours.
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> gather(double const* values, uint32_t const* lines) {
+  if constexpr (Width == 1) {
+    return values[lines[0]];
+  } else if constexpr (Width == 2) {
+    return Real<2>{values[lines[0]], values[lines[1]]};
+  } else if constexpr (Width == 4) {
+    return Real<4>{values[lines[0]], values[lines[1]], values[lines[2]], values[lines[3]]};
+  } else {
+    return Real<8>{values[lines[0]], values[lines[1]], values[lines[2]], values[lines[3]],
+                   values[lines[4]], values[lines[5]], values[lines[6]], values[lines[7]]};
+  }
+}
+
+/// Calls call.template operator()<0>() to <Count - 1>(): a loop that is written out.
+template <uint32_t Count, uint32_t First = 0, class Call>
+AXISRT_INLINE void unrolled(Call const& call) {
+  if constexpr (First < Count) {
+    call.template operator()<First>();
+    unrolled<Count, First + 1>(call);
+  }
+}
+
+}  // namespace axisc::runtime::AXISRT_LEVEL

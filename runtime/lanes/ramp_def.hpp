@@ -1,0 +1,74 @@
+// A moving average in a few operations, whatever its order is.
+//
+// Its tails are a ramp, S_j = s (K - j) for j = 0..K-1. Time is cut into windows of K cycles, and
+//
+//     E[n] / s = sum of (K - j) d[n-j] = C[n] + G[n]
+//
+// C is what the increments of the present window contribute, G what is left of those before it:
+//
+//     C[n] = C[n-1] - P[n-1] + K d[n],   P[n] = P[n-1] + d[n]
+//     G[n] = G[n-1] - Q[n-1],            Q[n] = Q[n-1] - d[n-K]
+//
+// At the end of a window G is what C was and Q what P was, and C and P begin at zero again. No sum lives longer than two
+// windows, so nothing drifts: the error stays below 2 K rounding errors of E, and at rest every sum ends at zero.
+#pragma once
+
+#include "runtime/lanes/taps_def.hpp"
+
+namespace axisc::runtime::AXISRT_LEVEL {
+
+/// The increment that stands `age` cycles before the present one.
+template <uint32_t Width>
+AXISRT_INLINE double const* increment_of_age(SlotGroup const& slot, double const* history, uint32_t age) {
+  uint32_t const length = slot.block_count * block_cycles;
+  uint32_t const present = slot.block * block_cycles + slot.phase;
+  return history + (present >= age ? present - age : present + length - age) * Width;
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* history, Real<Width> d) {
+  Kernel const& kernel = *slot.common;
+  uint32_t const length = kernel.tail_count;
+  auto c = load<Real<Width>>(sums);
+  auto p = load<Real<Width>>(sums + Width);
+  auto g = load<Real<Width>>(sums + 2 * Width);
+  auto q = load<Real<Width>>(sums + 3 * Width);
+  g -= q;
+  q -= load<Real<Width>>(increment_of_age<Width>(slot, history, length));
+  c = (c - p) + static_cast<double>(length) * d;
+  p += d;
+  Real<Width> const removed = kernel.ramp * (c + g);
+  slot.ramp_phase += 1;
+  if (slot.ramp_phase == length) {
+    slot.ramp_phase = 0;
+    g = c;
+    q = p;
+    c = Real<Width>{};
+    p = Real<Width>{};
+  }
+  store(sums, c);
+  store(sums + Width, p);
+  store(sums + 2 * Width, g);
+  store(sums + 3 * Width, q);
+  return removed;
+}
+
+/// Takes the increments so far as those of the window before.
+template <uint32_t Width>
+AXISRT_INLINE void begin_ramp(SlotGroup& slot, double* sums, double const* history) {
+  uint32_t const length = slot.common->tail_count;
+  Real<Width> g{};
+  Real<Width> q{};
+  for (uint32_t j = 0; j < length; ++j) {
+    auto const d = load<Real<Width>>(increment_of_age<Width>(slot, history, j));
+    g += static_cast<double>(length - j) * d;
+    q += d;
+  }
+  store(sums, Real<Width>{});
+  store(sums + Width, Real<Width>{});
+  store(sums + 2 * Width, g);
+  store(sums + 3 * Width, q);
+  slot.ramp_phase = 0;
+}
+
+}  // namespace axisc::runtime::AXISRT_LEVEL
