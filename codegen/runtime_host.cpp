@@ -12,10 +12,12 @@ RuntimeHost::RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtim
     : image_(std::move(image)), memory_(std::move(memory)), runtime_(runtime) {}
 
 std::variant<RuntimeHost, axisrt_status> RuntimeHost::create(std::span<std::byte const> image,
-                                                             std::optional<design::CycleTime> cycle_time) {
+                                                             std::optional<design::CycleTime> cycle_time,
+                                                             std::uint32_t level) {
   AlignedBytes owned_image(image);
   axisrt_config config{};
   config.size = sizeof(axisrt_config);
+  config.level = level;
   config.image = owned_image.data();
   config.image_size = owned_image.size();
 

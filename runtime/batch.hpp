@@ -21,11 +21,11 @@ inline constexpr uint32_t block_cycles = 8;
 inline constexpr uint32_t widest_by_one = 2;
 
 enum class OperationKind : uint32_t {
-  passing,  ///< sections with H(1) = 1, all of the signal goes through them
-  shared,   ///< the same with a part beside it
-  blocking, ///< sections with H(1) = 0
+  passing,   ///< sections with H(1) = 1, all of the signal goes through them
+  shared,    ///< the same with a part beside it
+  blocking,  ///< sections with H(1) = 0
   delay,
-  slot      ///< a linear-phase kernel, or none at present
+  slot  ///< a linear-phase kernel, or none at present
 };
 
 /// A linear-phase kernel as tail sums. S_j = zero[-j]; zeros stand before S_0 and behind the last one, as many as are
@@ -34,7 +34,7 @@ struct Kernel {
   double const* zero;
   uint32_t tail_count;
   uint32_t block_count;  ///< blocks of the history that the tails reach into
-  double ramp;  ///< S_j = ramp (tail_count - j) for a moving average, 0 for every other kernel
+  double ramp;           ///< S_j = ramp (tail_count - j) for a moving average, 0 for every other kernel
 };
 
 enum class SlotMode : uint32_t {
@@ -56,27 +56,28 @@ struct SlotGroup {
   uint32_t used;         ///< lanes that have a line
   uint32_t reserved;
   Kernel const* common;  ///< kernel of all lanes; null if they differ or change over
-  double* to;    ///< tails of the lanes' kernels, side by side: S_j of lane l at to[-j width + l]
-  double* from;  ///< of those they change over from
-  Kernel const* kernel[most_lanes];  ///< what works, or begins to
-  Kernel const* before[most_lanes];  ///< what worked before the fade
+  double* to;            ///< tails of the lanes' kernels, side by side: S_j of lane l at to[-j width + l]
+  double* from;          ///< of those they change over from
+  Kernel const* kernel[most_lanes];    ///< what works, or begins to
+  Kernel const* before[most_lanes];    ///< what worked before the fade
   uint32_t fade_position[most_lanes];  ///< cycles of the fade that are done; fade_length when none runs
   uint32_t fade_length[most_lanes];
 };
 
 /// Where the parts of a slot stand in its piece of the group's state, in units of one double per lane.
 struct SlotParts {
-  static constexpr uint32_t removed = 0;      ///< what the filter took from the signal in the latest cycle
-  static constexpr uint32_t rest_cycles = 1;  ///< cycles without an increment, as integer
-  static constexpr uint32_t ramp = 2;         ///< C, P, G, Q
-  static constexpr uint32_t ahead = 6;        ///< two halves of a block
-  static constexpr uint32_t history = ahead + 2 * block_cycles;  ///< increments in the order of time, block by block
+  static constexpr uint32_t removed = 0;  ///< what the filter took from the signal in the latest cycle
+  static constexpr uint32_t ramp = 1;     ///< C, P, G, Q
+  static constexpr uint32_t ahead = 5;    ///< two halves of a block
+  static constexpr uint32_t history =
+      ahead + 2 * block_cycles;  ///< increments in the order of time, block by block
 };
 
 /// What changes in a cycle and is the same for all groups of a batch.
 struct OperationState {
   uint32_t position;  ///< in the ring of a delay, where the next signal goes
-  uint32_t bounded;   ///< the section that is bounded next
+  uint32_t group;     ///< of the section that is bounded next
+  uint32_t section;
 };
 
 /// One step of the chains of a batch.
@@ -102,18 +103,23 @@ struct GroupParts {
   static constexpr uint32_t operations = 3;
 };
 
+/// What calls between the cycles change for a whole batch.
+struct BatchState {
+  uint32_t never_reset;  ///< lines that were never reset
+};
+
 struct Batch {
   uint32_t width;  ///< lanes of a group: 1, 2, 4 or 8
   uint32_t group_count;
   uint32_t used_in_last;  ///< lanes of the last group that have a line; the others repeat its first line
   uint32_t operation_count;
   uint32_t state_stride;  ///< doubles of a group's state
-  uint32_t reserved;
+  uint32_t consecutive;   ///< 1: its lanes are neighbouring lines, group after group
   Operation operations[most_operations];
-  double* states;                        ///< of all groups
-  double const* const* constants;        ///< [group][operation]; equal ones of neighbours are stored once
-  uint32_t const* lines;                 ///< [group][lane]
-  uint8_t const* consecutive;            ///< [group]: 1 if its lanes are neighbouring lines
+  BatchState* state;
+  double* states;                  ///< of all groups
+  double const* const* constants;  ///< [group][operation]; equal ones of neighbours are stored once
+  uint32_t const* lines;           ///< [group][lane]
 };
 
 /// Lines that one call executes.

@@ -35,7 +35,8 @@ struct Memory {
 /// Kernels and their tails; one kernel without tails behind them.
 void build_kernels(ImageView const& view, Layout const& layout, Memory memory);
 /// Lines in their lanes, in the steady state for 0 and never reset. Expects kernels.
-LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout, Memory memory);
+LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout,
+                    Memory memory);
 /// Channels with their banks. Expects kernels and ports.
 void build_channels(ImageView const& view, Layout const& layout, Memory memory);
 /// Improved Position Control.

@@ -37,7 +37,9 @@ class CycleArithmetic {
     __asm__ volatile("mrs %0, fpcr" : "=r"(word)::"memory");
     return word;
   }
-  static void write(Word word) { __asm__ volatile("msr fpcr, %0" ::"r"(word) : "memory"); }
+  static void write(Word word) {
+    __asm__ volatile("msr fpcr, %0" ::"r"(word) : "memory");
+  }
 #else
   using Word = uint32_t;
   static Word read() {
@@ -45,10 +47,16 @@ class CycleArithmetic {
     __asm__ volatile("vmrs %0, fpscr" : "=r"(word)::"memory");
     return word;
   }
-  static void write(Word word) { __asm__ volatile("vmsr fpscr, %0" ::"r"(word) : "memory"); }
+  static void write(Word word) {
+    __asm__ volatile("vmsr fpscr, %0" ::"r"(word) : "memory");
+  }
 #endif
-  CycleArithmetic() : callers_(read()) { write(flush_to_zero); }
-  ~CycleArithmetic() { write(callers_); }
+  CycleArithmetic() : callers_(read()) {
+    write(flush_to_zero);
+  }
+  ~CycleArithmetic() {
+    write(callers_);
+  }
   CycleArithmetic(CycleArithmetic const&) = delete;
   CycleArithmetic& operator=(CycleArithmetic const&) = delete;
 

@@ -40,8 +40,7 @@ void build_kernels(ImageView const& view, Layout const& layout, Memory memory) {
     uint32_t const blocks = blocks_of(count);
     double const* const zero = write_tails(
         tails, blocks, count, [&](uint32_t j) { return view.tails[first + j][field::tail::value]; });
-    kernels[i] = {
-        .zero = zero, .tail_count = count, .block_count = blocks, .ramp = find_ramp(zero, count)};
+    kernels[i] = {.zero = zero, .tail_count = count, .block_count = blocks, .ramp = find_ramp(zero, count)};
     tails += padded_tails(blocks);
   }
 }

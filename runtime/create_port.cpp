@@ -37,7 +37,7 @@ class PortBuilder {
     batches_ = memory.part<Batch>(own.batches);
     lines_ = memory.part<LineChain>(own.lines);
     group_lines_ = memory.part<uint32_t>(own.lanes);
-    consecutive_ = memory.part<uint8_t>(own.consecutive);
+    batch_states_ = memory.part<BatchState>(own.batch_states);
     pieces_ = memory.part<double const*>(own.pieces);
     constants_ = memory.part<double>(own.constants);
     operation_states_ = memory.part<OperationState>(own.operation_states);
@@ -56,8 +56,9 @@ class PortBuilder {
       add_group(group, continues ? &before : nullptr);
       before = group;
     }
-    return {.port = {.batches = batches_, .batch_count = batch_count_, .line_count = count_lines(view_, port_)},
-            .lines = lines_};
+    return {
+        .port = {.batches = batches_, .batch_count = batch_count_, .line_count = count_lines(view_, port_)},
+        .lines = lines_};
   }
 
  private:
@@ -68,16 +69,17 @@ class PortBuilder {
              .used_in_last = 0,
              .operation_count = group.shape.step_count,
              .state_stride = state_stride(group),
-             .reserved = 0,
+             .consecutive = 1,
              .operations = {},
+             .state = batch_states_++,
              .states = states_,
              .constants = pieces_,
-             .lines = group_lines_,
-             .consecutive = consecutive_};
+             .lines = group_lines_};
+    *batch.state = {.never_reset = 0};
     uint32_t first_state = GroupParts::operations;
     for (uint32_t i = 0; i < batch.operation_count; ++i) {
       Shape::Step const& step = group.shape.steps[i];
-      *operation_states_ = {.position = 0, .bounded = 0};
+      *operation_states_ = {.position = 0, .group = 0, .section = 0};
       batch.operations[i] = {.kind = step.kind,
                              .section_count = step.section_count,
                              .delay_cycles = step.delay_cycles,
@@ -91,12 +93,11 @@ class PortBuilder {
 
   void add_group(Group const& group, Group const* before) {
     Batch& batch = batches_[batch_count_ - 1];
-    bool neighbours = group.used == group.width;
     for (uint32_t lane = 0; lane < group.width; ++lane) {
+      bool const follows = group_lines_ == batch.lines || group.lines[lane] == group_lines_[-1] + 1;
+      if (!follows) batch.consecutive = 0;
       *group_lines_++ = group.lines[lane];
-      neighbours = neighbours && group.lines[lane] == group.lines[0] + lane;
     }
-    *consecutive_++ = neighbours ? 1 : 0;
     for (uint32_t i = 0; i < batch.state_stride; ++i) states_[i] = 0;
     for (uint32_t i = 0; i < group.shape.step_count; ++i) {
       if (group.shape.steps[i].kind == OperationKind::slot) {
@@ -180,16 +181,17 @@ class PortBuilder {
       Kernel const* const pass = kernels_ + view_.kernels.count;
       Kernel const* const listed = kernel == AXIM_NONE ? pass : kernels_ + kernel;
       uint32_t const history = record[field::slot::history];
-      Slot const slot{.group = &slots,
-                      .parts = states_ + static_cast<size_t>(batch.operations[index].first_state) * group.width,
-                      .state = slot_switches_ + number,
-                      .listed = listed,
-                      .width = group.width,
-                      .lane = lane,
-                      .history_length = history > 0 ? history : 1,
-                      .family = record[field::slot::family],
-                      .on_at_start = on,
-                      .reserved = 0};
+      Slot const slot{
+          .group = &slots,
+          .parts = states_ + static_cast<size_t>(batch.operations[index].first_state) * group.width,
+          .state = slot_switches_ + number,
+          .listed = listed,
+          .width = group.width,
+          .lane = lane,
+          .history_length = history > 0 ? history : 1,
+          .family = record[field::slot::family],
+          .on_at_start = on,
+          .reserved = 0};
       slots.kernel[lane] = pass;
       slots.before[lane] = pass;
       switch_slot(slot, on != 0 ? listed : pass, 0);
@@ -221,6 +223,8 @@ class PortBuilder {
     // An axis without a filter on its additional interface has nothing to reset there.
     if (port_ == PortKind::additional_interface && image_line.filter_count == 0) {
       states_[GroupParts::reset_done * batch.width + lane] = std::bit_cast<double>(all_set);
+    } else {
+      batch.state->never_reset += 1;
     }
   }
 
@@ -279,7 +283,7 @@ class PortBuilder {
   Batch* batches_ = nullptr;
   LineChain* lines_ = nullptr;
   uint32_t* group_lines_ = nullptr;
-  uint8_t* consecutive_ = nullptr;
+  BatchState* batch_states_ = nullptr;
   double const** pieces_ = nullptr;
   double* constants_ = nullptr;
   OperationState* operation_states_ = nullptr;
@@ -319,7 +323,8 @@ bool same_constants(ImageView const& view, PortKind port, Group const& a, Group 
   return true;
 }
 
-LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout, Memory memory) {
+LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout,
+                    Memory memory) {
   return PortBuilder(view, port, lanes, layout, memory).build();
 }
 

@@ -1,5 +1,6 @@
 #include "runtime/lane.hpp"
 
+#include "runtime/limits.hpp"
 #include "runtime/twofold.hpp"
 
 namespace axisc::runtime {
@@ -52,11 +53,21 @@ void end_fade(Slot const& slot) {
 
 }  // namespace
 
+bool is_at_rest(Slot const& slot) {
+  SlotGroup const& group = *slot.group;
+  uint32_t const length = group.block_count * block_cycles;
+  uint32_t const next = group.block * block_cycles + group.phase;
+  for (uint32_t age = 1; age <= slot.history_length; ++age) {
+    uint32_t const place = next >= age ? next - age : next + length - age;
+    if (!is_within(slot_part(slot, SlotParts::history + place), largest_increment_at_rest)) return false;
+  }
+  return true;
+}
+
 void reset_slot(Slot const& slot) {
   end_fade(slot);
   uint32_t const end = SlotParts::history + slot.group->block_count * block_cycles;
   for (uint32_t i = 0; i < end; ++i) slot_part(slot, i) = 0;
-  slot_part(slot, SlotParts::rest_cycles) = std::bit_cast<double>(uint64_t{slot.history_length});
 }
 
 void switch_slot(Slot const& slot, Kernel const* kernel, uint32_t fade_cycles) {

@@ -30,10 +30,11 @@ class Lane {
 
   /// A double of the group's own pieces (GroupParts).
   [[nodiscard]] double& part(uint32_t index) const { return parts_[index * batch_.width + lane_]; }
-  [[nodiscard]] bool reset_done() const {
-    return std::bit_cast<uint64_t>(part(GroupParts::reset_done)) != 0;
+  [[nodiscard]] bool reset_done() const { return std::bit_cast<uint64_t>(part(GroupParts::reset_done)) != 0; }
+  void set_reset_done() const {
+    if (!reset_done()) batch_.state->never_reset -= 1;
+    part(GroupParts::reset_done) = std::bit_cast<double>(all_set);
   }
-  void set_reset_done() const { part(GroupParts::reset_done) = std::bit_cast<double>(all_set); }
 
   [[nodiscard]] Operation const& operation(Filter const& filter) const {
     return batch_.operations[filter.operation];
@@ -69,10 +70,9 @@ class Lane {
   return slot.group->fade_position[slot.lane] < slot.group->fade_length[slot.lane];
 }
 
-/// True where switching kernels cannot be seen in the output.
-[[nodiscard]] inline bool is_at_rest(Slot const& slot) {
-  return std::bit_cast<uint64_t>(slot_part(slot, SlotParts::rest_cycles)) >= slot.history_length;
-}
+/// True where switching kernels cannot be seen in the output: as many cycles as the slot's longest kernel remembers had no
+/// increment to speak of. Cost: that many cycles.
+[[nodiscard]] bool is_at_rest(Slot const& slot);
 
 /// The steady state for any constant signal; a fade has ended.
 void reset_slot(Slot const& slot);

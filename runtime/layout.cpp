@@ -33,7 +33,6 @@ PortAmounts count_port(ImageView const& view, PortKind port, uint32_t lanes) {
     bool const continues = !first && same_layout(before, group);
     amounts.batches += continues ? 0 : 1;
     amounts.operations += continues ? 0 : group.shape.step_count;
-    amounts.groups += 1;
     amounts.lanes += group.width;
     amounts.states += state_stride(group);
     for (uint32_t i = 0; i < group.shape.step_count; ++i) {
@@ -57,9 +56,9 @@ PortLayout lay_out_port(PortAmounts const& amounts, Reservation& memory) {
   layout.batches = memory.take<Batch>(amounts.batches);
   layout.lines = memory.take<LineChain>(amounts.lines);
   layout.lanes = memory.take<uint32_t>(amounts.lanes);
-  layout.consecutive = memory.take<uint8_t>(amounts.groups);
   layout.pieces = memory.take<double const*>(amounts.pieces);
   layout.constants = memory.take<double>(amounts.constants);
+  layout.batch_states = memory.take<BatchState>(amounts.batches);
   layout.operation_states = memory.take<OperationState>(amounts.operations);
   layout.slot_groups = memory.take<SlotGroup>(amounts.slot_groups);
   layout.lane_tails = memory.take<double>(amounts.lane_tails);

@@ -11,22 +11,21 @@ namespace axisc::runtime {
 struct PortAmounts {
   uint64_t lines = 0;
   uint64_t batches = 0;
-  uint64_t groups = 0;
-  uint64_t lanes = 0;           ///< of all groups
-  uint64_t operations = 0;      ///< of all batches
-  uint64_t pieces = 0;          ///< of constants: operations of all groups
-  uint64_t constants = 0;       ///< doubles
-  uint64_t states = 0;          ///< doubles
+  uint64_t lanes = 0;       ///< of all groups
+  uint64_t operations = 0;  ///< of all batches
+  uint64_t pieces = 0;      ///< of constants: operations of all groups
+  uint64_t constants = 0;   ///< doubles
+  uint64_t states = 0;      ///< doubles
   uint64_t slot_groups = 0;
-  uint64_t lane_tails = 0;      ///< doubles
+  uint64_t lane_tails = 0;  ///< doubles
 };
 
 struct Amounts {
   PortAmounts setpoint, additional_interface, velocity;
   uint64_t axes = 0;
   uint64_t filters = 0;
-  uint64_t kernels = 0;         ///< one more than the image has: the last lets the signal pass
-  uint64_t tails = 0;           ///< doubles, with the zeros around them
+  uint64_t kernels = 0;  ///< one more than the image has: the last lets the signal pass
+  uint64_t tails = 0;    ///< doubles, with the zeros around them
   uint64_t slots = 0;
   uint64_t channels = 0;
   uint64_t members = 0;
@@ -41,7 +40,7 @@ struct PortLayout {
   uint64_t batches = 0;
   uint64_t lines = 0;
   uint64_t lanes = 0;
-  uint64_t consecutive = 0;
+  uint64_t batch_states = 0;
   uint64_t pieces = 0;
   uint64_t constants = 0;
   uint64_t operation_states = 0;

@@ -20,7 +20,7 @@ inline constexpr double largest_increment_at_rest = 0x1.fffffffffffffp-31;
 inline constexpr double largest_scale = 0x1p100;
 inline constexpr double largest_weight = 7;
 
-/// A filter's state is at most this large, and zero instead of smaller than this.
+/// The states of a section are together at most this large, and zero instead of smaller than this.
 inline constexpr double largest_state = 0x1p200;
 inline constexpr double smallest_state = 0x1p-500;
 

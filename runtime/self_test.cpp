@@ -64,7 +64,7 @@ bool passes(Instructions const& instructions, Batch const& batch, uint32_t opera
 void clear_states(Batch const& batch) {
   for (uint32_t i = 0; i < batch.operation_count; ++i) {
     Operation const& operation = batch.operations[i];
-    *operation.state = {.position = 0, .bounded = 0};
+    *operation.state = {.position = 0, .group = 0, .section = 0};
     uint32_t const size = operation.kind == OperationKind::delay ? 3 * (operation.delay_cycles + 1)
                                                                  : 2 * operation.section_count;
     for (uint32_t group = 0; group < batch.group_count; ++group) {
@@ -117,7 +117,8 @@ bool test_filters(ImageView const& view, axisrt const& runtime, LinePort const& 
       Excerpt excerpt{};
       cut_out(port, line, filter, excerpt);
       clear_states(excerpt.batch);
-      bool const passed = passes(*runtime.instructions, excerpt.batch, filter.operation, line.lane, line.lane, samples);
+      bool const passed =
+          passes(*runtime.instructions, excerpt.batch, filter.operation, line.lane, line.lane, samples);
       clear_states(excerpt.batch);
       if (!passed) return false;
     }

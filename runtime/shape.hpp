@@ -85,7 +85,7 @@ class Grouping {
   PortKind port_;
   uint32_t lanes_;
   uint32_t line_count_;
-  uint32_t position_ = 0;   ///< in the pass over the lines with the present key
+  uint32_t position_ = 0;  ///< in the pass over the lines with the present key
   Key key_{};
   uint32_t left_of_steps_ = 0;  ///< lines with the present steps that are not in a group yet
 };

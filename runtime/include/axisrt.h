@@ -51,7 +51,7 @@ typedef enum axisrt_status {
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
-  /* The axis was never reset: its output repeats the input (0 for one that is not finite), nothing was filtered. */
+  /* The axis was never reset: its output repeats the input (0 for a bad one), nothing was filtered. */
   AXISRT_NOT_RESET = 41,
 
   /* axisrt_command. Nothing was changed. */

@@ -7,24 +7,27 @@
 
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// What happened to any lane.
+/// What happened to any lane: statuses, joined bit by bit. The worse of the two contains the other's bits.
 template <uint32_t Width>
-struct Happened {
-  Bits<Width> bad_input{};
-  Bits<Width> not_reset{};
-};
+using Happened = Bits<Width>;
+
+inline constexpr uint64_t bad_input = AXISRT_BAD_INPUT;
+inline constexpr uint64_t not_reset = AXISRT_NOT_RESET;
+static_assert((bad_input | not_reset) == not_reset && bad_input < not_reset);
 
 /// Setpoints as they come, and the masks that decide what becomes of them.
 template <uint32_t Width>
 struct Entry {
   Real<Width> setpoint;
-  Bits<Width> good, done;
+  Bits<Width> good;
+  Bits<Width> done;  ///< not looked at where every line was reset
 };
 
-template <uint32_t Width>
+template <uint32_t Width, bool AllReset>
 AXISRT_INLINE Signal<Width> enter(double* parts, Entry<Width> const& entry) {
   auto const previous = load<Real<Width>>(parts + GroupParts::input * Width);
-  Real<Width> const setpoint = select<Width>(entry.good & entry.done, entry.setpoint, previous);
+  Bits<Width> const taken = AllReset ? entry.good : entry.good & entry.done;
+  Real<Width> const setpoint = select<Width>(taken, entry.setpoint, previous);
   store(parts + GroupParts::input * Width, setpoint);
   return {setpoint, Real<Width>{}, setpoint - previous};
 }
@@ -51,24 +54,32 @@ AXISRT_INLINE Signal<Width> run_operation(Operation const& operation, uint32_t g
   return in;
 }
 
-/// After the operations of a group: sections are bounded in turn.
+inline constexpr uint32_t cycles_of_a_round = 6;
+
+/// After all groups: the next sixth of a batch's sections is bounded, apart from the groups, so that none waits for it.
 template <uint32_t Width>
-AXISRT_INLINE void bound_operation(Operation const& operation, double* parts) {
-  if (operation.section_count == 0) return;
-  bound_some_sections<Width>(parts + operation.first_state * Width, operation.section_count,
-                             operation.state->bounded);
+AXISRT_INLINE void bound_some_sections(Batch const& batch, Operation const& operation) {
+  OperationState state = *operation.state;
+  uint32_t const all_sections = batch.group_count * operation.section_count;
+  double* const first = batch.states + static_cast<size_t>(operation.first_state) * Width;
+  for (uint32_t done = 0; done < all_sections; done += cycles_of_a_round) {
+    bound_section<Width>(first + static_cast<size_t>(state.group) * batch.state_stride +
+                         static_cast<size_t>(state.section) * states_of_section * Width);
+    state.section += 1;
+    if (state.section < operation.section_count) continue;
+    state.section = 0;
+    state.group = state.group + 1 == batch.group_count ? 0 : state.group + 1;
+  }
+  *operation.state = state;
 }
 
 /// After all groups: where the next cycle goes on.
-AXISRT_INLINE void advance_operation(Operation const& operation) {
-  OperationState& state = *operation.state;
+template <uint32_t Width>
+AXISRT_INLINE void advance_operation(Batch const& batch, Operation const& operation) {
+  if (operation.section_count > 0) bound_some_sections<Width>(batch, operation);
   if (operation.kind == OperationKind::delay) {
+    OperationState& state = *operation.state;
     state.position = state.position == operation.delay_cycles ? 0 : state.position + 1;
-  }
-  if (operation.section_count > 0) {
-    uint32_t const bounded = (operation.section_count + cycles_of_a_round - 1) / cycles_of_a_round;
-    uint32_t const next = state.bounded + bounded;
-    state.bounded = next >= operation.section_count ? next - operation.section_count : next;
   }
 }
 
@@ -87,9 +98,7 @@ AXISRT_INLINE void write_outputs(Real<Width> outputs, uint32_t const* lines, uin
 template <uint32_t Width>
 AXISRT_INLINE void write_statuses(Entry<Width> const& entry, uint32_t const* lines, uint32_t used,
                                   bool consecutive, uint8_t* status) {
-  constexpr uint64_t bad = AXISRT_BAD_INPUT;
-  constexpr uint64_t not_reset = AXISRT_NOT_RESET;
-  Bits<Width> const happened = (entry.done & ~entry.good & bad) | (~entry.done & not_reset);
+  Bits<Width> const happened = (entry.done & ~entry.good & bad_input) | (~entry.done & not_reset);
   if constexpr (Width == 1) {
     status[lines[0]] = static_cast<uint8_t>(happened);
   } else if (consecutive) {
@@ -99,99 +108,208 @@ AXISRT_INLINE void write_statuses(Entry<Width> const& entry, uint32_t const* lin
   }
 }
 
-/// What the chains of a batch are known to be: this many passing sections and nothing else, or anything.
-inline constexpr uint32_t any_chain = 0;
+/// What the chains of a batch are known to be, so that they need no decisions.
+enum class ChainKind : uint32_t {
+  any,
+  sections_1,  ///< so many passing sections and nothing else
+  sections_2,
+  sections_4,
+  sections_6,
+  slot  ///< a linear-phase filter and nothing else
+};
 
-template <uint32_t Width, uint32_t Sections>
-AXISRT_INLINE Signal<Width> run_chain(Batch const& batch, uint32_t group, double* parts, Signal<Width> signal) {
-  double const* const* const constants = batch.constants + static_cast<size_t>(group) * batch.operation_count;
-  if constexpr (Sections != any_chain) {
-    double const* coefficients = constants[0];
-    double* const states = parts + GroupParts::operations * Width;
-    unrolled<Sections>([&]<uint32_t Section>() __attribute__((always_inline)) {
-      CascadeSignal<Width> const added =
-          run_section<Width>(coefficients + Section * coefficients_of_section * Width,
-                             states + Section * states_of_section * Width, signal.d);
-      signal.sum += added.sum;
-      signal.d += added.d;
-    });
-    bound_some_sections<Width>(states, Sections, batch.operations[0].state->bounded);
-  } else {
-    for (uint32_t i = 0; i < batch.operation_count; ++i) {
-      signal = run_operation<Width>(batch.operations[i], group, constants[i], parts, signal);
-      bound_operation<Width>(batch.operations[i], parts);
-    }
+constexpr uint32_t sections_of(ChainKind kind) {
+  switch (kind) {
+    case ChainKind::sections_1:
+      return 1;
+    case ChainKind::sections_2:
+      return 2;
+    case ChainKind::sections_4:
+      return 4;
+    case ChainKind::sections_6:
+      return 6;
+    default:
+      return 0;
   }
-  return signal;
 }
 
-template <uint32_t Width, uint32_t Sections>
-AXISRT_INLINE void step_groups(Batch const& batch, double const* in, double* out, uint8_t* status,
-                               Happened<Width>& happened) {
-  for (uint32_t group = 0; group < batch.group_count; ++group) {
-    double* const parts = batch.states + static_cast<size_t>(group) * batch.state_stride;
-    uint32_t const* const lines = batch.lines + static_cast<size_t>(group) * Width;
-    bool const consecutive = batch.consecutive[group] != 0;
-    uint32_t const used = group + 1 == batch.group_count ? batch.used_in_last : Width;
-    Entry<Width> entry;
-    entry.setpoint = consecutive ? load<Real<Width>>(in + lines[0]) : gather<Width>(in, lines);
-    entry.good = mask_if_within<Width>(entry.setpoint, largest_position);
-    entry.done = load<Bits<Width>>(parts + GroupParts::reset_done * Width);
-    happened.bad_input |= ~entry.good;
-    happened.not_reset |= ~entry.done;
-    Signal<Width> const signal = run_chain<Width, Sections>(batch, group, parts, enter<Width>(parts, entry));
+/// What a call goes by.
+struct Call {
+  double const* in;
+  double* out;
+  uint8_t* status;  ///< may be null
+};
+
+/// A group in its batch.
+template <uint32_t Width>
+class Place {
+ public:
+  Place(Batch const& batch, uint32_t group)
+      : group_(group),
+        parts_(batch.states + static_cast<size_t>(group) * batch.state_stride),
+        constants_(batch.constants + static_cast<size_t>(group) * batch.operation_count),
+        lines_(batch.lines + static_cast<size_t>(group) * Width),
+        used_(group + 1 == batch.group_count ? batch.used_in_last : Width),
+        consecutive_(batch.consecutive != 0) {}
+
+  template <bool AllReset>
+  [[nodiscard]] AXISRT_INLINE Signal<Width> begin(Call const& call, Happened<Width>& happened) {
+    entry_.setpoint = consecutive_ ? load<Real<Width>>(call.in + lines_[0]) : gather<Width>(call.in, lines_);
+    entry_.good = mask_if_within<Width>(entry_.setpoint, largest_position);
+    happened |= ~entry_.good & bad_input;
+    if constexpr (AllReset) {
+      entry_.done = ~Bits<Width>{};
+    } else {
+      entry_.done = load<Bits<Width>>(parts_ + GroupParts::reset_done * Width);
+      happened |= ~entry_.done & not_reset;
+    }
+    return enter<Width, AllReset>(parts_, entry_);
+  }
+
+  template <bool AllReset>
+  AXISRT_INLINE void end(Call const& call, Signal<Width> const& signal) const {
     Real<Width> const output = signal.base + signal.sum;
-    store(parts + GroupParts::output * Width, output);
-    // A line that was never reset repeats its input, 0 for one that is not finite.
-    Bits<Width> const finite = mask_if_within<Width>(entry.setpoint, 0x1.fffffffffffffp1023);
-    write_outputs<Width>(select<Width>(entry.done, output, keep<Width>(finite, entry.setpoint)), lines, used,
-                         consecutive, out);
-    if (status != nullptr) write_statuses<Width>(entry, lines, used, consecutive, status);
+    store(parts_ + GroupParts::output * Width, output);
+    if constexpr (AllReset) {
+      write_outputs<Width>(output, lines_, used_, consecutive_, call.out);
+    } else {
+      // A line that was never reset repeats its input, 0 for a bad one.
+      Real<Width> const repeated = keep<Width>(entry_.good, entry_.setpoint);
+      write_outputs<Width>(select<Width>(entry_.done, output, repeated), lines_, used_, consecutive_,
+                           call.out);
+    }
+    if (call.status != nullptr) write_statuses<Width>(entry_, lines_, used_, consecutive_, call.status);
+  }
+
+  [[nodiscard]] uint32_t group() const { return group_; }
+  [[nodiscard]] double* parts() const { return parts_; }
+  [[nodiscard]] double* states() const { return parts_ + GroupParts::operations * Width; }
+  [[nodiscard]] double const* constants(uint32_t operation) const { return constants_[operation]; }
+
+ private:
+  uint32_t group_;
+  double* parts_;
+  double const* const* constants_;
+  uint32_t const* lines_;
+  uint32_t used_;
+  bool consecutive_;
+  Entry<Width> entry_{};
+};
+
+/// Chains of `Sections` sections in `Groups` neighbouring groups at once: one group's sections wait for each other, those of
+/// several do not.
+template <uint32_t Width, uint32_t Sections, uint32_t Groups, bool AllReset>
+AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const& call,
+                                 Happened<Width>& happened) {
+  [&]<uint32_t... Member>(Members<Member...>) __attribute__((always_inline)) {
+    Place<Width> places[] = {Place<Width>(batch, first + Member)...};
+    Signal<Width> signals[] = {places[Member].template begin<AllReset>(call, happened)...};
+    unrolled<Sections>([&]<uint32_t Section>() __attribute__((always_inline)) {
+      unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+        CascadeSignal<Width> const added =
+            run_section<Width>(places[One].constants(0) + Section * coefficients_of_section * Width,
+                               places[One].states() + Section * states_of_section * Width, signals[One].d);
+        signals[One].sum += added.sum;
+        signals[One].d += added.d;
+      });
+    });
+    unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+      places[One].template end<AllReset>(call, signals[One]);
+    });
+  }
+  (FirstMembers<Groups>{});
+}
+
+template <uint32_t Width, ChainKind Kind, bool AllReset>
+AXISRT_INLINE void step_groups(Batch const& batch, Call const& call, Happened<Width>& happened) {
+  uint32_t group = 0;
+  if constexpr (sections_of(Kind) > 0) {
+    for (; group + 2 <= batch.group_count; group += 2) {
+      step_sections<Width, sections_of(Kind), 2, AllReset>(batch, group, call, happened);
+    }
+    if (group < batch.group_count) {
+      step_sections<Width, sections_of(Kind), 1, AllReset>(batch, group, call, happened);
+    }
+    return;
+  }
+  for (; group < batch.group_count; ++group) {
+    Place<Width> place(batch, group);
+    Signal<Width> signal = place.template begin<AllReset>(call, happened);
+    if constexpr (Kind == ChainKind::slot) {
+      signal = run_slot<Width>(batch.operations[0].slots[group], place.states(), signal);
+    } else {
+      for (uint32_t i = 0; i < batch.operation_count; ++i) {
+        signal = run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
+      }
+    }
+    place.template end<AllReset>(call, signal);
   }
 }
 
 /// The worst status as a number.
 template <uint32_t Width>
 AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
-  uint64_t bad = 0;
-  uint64_t not_reset = 0;
   if constexpr (Width == 1) {
-    bad = happened.bad_input;
-    not_reset = happened.not_reset;
+    return happened;
   } else {
-    for (uint32_t lane = 0; lane < Width; ++lane) {
-      bad |= happened.bad_input[lane];
-      not_reset |= happened.not_reset[lane];
-    }
+    uint64_t worst = 0;
+    for (uint32_t lane = 0; lane < Width; ++lane) worst |= happened[lane];
+    return worst;
   }
-  uint64_t const worst = opaque(bad) & AXISRT_BAD_INPUT;
-  return (worst & ~not_reset) | (opaque(not_reset) & AXISRT_NOT_RESET);
 }
 
-/// Chains of sections alone, in the lengths that occur most, are written out.
-template <uint32_t Width>
-AXISRT_INLINE uint64_t step_batch(Batch const& batch, double const* in, double* out, uint8_t* status) {
-  Happened<Width> happened;
-  bool const sections_alone =
-      batch.operation_count == 1 && batch.operations[0].kind == OperationKind::passing;
-  switch (sections_alone ? batch.operations[0].section_count : any_chain) {
+inline ChainKind kind_of(Batch const& batch) {
+  if (batch.operation_count != 1) return ChainKind::any;
+  Operation const& only = batch.operations[0];
+  if (only.kind == OperationKind::slot) return ChainKind::slot;
+  if (only.kind != OperationKind::passing) return ChainKind::any;
+  switch (only.section_count) {
     case 1:
-      step_groups<Width, 1>(batch, in, out, status, happened);
-      break;
+      return ChainKind::sections_1;
     case 2:
-      step_groups<Width, 2>(batch, in, out, status, happened);
-      break;
+      return ChainKind::sections_2;
     case 4:
-      step_groups<Width, 4>(batch, in, out, status, happened);
-      break;
+      return ChainKind::sections_4;
     case 6:
-      step_groups<Width, 6>(batch, in, out, status, happened);
-      break;
+      return ChainKind::sections_6;
     default:
-      step_groups<Width, any_chain>(batch, in, out, status, happened);
+      return ChainKind::any;
+  }
+}
+
+template <uint32_t Width, ChainKind Kind>
+AXISRT_INLINE void step_kind(Batch const& batch, Call const& call, Happened<Width>& happened) {
+  if (batch.state->never_reset == 0) {
+    step_groups<Width, Kind, true>(batch, call, happened);
+  } else {
+    step_groups<Width, Kind, false>(batch, call, happened);
+  }
+}
+
+template <uint32_t Width>
+AXISRT_INLINE uint64_t step_batch(Batch const& batch, Call const& call) {
+  Happened<Width> happened{};
+  switch (kind_of(batch)) {
+    case ChainKind::sections_1:
+      step_kind<Width, ChainKind::sections_1>(batch, call, happened);
+      break;
+    case ChainKind::sections_2:
+      step_kind<Width, ChainKind::sections_2>(batch, call, happened);
+      break;
+    case ChainKind::sections_4:
+      step_kind<Width, ChainKind::sections_4>(batch, call, happened);
+      break;
+    case ChainKind::sections_6:
+      step_kind<Width, ChainKind::sections_6>(batch, call, happened);
+      break;
+    case ChainKind::slot:
+      step_kind<Width, ChainKind::slot>(batch, call, happened);
+      break;
+    case ChainKind::any:
+      step_kind<Width, ChainKind::any>(batch, call, happened);
       break;
   }
-  for (uint32_t i = 0; i < batch.operation_count; ++i) advance_operation(batch.operations[i]);
+  for (uint32_t i = 0; i < batch.operation_count; ++i) advance_operation<Width>(batch, batch.operations[i]);
   return worst_of<Width>(happened);
 }
 

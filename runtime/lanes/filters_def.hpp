@@ -65,7 +65,8 @@ AXISRT_INLINE Signal<Width> run_shared(Operation const& operation, double const*
   Share<Width> const part = load_share<Width>(constants);
   CascadeSignal<Width> const filtered = run_passing<Width>(constants + numbers_of_share * Width, states,
                                                            operation.section_count, {in.sum, in.d});
-  return {in.base, part.share * filtered.sum + part.direct * in.sum, part.share * filtered.d + part.direct * in.d};
+  return {in.base, part.share * filtered.sum + part.direct * in.sum,
+          part.share * filtered.d + part.direct * in.d};
 }
 
 template <uint32_t Width>

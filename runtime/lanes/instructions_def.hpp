@@ -25,10 +25,11 @@ uint64_t step(Port const& port, double const* in, double* out, uint8_t* status) 
   uint64_t worst = AXISRT_OK;
   for (uint32_t i = 0; i < port.batch_count; ++i) {
     Batch const& batch = port.batches[i];
-    with_width(batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
-      uint64_t const happened = step_batch<Width>(batch, in, out, status);
-      worst = happened > worst ? happened : worst;
-    });
+    with_width(
+        batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
+          uint64_t const happened = step_batch<Width>(batch, {in, out, status});
+          worst = happened > worst ? happened : worst;
+        });
   }
   return worst;
 }
@@ -38,16 +39,16 @@ void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, d
   double const* const constants =
       batch.constants[static_cast<size_t>(group) * batch.operation_count + operation];
   double* const parts = batch.states + static_cast<size_t>(group) * batch.state_stride;
-  with_width(batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
-    Signal<Width> const in{load<Real<Width>>(signal), load<Real<Width>>(signal + Width),
-                           load<Real<Width>>(signal + 2 * Width)};
-    Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
-    store(signal, out.base);
-    store(signal + Width, out.sum);
-    store(signal + 2 * Width, out.d);
-    bound_operation<Width>(one, parts);
-    advance_operation(one);
-  });
+  with_width(
+      batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
+        Signal<Width> const in{load<Real<Width>>(signal), load<Real<Width>>(signal + Width),
+                               load<Real<Width>>(signal + 2 * Width)};
+        Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
+        store(signal, out.base);
+        store(signal + Width, out.sum);
+        store(signal + 2 * Width, out.d);
+        advance_operation<Width>(batch, one);
+      });
 }
 
 extern Instructions const instructions;

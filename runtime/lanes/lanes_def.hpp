@@ -170,4 +170,16 @@ AXISRT_INLINE void unrolled(Call const& call) {
   }
 }
 
+/// Numbers 0 to Count - 1 as template arguments.
+template <uint32_t... Member>
+struct Members {};
+template <uint32_t Count, uint32_t... Member>
+struct CountMembers : CountMembers<Count - 1, Count - 1, Member...> {};
+template <uint32_t... Member>
+struct CountMembers<0, Member...> {
+  using Type = Members<Member...>;
+};
+template <uint32_t Count>
+using FirstMembers = typename CountMembers<Count>::Type;
+
 }  // namespace axisc::runtime::AXISRT_LEVEL

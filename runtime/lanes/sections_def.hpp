@@ -19,9 +19,9 @@
 //
 //     de = p d + r,   e += de,   r += g d - k e - b de
 //
-// Bounds. States of which both are smaller than 2^-500 become zero, so that none ends in a limit cycle of subnormal
-// numbers. A state that is larger than 2^200 or not finite becomes zero, so that no image that passed verification can
-// overflow. Each section is looked at once in six cycles, as many of a group in every cycle as in any other. In between
+// Bounds. States with |e| + |r| below 2^-500 become zero, so that none ends in a limit cycle of subnormal numbers; those
+// above 2^200 or not finite too, so that no image that passed verification can overflow. Each section is looked at once in
+// six cycles, and as many in every cycle as in any other. In between
 // nothing runs away: of inputs up to M all states and increments of 18 sections are at most 2^123 M in the next cycle
 // (|p|, |q| <= 64, k < 4, b < 2: a section's states grow by at most 11 M + 512 d, its increment by 65 d), so that they
 // stay below 2^200 2^738.
@@ -90,21 +90,11 @@ template <uint32_t Width>
 AXISRT_INLINE void bound_section(double* states) {
   auto const e = load<Real<Width>>(states);
   auto const r = load<Real<Width>>(states + Width);
-  Bits<Width> const moves =
-      ~(mask_if_within<Width>(e, smallest_state) & mask_if_within<Width>(r, smallest_state));
-  store(states, keep<Width>(moves & mask_if_within<Width>(e, largest_state), e));
-  store(states + Width, keep<Width>(moves & mask_if_within<Width>(r, largest_state), r));
-}
-
-inline constexpr uint32_t cycles_of_a_round = 6;
-
-/// Bounds the sections of one cycle, from `first` on.
-template <uint32_t Width>
-AXISRT_INLINE void bound_some_sections(double* states, uint32_t count, uint32_t first) {
-  for (uint32_t done = 0; done < count; done += cycles_of_a_round) {
-    bound_section<Width>(states + first * states_of_section * Width);
-    first = first + 1 == count ? 0 : first + 1;
-  }
+  Real<Width> const size = magnitude<Width>(e) + magnitude<Width>(r);
+  Bits<Width> const is_good = mask_if_at_most<Width>(all<Width>(smallest_state), size) &
+                              mask_if_at_most<Width>(size, all<Width>(largest_state));
+  store(states, keep<Width>(is_good, e));
+  store(states + Width, keep<Width>(is_good, r));
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL

@@ -69,7 +69,8 @@ AXISRT_INLINE double* ahead_of(SlotGroup const& slot, double* parts, uint32_t fo
 }
 
 template <uint32_t Width, bool Common>
-AXISRT_INLINE Real<Width> apply_blocks(double const* zero, uint32_t blocks, SlotGroup const& slot, double* parts) {
+AXISRT_INLINE Real<Width> apply_blocks(double const* zero, uint32_t blocks, SlotGroup const& slot,
+                                       double* parts) {
   double const* const history = parts + SlotParts::history * Width;
   gather_ahead<Width, Common>(zero, reach_of(blocks), slot, history, ahead_of<Width>(slot, parts, 1));
   if (slot.mode == SlotMode::direct) return apply_directly<Width>(slot.to, slot, history);
@@ -136,9 +137,6 @@ template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
   uint32_t const place = slot.block * block_cycles + slot.phase;
   store(parts + (SlotParts::history + place) * Width, in.d);
-  auto const rest_cycles = load<Bits<Width>>(parts + SlotParts::rest_cycles * Width);
-  store(parts + SlotParts::rest_cycles * Width,
-        (rest_cycles + 1) & mask_if_within<Width>(in.d, largest_increment_at_rest));
   Real<Width> const removed = removed_by_kernels<Width>(slot, parts, in.d);
   auto const removed_before = load<Real<Width>>(parts + SlotParts::removed * Width);
   store(parts + SlotParts::removed * Width, removed);

@@ -41,7 +41,8 @@ struct FourSums {
 };
 
 template <uint32_t Width, bool Common>
-AXISRT_INLINE void add_block(double const* zero, uint32_t age, double const* increments, FourSums<Width>& sums) {
+AXISRT_INLINE void add_block(double const* zero, uint32_t age, double const* increments,
+                             FourSums<Width>& sums) {
   unrolled<block_cycles>([&]<uint32_t Place>() __attribute__((always_inline)) {
     sums.part[Place % 4] +=
         tail<Width, Common>(zero, age, Place) * load<Real<Width>>(increments + Place * Width);
@@ -101,7 +102,8 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
     sums[Output] = load<Real<Width>>(ahead + Output * Width);
   });
   uint32_t const first = blocks_applied_directly + slot.phase * reach.blocks_a_cycle;
-  uint32_t const end = first + reach.blocks_a_cycle < reach.blocks ? first + reach.blocks_a_cycle : reach.blocks;
+  uint32_t const end =
+      first + reach.blocks_a_cycle < reach.blocks ? first + reach.blocks_a_cycle : reach.blocks;
   for (uint32_t c = first; c < end; ++c) {
     // Seen from the next block, the block c before it is the one c - 1 before the present one.
     double const* const increments = increments_of<Width>(history, block_before(slot, c - 1));
@@ -113,9 +115,8 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
       });
     });
   }
-  unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
-    store(ahead + Output * Width, sums[Output]);
-  });
+  unrolled<block_cycles>([&]<uint32_t Output>()
+                             __attribute__((always_inline)) { store(ahead + Output * Width, sums[Output]); });
 }
 
 /// E of the present cycle: the two latest blocks, and what was applied ahead.

@@ -100,7 +100,8 @@ class Watch {
 
   /// The largest excess over the bounds, in ulps of setpoint or output, whichever is larger (as in the accuracy that
   /// axisrt_step states).
-  void check(std::size_t axis, double x, double y, axisrt_axis_state const& state, MotionLimits const& limits) {
+  void check(std::size_t axis, double x, double y, axisrt_axis_state const& state,
+             MotionLimits const& limits) {
     Watched& watched = watched_[axis];
     double const gain = filters_[axis] * kernel_gain(state);
     bool const is_new = state.kernel != kernels_[axis];

@@ -29,7 +29,8 @@ struct Axis {
 
 class Machine {
  public:
-  Machine(std::vector<Axis> axes, std::vector<KernelRecord> kernels) : axes_(std::move(axes)), kernels_(std::move(kernels)) {
+  Machine(std::vector<Axis> axes, std::vector<KernelRecord> kernels)
+      : axes_(std::move(axes)), kernels_(std::move(kernels)) {
     ImageRecord image;
     image.kernels = kernels_;
     std::uint32_t history = 0;
@@ -56,7 +57,8 @@ class Machine {
       chains_.emplace_back(axis.filters, axis.start);
       slots_.emplace_back(axis.kernel ? kernels_[*axis.kernel].tails : std::vector<double>{}, axis.start);
       axis.x = axis.start;
-      REQUIRE(axisrt_reset(runtime_->runtime, static_cast<std::uint32_t>(chains_.size() - 1), axis.start) == AXISRT_OK);
+      REQUIRE(axisrt_reset(runtime_->runtime, static_cast<std::uint32_t>(chains_.size() - 1), axis.start) ==
+              AXISRT_OK);
     }
   }
 
@@ -74,7 +76,8 @@ class Machine {
         in[i] = axis.x += axis.v;
       }
       std::vector<double> const out = runtime_->step_all(in);
-      for (std::size_t i = 0; i < axes_.size(); ++i) worst = std::max(worst, error_over_bound(i, in[i], out[i]));
+      for (std::size_t i = 0; i < axes_.size(); ++i)
+        worst = std::max(worst, error_over_bound(i, in[i], out[i]));
     }
     return worst;
   }
@@ -90,7 +93,8 @@ class Machine {
     axis.distance = std::max(axis.distance, std::fabs(axis.blocks ? x - axis.start : y - x));
     double const largest = std::max(std::fabs(x), std::fabs(y));
     double const ulp = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
-    return static_cast<double>(absolute(static_cast<Quad>(y) - exact)) / (ulp / 2 + std::ldexp(axis.distance, -42));
+    return static_cast<double>(absolute(static_cast<Quad>(y) - exact)) /
+           (ulp / 2 + std::ldexp(axis.distance, -42));
   }
 
   std::vector<Axis> axes_;
@@ -103,8 +107,8 @@ class Machine {
 std::vector<KernelRecord> kernels() {
   std::vector<double> bell(101);
   for (std::size_t k = 0; k < bell.size(); ++k) bell[k] = std::exp(-static_cast<double>(k * k) / 2000);
-  return {moving_average(100), symmetric_kernel(bell), delay_kernel(13), moving_average(4), delay_kernel(1),
-          symmetric_kernel({9, 7, 4, 1})};
+  return {moving_average(100), symmetric_kernel(bell), delay_kernel(13),
+          moving_average(4),   delay_kernel(1),        symmetric_kernel({9, 7, 4, 1})};
 }
 
 /// Chain number `kind`, a little different on each axis.
@@ -127,7 +131,8 @@ Axis chain(unsigned kind, unsigned variant) {
       break;
     case 4:
       axis.filters = {exact::with_share(exact::highpass(f, T, 0.7), 0.5), exact::lowpass(f, T, 1)};
-      if (variant % 3 == 1) axis.filters[0] = exact::joined(exact::highpass(f, T, 0.5), exact::highpass(f, T, 1));
+      if (variant % 3 == 1)
+        axis.filters[0] = exact::joined(exact::highpass(f, T, 0.5), exact::highpass(f, T, 1));
       axis.blocks = true;
       break;
     case 5:
@@ -137,7 +142,8 @@ Axis chain(unsigned kind, unsigned variant) {
       axis.filters = {exact::with_share(exact::delay(5), 0.3)};
       break;
     default:
-      axis.filters = {exact::bandstop(f, T, 5), exact::bandstop(f + 7, T, 5), exact::bandstop_of_order_3(f + 15, T, 5)};
+      axis.filters = {exact::bandstop(f, T, 5), exact::bandstop(f + 7, T, 5),
+                      exact::bandstop_of_order_3(f + 15, T, 5)};
       break;
   }
   return axis;

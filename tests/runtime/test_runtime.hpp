@@ -7,6 +7,7 @@
 #include "runtime/image_builder.hpp"
 
 #include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <utility>
@@ -35,6 +36,7 @@ class TestRuntime {
                          .reserved = 0};
     std::size_t alignment = 0;
     status = axisrt_memory_size(&config, &memory_size, &alignment);
+    if (status == AXISRT_NO_LEVEL) std::puts(axisrt_status_name(status));  // the test is skipped
     if (status != AXISRT_OK) return;
     memory_ = std::make_unique<AlignedMemory>(memory_size);
     config.memory = memory_->data();
