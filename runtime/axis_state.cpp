@@ -1,4 +1,5 @@
 #include "axisrt.h"
+#include "runtime/change.hpp"
 #include "runtime/lane.hpp"
 
 axisrt_status axisrt_get_axis_state(axisrt const* runtime, uint32_t axis, axisrt_axis_state* state) {
@@ -8,7 +9,8 @@ axisrt_status axisrt_get_axis_state(axisrt const* runtime, uint32_t axis, axisrt
   Lane const lane(runtime->setpoint, line);
   *state = axisrt_axis_state{};
   state->unfiltered = lane.part(GroupParts::input);
-  state->filtered = lane.part(GroupParts::output);
+  bool const changes = changes_from(*runtime) != nullptr && lane.reset_done();
+  state->filtered = changes ? runtime->change->outputs[axis] : lane.part(GroupParts::output);
   state->kernel = AXISRT_NO_KERNEL;
   state->reset_done = lane.reset_done() ? 1 : 0;
 

@@ -1,4 +1,5 @@
 #include "axisrt.h"
+#include "runtime/change.hpp"
 #include "runtime/double_bits.hpp"
 #include "runtime/format/image_format.h"
 #include "runtime/lane.hpp"
@@ -30,13 +31,13 @@ Bank const* find_bank(Channel const& channel, axisrt_filter_command const& comma
 }
 
 /// What a command makes of the slots of a channel.
-struct Change {
+struct Switching {
   uint32_t action;
   Bank const* bank;  ///< for SET and ON
   Kernel const* pass;
 };
 
-bool reaches(Change const& change, Slot const& slot) {
+bool reaches(Switching const& change, Slot const& slot) {
   if (change.bank == nullptr) return true;
   bool const hsc = has(change.bank->keywords, axim_keyword_hsc);
   return slot.family == (hsc ? axim_family_hsc : axim_family_fir);
@@ -47,7 +48,7 @@ struct Target {
   uint32_t on;
 };
 
-Target target_of(Change const& change, Slot const& slot, uint32_t member) {
+Target target_of(Switching const& change, Slot const& slot, uint32_t member) {
   uint32_t const on_before = slot.state->on;
   switch (change.action) {
     case AXISRT_ACTION_OFF:
@@ -63,7 +64,7 @@ Target target_of(Change const& change, Slot const& slot, uint32_t member) {
 
 /// Calls `visit(slot, target)` for every slot of the channel that the command reaches.
 template <class Visit>
-void for_each_slot(Channel const& channel, Change const& change, Visit visit) {
+void for_each_slot(Channel const& channel, Switching const& change, Visit visit) {
   for (uint32_t member = 0; member < channel.member_count; ++member) {
     Slot const* const slot = channel.members[member];
     if (slot != nullptr && reaches(change, *slot)) visit(*slot, target_of(change, *slot, member));
@@ -71,7 +72,7 @@ void for_each_slot(Channel const& channel, Change const& change, Visit visit) {
 }
 
 /// 0 where only standstill allows it.
-uint32_t fade_cycles(Channel const& channel, Change const& change) {
+uint32_t fade_cycles(Channel const& channel, Switching const& change) {
   switch (change.action) {
     case AXISRT_ACTION_OFF:
       return channel.off_fade_cycles;
@@ -86,7 +87,7 @@ uint32_t fade_cycles(Channel const& channel, Change const& change) {
   }
 }
 
-axisrt_status apply(Channel const& channel, Change const& change) {
+axisrt_status apply(Channel const& channel, Switching const& change) {
   bool busy = false;
   bool changes = false;
   bool rests = true;
@@ -121,7 +122,9 @@ axisrt_status axisrt_command(axisrt* runtime, uint32_t group, axisrt_filter_comm
   if (group >= runtime->channel_count || command->action > AXISRT_ACTION_PROGRAM_END) {
     return AXISRT_BAD_ARGUMENT;
   }
-  Change change{.action = command->action, .bank = nullptr, .pass = runtime->kernels + runtime->kernel_count};
+  if (changes_from(*runtime) != nullptr) return AXISRT_BUSY;
+  Switching change{
+      .action = command->action, .bank = nullptr, .pass = runtime->kernels + runtime->kernel_count};
   if (command->action == AXISRT_ACTION_ON || command->action == AXISRT_ACTION_SET) {
     change.bank = find_bank(runtime->channels[group], *command);
     if (change.bank == nullptr) return AXISRT_NO_BANK;

@@ -9,13 +9,27 @@ bool is_known(axisrt_config const* config) {
   return config != nullptr && config->size == sizeof(axisrt_config);
 }
 
-axisrt* build(ImageView const& view, Instructions const& instructions, Layout const& layout, Memory memory) {
-  auto* const axes = memory.part<Axis>(layout.axes);
+/// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or 1e-4 degree.
+void build_axes(ImageView const& view, Axis* axes) {
+  double const T = view.header()[field::header::cycle_time_ns] * 1e-9;
   for (uint32_t i = 0; i < view.axes.count; ++i) {
-    axes[i] = {.name_offset = view.axes[i][field::axis::name_offset],
-               .name_size = view.axes[i][field::axis::name_size],
-               .position_window = view.axes[i][field::axis::position_window]};
+    Record<record::axis> const record = view.axes[i];
+    axes[i] = {.name_offset = record[field::axis::name_offset],
+               .name_size = record[field::axis::name_size],
+               .number = record[field::axis::number],
+               .type = record[field::axis::type],
+               .position_window = record[field::axis::position_window],
+               .velocity_limit = record[field::axis::velocity_limit] * 10 * T,
+               .acceleration_limit = record[field::axis::acceleration_limit] * 1e4 * T * T};
   }
+}
+
+axisrt* build(ImageView const& view, Instructions const& instructions, Layout const& layout, Memory memory) {
+  build_axes(view, memory.part<Axis>(layout.axes));
+  auto* const change = memory.part<Change>(layout.change);
+  *change = {};
+  change->shadow = memory.part<double>(layout.shadow);
+  change->outputs = memory.part<double>(layout.changing_outputs);
   build_kernels(view, layout, memory);
   auto* const runtime = memory.part<axisrt>(layout.object);
   *runtime = {.axis_count = view.axes.count,
@@ -25,10 +39,10 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
               .channel_count = view.groups.count,
               .stage_count = view.stages.count,
               .control_count = view.controls.count,
-              .reserved = 0,
+              .image_version = view.header()[field::header::image_version],
               .instructions = &instructions,
               .names = view.names.first,
-              .axes = axes,
+              .axes = memory.part<Axis>(layout.axes),
               .filters = memory.part<Filter>(layout.filters),
               .setpoint = build_port(view, PortKind::setpoint, instructions.lanes, layout, memory),
               .additional_interface =
@@ -42,7 +56,8 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
               .stage_signals = {.in = memory.part<double>(layout.stage_in),
                                 .out = memory.part<double>(layout.stage_out),
                                 .status = memory.part<uint8_t>(layout.stage_status)},
-              .additive_velocities = memory.part<double>(layout.additive_velocities)};
+              .additive_velocities = memory.part<double>(layout.additive_velocities),
+              .change = change};
   build_channels(view, layout, memory);
   build_controls(view, layout, memory);
   return runtime;

@@ -19,6 +19,11 @@ struct Value {
   return value.base + value.sum;
 }
 
+/// Coefficients as they are executed: g = p + q.
+struct SectionCoefficients {
+  double p, g, k, b;
+};
+
 /// The state and the constants of a line.
 class Lane {
  public:
@@ -53,6 +58,14 @@ class Lane {
   [[nodiscard]] double share(Filter const& filter, uint32_t index) const {
     return constants_[filter.operation][index * batch_.width + lane_];
   }
+  [[nodiscard]] SectionCoefficients section(Filter const& filter, uint32_t index) const {
+    uint32_t const shares = filter.kind == FilterKind::passing ? 0 : 3;
+    double const* const first =
+        constants_[filter.operation] +
+        static_cast<size_t>(shares + 4 * (filter.first_section + index)) * batch_.width + lane_;
+    return {
+        .p = first[0], .g = first[batch_.width], .k = first[2 * batch_.width], .b = first[3 * batch_.width]};
+  }
 
  private:
   Batch const& batch_;
@@ -73,6 +86,9 @@ class Lane {
 /// True where switching kernels cannot be seen in the output: as many cycles as the slot's longest kernel remembers had no
 /// increment to speak of. Cost: that many cycles.
 [[nodiscard]] bool is_at_rest(Slot const& slot);
+
+/// The steady state of a line for a signal that has always been `value`.
+void reset_line(axisrt const& runtime, LinePort const& port, uint32_t line, double value);
 
 /// The steady state for any constant signal; a fade has ended.
 void reset_slot(Slot const& slot);

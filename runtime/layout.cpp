@@ -116,6 +116,9 @@ Layout lay_out(Amounts const& amounts) {
   layout.stage_out = memory.take<double>(amounts.stages);
   layout.stage_status = memory.take<uint8_t>(amounts.stages);
   layout.additive_velocities = memory.take<double>(amounts.controls);
+  layout.change = memory.take<Change>(1);
+  layout.shadow = memory.take<double>(amounts.axes > amounts.stages ? amounts.axes : amounts.stages);
+  layout.changing_outputs = memory.take<double>(amounts.axes);
   layout.size = memory.end();
   return layout;
 }

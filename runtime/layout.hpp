@@ -68,6 +68,9 @@ struct Layout {
   uint64_t stage_out = 0;
   uint64_t stage_status = 0;
   uint64_t additive_velocities = 0;
+  uint64_t change = 0;
+  uint64_t shadow = 0;
+  uint64_t changing_outputs = 0;
   uint64_t size = 0;
 };
 

@@ -1,4 +1,5 @@
 #include "axisrt.h"
+#include "runtime/change.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/twofold.hpp"
@@ -17,23 +18,6 @@ void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
     lane.state(filter, 3 * i + 1) = in.sum;
     lane.state(filter, 3 * i + 2) = 0;
   }
-}
-
-/// Slots hold increments only, so that every constant signal passes them unchanged.
-void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double position) {
-  LineChain const& line = port.lines[index];
-  Lane const lane(port, line);
-  Value value{.base = position, .sum = 0};
-  if (line.before != nullptr) reset_slot(*line.before);
-  for (uint32_t i = 0; i < line.filter_count; ++i) {
-    Filter const& filter = runtime.filters[line.first_filter + i];
-    reset_filter(lane, filter, value);
-    value = steady_output(lane, filter, value);
-  }
-  if (line.behind != nullptr) reset_slot(*line.behind);
-  lane.part(GroupParts::input) = position;
-  lane.part(GroupParts::output) = rounded(value);
-  lane.set_reset_done();
 }
 
 axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t axis, double position) {
@@ -67,15 +51,36 @@ void rebase_line(axisrt const& runtime, LineChain const& line, Lane const& lane,
 }
 
 }  // namespace
+
+/// Slots hold increments only, so that every constant signal passes them unchanged.
+void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double position) {
+  LineChain const& line = port.lines[index];
+  Lane const lane(port, line);
+  Value value{.base = position, .sum = 0};
+  if (line.before != nullptr) reset_slot(*line.before);
+  for (uint32_t i = 0; i < line.filter_count; ++i) {
+    Filter const& filter = runtime.filters[line.first_filter + i];
+    reset_filter(lane, filter, value);
+    value = steady_output(lane, filter, value);
+  }
+  if (line.behind != nullptr) reset_slot(*line.behind);
+  lane.part(GroupParts::input) = position;
+  lane.part(GroupParts::output) = rounded(value);
+  lane.set_reset_done();
+}
+
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (axisrt* const before = axisc::runtime::changes_from(*runtime)) axisrt_reset(before, axis, position);
   return axisc::runtime::reset_port(runtime, runtime->setpoint, axis, position);
 }
 
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (axisrt* const before = axisc::runtime::changes_from(*runtime))
+    axisrt_reset_interface(before, axis, value);
   return axisc::runtime::reset_port(runtime, runtime->additional_interface, axis, value);
 }
 
@@ -87,6 +92,8 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   for (double const velocity : velocities) {
     if (!is_within(velocity, largest_position)) return AXISRT_BAD_INPUT;
   }
+  if (axisrt* const before = changes_from(*runtime))
+    axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.axis != axis) continue;
@@ -106,6 +113,10 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset) {
   if (!lane.reset_done()) return AXISRT_NOT_RESET;
   if (!is_within(offset, largest_position)) return AXISRT_BAD_INPUT;
   if (!is_within(lane.part(GroupParts::input) + offset, largest_position)) return AXISRT_BAD_INPUT;
+  if (axisrt* const before = changes_from(*runtime)) {
+    axisrt_rebase(before, axis, offset);
+    runtime->change->outputs[axis] += offset;
+  }
   rebase_line(*runtime, line, lane, offset);
   return AXISRT_OK;
 }

@@ -13,7 +13,11 @@ namespace axisc::runtime {
 struct Axis {
   uint32_t name_offset;
   uint32_t name_size;
+  uint32_t number;
+  uint32_t type;
   double position_window;
+  double velocity_limit;      ///< units per cycle
+  double acceleration_limit;  ///< units per cycle and cycle
 };
 
 enum class FilterKind : uint32_t { pass_through, passing, shared, blocking, delay };
@@ -108,6 +112,21 @@ struct StageSignals {
   uint8_t* status;
 };
 
+/// From the image before to this one.
+struct Change {
+  axisrt* predecessor;     ///< the runtime before, until the change is done
+  uint32_t begun;          ///< 1: this runtime is the one that is stepped
+  uint32_t cycles;         ///< in which it ran beside its predecessor
+  uint32_t standstill;     ///< cycles without a motion or a difference, lately
+  uint32_t warm_up;        ///< cycles after which it gives what it would give if it had always run
+  uint32_t length;         ///< cycles of the fade; 0: at standstill only
+  uint32_t position;       ///< cycles of it that are done
+  uint32_t same_controls;  ///< 1: Improved Position Control is the same in both images
+  uint32_t reserved;
+  double* shadow;   ///< what the predecessor was given or gave; as many as axes or stages
+  double* outputs;  ///< of all axes in the latest cycle of a change
+};
+
 }  // namespace axisc::runtime
 
 struct axisrt {
@@ -118,7 +137,7 @@ struct axisrt {
   uint32_t channel_count;
   uint32_t stage_count;
   uint32_t control_count;
-  uint32_t reserved;
+  uint32_t image_version;
   axisc::runtime::Instructions const* instructions;
   uint8_t const* names;  ///< in the image; null if it has none
   axisc::runtime::Axis const* axes;
@@ -133,4 +152,5 @@ struct axisrt {
   axisc::runtime::Control const* controls;
   axisc::runtime::StageSignals stage_signals;
   double* additive_velocities;  ///< of the controls, in the latest cycle
+  axisc::runtime::Change* change;
 };

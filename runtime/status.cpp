@@ -40,6 +40,10 @@ const char* axisrt_status_text(axisrt_status status) {
       return "This processor or this build does not have the instruction set that was asked for.";
     case AXISRT_BAD_ARGUMENT:
       return "An argument is null, out of range or of unknown size.";
+    case AXISRT_OTHER_AXES:
+      return "The image is of another machine: its axes differ.";
+    case AXISRT_OLDER_IMAGE:
+      return "The image is older than the one that works.";
     case AXISRT_BAD_INPUT:
       return "A position is not finite or beyond 2^53.";
     case AXISRT_NOT_RESET:
@@ -48,6 +52,8 @@ const char* axisrt_status_text(axisrt_status status) {
       return "A filter of the group is still changing over.";
     case AXISRT_NO_BANK:
       return "The image has no kernels for these filter parameters.";
+    case AXISRT_NOT_WARM:
+      return "The new filters have not followed the motion for long enough.";
     case AXISRT_NEEDS_STANDSTILL:
       return "These filters can only be changed while the axes stand.";
   }
@@ -94,6 +100,10 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_BAD_ARGUMENT";
     case AXISRT_NO_LEVEL:
       return "AXISRT_NO_LEVEL";
+    case AXISRT_OTHER_AXES:
+      return "AXISRT_OTHER_AXES";
+    case AXISRT_OLDER_IMAGE:
+      return "AXISRT_OLDER_IMAGE";
     case AXISRT_BAD_INPUT:
       return "AXISRT_BAD_INPUT";
     case AXISRT_NOT_RESET:
@@ -104,6 +114,8 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_NO_BANK";
     case AXISRT_NEEDS_STANDSTILL:
       return "AXISRT_NEEDS_STANDSTILL";
+    case AXISRT_NOT_WARM:
+      return "AXISRT_NOT_WARM";
   }
   return "unknown";
 }

@@ -1,25 +1,52 @@
 #include "axisrt.h"
+#include "runtime/change.hpp"
 #include "runtime/control_word.hpp"
-#include "runtime/runtime_object.hpp"
+#include "runtime/lane.hpp"
 
 namespace axisc::runtime {
 namespace {
 
-axisrt_status step_port(axisrt const& runtime, Port const& port, double const* in, double* out,
-                        uint8_t* status) {
+/// Both runtimes get the same setpoints: y = y_before + w (y_new - y_before) where the axis was reset.
+uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt::*port, Call const& call) {
+  Change const& change = *runtime.change;
+  before.instructions->step((before.*port).port, call.in, change.shadow, nullptr);
+  uint64_t const worst = runtime.instructions->step((runtime.*port).port, call.in, call.out, call.status);
+  double const w = weight_of(change);
+  for (uint32_t i = 0; i < runtime.axis_count; ++i) {
+    bool const filtered = Lane(runtime.*port, (runtime.*port).lines[i]).reset_done();
+    double const blend = change.shadow[i] + w * (call.out[i] - change.shadow[i]);
+    if (filtered && change.position < change.length) call.out[i] = blend;
+  }
+  return worst;
+}
+
+axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
   CycleArithmetic const arithmetic;
-  return static_cast<axisrt_status>(runtime.instructions->step(port, in, out, status));
+  axisrt const* const before = changes_from(runtime);
+  uint64_t const worst =
+      before != nullptr ? step_both(runtime, *before, port, call)
+                        : runtime.instructions->step((runtime.*port).port, call.in, call.out, call.status);
+  return static_cast<axisrt_status>(worst);
 }
 
 }  // namespace
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_t* status) {
+  using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::step_port(*runtime, runtime->setpoint.port, in, out, status);
+  bool const changes = changes_from(*runtime) != nullptr;
+  if (changes) advance(*runtime->change);
+  axisrt_status const worst =
+      step_port(*runtime, &axisrt::setpoint, {.in = in, .out = out, .status = status});
+  if (changes) {
+    for (uint32_t i = 0; i < runtime->axis_count; ++i) runtime->change->outputs[i] = out[i];
+  }
+  return worst;
 }
 
 axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* out, uint8_t* status) {
+  using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::step_port(*runtime, runtime->additional_interface.port, in, out, status);
+  return step_port(*runtime, &axisrt::additional_interface, {.in = in, .out = out, .status = status});
 }

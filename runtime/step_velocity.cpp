@@ -1,4 +1,5 @@
 #include "axisrt.h"
+#include "runtime/change.hpp"
 #include "runtime/control_word.hpp"
 #include "runtime/double_bits.hpp"
 #include "runtime/lane.hpp"
@@ -51,6 +52,16 @@ Mask join_stages(axisrt const& runtime, Control const& control, double& v_add) {
   return worst;
 }
 
+/// The additive velocities of the runtime before, whose controls are the same.
+void step_before(axisrt const& before, axisrt_velocities const& in, double* v_add) {
+  step_stages(before, in);
+  for (uint32_t i = 0; i < before.control_count; ++i) join_stages(before, before.controls[i], v_add[i]);
+}
+
+double blended(Change const& change, uint32_t control, double v) {
+  return change.shadow[control] + weight_of(change) * (v - change.shadow[control]);
+}
+
 }  // namespace
 }  // namespace axisc::runtime
 
@@ -62,12 +73,15 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in,
   }
   if (in->v_set == nullptr || in->v_motor == nullptr) return AXISRT_BAD_ARGUMENT;
   CycleArithmetic const arithmetic;
+  if (axisrt const* const before = changes_from(*runtime)) step_before(*before, *in, runtime->change->shadow);
   step_stages(*runtime, *in);
   Mask worst = AXISRT_OK;
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.source != i) continue;
-    Mask const happened = join_stages(*runtime, control, runtime->additive_velocities[i]);
+    double& v = runtime->additive_velocities[i];
+    Mask const happened = join_stages(*runtime, control, v);
+    if (changes_from(*runtime) != nullptr) v = blended(*runtime->change, i, v);
     if (status != nullptr) status[control.axis] = static_cast<uint8_t>(happened);
     worst = worse(worst, happened);
   }

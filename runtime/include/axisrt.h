@@ -49,15 +49,20 @@ typedef enum axisrt_status {
   AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
   AXISRT_NO_LEVEL = 24,     /* this processor, or this build, does not have the instruction set that was asked for */
 
+  /* axisrt_prepare. */
+  AXISRT_OTHER_AXES = 27,  /* the image is of another machine: number, names, numbers or types of axes differ */
+  AXISRT_OLDER_IMAGE = 28, /* its version counter is lower than that of the image that works */
+
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
   /* The axis was never reset: its output repeats the input (0 for a bad one), nothing was filtered. */
   AXISRT_NOT_RESET = 41,
 
-  /* axisrt_command. Nothing was changed. */
+  /* axisrt_command, axisrt_swap. Nothing was changed. */
   AXISRT_BUSY = 50,            /* a filter of the group is still changing over; try again in the next cycle */
   AXISRT_NO_BANK = 51,         /* the image has no kernels for these parameters */
-  AXISRT_NEEDS_STANDSTILL = 52 /* no transition is gentle enough: only while the axes of the group stand */
+  AXISRT_NEEDS_STANDSTILL = 52, /* no transition is gentle enough: only while the axes stand */
+  AXISRT_NOT_WARM = 53 /* axisrt_swap: the new filters have not seen enough of the motion yet; shadow on */
 } axisrt_status;
 
 /* One sentence in English, for logs; never null. May be called anywhere. */
@@ -226,6 +231,44 @@ axisrt_status axisrt_command(axisrt* runtime, uint32_t group, const axisrt_filte
 
 /* The order that ORDER_TIME (in us) means: floor(time/T + 0.5), 0 below one cycle. */
 uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
+
+/* Change of image while the machine runs: prepare once, shadow in every cycle, swap, then step the new runtime.
+ *
+ *   axisrt_prepare(active, &config, 0, &next);                 not in the cycle
+ *   axisrt_step(active, ...); axisrt_shadow_step(next);        in every cycle, until
+ *   axisrt_swap(next) == AXISRT_OK                             between two cycles; from then on
+ *   axisrt_step(next, ...)                                     instead of `active`, which is stepped along
+ *   axisrt_swap_done(next)                                     then the memory of `active` is the caller's again
+ *
+ * All outputs change over together, y = y_before + w (y_new - y_before), w = t^3 (10 - 15 t + 6 t^2), in F cycles. With
+ * setpoints within P-AXIS-00212 and P-AXIS-00008 of both images (the lower ones; v and a per cycle) and the chains' peak gains
+ * P_A, P_B, the setpoint outputs keep
+ *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
+ *     |y[n] - 2 y[n-1] + y[n-2]|    <= max(P_A, P_B) a + a/4 + a/64
+ * At standstill, where both runtimes have given the same for 64 cycles, the change may be immediate. */
+
+/* Option of axisrt_prepare: a lower version counter is good too. */
+#define AXISRT_ALLOW_OLDER 1u
+
+/* Creates the runtime of another image of the same machine beside the one that works, in the steady state for its latest
+ * setpoints, and plans the change. Returns what axisrt_create returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY
+ * while `active` itself is still replacing another. `prepared` may get commands; it begins with the lists' values. Prepare again
+ * after axisrt_rebase, and after axisrt_reset of an axis that was reset before.
+ * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in the cycle. */
+axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options, axisrt** prepared);
+
+/* One cycle of the prepared runtime with what the active one was given last. To be called after the active one's steps.
+ * Cost: that of a cycle. */
+axisrt_status axisrt_shadow_step(axisrt* prepared);
+
+/* Makes the prepared runtime the one to be stepped. AXISRT_BUSY while kernels change over in one of the two;
+ * AXISRT_NEEDS_STANDSTILL where Improved Position Control differs (its stages then begin with axisrt_reset_velocity), where a
+ * chain does not pass the constant part, where limits are unknown, or where the change would take more than 4096 cycles;
+ * AXISRT_NOT_WARM where fewer cycles were shadowed than the new filters need. Cost: the axes. May be called in the cycle. */
+axisrt_status axisrt_swap(axisrt* prepared);
+
+/* 1 once the change is over. Commands are AXISRT_BUSY until then. Cost: constant. */
+int axisrt_swap_done(const axisrt* runtime);
 
 #define AXISRT_MOST_FILTERS 4u
 #define AXISRT_NO_KERNEL 0xFFFFFFFFu

@@ -25,11 +25,14 @@ constexpr axisrt_status all_statuses[] = {AXISRT_OK,
                                           AXISRT_MEMORY_TOO_SMALL,
                                           AXISRT_BAD_ARGUMENT,
                                           AXISRT_NO_LEVEL,
+                                          AXISRT_OTHER_AXES,
+                                          AXISRT_OLDER_IMAGE,
                                           AXISRT_BAD_INPUT,
                                           AXISRT_NOT_RESET,
                                           AXISRT_BUSY,
                                           AXISRT_NO_BANK,
-                                          AXISRT_NEEDS_STANDSTILL};
+                                          AXISRT_NEEDS_STANDSTILL,
+                                          AXISRT_NOT_WARM};
 
 }  // namespace
 

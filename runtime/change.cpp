@@ -1,0 +1,231 @@
+#include "runtime/change.hpp"
+
+#include "axisrt.h"
+#include "runtime/control_word.hpp"
+#include "runtime/format/crc32c.hpp"
+#include "runtime/lane.hpp"
+#include "runtime/limits.hpp"
+#include "runtime/step_distance.hpp"
+
+namespace axisc::runtime {
+namespace {
+
+constexpr uint32_t longest_fade = 4096;
+/// Cycles in which both runtimes must have given the same, with standing setpoints.
+constexpr uint32_t standstill_cycles = 64;
+
+bool same_name(axisrt const& a, axisrt const& b, uint32_t axis) {
+  size_t size_a = 0;
+  size_t size_b = 0;
+  char const* const name_a = axisrt_axis_name(&a, axis, &size_a);
+  char const* const name_b = axisrt_axis_name(&b, axis, &size_b);
+  if (size_a == 0 || size_b == 0) return true;  // stripped
+  if (size_a != size_b) return false;
+  for (size_t i = 0; i < size_a; ++i) {
+    if (name_a[i] != name_b[i]) return false;
+  }
+  return true;
+}
+
+/// Names where both images have them, numbers and types.
+bool same_axes(axisrt const& a, axisrt const& b) {
+  if (a.axis_count != b.axis_count) return false;
+  for (uint32_t i = 0; i < a.axis_count; ++i) {
+    if (a.axes[i].number != b.axes[i].number || a.axes[i].type != b.axes[i].type) return false;
+    if (!same_name(a, b, i)) return false;
+  }
+  return true;
+}
+
+double smaller(double a, double b) {
+  return a < b ? a : b;
+}
+
+/// The fewest cycles F with  15/(8 F) L v <= v/4  and  10/(sqrt(3) F^2) L v + 15/(4 F) L a <= a/4 ; 0 if there are none
+/// up to longest_fade. L v is the largest distance of the two outputs, L a its largest change in a cycle.
+uint32_t fade_cycles(double distance, double velocity, double acceleration) {
+  if (!(velocity > 0) || !(acceleration > 0)) return 0;
+  constexpr double factor = 23.094010767585031;  // 40 / sqrt(3)
+  double const constant = factor * distance * (velocity / acceleration);
+  for (uint32_t f = 1; f <= longest_fade; ++f) {
+    if (static_cast<double>(f) * (f - 15 * distance) >= constant) return f;
+  }
+  return 0;
+}
+
+/// How long the change must take, and how long the new runtime must have run beside the old one before.
+void plan(axisrt const& active, axisrt const& prepared, Change& change) {
+  change.length = 1;
+  change.warm_up = 0;
+  for (uint32_t i = 0; i < prepared.axis_count && change.length > 0; ++i) {
+    StepDistance const a = step_distance(active, active.setpoint, i);
+    StepDistance const b = step_distance(prepared, prepared.setpoint, i);
+    double const velocity = smaller(active.axes[i].velocity_limit, prepared.axes[i].velocity_limit);
+    double const acceleration =
+        smaller(active.axes[i].acceleration_limit, prepared.axes[i].acceleration_limit);
+    uint32_t const cycles =
+        a.is_bounded && b.is_bounded ? fade_cycles(a.sum + b.sum, velocity, acceleration) : 0;
+    if (cycles == 0 || cycles > change.length) change.length = cycles;
+    if (b.settling > change.warm_up) change.warm_up = b.settling;
+  }
+  change.same_controls = digest_of_controls(active) == digest_of_controls(prepared) ? 1 : 0;
+  if (change.same_controls == 0) change.length = 0;
+}
+
+bool was_reset(LinePort const& port, uint32_t line) {
+  return Lane(port, port.lines[line]).reset_done();
+}
+
+double input_of(LinePort const& port, uint32_t line) {
+  return Lane(port, port.lines[line]).part(GroupParts::input);
+}
+
+double output_of(LinePort const& port, uint32_t line) {
+  return Lane(port, port.lines[line]).part(GroupParts::output);
+}
+
+/// The steady state for what the active runtime was given last.
+void take_over(axisrt const& active, axisrt& prepared) {
+  for (uint32_t i = 0; i < prepared.axis_count; ++i) {
+    if (was_reset(active.setpoint, i)) axisrt_reset(&prepared, i, input_of(active.setpoint, i));
+    if (was_reset(active.additional_interface, i)) {
+      axisrt_reset_interface(&prepared, i, input_of(active.additional_interface, i));
+    }
+  }
+  if (prepared.change->same_controls == 0) return;
+  for (uint32_t i = 0; i < prepared.stage_count; ++i) {
+    if (was_reset(active.velocity, i))
+      reset_line(prepared, prepared.velocity, i, input_of(active.velocity, i));
+  }
+}
+
+bool any_fades(axisrt const& runtime) {
+  for (uint32_t i = 0; i < runtime.slot_count; ++i) {
+    if (is_fading(runtime.slots[i])) return true;
+  }
+  return false;
+}
+
+/// Counts cycles in which nothing moves and both runtimes give the same.
+void watch_standstill(axisrt const& active, axisrt const& prepared, double const* inputs_before,
+                      Change& change) {
+  bool stands = true;
+  for (uint32_t i = 0; i < prepared.axis_count; ++i) {
+    double const moved = input_of(active.setpoint, i) - inputs_before[i];
+    double const apart = output_of(active.setpoint, i) - output_of(prepared.setpoint, i);
+    stands =
+        stands && is_within(moved, largest_increment_at_rest) && is_within(apart, largest_increment_at_rest);
+  }
+  change.standstill = stands ? change.standstill + 1 : 0;
+}
+
+/// One cycle of a port with what the active runtime's port was given last.
+void shadow_port(axisrt const& prepared, LinePort const& from, LinePort const& to, double* inputs) {
+  for (uint32_t i = 0; i < to.port.line_count; ++i) inputs[i] = input_of(from, i);
+  prepared.instructions->step(to.port, inputs, inputs, nullptr);
+}
+
+}  // namespace
+
+void advance(Change& change) {
+  change.position += 1;
+  if (change.position >= change.length) change.predecessor = nullptr;
+}
+
+uint32_t digest_of_controls(axisrt const& runtime) {
+  uint32_t digest = 0;
+  auto const add = [&](auto const& value) { digest = axim_crc32c(&value, sizeof value, digest); };
+  for (uint32_t i = 0; i < runtime.control_count; ++i) {
+    Control const& control = runtime.controls[i];
+    add(control.axis);
+    add(control.stage_count);
+    add(control.source);
+    add(control.limit);
+    add(control.scale);
+  }
+  for (uint32_t i = 0; i < runtime.stage_count; ++i) {
+    add(runtime.stages[i].mode);
+    add(runtime.stages[i].weight);
+    LineChain const& line = runtime.velocity.lines[i];
+    Lane const lane(runtime.velocity, line);
+    for (uint32_t k = line.first_filter; k < line.first_filter + line.filter_count; ++k) {
+      Filter const& filter = runtime.filters[k];
+      add(filter.kind);
+      add(filter.delay_cycles);
+      for (uint32_t section = 0; section < filter.section_count; ++section)
+        add(lane.section(filter, section));
+      if (filter.kind == FilterKind::pass_through || filter.kind == FilterKind::passing) continue;
+      for (uint32_t part = 0; part < 3; ++part) {
+        double const share = lane.share(filter, part);
+        add(share);
+      }
+    }
+  }
+  return digest;
+}
+
+}  // namespace axisc::runtime
+
+axisrt_status axisrt_prepare(axisrt* active, axisrt_config const* config, uint32_t options,
+                             axisrt** prepared) {
+  using namespace axisc::runtime;
+  if (prepared == nullptr) return AXISRT_BAD_ARGUMENT;
+  *prepared = nullptr;
+  if (active == nullptr || config == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (active->change->predecessor != nullptr) return AXISRT_BUSY;
+  axisrt* made = nullptr;
+  axisrt_status const status = axisrt_create(config, &made);
+  if (status != AXISRT_OK) return status;
+  if (!same_axes(*active, *made)) return AXISRT_OTHER_AXES;
+  bool const older = made->image_version < active->image_version;
+  if (older && (options & AXISRT_ALLOW_OLDER) == 0) return AXISRT_OLDER_IMAGE;
+  made->change->predecessor = active;
+  plan(*active, *made, *made->change);
+  take_over(*active, *made);
+  *prepared = made;
+  return AXISRT_OK;
+}
+
+axisrt_status axisrt_shadow_step(axisrt* prepared) {
+  using namespace axisc::runtime;
+  if (prepared == nullptr || prepared->change->predecessor == nullptr || prepared->change->begun != 0) {
+    return AXISRT_BAD_ARGUMENT;
+  }
+  CycleArithmetic const arithmetic;
+  axisrt const& active = *prepared->change->predecessor;
+  Change& change = *prepared->change;
+  for (uint32_t i = 0; i < prepared->axis_count; ++i) {
+    change.outputs[i] = input_of(prepared->setpoint, i);
+    // An axis that was reset since: whatever the chains remember is of another position.
+    if (was_reset(active.setpoint, i) && !was_reset(prepared->setpoint, i)) {
+      axisrt_reset(prepared, i, input_of(active.setpoint, i));
+    }
+  }
+  shadow_port(*prepared, active.setpoint, prepared->setpoint, change.shadow);
+  watch_standstill(active, *prepared, change.outputs, change);
+  shadow_port(*prepared, active.additional_interface, prepared->additional_interface, change.shadow);
+  if (change.same_controls != 0) shadow_port(*prepared, active.velocity, prepared->velocity, change.shadow);
+  change.cycles += 1;
+  return AXISRT_OK;
+}
+
+axisrt_status axisrt_swap(axisrt* prepared) {
+  using namespace axisc::runtime;
+  if (prepared == nullptr || prepared->change->predecessor == nullptr || prepared->change->begun != 0) {
+    return AXISRT_BAD_ARGUMENT;
+  }
+  Change& change = *prepared->change;
+  axisrt& active = *change.predecessor;
+  if (any_fades(active) || any_fades(*prepared)) return AXISRT_BUSY;
+  bool const stands = change.standstill >= standstill_cycles;
+  if (!stands && change.length == 0) return AXISRT_NEEDS_STANDSTILL;
+  if (!stands && change.cycles < change.warm_up) return AXISRT_NOT_WARM;
+  if (change.length == 0) change.predecessor = nullptr;
+  change.begun = 1;
+  change.position = 0;
+  return AXISRT_OK;
+}
+
+int axisrt_swap_done(axisrt const* runtime) {
+  return runtime != nullptr && runtime->change->begun != 0 && runtime->change->predecessor == nullptr ? 1 : 0;
+}

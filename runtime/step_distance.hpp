@@ -1,0 +1,23 @@
+// How far a chain takes a setpoint from itself, from its stored coefficients.
+#pragma once
+
+#include "runtime/runtime_object.hpp"
+
+#include <stdint.h>
+
+namespace axisc::runtime {
+
+/// Of the chain of a line, whichever kernel its slot works with. With the step response s,
+///     |y - x| <= sum of |s - 1| times the largest increment.
+struct StepDistance {
+  bool
+      is_bounded;  ///< false for a chain that does not pass the constant part unchanged, or that does not settle
+  double sum;      ///< of |s[n] - 1|
+  double peak_gain;   ///< sum of |h[n]|
+  uint32_t settling;  ///< cycles after which |s - 1| stays below 2^-20
+};
+
+/// Computes the step response: at most 2^21 cycles. Not in the cycle.
+[[nodiscard]] StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t line);
+
+}  // namespace axisc::runtime
