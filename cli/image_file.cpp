@@ -4,6 +4,7 @@
 #include "cli/disk_files.hpp"
 #include "cli/suggestion.hpp"
 
+#include <array>
 #include <span>
 #include <variant>
 
@@ -80,9 +81,30 @@ std::string_view port_name(Port port) {
   return {};
 }
 
-codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file) {
-  auto host = codegen::RuntimeHost::create(file.bytes.bytes());
-  if (auto const* const status = std::get_if<axisrt_status>(&host)) throw unusable_image(path, *status);
+std::uint32_t level_of(std::optional<std::string> const& word) {
+  static constexpr std::array<std::pair<std::string_view, std::uint32_t>, 6> levels = {
+      {{"portable", AXISRT_LEVEL_PORTABLE},
+       {"auto", AXISRT_LEVEL_AUTOMATIC},
+       {"v2", AXISRT_LEVEL_X86_64_V2},
+       {"v3", AXISRT_LEVEL_X86_64_V3},
+       {"v4", AXISRT_LEVEL_X86_64_V4},
+       {"neon", AXISRT_LEVEL_NEON}}};
+  if (!word) return AXISRT_LEVEL_PORTABLE;
+  for (auto const& [name, level] : levels) {
+    if (*word == name) return level;
+  }
+  throw Failure(
+      {.text = Text::cli_bad_choice,
+       .arguments = {
+           {"option", "--level"}, {"value", *word}, {"choices", "portable, auto, v2, v3, v4, neon"}}});
+}
+
+codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file, std::uint32_t level) {
+  auto host = codegen::RuntimeHost::create(file.bytes.bytes(), std::nullopt, level);
+  if (auto const* const status = std::get_if<axisrt_status>(&host)) {
+    if (*status == AXISRT_NO_LEVEL) throw Failure({.text = Text::cli_no_level, .arguments = {}});
+    throw unusable_image(path, *status);
+  }
   return std::get<codegen::RuntimeHost>(std::move(host));
 }
 

@@ -7,6 +7,7 @@
 #include "codegen/image_contents.hpp"
 #include "codegen/runtime_host.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,7 +39,16 @@ enum class Port : std::uint8_t { setpoint, interface, velocity };
 /// "setpoint", "interface", "velocity".
 [[nodiscard]] std::string_view port_name(Port port);
 
-/// The runtime for an image that was loaded. Failure AX9004 where this processor fails its self-tests.
-[[nodiscard]] codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file);
+/// Words of `--level`, for help and messages.
+inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
+
+/// The axisrt_level that a word of `--level` means; portable without one, because its results are the same everywhere.
+/// Failure for another word.
+[[nodiscard]] std::uint32_t level_of(std::optional<std::string> const& word);
+
+/// The runtime for an image that was loaded, at an axisrt_level. Failure AX9004 where this processor fails its self-tests,
+/// another one where it does not have that level.
+[[nodiscard]] codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
+                                                 std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 
 }  // namespace axisc::cli

@@ -19,6 +19,7 @@ struct ResponseWords {
   std::optional<std::string> image;
   std::optional<std::string> axis;
   std::optional<std::string> frequencies;
+  std::optional<std::string> level;
   std::vector<std::string> commands;
   Port port = Port::setpoint;
   Form form = Form::csv;
@@ -31,6 +32,7 @@ void declare(CommandLine& command_line, ResponseWords& words) {
       "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
       words.port, Text::cli_opt_response_port);
   command_line.value("--frequencies", "F[,F...]", words.frequencies, Text::cli_opt_frequencies);
+  command_line.value("--level", level_words, words.level, Text::cli_opt_level);
   command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
   command_line.choice("--format", {{"csv", Form::csv}, {"json", Form::json}}, words.form,
                       Text::cli_opt_response_format);
@@ -113,7 +115,7 @@ ExitStatus response(Invocation const& invocation) {
   auto const axes = axes_with_port(file, words);
   auto const frequencies =
       words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
-  auto host = start_runtime(*words.image, file);
+  auto host = start_runtime(*words.image, file, level_of(words.level));
   for (auto const& command : read_timed_commands(words.commands, file, *words.image, invocation.language)) {
     execute(command, host, file.contents, *words.image);
   }

@@ -30,6 +30,7 @@ struct RunWords {
   std::optional<std::string> output;
   std::vector<std::string> commands;
   std::optional<std::string> port;
+  std::optional<std::string> level;
   bool quiet = false;
 };
 
@@ -42,6 +43,7 @@ void declare(CommandLine& command_line, RunWords& words) {
   command_line.value("--port", "setpoint|interface|velocity", words.port, Text::cli_opt_port);
   command_line.value("--reset", "POSITION", words.reset, Text::cli_opt_reset);
   command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
+  command_line.value("--level", level_words, words.level, Text::cli_opt_level);
   command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_csv_output);
   command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_run_quiet);
 }
@@ -149,7 +151,8 @@ ExitStatus run(Invocation const& invocation) {
   double const position = number(words.reset, "--reset", 0);
   auto const file = load_image(*words.image);
   auto const stimulus = make_stimulus(words, file.contents);
-  Execution execution(*words.image, start_runtime(*words.image, file), file.contents, *stimulus,
+  Execution execution(*words.image, start_runtime(*words.image, file, level_of(words.level)), file.contents,
+                      *stimulus,
                       read_timed_commands(words.commands, file, *words.image, invocation.language));
   execution.reset(position, port);
   Refused refused;

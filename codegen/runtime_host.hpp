@@ -19,10 +19,11 @@ namespace axisc::codegen {
 class RuntimeHost {
  public:
   /// Copies and verifies the image and runs its self-tests. Without `cycle_time` the controller is taken to
-  /// run at the image's own; `level` is an axisrt_level. Throws std::bad_alloc only.
+  /// run at the image's own; `level` is an axisrt_level; portable gives
+  /// the same results on every host. Throws std::bad_alloc only.
   [[nodiscard]] static std::variant<RuntimeHost, axisrt_status> create(
       std::span<std::byte const> image, std::optional<design::CycleTime> cycle_time = std::nullopt,
-      std::uint32_t level = AXISRT_LEVEL_AUTOMATIC);
+      std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 
   [[nodiscard]] std::uint32_t axis_count() const { return axisrt_axis_count(runtime_); }
   [[nodiscard]] design::CycleTime cycle_time() const { return {axisrt_cycle_time_ns(runtime_)}; }

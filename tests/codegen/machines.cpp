@@ -136,7 +136,7 @@ validator::Machine random_machine(Random& random, double lowest_frequency_times_
 }
 
 codegen::RuntimeHost runtime_for(std::span<std::byte const> image) {
-  auto runtime = codegen::RuntimeHost::create(image);
+  auto runtime = codegen::RuntimeHost::create(image, std::nullopt, AXISRT_LEVEL_AUTOMATIC);
   if (axisrt_status const* status = std::get_if<axisrt_status>(&runtime)) FAIL(axisrt_status_name(*status));
   return std::get<codegen::RuntimeHost>(std::move(runtime));
 }
