@@ -59,6 +59,10 @@ class HeldFiles final : public validator::Files {
     if (path == path_) return content_;
     return files_.read(path);
   }
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override {
+    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
+  }
 
  private:
   validator::Files& files_;

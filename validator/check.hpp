@@ -41,7 +41,8 @@ struct CheckResult {
 
 /// `path` ends in .json and holds an object: a machine file; in .nc: an NC program alone, of which no machine comes;
 /// else one axis list. `sources` receives every
-/// text read. Never throws for bad input.
+/// text read, of NC programs the lines that findings can point at. The machine may read programs again, so `files` must
+/// live as long as it. Never throws for bad input.
 [[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);
 
