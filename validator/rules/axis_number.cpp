@@ -45,7 +45,7 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
     if (numbered.value.value.number != 0) continue;
     report.axis = numbered.axis.name;
     Finding& finding = report.add(numbered.value, {Text::ax4015_zero, {}});
-    finding.control->message = "110076";
+    react(finding, "110076", {Text::ax4015_reaction_zero, {}});
   }
 }
 
@@ -72,7 +72,7 @@ void check_twice(std::vector<Numbered> const& axes, Report& report) {
       finding.related.push_back(
           {*numbered.value.value_place, {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
     }
-    finding.control->message = "1001121";
+    react(finding, "1001121", {Text::ax4015_reaction_twice, {}});
   }
 }
 

@@ -43,6 +43,7 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
   Finding& finding = report.add(mode, {Text::ax3043, {{"mode", mode.value.text}}});
   finding.notes.push_back({Text::ax3043_limit, {{"p_axis", parameter_number(mode)}}});
+  react(finding, "70602", {Text::ax3043_reaction, {}});
   relate_enable(finding, view);
 }
 
@@ -66,6 +67,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
   finding.notes.push_back({sercos ? Text::ax4016_mapping_sercos : Text::ax4016_mapping, {}});
+  react(finding, "70607", {Text::ax4016_reaction, {}});
   if (last != nullptr) relate_enable(finding, view);
 }
 

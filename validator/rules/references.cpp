@@ -1,4 +1,5 @@
 // AX2010 to AX2014: values that name another parameter.
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/units_text.hpp"
@@ -36,6 +37,13 @@ std::string name_of(ReferenceProblem const& problem) {
   return schema::slot_name(problem.slot);
 }
 
+/// The value of the default list, or the documented default; none where that is not known either.
+void keep_earlier(Finding& finding, EffectiveValue const& value) {
+  std::string earlier = value.value.text;
+  if (earlier.empty() && default_value(row_of(value.slot))) earlier = format_exact(value.value.number);
+  set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
+}
+
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
   if (!problem.target) return;
   std::string const name = schema::slot_name(*problem.target);
@@ -56,7 +64,7 @@ void checks::reference_unresolvable(AxisContext const& context, Report& report) 
                              ? message(Text::ax2010_no_value, {{"name", schema::slot_name(*problem.target)},
                                                                {"p_axis", named(problem)}})
                              : message(Text::ax2010, {{"p_axis", named(problem)}});
-                     set_reaction(report.add(value, text), Text::reference_lost);
+                     keep_earlier(report.add(value, text), value);
                    });
 }
 
@@ -65,7 +73,7 @@ void checks::reference_circular(AxisContext const& context, Report& report) {
       context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
         Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
         Finding& finding = report.add(value, message(text, {{"parameter", name_of(problem)}}));
-        set_reaction(finding, Text::reference_lost);
+        keep_earlier(finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place,
@@ -90,7 +98,7 @@ void checks::reference_type(AxisContext const& context, Report& report) {
                                                {"p_axis", named(problem)}});
         }
         Finding& finding = report.add(value, std::move(text));
-        set_reaction(finding, Text::reference_lost);
+        keep_earlier(finding, value);
         add_target(context, finding, problem);
       });
 }
@@ -110,7 +118,7 @@ void checks::reference_index(AxisContext const& context, Report& report) {
               message(Text::ax2013,
                       {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
         }
-        set_reaction(report.add(value, std::move(text)), Text::reference_lost);
+        keep_earlier(report.add(value, std::move(text)), value);
       });
 }
 
