@@ -51,14 +51,15 @@ std::variant<std::string, FileError> read_text(Files& files, std::string const& 
   return bytes;
 }
 
-LoadedList parse(SourceSet const& sources, SourceId source) {
+LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
   SourceText const& text = sources[source];
   LoadedList list;
   list.source = source;
+  list.catalogue = catalogue;
   list.tree =
       grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
-  list.readings = read_assignments(text, list.tree);
-  list.lost = lost_assignments(text, list.tree, list.readings);
+  list.readings = read_assignments(text, list.tree, catalogue);
+  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }
 
@@ -132,7 +133,7 @@ class Loader {
 
   void load_single(SourceId source) {
     machine_.lists.push_back(
-        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source)});
+        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
     LoadedAxis& axis = add_axis(0, std::nullopt);
     EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
     bool const named = name.set() && !name.unusable && !name.value.text.empty();
@@ -238,21 +239,22 @@ class Loader {
     machine_.files.push_back(path);
     SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
     std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
-    machine_.lists.push_back({.name = shown, .list = parse(sources_, source)});
+    machine_.lists.push_back({.name = shown, .list = parse(sources_, source, options_.catalogue)});
     by_path_.emplace(key, machine_.lists.size() - 1);
     return machine_.lists.size() - 1;
   }
 
   /// Index of the program.
   std::variant<std::size_t, FileError> add_program(std::string name, std::string const& path) {
-    std::variant<ReadProgram, FileError> read = read_program(files_, path);
+    std::variant<ReadProgram, FileError> read =
+        read_program(files_, path, options_.whole_programs ? ProgramText::whole : ProgramText::excerpt);
     if (auto const* const error = std::get_if<FileError>(&read)) return *error;
     auto& content = std::get<ReadProgram>(read);
     LoadedProgram program;
     program.name = std::move(name);
     program.path = path;
     program.mark = content.mark;
-    program.source = sources_.add(SourceText(path, std::move(content.excerpt)));
+    program.source = sources_.add(std::move(content.text));
     program.tree = std::move(content.tree);
     std::string_view const text = sources_[program.source].bytes();
     program.gives_order =

@@ -34,7 +34,7 @@ struct LoadedProgram {
   std::string name;  ///< as the machine file names it; the file's own name for a single program
   std::string path;
   ContentMark mark;   ///< of the bytes that were checked
-  SourceId source{};  ///< an excerpt: the lines that `tree` points into
+  SourceId source{};  ///< an excerpt, unless the options ask for all of it: the lines that `tree` points into
   grammar::NcProgram tree;
   bool gives_order = false;  ///< one of its #FILTER commands gives an order
 };

@@ -177,7 +177,7 @@ class AxisBuilder {
       EffectiveValue const& value = values_[slot];
       if (!value.value_place) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
-      result.values.push_back({.name = schema::slot_name(slot),
+      result.values.push_back({.name = parameter_name(value),
                                .text = sources_[value.value_place->source].utf8(value.value_place->span),
                                .list = static_cast<std::uint32_t>(list),
                                .line = value.line});

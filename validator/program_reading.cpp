@@ -65,29 +65,35 @@ class MarkedContent {
 
 class ProgramReading {
  public:
+  explicit ProgramReading(ProgramText kept) : kept_(kept) {}
+
   bool piece(std::string_view bytes) {
     content_.add(bytes);
+    if (kept_ == ProgramText::whole) whole_ += bytes;
     if (content_.mark().bytes > largest_file) return refuse(FileError::too_large);
     if (beginning_is_judged_) return lines(bytes);
     beginning_ += bytes;
     return beginning_.size() < judged_beginning || judge_beginning();
   }
 
-  std::variant<ReadProgram, FileError> finish() {
+  std::variant<ReadProgram, FileError> finish(std::string const& name) {
     if (!problem_ && !beginning_is_judged_) judge_beginning();
     if (!problem_ && !lines_.finish([this](std::string_view line) { add_line(line); })) {
       problem_ = FileError::line_too_long;
     }
     if (problem_) return *problem_;
+    if (kept_ == ProgramText::whole) {
+      SourceText text(name, std::move(whole_));
+      auto tree = grammar::parse_nc_program(text.bytes(), text.text_begin());
+      return ReadProgram{.text = std::move(text), .tree = std::move(tree), .mark = content_.mark()};
+    }
     reader_.finish();
-    ReadProgram program;
-    program.excerpt.bytes = std::move(reader_.bytes());
-    program.excerpt.numbers = std::move(reader_.numbers());
-    if (!is_utf8_) program.excerpt.encoding = Encoding::windows_1252;
-    if (is_utf8_ && has_mark_) program.excerpt.encoding = Encoding::utf8_with_mark;
-    program.tree = std::move(reader_.program());
-    program.mark = content_.mark();
-    return program;
+    Excerpt excerpt{.bytes = std::move(reader_.bytes()), .numbers = std::move(reader_.numbers())};
+    if (!is_utf8_) excerpt.encoding = Encoding::windows_1252;
+    if (is_utf8_ && has_mark_) excerpt.encoding = Encoding::utf8_with_mark;
+    return ReadProgram{.text = SourceText(name, std::move(excerpt)),
+                       .tree = std::move(reader_.program()),
+                       .mark = content_.mark()};
   }
 
  private:
@@ -119,6 +125,8 @@ class ProgramReading {
     reader_.line(line);
   }
 
+  ProgramText kept_;
+  std::string whole_;
   MarkedContent content_;
   std::string beginning_;
   bool beginning_is_judged_ = false;
@@ -131,11 +139,11 @@ class ProgramReading {
 
 }  // namespace
 
-std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path) {
-  ProgramReading reading;
+std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path, ProgramText kept) {
+  ProgramReading reading(kept);
   auto const error = files.read_pieces(path, [&](std::string_view piece) { return reading.piece(piece); });
   if (error) return *error;
-  return reading.finish();
+  return reading.finish(path);
 }
 
 void read_program_again(Files& files, std::string const& path, ContentMark const& mark,

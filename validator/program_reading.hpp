@@ -19,13 +19,17 @@ struct ContentMark {
 };
 
 struct ReadProgram {
-  Excerpt excerpt;          ///< the lines that findings can point at
-  grammar::NcProgram tree;  ///< its spans count in the excerpt
+  SourceText text;          ///< an excerpt: the lines that findings can point at
+  grammar::NcProgram tree;  ///< its spans count in the text
   ContentMark mark;
 };
 
-/// Memory: that of the excerpt, and of the longest line. The same refusals as `check_text` has.
-[[nodiscard]] std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path);
+enum class ProgramText : std::uint8_t { excerpt, whole };
+
+/// Memory: that of the excerpt, and of the longest line. The same refusals as `check_text` has. With ProgramText::whole
+/// the text is no excerpt.
+[[nodiscard]] std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path,
+                                                                ProgramText kept = ProgramText::excerpt);
 
 /// Hands the bytes of a program that was read before to `receive` once more. Throws SourceChanged where they are no
 /// longer the same.

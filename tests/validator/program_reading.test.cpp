@@ -101,9 +101,9 @@ TEST_CASE("of a long program only the lines with commands are kept") {
   auto const read = read_program(files, "part.nc");
   auto const& program = std::get<ReadProgram>(read);
   CHECK(program.mark.bytes > 180'000'000);
-  CHECK(program.excerpt.bytes == "  #FILTER ON [ORDER=500]\n");
+  CHECK(program.text.bytes() == "  #FILTER ON [ORDER=500]\n");
   REQUIRE(program.tree.commands.size() == 1);
-  CHECK(program.excerpt.numbers.front() == program.tree.commands[0].line);
+  CHECK(program.text.position(2).line == program.tree.commands[0].line);
   CHECK(program.tree.commands[0].line > 2'000'000);
 }
 

@@ -33,8 +33,8 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
     if (!reading.known() || reading.name.slot != slot || reading.status != ReadingStatus::value) continue;
     if (reading.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-    Finding& finding =
-        report.add(place, slot, {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
+    Finding& finding = report.add(place, *reading.name.row, slot,
+                                  {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
     react(finding, "110300", {Text::ax4015_reaction_aborts, {}});
     return;
   }

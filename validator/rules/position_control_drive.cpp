@@ -31,8 +31,8 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
   if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
   Message message{Text::ax3038,
                   {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};
-  Finding& finding =
-      named ? report.add(named->place, type.slot, std::move(message)) : report.add(type, std::move(message));
+  Finding& finding = named ? report.add(named->place, *type.row, type.slot, std::move(message))
+                           : report.add(type, std::move(message));
   finding.notes.push_back({Text::ax3038_limit, {{"p_axis", parameter_number(type)}}});
   relate_enable(finding, view);
 }

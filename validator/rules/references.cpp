@@ -9,10 +9,6 @@
 namespace axisc::validator {
 namespace {
 
-schema::Parameter const& row_of(schema::Slot slot) {
-  return schema::parameter(schema::parameter_of(slot));
-}
-
 /// "P-AXIS-00212" as the reference names it, also where no such number exists.
 std::string named(ReferenceProblem const& problem) {
   std::string digits = std::to_string(problem.p_axis);
@@ -33,20 +29,20 @@ void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visi
   }
 }
 
-std::string name_of(ReferenceProblem const& problem) {
-  return schema::slot_name(problem.slot);
+std::string name_of(AxisContext const& context, schema::Slot slot) {
+  return parameter_name(context.values[slot]);
 }
 
 /// The value of the default list, or the documented default; none where that is not known either.
 void keep_earlier(Finding& finding, EffectiveValue const& value) {
   std::string earlier = value.value.text;
-  if (earlier.empty() && default_value(row_of(value.slot))) earlier = format_exact(value.value.number);
+  if (earlier.empty() && default_value(*value.row)) earlier = format_exact(value.value.number);
   set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
 }
 
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
   if (!problem.target) return;
-  std::string const name = schema::slot_name(*problem.target);
+  std::string const name = name_of(context, *problem.target);
   finding.notes.push_back(message(Text::reference_target, {{"p_axis", named(problem)}, {"name", name}}));
   if (auto const& place = context.values[*problem.target].value_place) {
     finding.related.push_back(
@@ -61,7 +57,7 @@ void checks::reference_unresolvable(AxisContext const& context, Report& report) 
                    [&](ReferenceProblem const& problem, EffectiveValue const& value) {
                      Message const text =
                          problem.target
-                             ? message(Text::ax2010_no_value, {{"name", schema::slot_name(*problem.target)},
+                             ? message(Text::ax2010_no_value, {{"name", name_of(context, *problem.target)},
                                                                {"p_axis", named(problem)}})
                              : message(Text::ax2010, {{"p_axis", named(problem)}});
                      keep_earlier(report.add(value, text), value);
@@ -72,12 +68,12 @@ void checks::reference_circular(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
         Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
-        Finding& finding = report.add(value, message(text, {{"parameter", name_of(problem)}}));
+        Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
         keep_earlier(finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place,
-               .message = message(Text::ax2011_member, {{"parameter", schema::slot_name(member)}})});
+               .message = message(Text::ax2011_member, {{"parameter", name_of(context, member)}})});
         }
       });
 }
@@ -86,14 +82,14 @@ void checks::reference_type(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::wrong_type,
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        schema::DataType const type = row_of(problem.slot).type;
-        schema::DataType const other = row_of(*problem.target).type;
-        Message text = message(Text::ax2012, {{"parameter", name_of(problem)},
+        schema::DataType const type = context.values.row(problem.slot).type;
+        schema::DataType const other = context.values.row(*problem.target).type;
+        Message text = message(Text::ax2012, {{"parameter", name_of(context, problem.slot)},
                                               {"type", std::string(schema::data_type_name(type))},
                                               {"p_axis", named(problem)},
                                               {"other", std::string(schema::data_type_name(other))}});
         if (type == other) {
-          text = message(Text::ax2012_symbol, {{"parameter", name_of(problem)},
+          text = message(Text::ax2012_symbol, {{"parameter", name_of(context, problem.slot)},
                                                {"value", context.values[*problem.target].value.text},
                                                {"p_axis", named(problem)}});
         }
@@ -107,9 +103,11 @@ void checks::reference_index(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::wrong_index,
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        schema::Catalogue const& catalogue = context.values.catalogue();
         std::uint16_t entries = 0;
-        for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(problem.p_axis))) {
-          entries = std::max(entries, schema::parameter(id).array[0]);
+        for (schema::ParameterId const id :
+             catalogue.find_number(static_cast<std::uint16_t>(problem.p_axis))) {
+          entries = std::max(entries, catalogue.parameter(id).array[0]);
         }
         std::string const index = written_index(context, value);
         Message text = message(Text::ax2013_scalar, {{"p_axis", named(problem)}, {"index", index}});
@@ -123,18 +121,19 @@ void checks::reference_index(AxisContext const& context, Report& report) {
 }
 
 void checks::reference_unit(AxisContext const& context, Report& report) {
-  for_each_problem(context, ReferenceTrouble::other_unit,
-                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-                     Finding& finding = report.add(
-                         value,
-                         message(Text::ax2014,
-                                 {{"parameter", name_of(problem)},
-                                  {"unit", raw_unit_name(unit_of(row_of(problem.slot), context.type))},
-                                  {"p_axis", named(problem)},
-                                  {"other", raw_unit_name(unit_of(row_of(*problem.target), context.type))}}));
-                     set_reaction(finding, Text::ax2014_reaction);
-                     add_target(context, finding, problem);
-                   });
+  for_each_problem(
+      context, ReferenceTrouble::other_unit,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Finding& finding = report.add(
+            value,
+            message(Text::ax2014,
+                    {{"parameter", name_of(context, problem.slot)},
+                     {"unit", raw_unit_name(unit_of(context.values.row(problem.slot), context.type))},
+                     {"p_axis", named(problem)},
+                     {"other", raw_unit_name(unit_of(context.values.row(*problem.target), context.type))}}));
+        set_reaction(finding, Text::ax2014_reaction);
+        add_target(context, finding, problem);
+      });
 }
 
 }  // namespace axisc::validator
