@@ -1,4 +1,5 @@
 #include "cli/program.hpp"
+#include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "validator/rule.hpp"
 

@@ -145,3 +145,19 @@ TEST_CASE("a suppression that silences nothing can be taken out, code by code") 
   CHECK(repaired("filter[0].guete 11 ( axisc: allow AX2005\n") ==
         "filter[0].guete 11 ( axisc: allow AX2005\n");
 }
+
+TEST_CASE("the value that the control takes is said in its unit too") {
+  auto const reaction = [](std::string const& list) {
+    Checked const checked(list);
+    REQUIRE(checked.result.findings.size() == 1);
+    return *checked.result.findings.front().control;
+  };
+  ControlReaction const clipped = reaction("filter[0].time_constant 99999999999\n");
+  CHECK(clipped.value == "4294967295");
+  CHECK(clipped.physical == "4294967.295 ms");
+  ControlReaction const lost = reaction("getriebe[0].dynamik.a_max P-AXIS-09999\n");
+  CHECK(lost.message == "2052");
+  CHECK(lost.value == "1000");
+  CHECK(lost.physical == "1000 mm/s\xC2\xB2");
+  CHECK(reaction("antr.v_time_base 70000\n").physical.empty());
+}

@@ -29,6 +29,11 @@ void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, 
   finding.control->value = std::move(value);
 }
 
+void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value) {
+  std::string_view const unit = unit_of(row, type);
+  if (finding.control && !unit.empty()) finding.control->physical = physical(value, unit);
+}
+
 Fix replace_by(Place place, std::string text, Message title, FixSafety safety) {
   Fix fix;
   fix.title = std::move(title);

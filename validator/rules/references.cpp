@@ -34,10 +34,12 @@ std::string name_of(AxisContext const& context, schema::Slot slot) {
 }
 
 /// The value of the default list, or the documented default; none where that is not known either.
-void keep_earlier(Finding& finding, EffectiveValue const& value) {
+void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value) {
   std::string earlier = value.value.text;
   if (earlier.empty() && default_value(*value.row)) earlier = format_exact(value.value.number);
+  bool const is_number = value.value.text.empty() && !earlier.empty();
   set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
+  if (is_number) add_physical(finding, *value.row, context.type, value.value.number);
 }
 
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
@@ -60,7 +62,7 @@ void checks::reference_unresolvable(AxisContext const& context, Report& report) 
                              ? message(Text::ax2010_no_value, {{"name", name_of(context, *problem.target)},
                                                                {"p_axis", named(problem)}})
                              : message(Text::ax2010, {{"p_axis", named(problem)}});
-                     keep_earlier(report.add(value, text), value);
+                     keep_earlier(context, report.add(value, text), value);
                    });
 }
 
@@ -69,7 +71,7 @@ void checks::reference_circular(AxisContext const& context, Report& report) {
       context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
         Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
         Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
-        keep_earlier(finding, value);
+        keep_earlier(context, finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place,
@@ -94,7 +96,7 @@ void checks::reference_type(AxisContext const& context, Report& report) {
                                                {"p_axis", named(problem)}});
         }
         Finding& finding = report.add(value, std::move(text));
-        keep_earlier(finding, value);
+        keep_earlier(context, finding, value);
         add_target(context, finding, problem);
       });
 }
@@ -116,7 +118,7 @@ void checks::reference_index(AxisContext const& context, Report& report) {
               message(Text::ax2013,
                       {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
         }
-        keep_earlier(report.add(value, std::move(text)), value);
+        keep_earlier(context, report.add(value, std::move(text)), value);
       });
 }
 
