@@ -49,6 +49,9 @@ TEST_CASE("parameters of a schema file are known, and what they must not be is r
   CHECK(findings(folder, {"x.lis", "--schema", "extra.json"}) ==
         "1 AX2005\n2 AX2004\n3 AX2002\n4 AX2001\n5 AX2007\n6 AX1010\n7 AX2005\n");
   CHECK(findings(folder, {"x.lis"}).find("7 AX2005") == std::string::npos);
+  auto const text =
+      run_axisc({"lint", "x.lis", "--schema", "extra.json", "--lang", "en"}, in_folder(folder.path()));
+  CHECK_THAT(text.out, Contains("0 % ≤ share_percent ≤ 90 %") && Contains("= extra.json says so"));
 }
 
 TEST_CASE("fixes and the layout know the names of a schema file") {

@@ -34,6 +34,8 @@ void judge(AxisContext const& context, Report& report, Place place, schema::Slot
     std::string const raw = range_text(parameter, unit, false);
     finding.notes.push_back(message(Text::ax2005_raw, {{"range", raw}}));
   }
+  std::string const file(context.values.catalogue().file_of(parameter));
+  if (!file.empty()) finding.notes.push_back(message(Text::ax2005_file, {{"file", file}}));
 }
 
 bool is_number(schema::Parameter const& parameter) {
