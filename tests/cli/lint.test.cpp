@@ -155,8 +155,8 @@ TEST_CASE("the build of the control is named on the command line") {
   CHECK(run_axisc({"lint", path}).out.find("AX2016") == std::string::npos);
   CHECK_THAT(run_axisc({"lint", path, "--build", "V3.1.3075.02"}).out, Catch::Matchers::Contains("AX2016"));
   CHECK(run_axisc({"lint", path, "--build", "V3.1.3075.04"}).out.find("AX2016") == std::string::npos);
-  for (auto const* const wrong : {"3075", "V3.1", "V3.1.x", "V3.1.3075.04.1", ""}) {
-    auto const outcome = run_axisc({"lint", path, "--build", wrong});
+  for (auto const* const build : {"3075", "V3.1", "V3.1.x", "V3.1.3075.04.1", ""}) {
+    auto const outcome = run_axisc({"lint", path, "--build", build});
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Catch::Matchers::Contains("V3.1.3075.04"));
   }

@@ -29,7 +29,8 @@ std::string list_as_on_machines() {
   add("kopf.log_achs_name                 X_Achse    ( Name der Achse : P-AXIS-00297");
   add("kenngr.achs_mode                   0x000001   ( Betriebsart (linear) : P-AXIS-00015");
   add("getriebe[0].vb_eilgang             P-AXIS-00212.0   (Eilgang: P-AXIS-00209");
-  for (std::size_t entry = 0; line < 999; ++entry) {
+  constexpr std::size_t most_entries = 3;
+  for (std::size_t entry = 0; entry < most_entries; ++entry) {
     for (schema::Parameter const& parameter : schema::parameters()) {
       bool const plain = parameter.has_default && !parameter.default_text.empty() &&
                          parameter.default_text.substr(0, 6) != "P-AXIS" && parameter.p_axis != 0;
