@@ -7,6 +7,7 @@
 #include <atomic>
 #include <exception>
 #include <thread>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -75,8 +76,11 @@ void shift(Place& place, std::size_t by) {
 }  // namespace
 
 validator::CheckOptions options_for(CheckJob const& job, std::string const& path) {
-  auto const settings = job.settings == nullptr ? std::nullopt : job.settings->find(path);
-  return settings ? with_settings(job.options, *settings, path) : job.options;
+  if (job.settings == nullptr) return job.options;
+  auto options = job.options;
+  options.catalogue = job.settings->catalogue(path);
+  auto const settings = job.settings->find(path);
+  return settings ? with_settings(std::move(options), *settings, path) : options;
 }
 
 void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,

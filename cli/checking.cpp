@@ -60,9 +60,14 @@ void declare_checking(CommandLine& command_line, CheckingWords& words) {
                       words.format, Text::cli_opt_finding_format);
   command_line.flag("--werror", words.werror, Text::cli_opt_werror);
   command_line.values("--disable", "CODE[,CODE]", words.disabled, Text::cli_opt_disable);
+  declare_schema(command_line, words.schema_files);
   command_line.flag("--pedantic", words.pedantic, Text::cli_opt_pedantic);
   command_line.value("-j,--jobs", "N", words.threads, Text::cli_opt_jobs);
   command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+}
+
+void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
+  command_line.values("--schema", "FILE", files, Text::cli_opt_schema);
 }
 
 validator::CheckOptions check_options(CheckingWords const& words) {

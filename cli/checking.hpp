@@ -20,6 +20,7 @@ struct CheckingWords {
   std::optional<std::string> build;
   std::optional<std::string> threads;
   std::vector<std::string> disabled;
+  std::vector<std::string> schema_files;
   bool werror = false;
   bool quiet = false;
   bool pedantic = false;
@@ -27,6 +28,8 @@ struct CheckingWords {
 };
 
 void declare_checking(CommandLine& command_line, CheckingWords& words);
+/// `--schema FILE`, which every command that reads lists has.
+void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 
 /// Failure for a value that means nothing.
 [[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);

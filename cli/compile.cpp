@@ -12,6 +12,7 @@
 #include "diagnostics/writers.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -102,6 +103,16 @@ std::string summary(CompileWords const& words, validator::Machine const& machine
          "\n";
 }
 
+/// Schema files decide what a list may say, so a build system has to watch them too.
+std::vector<std::string> files_read(validator::CheckResult const& result,
+                                    std::optional<Settings> const& settings,
+                                    std::vector<std::string> const& schema_files) {
+  auto files = result.files;
+  if (settings) files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
+  files.insert(files.end(), schema_files.begin(), schema_files.end());
+  return files;
+}
+
 void declare(CommandLine& command_line, CompileWords& words) {
   command_line.argument("INPUT", words.input, Text::cli_arg_input);
   command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_image_output);
@@ -135,17 +146,18 @@ ExitStatus compile(Invocation const& invocation) {
     return ExitStatus::success;
   }
   require_arguments(words);
-  auto const options = check_options(words.checking);
+  auto options = check_options(words.checking);
   auto const image = image_options(words);
   static_cast<void>(
       thread_count(words.checking));  // accepted for the sake of scripts; one input needs one thread
 
   DiskFiles files(words.input == "-");
   SourceSet sources;
-  SettingsFinder finder;
+  SettingsFinder finder(words.checking.schema_files);
+  options.catalogue = finder.catalogue(*words.input);
   auto const settings = finder.find(*words.input);
-  auto result = validator::check(
-      files, *words.input, settings ? with_settings(options, *settings, *words.input) : options, sources);
+  if (settings) options = with_settings(std::move(options), *settings, *words.input);
+  auto result = validator::check(files, *words.input, options, sources);
   if (result.unreadable) throw unreadable(*words.input, *result.unreadable);
   require_cycle_time(*words.input, result);
   apply_quiet(words.checking, result.findings);
@@ -154,9 +166,10 @@ ExitStatus compile(Invocation const& invocation) {
   if (!result.machine || objectionable(words.checking, count(result.findings))) return ExitStatus::findings;
 
   require_complete(result, sources, invocation.language);
-  refuse_overwriting(*words.output, result.files);
+  auto const read = files_read(result, settings, words.checking.schema_files);
+  refuse_overwriting(*words.output, read);
   auto const bytes = codegen::write_image(*result.machine, image);
-  write_files(words, bytes, result.files);
+  write_files(words, bytes, read);
   if (!words.checking.quiet && words.checking.format == FindingFormat::text) {
     invocation.streams.err.write(summary(words, *result.machine, bytes.size(), invocation.language));
   }

@@ -1,3 +1,4 @@
+#include "cli/checking.hpp"
 #include "cli/codes.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
@@ -5,6 +6,7 @@
 #include "cli/disk_files.hpp"
 #include "cli/image_file.hpp"
 #include "cli/quantities.hpp"
+#include "cli/settings.hpp"
 #include "codegen/image_writer.hpp"
 #include "diagnostics/writers.hpp"
 #include "validator/check.hpp"
@@ -20,6 +22,7 @@ enum class Form : std::uint8_t { text, json, markdown };
 
 struct DiffWords {
   std::vector<std::string> inputs;
+  std::vector<std::string> schema_files;
   std::optional<std::string> cycle_time;
   std::optional<std::string> feed;
   Form form = Form::text;
@@ -32,6 +35,7 @@ void declare(CommandLine& command_line, DiffWords& words) {
   command_line.value("--feed", "MM_PER_MIN", words.feed, Text::cli_opt_diff_feed);
   command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}, {"markdown", Form::markdown}},
                       words.form, Text::cli_opt_diff_format);
+  declare_schema(command_line, words.schema_files);
   command_line.flag("--exit-code", words.exit_code, Text::cli_opt_exit_code);
 }
 
@@ -58,6 +62,10 @@ class HeldFiles final : public validator::Files {
   [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
     if (path == path_) return content_;
     return files_.read(path);
+  }
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override {
+    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
   }
 
  private:
@@ -111,6 +119,7 @@ ExitStatus diff(Invocation const& invocation) {
     throw Failure(
         {.text = Text::cli_argument_missing, .arguments = {{"argument", "OLD NEW"}, {"command", "diff"}}});
   }
+  SettingsFinder settings(words.schema_files);
   validator::CheckOptions options;
   if (words.cycle_time) {
     options.cycle_time = parse_cycle_time(*words.cycle_time);
@@ -120,8 +129,12 @@ ExitStatus diff(Invocation const& invocation) {
   }
   double const feed = feed_of(words);
   WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
-  auto const before = load_side(words.inputs[0], options, invocation, write);
-  auto const after = load_side(words.inputs[1], options, invocation, write);
+  auto const load = [&](std::string const& path) {
+    options.catalogue = settings.catalogue(path);
+    return load_side(path, options, invocation, write);
+  };
+  auto const before = load(words.inputs[0]);
+  auto const after = load(words.inputs[1]);
   if (!before || !after) return ExitStatus::findings;
 
   auto const difference =

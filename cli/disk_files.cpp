@@ -19,6 +19,8 @@ using Bytes = std::variant<std::string, FileError>;
 
 constexpr std::size_t first_piece = std::size_t{1} << 16U;
 constexpr std::size_t largest_piece = std::size_t{1} << 24U;
+/// Of a file that is not kept: larger ones are no faster.
+constexpr std::size_t block_size = std::size_t{1} << 16U;
 
 FileError error_of(int number) {
   switch (number) {
@@ -55,16 +57,43 @@ Bytes read_descriptor(int descriptor, std::size_t expected) {
   }
 }
 
-Bytes read_path(std::string const& path) {
-  FileDescriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) return error_of(errno);
+/// A file that is open, and its size where it has one.
+struct OpenFile {
+  FileDescriptor descriptor;
+  std::optional<std::size_t> size;  ///< none for a pipe
+};
+
+std::variant<OpenFile, FileError> open_file(std::string const& path) {
+  OpenFile file{.descriptor = FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), .size = {}};
+  if (!file.descriptor.is_open()) return error_of(errno);
   struct stat facts {};
-  if (::fstat(file.get(), &facts) != 0) return FileError::not_readable;
+  if (::fstat(file.descriptor.get(), &facts) != 0) return FileError::not_readable;
   if (S_ISDIR(facts.st_mode)) return FileError::is_folder;
-  if (!S_ISREG(facts.st_mode)) return read_descriptor(file.get(), first_piece);
+  if (!S_ISREG(facts.st_mode)) return file;
   auto const size = static_cast<std::uint64_t>(facts.st_size);
   if (size > validator::largest_file) return FileError::too_large;
-  return read_descriptor(file.get(), static_cast<std::size_t>(size));
+  file.size = static_cast<std::size_t>(size);
+  return file;
+}
+
+Bytes read_file(OpenFile const& file) {
+  return read_descriptor(file.descriptor.get(), file.size.value_or(first_piece));
+}
+
+Bytes read_path(std::string const& path) {
+  auto const file = open_file(path);
+  if (auto const* const error = std::get_if<FileError>(&file)) return *error;
+  return read_file(std::get<OpenFile>(file));
+}
+
+std::optional<FileError> read_blocks(int descriptor, validator::PieceReceiver const& receive) {
+  std::string block(block_size, '\0');
+  while (true) {
+    auto const got = ::read(descriptor, block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return error_of(errno);
+    if (got == 0 || !receive(std::string_view(block).substr(0, static_cast<std::size_t>(got)))) return {};
+  }
 }
 
 Text sentence(FileError error) {
@@ -101,6 +130,23 @@ Bytes DiskFiles::read(std::string const& path) {
     standard_input_ = std::get<std::string>(std::move(bytes));
   }
   return *standard_input_;
+}
+
+std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
+                                                validator::PieceReceiver const& receive) {
+  if (dash_is_standard_input_ && path == "-") return Files::read_pieces(path, receive);
+  auto held = pipes_.find(path);
+  if (held == pipes_.end()) {
+    auto const opened = open_file(path);
+    if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
+    auto const& file = std::get<OpenFile>(opened);
+    if (file.size) return read_blocks(file.descriptor.get(), receive);
+    auto bytes = read_file(file);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+    held = pipes_.emplace(path, std::get<std::string>(std::move(bytes))).first;
+  }
+  receive(held->second);
+  return std::nullopt;
 }
 
 Failure unreadable(std::string const& path, FileError error) {

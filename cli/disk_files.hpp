@@ -4,6 +4,7 @@
 #include "cli/failure.hpp"
 #include "validator/files.hpp"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,10 +17,14 @@ class DiskFiles final : public validator::Files {
   /// `dash_is_standard_input`: "-" is no file name. Standard input is read once and kept.
   explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
   [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override;
+  /// Memory: one block; a pipe, which gives its bytes once, is kept whole.
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override;
 
  private:
   bool dash_is_standard_input_;
   std::optional<std::string> standard_input_;
+  std::map<std::string, std::string> pipes_;  ///< what those gave that were read in pieces
 };
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.

@@ -4,7 +4,9 @@
 #include "cli/disk_files.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
+#include <variant>
 
 namespace axisc::cli {
 
@@ -20,6 +22,11 @@ class EditedFiles final : public validator::Files {
   [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
     auto const found = edited_.find(path);
     return found == edited_.end() ? disk_.read(path) : found->second;
+  }
+
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override {
+    return edited_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
   }
 
  private:

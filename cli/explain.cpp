@@ -1,11 +1,13 @@
 #include "cli/explain.hpp"
 
+#include "cli/checking.hpp"
 #include "cli/codes.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/finding_codes.hpp"
 #include "cli/quantities.hpp"
+#include "cli/settings.hpp"
 #include "cli/suggestion.hpp"
 
 namespace axisc::cli {
@@ -28,27 +30,27 @@ validator::Rule const* rule_of(std::string const& word) {
 }
 
 /// Rows with the number in "P-AXIS-00140"; zeros in front may be missing.
-std::span<schema::ParameterId const> rows_of_number(std::string const& word) {
+std::span<schema::ParameterId const> rows_of_number(schema::Catalogue const& catalogue,
+                                                    std::string const& word) {
   constexpr std::string_view prefix = "P-AXIS-";
   auto const text = upper(word);
   if (text.substr(0, prefix.size()) != prefix) return {};
   auto const number = parse_count(std::string_view(text).substr(prefix.size()));
   if (!number || *number > 0xFFFFU) return {};
-  return schema::find_number(static_cast<std::uint16_t>(*number));
+  return catalogue.find_number(static_cast<std::uint16_t>(*number));
 }
 
 /// `filter[2].order` and `filter[].order` both name a row of the catalogue.
-schema::Parameter const* row_of_name(std::string const& word) {
-  for (auto const& parameter : schema::parameters()) {
+schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::string const& word) {
+  for (auto const& parameter : catalogue.parameters()) {
     if (parameter.name == word) return &parameter;
   }
-  auto const found = schema::find(word);
-  return found.status == schema::NameLookup::Status::unknown ? nullptr : &schema::parameter(found.parameter);
+  return catalogue.find(word).row;
 }
 
-[[noreturn]] void refuse(std::string const& word) {
+[[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
   std::string meant;
-  auto const names = schema::suggest_names(word);
+  auto const names = catalogue.suggest_names(word);
   if (!names.empty()) meant = names.front();
   if (meant.empty()) {
     std::vector<std::string> texts;
@@ -71,34 +73,36 @@ struct Subject {
   std::vector<schema::Parameter const*> parameters;
 };
 
-Subject subject_of(std::string const& word) {
+Subject subject_of(schema::Catalogue const& catalogue, std::string const& word) {
   Subject subject;
   if (auto const* const rule = rule_of(word)) {
     subject.rules.push_back(rule);
     return subject;
   }
-  for (auto const id : rows_of_number(word)) subject.parameters.push_back(&schema::parameter(id));
+  for (auto const id : rows_of_number(catalogue, word)) {
+    subject.parameters.push_back(&catalogue.parameter(id));
+  }
   if (!subject.parameters.empty()) return subject;
-  if (auto const* const parameter = row_of_name(word)) {
+  if (auto const* const parameter = row_of_name(catalogue, word)) {
     subject.parameters.push_back(parameter);
     return subject;
   }
-  refuse(word);
+  refuse(catalogue, word);
 }
 
-Subject everything() {
+Subject everything(schema::Catalogue const& catalogue) {
   Subject subject;
   for (auto const& rule : validator::rules()) subject.rules.push_back(&rule);
-  for (auto const& parameter : schema::parameters()) subject.parameters.push_back(&parameter);
+  for (auto const& parameter : catalogue.parameters()) subject.parameters.push_back(&parameter);
   return subject;
 }
 
-std::string explain_markdown(Subject const& subject, Language language) {
+std::string explain_markdown(schema::Catalogue const& catalogue, Subject const& subject, Language language) {
   std::string text;
   for (auto const* const rule : subject.rules) text += explain_rule(*rule, 1, language);
   for (auto const* const parameter : subject.parameters) {
     if (!text.empty()) text += "\n";
-    text += explain_parameter(*parameter, language);
+    text += explain_parameter(catalogue, *parameter, language);
   }
   return text;
 }
@@ -115,6 +119,8 @@ ExitStatus explain(Invocation const& invocation) {
   command_line.flag("--all", all, Text::cli_opt_all);
   command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
                       Text::cli_opt_explain_format);
+  std::vector<std::string> schema_files;
+  declare_schema(command_line, schema_files);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -124,11 +130,14 @@ ExitStatus explain(Invocation const& invocation) {
                    .arguments = {{"argument", "CODE|P-AXIS-NNNNN|PARAMETER"}, {"command", "explain"}}});
   }
   auto const language = invocation.language;
+  // What the lists of the working folder may set.
+  auto const catalogue = SettingsFinder(schema_files).catalogue("-");
   if (form == Form::json) {
-    auto const subject = all ? everything() : subject_of(*word);
-    invocation.streams.out.write(explain_json(subject.rules, subject.parameters, language));
+    auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);
+    invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
   } else {
-    invocation.streams.out.write(all ? explain_all(language) : explain_markdown(subject_of(*word), language));
+    invocation.streams.out.write(all ? explain_all(language)
+                                     : explain_markdown(catalogue, subject_of(catalogue, *word), language));
   }
   return ExitStatus::success;
 }

@@ -17,10 +17,12 @@ namespace axisc::cli {
 [[nodiscard]] std::string explain_all(Language language);
 
 /// One row of the catalogue as Markdown.
-[[nodiscard]] std::string explain_parameter(schema::Parameter const& parameter, Language language);
+[[nodiscard]] std::string explain_parameter(schema::Catalogue const& catalogue,
+                                            schema::Parameter const& parameter, Language language);
 
 /// Rules and parameters for other programs.
-[[nodiscard]] std::string explain_json(std::span<validator::Rule const* const> rules,
+[[nodiscard]] std::string explain_json(schema::Catalogue const& catalogue,
+                                       std::span<validator::Rule const* const> rules,
                                        std::span<schema::Parameter const* const> parameters,
                                        Language language);
 

@@ -45,7 +45,8 @@ ordered_json rule_json(validator::Rule const& rule, Language language) {
           {"page", page(rule.code, language)}};
 }
 
-ordered_json parameter_json(schema::Parameter const& parameter, Language language) {
+ordered_json parameter_json(schema::Catalogue const& catalogue, schema::Parameter const& parameter,
+                            Language language) {
   ordered_json json{{"name", parameter.name},
                     {"p_axis", text_json(schema::p_axis_text(parameter.p_axis))},
                     {"type", schema::data_type_name(parameter.type)}};
@@ -61,6 +62,7 @@ ordered_json parameter_json(schema::Parameter const& parameter, Language languag
   json["max_length"] = parameter.max_length > 0 ? ordered_json(parameter.max_length) : ordered_json(nullptr);
   json["axis_types"] = parameter.axis_types.empty() ? "TRS" : std::string(parameter.axis_types);
   json["since"] = text_json(parameter.since);
+  json["file"] = text_json(catalogue.file_of(parameter));
   json["manual"] = text_json(manual_section(parameter, language));
   json["rules"] = rules_about(parameter);
   return json;
@@ -68,12 +70,12 @@ ordered_json parameter_json(schema::Parameter const& parameter, Language languag
 
 }  // namespace
 
-std::string explain_json(std::span<validator::Rule const* const> rules,
+std::string explain_json(schema::Catalogue const& catalogue, std::span<validator::Rule const* const> rules,
                          std::span<schema::Parameter const* const> parameters, Language language) {
   ordered_json json{{"version", 1}, {"rules", ordered_json::array()}, {"parameters", ordered_json::array()}};
   for (auto const* const rule : rules) json["rules"].push_back(rule_json(*rule, language));
   for (auto const* const parameter : parameters) {
-    json["parameters"].push_back(parameter_json(*parameter, language));
+    json["parameters"].push_back(parameter_json(catalogue, *parameter, language));
   }
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

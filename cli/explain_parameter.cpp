@@ -58,7 +58,8 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
   auto const last =
       static_cast<schema::Slot>(static_cast<unsigned>(parameter.first_slot) + parameter.slots - 1U);
   return say(Text::explain_entries, language,
-             {{"first", schema::slot_name(parameter.first_slot)}, {"last", schema::slot_name(last)}});
+             {{"first", schema::slot_name(parameter, parameter.first_slot)},
+              {"last", schema::slot_name(parameter, last)}});
 }
 
 std::string joined(std::vector<std::string> const& words) {
@@ -75,12 +76,13 @@ std::string axis_types_text(std::string_view letters) {
 
 std::string example(schema::Parameter const& parameter) {
   if (parameter.default_text.empty()) return {};
-  return "    " + schema::slot_name(parameter.first_slot) + "  " + default_text(parameter) + "\n";
+  return "    " + schema::slot_name(parameter, parameter.first_slot) + "  " + default_text(parameter) + "\n";
 }
 
 }  // namespace
 
-std::string explain_parameter(schema::Parameter const& parameter, Language language) {
+std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parameter const& parameter,
+                              Language language) {
   std::string text = "# " + std::string(parameter.name);
   if (parameter.p_axis != 0) text += " (" + schema::p_axis_text(parameter.p_axis) + ")";
   text += "\n\n";
@@ -96,6 +98,7 @@ std::string explain_parameter(schema::Parameter const& parameter, Language langu
   row(Text::explain_longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
   row(Text::explain_axis_types, axis_types_text(parameter.axis_types));
   row(Text::explain_since, std::string(parameter.since));
+  row(Text::explain_file, std::string(catalogue.file_of(parameter)));
   row(Text::explain_manual, manual_section(parameter, language));
   row(Text::explain_rules, joined(rules_about(parameter)));
   if (auto const line = example(parameter); !line.empty()) {

@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "diagnostics/fix_batch.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -48,6 +49,7 @@ class Fixer {
   void fix(std::string const& path) {
     std::error_code error;
     if (path == "-" || !std::filesystem::is_regular_file(path, error)) keep(path);
+    whole_programs_ = false;
     std::size_t left_out = 0;
     while (round(path, left_out)) {
     }
@@ -71,7 +73,9 @@ class Fixer {
   [[nodiscard]] validator::CheckResult check(std::string const& path, EditedBytes const& edited,
                                              SourceSet& sources) const {
     EditedFiles files(edited, path == "-");
-    return validator::check(files, path, options_for(job_, path), sources);
+    auto options = options_for(job_, path);
+    options.whole_programs = whole_programs_;
+    return validator::check(files, path, options, sources);
   }
 
   [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {
@@ -79,11 +83,24 @@ class Fixer {
     return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
   }
 
+  /// Long NC programs are held in memory only where there is something to repair in one.
+  [[nodiscard]] bool repairs_excerpt(validator::CheckResult const& found, SourceSet const& sources) const {
+    return std::any_of(found.findings.begin(), found.findings.end(), [&](Finding const& finding) {
+      return may_apply(finding, sources) &&
+             std::any_of(finding.fix->edits.begin(), finding.fix->edits.end(),
+                         [&](Edit const& edit) { return sources[edit.place.source].is_excerpt(); });
+    });
+  }
+
   /// True when a fix was applied. Of fixes that touch one another the first is taken; the others have the next round.
   bool round(std::string const& path, std::size_t& left_out) {
     SourceSet sources;
     auto const found = check(path, result_.edited, sources);
     if (found.unreadable) return false;
+    if (!whole_programs_ && repairs_excerpt(found, sources)) {
+      whole_programs_ = true;
+      return round(path, left_out);
+    }
     FixBatch batch(sources);
     Fixes fixes;
     for (auto const& finding : found.findings) {
@@ -148,6 +165,7 @@ class Fixer {
   CheckJob const& job_;
   FixChoice choice_;
   Baseline const& baseline_;
+  bool whole_programs_ = false;
   FixedInputs result_;
 };
 

@@ -1,9 +1,11 @@
+#include "cli/checking.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/disk_files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/machine_outline.hpp"
 #include "cli/output_file.hpp"
+#include "cli/settings.hpp"
 #include "diagnostics/unified_diff.hpp"
 #include "validator/list_layout.hpp"
 
@@ -21,6 +23,7 @@ bool is_program(std::string const& path) {
 
 struct FmtWords {
   std::vector<std::string> named;
+  std::vector<std::string> schema_files;
   bool check = false;
   bool diff = false;
 };
@@ -59,9 +62,10 @@ std::string read_list(std::string const& path) {
 }
 
 /// True when the list was, or is to be, written differently.
-bool format_list(std::string const& path, FmtWords const& words, Invocation const& invocation) {
+bool format_list(std::string const& path, FmtWords const& words, schema::Catalogue const& catalogue,
+                 Invocation const& invocation) {
   auto const before = read_list(path);
-  auto const after = validator::aligned_list(SourceText(path, before));
+  auto const after = validator::aligned_list(SourceText(path, before), catalogue);
   auto& out = invocation.streams.out;
   if (path == "-" && !words.check && !words.diff) out.write(after);
   if (after == before) return false;
@@ -87,6 +91,7 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
   command_line.flag("--check", words.check, Text::cli_opt_fmt_check);
   command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
+  declare_schema(command_line, words.schema_files);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -96,10 +101,11 @@ ExitStatus fmt(Invocation const& invocation) {
         {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "fmt"}}});
   }
   auto inputs = expand_inputs(words.named);
+  SettingsFinder settings(words.schema_files);
   bool changed = false;
   for (auto const& list : lists_of(inputs.paths)) {
     try {
-      changed = format_list(list, words, invocation) || changed;
+      changed = format_list(list, words, settings.catalogue(list), invocation) || changed;
     } catch (Failure const& failure) {
       // The other lists are still looked at.
       inputs.failures.push_back(failure);

@@ -72,7 +72,8 @@ FixChoice fix_choice(LintWords const& words) {
 /// One lint: the words of the command line, and what they lead to.
 class Lint {
  public:
-  Lint(LintWords const& words, Language language, bool color) : words_(words) {
+  Lint(LintWords const& words, Language language, bool color)
+      : words_(words), settings_(words.checking.schema_files) {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;
     job_.settings = &settings_;
@@ -90,7 +91,8 @@ class Lint {
 
   [[nodiscard]] ExitStatus print_settings(Streams& streams) {
     for (auto const& path : expand_inputs(words_.named).paths) {
-      streams.out.write(describe_settings(path, job_.options, settings_.find(path), job_.write.language));
+      streams.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
+                                          job_.write.language));
     }
     return ExitStatus::success;
   }

@@ -4,6 +4,7 @@
 #include "cli/failure.hpp"
 #include "cli/file_descriptor.hpp"
 #include "cli/suggestion.hpp"
+#include "validator/files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -92,6 +93,9 @@ std::string failure_line(Language language) {
     throw;
   } catch (Failure const& failure) {
     return failure.line(language);
+  } catch (validator::SourceChanged const& changed) {
+    return Failure({.text = Text::ax9001_changed, .arguments = {{"file", changed.path()}}}, cannot_read)
+        .line(language);
   } catch (std::bad_alloc const&) {
     return Failure({.text = Text::cli_no_memory, .arguments = {}}).line(language);
   } catch (std::exception const& error) {

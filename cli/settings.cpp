@@ -1,13 +1,13 @@
 #include "cli/settings.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/disk_files.hpp"
 #include "cli/failure.hpp"
 #include "cli/finding_codes.hpp"
 #include "cli/glob.hpp"
+#include "cli/located_file.hpp"
 #include "cli/machine_outline.hpp"
+#include "cli/schema_file.hpp"
 #include "cli/surroundings.hpp"
-#include "validator/located_json.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,41 +26,39 @@ constexpr std::string_view file_name = "axisc.json";
 /// Reads one settings file; every complaint carries its place.
 class Reader {
  public:
-  Reader(std::string path, SourceText const& source) : path_(std::move(path)), source_(source) {}
+  explicit Reader(LocatedFile const& file) : file_(file) {}
 
   Settings read(std::string folder) {
-    auto parsed = validator::parse_json(source_.bytes().substr(source_.text_begin()), source_.text_begin());
-    if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) {
-      refuse(error->span, Text::settings_json);
-    }
-    document_ = std::get<validator::JsonDocument>(std::move(parsed));
-    settings_.file = path_;
+    settings_.file = file_.path();
     settings_.folder = std::move(folder);
-    if (document_.root().kind != JsonKind::object) refuse(document_.root().span, Text::settings_object);
-    for (auto const& member : document_.root().members) read_member(member);
+    if (file_.root().kind != JsonKind::object) file_.refuse(file_.root().span, Text::settings_object);
+    for (auto const& member : file_.root().members) read_member(member);
     return std::move(settings_);
   }
 
  private:
   void read_member(validator::JsonMember const& member) {
-    auto const& value = document_[member.value];
+    auto const& value = file_[member.value];
     if (member.key == "cycle_time_us") {
       settings_.cycle_time = cycle_time(value);
     } else if (member.key == "build") {
-      settings_.build = validator::parse_build_version(text(value));
-      if (!settings_.build) refuse(value.span, Text::settings_build, {{"value", value.string}});
+      settings_.build = validator::parse_build_version(file_.text(value));
+      if (!settings_.build) file_.refuse(value.span, Text::settings_build, {{"value", value.string}});
     } else if (member.key == "language") {
-      settings_.language = parse_language(text(value));
-      if (!settings_.language) refuse(value.span, Text::settings_language);
+      settings_.language = parse_language(file_.text(value));
+      if (!settings_.language) file_.refuse(value.span, Text::settings_language);
     } else if (member.key == "disable") {
       settings_.disabled = codes(value);
     } else if (member.key == "severity") {
       read_severities(value);
+    } else if (member.key == "schema") {
+      read_schema_files(value);
     } else if (member.key == "paths") {
       read_paths(value);
     } else {
-      refuse(member.key_span, Text::settings_unknown_key,
-             {{"key", member.key}, {"keys", "cycle_time_us, build, language, disable, severity, paths"}});
+      file_.refuse(member.key_span, Text::settings_unknown_key,
+                   {{"key", member.key},
+                    {"keys", "cycle_time_us, build, language, disable, severity, schema, paths"}});
     }
   }
 
@@ -68,33 +66,28 @@ class Reader {
     double const nanoseconds = value.number * 1000;
     bool const good = value.kind == JsonKind::number && nanoseconds >= 1 && nanoseconds <= 1e9 &&
                       nanoseconds == std::floor(nanoseconds);
-    if (!good) refuse(value.span, Text::settings_cycle_time);
+    if (!good) file_.refuse(value.span, Text::settings_cycle_time);
     return {static_cast<std::uint32_t>(nanoseconds)};
-  }
-
-  std::string const& text(JsonValue const& value) const {
-    if (value.kind != JsonKind::string) refuse(value.span, Text::settings_text);
-    return value.string;
   }
 
   Code code(std::string const& word, Span span) const {
     auto const found = find_code(word);
-    if (!found) refuse(span, Text::settings_code, {{"code", word}});
+    if (!found) file_.refuse(span, Text::settings_code, {{"code", word}});
     return *found;
   }
 
   std::vector<Code> codes(JsonValue const& value) const {
-    if (value.kind != JsonKind::array) refuse(value.span, Text::settings_list);
+    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
     std::vector<Code> codes;
-    for (auto const item : value.items) codes.push_back(code(text(document_[item]), document_[item].span));
+    for (auto const item : value.items) codes.push_back(code(file_.text(file_[item]), file_[item].span));
     return codes;
   }
 
   void read_severities(JsonValue const& value) {
-    if (value.kind != JsonKind::object) refuse(value.span, Text::settings_object);
+    if (value.kind != JsonKind::object) file_.refuse(value.span, Text::settings_object);
     for (auto const& member : value.members) {
-      auto const& wanted = document_[member.value];
-      auto const& word = text(wanted);
+      auto const& wanted = file_[member.value];
+      auto const& word = file_.text(wanted);
       Code const which = code(member.key, member.key_span);
       if (word == "error") {
         settings_.severities[which] = Severity::error;
@@ -103,42 +96,48 @@ class Reader {
       } else if (word == "note") {
         settings_.severities[which] = Severity::note;
       } else {
-        refuse(wanted.span, Text::settings_severity);
+        file_.refuse(wanted.span, Text::settings_severity);
       }
     }
   }
 
   void read_paths(JsonValue const& value) {
-    if (value.kind != JsonKind::array) refuse(value.span, Text::settings_list);
+    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
     for (auto const item : value.items) {
-      auto const& entry = document_[item];
-      if (entry.kind != JsonKind::object) refuse(entry.span, Text::settings_object);
+      auto const& entry = file_[item];
+      if (entry.kind != JsonKind::object) file_.refuse(entry.span, Text::settings_object);
       PathSettings path;
       for (auto const& member : entry.members) {
         if (member.key == "pattern") {
-          path.pattern = text(document_[member.value]);
+          path.pattern = file_.text(file_[member.value]);
         } else if (member.key == "disable") {
-          path.disabled = codes(document_[member.value]);
+          path.disabled = codes(file_[member.value]);
         } else {
-          refuse(member.key_span, Text::settings_unknown_key,
-                 {{"key", member.key}, {"keys", "pattern, disable"}});
+          file_.refuse(member.key_span, Text::settings_unknown_key,
+                       {{"key", member.key}, {"keys", "pattern, disable"}});
         }
       }
-      if (path.pattern.empty()) refuse(entry.span, Text::settings_pattern);
+      if (path.pattern.empty()) file_.refuse(entry.span, Text::settings_pattern);
       settings_.paths.push_back(std::move(path));
     }
   }
 
-  [[noreturn]] void refuse(Span span, Text what, std::vector<Argument> arguments = {}) const {
-    auto const place = source_.position(span.begin);
-    arguments.push_back(
-        {"place", path_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
-    throw Failure({.text = what, .arguments = std::move(arguments)});
+  /// Paths begin at the settings, wherever the program runs.
+  void read_schema_files(JsonValue const& value) {
+    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
+    for (auto const item : value.items) {
+      auto const& name = file_.text(file_[item]);
+      auto const path = (fs::path(file_.path()).parent_path() / name).lexically_normal().string();
+      std::error_code error;
+      if (!fs::is_regular_file(path, error)) {
+        file_.refuse(file_[item].span, Text::settings_schema_missing, {{"file", name}});
+      }
+      settings_.schema_files.push_back(path);
+      settings_.catalogue = with_schema_file(settings_.catalogue, path);
+    }
   }
 
-  std::string path_;
-  SourceText const& source_;
-  validator::JsonDocument document_;
+  LocatedFile const& file_;
   Settings settings_;
 };
 
@@ -161,11 +160,16 @@ bool Settings::disables(std::string const& path, Code code) const {
 }
 
 Settings read_settings(std::string const& path, std::string const& folder) {
-  DiskFiles files(false);
-  auto bytes = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
-  SourceText const source(path, std::get<std::string>(std::move(bytes)));
-  return Reader(path, source).read(folder);
+  LocatedFile const file(path, Text::settings_json);
+  return Reader(file).read(folder);
+}
+
+schema::Catalogue SettingsFinder::catalogue(std::string const& input) {
+  auto const settings = find(input);
+  if (settings) return settings->catalogue;
+  std::lock_guard const lock(mutex_);
+  if (!without_settings_) without_settings_ = with_schema_files({}, schema_files_);
+  return *without_settings_;
 }
 
 std::optional<Settings> SettingsFinder::find(std::string const& input) {
@@ -180,6 +184,7 @@ std::optional<Settings> SettingsFinder::find(std::string const& input) {
     if (fs::is_regular_file(file, error)) {
       auto const shown = fs::proximate(file, fs::current_path(error), error);
       found = read_settings(shown.empty() ? file.string() : shown.string(), candidate.string());
+      found->catalogue = with_schema_files(found->catalogue, schema_files_);
     }
     if (candidate == candidate.parent_path()) break;
   }
@@ -192,6 +197,7 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   // A machine file says its own cycle time, and only the command line knows better.
   if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
   if (!options.build) options.build = settings.build;
+  options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
   for (auto const& rule : settings.paths) {
     for (Code const code : rule.disabled) {

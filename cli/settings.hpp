@@ -6,6 +6,7 @@
 //     "language": "de",
 //     "disable": ["AX4007"],
 //     "severity": {"AX3013": "error"},
+//     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
 //     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]
 //   }
 //
@@ -14,12 +15,14 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
+#include "schema/catalogue.hpp"
 #include "validator/check.hpp"
 
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axisc::cli {
@@ -38,6 +41,8 @@ struct Settings {
   std::vector<Code> disabled;
   std::map<Code, Severity> severities;
   std::vector<PathSettings> paths;
+  std::vector<std::string> schema_files;
+  schema::Catalogue catalogue;  ///< with these and those of the command line
 
   /// Some pattern fits `path` and names `code`.
   [[nodiscard]] bool disables(std::string const& path, Code code) const;
@@ -49,13 +54,22 @@ struct Settings {
 /// The settings of each folder, read once. May be used by several threads.
 class SettingsFinder {
  public:
+  /// `schema_files` are those of the command line; they are read behind those of each axisc.json, so that they win.
+  explicit SettingsFinder(std::vector<std::string> schema_files = {})
+      : schema_files_(std::move(schema_files)) {}
+
   /// Those that apply to an input; none where no axisc.json stands beside or above it, and for standard input that of the
   /// working folder.
   [[nodiscard]] std::optional<Settings> find(std::string const& input);
+  /// What the lists of an input may set.
+  [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
+  [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }
 
  private:
+  std::vector<std::string> schema_files_;
   std::mutex mutex_;
   std::map<std::string, std::optional<Settings>> known_;  ///< by folder
+  std::optional<schema::Catalogue> without_settings_;     ///< with the command line's files alone
 };
 
 /// `options` of the command line, filled up with what the settings say.
@@ -68,6 +82,7 @@ void apply_settings(Settings const& settings, SourceSet const& sources, std::vec
 /// What `lint --print-config` shows for one input: each setting, and where it comes from.
 [[nodiscard]] std::string describe_settings(std::string const& input,
                                             validator::CheckOptions const& command_line,
+                                            std::vector<std::string> const& schema_files,
                                             std::optional<Settings> const& settings, Language language);
 
 }  // namespace axisc::cli

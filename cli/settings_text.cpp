@@ -20,6 +20,7 @@ std::string joined(std::vector<Code> const& codes) {
 }  // namespace
 
 std::string describe_settings(std::string const& input, validator::CheckOptions const& command_line,
+                              std::vector<std::string> const& schema_files,
                               std::optional<Settings> const& settings, Language language) {
   auto const from_command_line = say(Text::settings_from_command_line, language);
   auto const from_default = say(Text::settings_from_default, language);
@@ -45,6 +46,10 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
   add("language", language == Language::german ? "de" : "en",
       settings && settings->language ? from_file : from_default);
   if (!command_line.disabled.empty()) add("disable", joined(command_line.disabled), from_command_line);
+  if (settings) {
+    for (auto const& file : settings->schema_files) add("schema", file, from_file);
+  }
+  for (auto const& file : schema_files) add("schema", file, from_command_line);
   if (settings) {
     if (!settings->disabled.empty()) add("disable", joined(settings->disabled), from_file);
     for (auto const& rule : settings->paths) {

@@ -86,7 +86,7 @@ class ImageBuilder {
     record.set(fields::list::name_offset, name.offset);
     record.set(fields::list::name_size, name.size);
     record.set(fields::list::role, list.is_program ? 2U : list.is_default_list ? 1U : 0U);
-    record.set(fields::list::sha256, sha256(list.content));
+    record.set(fields::list::sha256, sha256(list));
   }
 
   void add_values(std::uint32_t axis) {

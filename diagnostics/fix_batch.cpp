@@ -62,7 +62,8 @@ std::size_t adjusted(std::uint32_t gap, std::size_t old_width, std::size_t new_w
 }  // namespace
 
 bool FixBatch::fits(Edit const& edit) const {
-  if (!can_be_written(sources_[edit.place.source], edit.text)) return false;
+  SourceText const& source = sources_[edit.place.source];
+  if (source.is_excerpt() || !can_be_written(source, edit.text)) return false;
   auto const next = edits_.lower_bound(edit.place);
   bool const meets_next = next != edits_.end() && next->first.source == edit.place.source &&
                           next->first.span.begin <= edit.place.span.end;

@@ -20,8 +20,8 @@ class FixBatch {
   /// `sources` and the fixes must live as long as the batch.
   explicit FixBatch(SourceSet const& sources) : sources_(sources) {}
 
-  /// False, and nothing happens, where an edit overlaps or touches one of the batch, or needs a character that the
-  /// encoding of its source lacks.
+  /// False, and nothing happens, where an edit overlaps or touches one of the batch, needs a character that the
+  /// encoding of its source lacks, or where only an excerpt of its source is there.
   bool add(Fix const& fix);
 
   /// The sources as they become, in the encoding and with the line ends they have. What stands behind at least two

@@ -28,6 +28,15 @@ SourceText::SourceText(std::string name, std::string bytes)
       encoding_(encoding_of(bytes_)),
       text_begin_(std::string_view(bytes_).starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
 
+SourceText::SourceText(std::string name, Excerpt excerpt)
+    : name_(std::move(name)),
+      bytes_(std::move(excerpt.bytes)),
+      encoding_(excerpt.encoding),
+      text_begin_(0),
+      numbers_(std::move(excerpt.numbers)) {
+  numbers_.push_back(numbers_.empty() ? 1 : numbers_.back() + 1);
+}
+
 std::vector<std::uint32_t> const& SourceText::line_starts() const {
   if (line_starts_.empty()) {
     line_starts_.push_back(0);
@@ -45,7 +54,7 @@ Position SourceText::position(std::uint32_t offset) const {
       static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), at) - starts.begin());
   std::uint32_t const begin = std::max(starts[line - 1], text_begin_);
 
-  Position position{.line = line, .column = at - begin + 1};
+  Position position{.line = numbers_.empty() ? line : numbers_[line - 1], .column = at - begin + 1};
   if (encoding_ != Encoding::windows_1252) {
     // Continuation bytes up to and including `at` belong to characters that began before.
     std::string_view const before = slice({.begin = begin, .end = at});
@@ -59,6 +68,11 @@ Position SourceText::position(std::uint32_t offset) const {
 Span SourceText::line_span(std::uint32_t line) const {
   auto const size = static_cast<std::uint32_t>(bytes_.size());
   auto const& starts = line_starts();
+  if (is_excerpt()) {
+    auto const number = std::lower_bound(numbers_.begin(), numbers_.end(), line);
+    bool const is_held = number != numbers_.end() && *number == line;
+    line = is_held ? static_cast<std::uint32_t>(number - numbers_.begin()) + 1 : 0;
+  }
   if (line == 0 || line > starts.size()) return {.begin = size, .end = size};
   bool const is_last = line == starts.size();
   Span span{.begin = std::max(starts[line - 1], text_begin_), .end = is_last ? size : starts[line] - 1};

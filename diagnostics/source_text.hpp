@@ -16,6 +16,13 @@ namespace axisc {
 /// encodings.
 enum class Encoding : std::uint8_t { utf8, utf8_with_mark, windows_1252 };
 
+/// Some lines of a long text, the only ones that anything points at.
+struct Excerpt {
+  std::string bytes;                   ///< the lines, each with LF behind it; no byte order mark
+  std::vector<std::uint32_t> numbers;  ///< which lines of the whole text these are, from 1, ascending
+  Encoding encoding = Encoding::utf8;  ///< of the whole text
+};
+
 /// The text of one source. Offsets count bytes from the start of the file, the byte order mark included.
 class SourceText {
  public:
@@ -23,9 +30,13 @@ class SourceText {
   /// GiB - 1 long (offsets have 32 bits; the reader of files refuses long before). Cost: one pass that finds
   /// the encoding.
   SourceText(std::string name, std::string bytes);
+  /// Offsets count the bytes of the excerpt, lines those of the whole text.
+  SourceText(std::string name, Excerpt excerpt);
 
   [[nodiscard]] std::string const& name() const { return name_; }
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
+  /// True where bytes() are some lines only: such a text can be shown, not edited.
+  [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
   [[nodiscard]] Encoding encoding() const { return encoding_; }
   /// Offset of the first byte behind a byte order mark. A marked file whose bytes are not all UTF-8 is
   /// windows-1252, but its mark is no text either.
@@ -36,9 +47,10 @@ class SourceText {
   /// is built at the first call (one pass), so one SourceText serves one thread at a time.
   [[nodiscard]] Position position(std::uint32_t offset) const;
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
-  /// the end of the file for a line that is not there.
+  /// the end of the file for a line that is not there, or not in the excerpt.
   [[nodiscard]] Span line_span(std::uint32_t line) const;
-  /// At least 1: the empty line behind a last line end counts, so that every offset has its line.
+  /// At least 1: the empty line behind a last line end counts, so that every offset has its line. Of an excerpt the
+  /// lines that it holds.
   [[nodiscard]] std::uint32_t line_count() const;
 
   [[nodiscard]] std::string_view slice(Span span) const {
@@ -56,6 +68,7 @@ class SourceText {
   std::string bytes_;
   Encoding encoding_;
   std::uint32_t text_begin_;
+  std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
   mutable std::vector<std::uint32_t> line_starts_;
 };
 

@@ -34,8 +34,9 @@ std::string control_text(Finding const& finding, Language language) {
   }
   if (!control.value.empty()) {
     if (!text.empty()) text += "; ";
-    text += render({.text = Text::control_value, .arguments = {{.name = "value", .value = control.value}}},
-                   language);
+    std::string const value =
+        control.physical.empty() ? control.value : control.value + " (" + control.physical + ")";
+    text += render({.text = Text::control_value, .arguments = {{.name = "value", .value = value}}}, language);
   }
   return text;
 }

@@ -66,18 +66,6 @@ std::string_view without_continuation(std::string_view line) {
   return quoted ? line : line.substr(0, last);
 }
 
-/// Keeps what checks look at.
-class Collector final : public ProgramListener {
- public:
-  void word(Word const& /*word*/) override {}
-  void command(NcCommand command) override {
-    if (command.kind != CommandKind::other) program.commands.push_back(std::move(command));
-  }
-  void directive(Directive const& directive) override { program.directives.push_back(directive); }
-
-  NcProgram program;
-};
-
 }  // namespace
 
 void ProgramReader::line(std::string_view text, std::uint32_t offset) {
@@ -166,8 +154,12 @@ void ProgramReader::find_directives(std::string_view text, std::uint32_t offset)
   });
 }
 
+void ProgramCollector::command(NcCommand command) {
+  if (command.kind != CommandKind::other) program.commands.push_back(std::move(command));
+}
+
 NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin) {
-  Collector collector;
+  ProgramCollector collector;
   ProgramReader reader(collector, ProgramDetail::commands);
   LineSplitter splitter(bytes.substr(text_begin));
   for (std::string_view line; splitter.next(line);) {

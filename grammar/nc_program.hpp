@@ -63,6 +63,8 @@ class ProgramReader {
   void line(std::string_view text, std::uint32_t offset);
   /// Behind the last line.
   void finish();
+  /// A block that began on an earlier line goes on with the next one.
+  [[nodiscard]] bool block_is_open() const { return !open_block_.empty(); }
 
  private:
   void continue_block(std::string_view text, std::uint32_t offset, bool goes_on);
@@ -78,11 +80,21 @@ class ProgramReader {
   std::uint32_t open_line_ = 0;
 };
 
-/// What the checks look at: a program of any length keeps only these.
+/// What the checks look at: of a program of any length only these are kept.
 struct NcProgram {
   std::vector<NcCommand> commands;  ///< without those of kind `other`
   std::vector<Directive> directives;
   std::uint32_t lines = 0;
+};
+
+/// Receives what an NcProgram keeps.
+class ProgramCollector final : public ProgramListener {
+ public:
+  void word(Word const& /*word*/) override {}
+  void command(NcCommand command) override;
+  void directive(Directive const& directive) override { program.directives.push_back(directive); }
+
+  NcProgram program;
 };
 
 /// `bytes` without byte order mark begins at `text_begin`. Cost: one pass.

@@ -1,19 +1,24 @@
 #include "schema/catalogue.hpp"
 
 #include "schema/ascii.hpp"
+#include "schema/extension.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/name_hash.hpp"
+#include "schema/name_matching.hpp"
+#include "schema/parameter_row.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace axisc::schema {
 namespace {
@@ -49,52 +54,9 @@ std::optional<Slot> find_slot(std::string_view name) {
 }
 
 NameLookup found(Slot slot) {
-  NameLookup lookup{.status = NameLookup::Status::found, .parameter = parameter_of(slot), .slot = slot};
+  ParameterId const id = parameter_of(slot);
+  NameLookup lookup{.status = NameLookup::Status::found, .parameter = id, .row = &row(id), .slot = slot};
   lookup.index = indices_of(slot);
-  return lookup;
-}
-
-/// Where the indices of a name and those that a row asks for differ.
-struct IndexMismatch {
-  std::size_t differences = 0;
-  std::optional<std::size_t> missing;      ///< first index of the row that the name lacks
-  std::optional<std::size_t> superfluous;  ///< first index of the name that the row lacks
-};
-
-IndexMismatch compare_indices(IndexedName const& name, Parameter const& parameter) {
-  IndexMismatch mismatch;
-  std::size_t in_row = 0;
-  std::size_t in_name = 0;
-  std::string_view pattern = parameter.name;
-  for (NamePart const& part : name.parts) {
-    bool const wanted = take_part(pattern).ends_with("[]");
-    if (wanted != part.index.has_value()) {
-      ++mismatch.differences;
-      if (wanted && !mismatch.missing) mismatch.missing = in_row;
-      if (!wanted && !mismatch.superfluous) mismatch.superfluous = in_name;
-    }
-    if (wanted) ++in_row;
-    if (part.index) ++in_name;
-  }
-  return mismatch;
-}
-
-/// The name has exactly the indices that the row asks for; they may be out of range.
-NameLookup check_range(IndexedName const& name, ParameterId id) {
-  NameLookup lookup{.status = NameLookup::Status::found, .parameter = id};
-  Parameter const& parameter = row(id);
-  std::size_t position = 0;
-  for (NamePart const& part : name.parts) {
-    if (!part.index) continue;
-    lookup.index.at(position) = *part.index;
-    if (lookup.status == NameLookup::Status::found && *part.index >= parameter.array.at(position)) {
-      lookup.status = NameLookup::Status::index_out_of_range;
-      lookup.index_position = static_cast<std::uint8_t>(position);
-      lookup.array_size = parameter.array.at(position);
-    }
-    ++position;
-  }
-  if (lookup.status == NameLookup::Status::found) lookup.slot = slot_of(id, lookup.index[0], lookup.index[1]);
   return lookup;
 }
 
@@ -106,36 +68,29 @@ NameLookup find_row(std::string_view text) {
   auto const rows =
       std::equal_range(std::begin(bare_name_table), std::end(bare_name_table), BareName{.name = bare},
                        [](BareName const& a, BareName const& b) { return a.name < b.name; });
-  std::optional<ParameterId> nearest;
-  IndexMismatch smallest;
-  for (auto const* candidate = rows.first; candidate != rows.second; ++candidate) {
-    IndexMismatch const mismatch = compare_indices(*name, row(candidate->parameter));
-    if (mismatch.differences == 0) return check_range(*name, candidate->parameter);
-    if (!nearest || mismatch.differences < smallest.differences) {
-      nearest = candidate->parameter;
-      smallest = mismatch;
-    }
-  }
-  if (!nearest) return {};
-  if (smallest.missing) {
-    return {.status = NameLookup::Status::index_missing,
-            .parameter = *nearest,
-            .index_position = static_cast<std::uint8_t>(*smallest.missing),
-            .array_size = row(*nearest).array.at(*smallest.missing)};
-  }
-  auto const position =
-      std::min<std::size_t>(*smallest.superfluous, std::numeric_limits<std::uint8_t>::max());
-  return {.status = NameLookup::Status::index_superfluous,
-          .parameter = *nearest,
-          .index_position = static_cast<std::uint8_t>(position)};
+  std::vector<ParameterId> candidates;
+  for (auto const* each = rows.first; each != rows.second; ++each) candidates.push_back(each->parameter);
+  return match_name(*name, candidates, parameters()).lookup;
 }
+
+/// Case is folded only for names that miss.
+template <typename Find>
+NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
+  NameLookup lookup = find_as_it_stands(name);
+  if (lookup.status != NameLookup::Status::unknown) return lookup;
+  std::string const folded = lower_case(name);
+  if (folded == name) return lookup;
+  lookup = find_as_it_stands(folded);
+  lookup.case_folded = lookup.status != NameLookup::Status::unknown;
+  return lookup;
+}
+
+}  // namespace
 
 NameLookup find_as_written(std::string_view name) {
   if (auto const slot = find_slot(name)) return found(*slot);
   return find_row(name);
 }
-
-}  // namespace
 
 std::string_view data_type_name(DataType type) {
   constexpr std::array<std::string_view, 11> names = {"BOOLEAN", "UNS08", "UNS16", "UNS32",  "UNS64", "SGN08",
@@ -162,13 +117,7 @@ std::string p_axis_text(std::uint16_t number) {
 }
 
 NameLookup find(std::string_view name) {
-  NameLookup lookup = find_as_written(name);
-  if (lookup.status != NameLookup::Status::unknown) return lookup;
-  std::string const folded = lower_case(name);
-  if (folded == name) return lookup;
-  lookup = find_as_written(folded);
-  lookup.case_folded = lookup.status != NameLookup::Status::unknown;
-  return lookup;
+  return find_folding(name, find_as_written);
 }
 
 std::span<ParameterId const> find_number(std::uint16_t p_axis) {
@@ -192,14 +141,81 @@ std::string slot_name(Slot slot) {
 }
 
 Slot slot_of(ParameterId id, std::uint32_t first_index, std::uint32_t second_index) {
-  Parameter const& parameter = row(id);
+  return slot_of(row(id), first_index, second_index);
+}
+
+std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot) {
+  auto const entry = static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(parameter.first_slot);
+  if (parameter.array[1] == 0) return {entry, 0};
+  return {entry / parameter.array[1], entry % parameter.array[1]};
+}
+
+Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_t second_index) {
   std::uint32_t const row_size = parameter.array[1] == 0 ? 1 : parameter.array[1];
   return static_cast<Slot>(static_cast<std::uint32_t>(parameter.first_slot) + first_index * row_size +
                            second_index);
 }
 
+std::string slot_name(Parameter const& parameter, Slot slot) {
+  auto const indices = indices_of(parameter, slot);
+  std::string name;
+  std::size_t position = 0;
+  for (char const byte : parameter.name) {
+    name += byte;
+    if (byte == '[') name += std::to_string(indices.at(position++));
+  }
+  return name;
+}
+
 bool is_symbol_of_any_parameter(std::string_view word) {
   return std::binary_search(std::begin(word_table), std::end(word_table), word);
+}
+
+Catalogue Catalogue::with(std::vector<ParameterRow> rows) const {
+  std::vector<ParameterRow> all;
+  if (extension_) {
+    for (ParameterRow const& own : extension_->own_rows()) {
+      auto const is_same = [&own](ParameterRow const& row) { return row.name == own.name; };
+      if (std::none_of(rows.begin(), rows.end(), is_same)) all.push_back(own);
+    }
+  }
+  std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  Catalogue result;
+  result.extension_ = std::make_shared<Extension const>(std::move(all));
+  return result;
+}
+
+std::span<Parameter const> Catalogue::parameters() const {
+  return extension_ ? extension_->parameters() : schema::parameters();
+}
+
+Parameter const& Catalogue::parameter_of(Slot slot) const {
+  return parameter(extension_ ? extension_->parameter_of(slot) : schema::parameter_of(slot));
+}
+
+std::size_t Catalogue::slot_count() const {
+  return extension_ ? extension_->slot_count() : schema::slot_count();
+}
+
+NameLookup Catalogue::find(std::string_view name) const {
+  if (!extension_) return schema::find(name);
+  return find_folding(name, [this](std::string_view text) { return extension_->find_as_written(text); });
+}
+
+std::span<ParameterId const> Catalogue::find_number(std::uint16_t p_axis) const {
+  return extension_ ? extension_->find_number(p_axis) : schema::find_number(p_axis);
+}
+
+bool Catalogue::is_symbol_of_any_parameter(std::string_view word) const {
+  return schema::is_symbol_of_any_parameter(word) || (extension_ && extension_->knows_word(word));
+}
+
+std::vector<std::string> Catalogue::suggest_names(std::string_view name) const {
+  return extension_ ? schema::suggest_names(extension_->vocabulary(), name) : schema::suggest_names(name);
+}
+
+std::string_view Catalogue::file_of(Parameter const& parameter) const {
+  return extension_ ? extension_->file_of(parameter.name) : std::string_view();
 }
 
 }  // namespace axisc::schema

@@ -1,11 +1,13 @@
 // The catalogue of all axis parameters: what exists, of which type, in which range.
 //
 // The facts stand in axis-parameters.json; a generator turns them at build time into constant tables with a perfect
-// hash over all concrete names, so that nothing is parsed or allocated when the program starts.
+// hash over all concrete names, so that nothing is parsed or allocated when the program starts. Schema files of the user
+// add to them or say them anew: class Catalogue.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -86,6 +88,12 @@ struct Parameter {
 /// "P-AXIS-00140"; empty for 0.
 [[nodiscard]] std::string p_axis_text(std::uint16_t number);
 
+/// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in range.
+[[nodiscard]] std::string slot_name(Parameter const& parameter, Slot slot);
+[[nodiscard]] std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot);
+[[nodiscard]] Slot slot_of(Parameter const& parameter, std::uint32_t first_index = 0,
+                           std::uint32_t second_index = 0);
+
 /// What a name in a list means.
 struct NameLookup {
   enum class Status : std::uint8_t {
@@ -98,6 +106,7 @@ struct NameLookup {
   Status status = Status::unknown;
   bool case_folded = false;  ///< matches only after case folding
   ParameterId parameter{};
+  Parameter const* row = nullptr;  ///< of `parameter`; null where it is unknown
   Slot slot{};
   std::array<std::uint32_t, 2> index{};
   std::uint8_t index_position =
@@ -108,6 +117,8 @@ struct NameLookup {
 /// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
 /// `name` is syntactically right: identifiers joined by dots, each with at most one index.
 [[nodiscard]] NameLookup find(std::string_view name);
+/// The same without folding the case.
+[[nodiscard]] NameLookup find_as_written(std::string_view name);
 
 /// All rows with that number (several names may share one); empty when there is none.
 [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis);
@@ -127,5 +138,41 @@ struct NameLookup {
 /// The same among the words of one enumeration.
 [[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
                                                             std::string_view word);
+
+class Extension;
+struct ParameterRow;
+
+/// The catalogue that a check works with: the built-in one, which the functions above look into, or that with the rows of
+/// schema files. Copies share one; rows live as long as any of them.
+class Catalogue {
+ public:
+  /// The built-in one. Cost: none.
+  Catalogue() = default;
+  /// This one with `rows`, of which each replaces the row of its name. Their array sizes sum up to less than
+  /// most_slots; limits and defaults name numbers that are there.
+  [[nodiscard]] Catalogue with(std::vector<ParameterRow> rows) const;
+
+  [[nodiscard]] std::span<Parameter const> parameters() const;
+  [[nodiscard]] Parameter const& parameter(ParameterId id) const {
+    return parameters()[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] Parameter const& parameter_of(Slot slot) const;
+  [[nodiscard]] std::size_t slot_count() const;
+  /// Cost: as of the function; with schema files that of an ordered map in addition.
+  [[nodiscard]] NameLookup find(std::string_view name) const;
+  [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
+  [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;
+  [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name) const;
+
+  [[nodiscard]] bool is_built_in() const { return extension_ == nullptr; }
+  /// The schema file that a row comes from; empty where it was built in.
+  [[nodiscard]] std::string_view file_of(Parameter const& parameter) const;
+
+ private:
+  std::shared_ptr<Extension const> extension_;
+};
+
+/// Slots have 16 bits.
+inline constexpr std::size_t most_slots = 65535;
 
 }  // namespace axisc::schema

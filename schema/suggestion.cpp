@@ -2,13 +2,12 @@
 #include "schema/catalogue.hpp"
 #include "schema/edit_distance.hpp"
 #include "schema/indexed_name.hpp"
+#include "schema/vocabulary.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,29 +46,6 @@ bool resembles(std::string_view a, std::string_view b) {
   return (at == 0 || b[at - 1] == '_') && (end == b.size() || b[end] == '_');
 }
 
-/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less telling, not
-/// wrong.
-using Letters = std::uint64_t;
-
-Letters letters_of(std::string_view text) {
-  constexpr unsigned letters = 32;
-  Letters once = 0;
-  Letters twice = 0;
-  for (char const byte : text) {
-    Letters const letter = Letters{1} << (static_cast<unsigned char>(byte) % letters);
-    twice |= once & letter;
-    once |= letter;
-  }
-  return once | twice << letters;
-}
-
-struct Word {
-  explicit Word(std::string_view word) : text(word), letters(letters_of(word)) {}
-
-  std::string text;
-  Letters letters;
-};
-
 /// Every slip adds or takes away one letter at most.
 bool has_more_than(std::size_t limit, Letters letters) {
   for (; limit > 0 && letters != 0; --limit) letters &= letters - 1;
@@ -86,47 +62,11 @@ std::size_t slips_between(Word const& a, Word const& b, std::size_t limit) {
   return is_certainly_beyond(a, b, limit) ? limit + 1 : edit_distance(a.text, b.text, limit);
 }
 
-struct KnownName {
-  Word bare;
-  std::size_t last_part = 0;       ///< index into Vocabulary::parts
-  std::vector<std::size_t> parts;  ///< the same for all parts
-};
-
-/// The known names taken apart.
-struct Vocabulary {
-  std::vector<Word> parts;       ///< each different one
-  std::vector<KnownName> names;  ///< in the order of parameters()
-};
-
-Vocabulary take_apart(std::span<Parameter const> known) {
-  Vocabulary vocabulary;
-  std::map<std::string, std::size_t, std::less<>> places;
-  for (Parameter const& parameter : known) {
-    std::string bare(parameter.name);
-    std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
-    KnownName name{.bare = Word(bare), .parts = {}};
-    for (std::string_view rest = bare; !rest.empty();) {
-      std::string_view const part = take_part(rest);
-      auto const [place, is_new] = places.try_emplace(std::string(part), vocabulary.parts.size());
-      if (is_new) vocabulary.parts.emplace_back(part);
-      name.parts.push_back(place->second);
-      name.last_part = place->second;
-    }
-    vocabulary.names.push_back(std::move(name));
-  }
-  return vocabulary;
-}
-
-Vocabulary const& vocabulary() {
-  static Vocabulary const taken_apart = take_apart(parameters());
-  return taken_apart;
-}
-
 /// What one part of the given name has to do with the known parts, found out when it is asked for.
 class PartComparison {
  public:
-  explicit PartComparison(std::string_view given)
-      : words_(vocabulary().parts),
+  PartComparison(std::span<Word const> words, std::string_view given)
+      : words_(words),
         given_(given),
         limit_(tolerable_distance(given.size())),
         costs_(words_.size(), not_compared) {}
@@ -201,15 +141,15 @@ std::vector<std::uint32_t> given_indices(IndexedName const& name) {
 }
 
 /// The candidates that are not much worse than the best, the best first.
-std::vector<Candidate> candidates_for(IndexedName const& name) {
+std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name) {
   Word const bare(bare_name(name));
   std::size_t const slip_limit = tolerable_distance(bare.text.size());
   std::vector<PartComparison> parts;
   parts.reserve(name.parts.size());
-  for (NamePart const& part : name.parts) parts.emplace_back(part.name);
+  for (NamePart const& part : name.parts) parts.emplace_back(vocabulary.parts, part.name);
 
   std::vector<Candidate> candidates;
-  std::vector<KnownName> const& known_names = vocabulary().names;
+  std::vector<KnownName> const& known_names = vocabulary.names;
   std::size_t best = std::numeric_limits<std::size_t>::max() - tolerance_to_best;
   for (std::size_t i = 0; i < known_names.size(); ++i) {
     KnownName const& known = known_names[i];
@@ -227,7 +167,7 @@ std::vector<Candidate> candidates_for(IndexedName const& name) {
     if (!cost) continue;
     best = std::min(best, *cost);
     if (*cost > best + tolerance_to_best) continue;
-    candidates.push_back({.cost = *cost, .text_distance = slips, .parameter = &parameters()[i]});
+    candidates.push_back({.cost = *cost, .text_distance = slips, .parameter = &vocabulary.rows[i]});
   }
   std::erase_if(candidates,
                 [best](Candidate const& candidate) { return candidate.cost > best + tolerance_to_best; });
@@ -237,7 +177,7 @@ std::vector<Candidate> candidates_for(IndexedName const& name) {
     std::size_t const wanted = candidate.parameter->index_count();
     candidate.index_difference = wanted > indices ? wanted - indices : indices - wanted;
     if (candidate.text_distance <= slip_limit) continue;
-    auto const row = static_cast<std::size_t>(candidate.parameter - parameters().data());
+    auto const row = static_cast<std::size_t>(candidate.parameter - vocabulary.rows.data());
     std::string_view const known = known_names[row].bare.text;
     candidate.text_distance = edit_distance(bare.text, known, bare.text.size() + known.size());
   }
@@ -283,12 +223,12 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
 
 }  // namespace
 
-std::vector<std::string> suggest_names(std::string_view name) {
+std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string_view name) {
   if (name.size() > longest_compared) return {};
   std::string const folded = lower_case(name);
   auto const parts = split_name(folded);
   if (!parts || parts->parts.empty()) return {};
-  std::vector<Candidate> candidates = candidates_for(*parts);
+  std::vector<Candidate> candidates = candidates_for(vocabulary, *parts);
   drop_arbitrary(candidates, bare_name(*parts).size());
   std::vector<std::uint32_t> const indices = given_indices(*parts);
   std::vector<std::string> suggestions;
@@ -299,6 +239,11 @@ std::vector<std::string> suggest_names(std::string_view name) {
     }
   }
   return suggestions;
+}
+
+std::vector<std::string> suggest_names(std::string_view name) {
+  static Vocabulary const built_in = take_apart(parameters());
+  return suggest_names(built_in, name);
 }
 
 std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::string_view word) {

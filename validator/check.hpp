@@ -4,6 +4,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
+#include "schema/catalogue.hpp"
 #include "validator/build_version.hpp"
 #include "validator/files.hpp"
 #include "validator/machine.hpp"
@@ -21,6 +22,8 @@ struct CheckOptions {
   std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
+  bool whole_programs = false;  ///< keep all of an NC program, so that fixes can be applied to it
+  schema::Catalogue catalogue;  ///< of the parameters that the lists may set
 };
 
 /// A feature that a list configures and that an image cannot hold yet; `compile` refuses then.
@@ -41,7 +44,8 @@ struct CheckResult {
 
 /// `path` ends in .json and holds an object: a machine file; in .nc: an NC program alone, of which no machine comes;
 /// else one axis list. `sources` receives every
-/// text read. Never throws for bad input.
+/// text read, of NC programs only the lines that findings can point at (see whole_programs). The machine may read programs again, so `files` must
+/// live as long as it. Never throws for bad input.
 [[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);
 

@@ -206,6 +206,7 @@ class CommandCheck {
     if (order && value > *range.maximum) {
       mistake.control = "50911";
       mistake.reaction = Text::ax3001_clipped;
+      mistake.value = std::to_string(limits_.longest_order());
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";
       mistake.reaction = Text::filter_reaction_inactive;

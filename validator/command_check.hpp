@@ -40,6 +40,7 @@ struct CommandMistake {
   std::optional<std::string> better;  ///< what to write in `span` instead
   std::string control;                ///< the control's message numbers; empty where none is known
   std::optional<Text> reaction = Text::program_reaction_aborted;  ///< none where it is not documented
+  std::string value;  ///< what the control runs with instead; empty where none is known
   bool depends_on_cycle_time = false;
 };
 

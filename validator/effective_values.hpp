@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace axisc::validator {
 /// A list that was read: its source, its tree, its role, and what each assignment means.
 struct LoadedList {
   SourceId source{};
+  schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;
   std::vector<Reading> readings;  ///< one per assignment of the tree
@@ -29,6 +31,7 @@ enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
 /// One concrete parameter of one axis.
 struct EffectiveValue {
   schema::Slot slot{};
+  schema::Parameter const* row = nullptr;  ///< of the slot; never null in EffectiveValues
   Origin origin = Origin::internal_default;
   Value value;
   std::optional<Place> value_place;  ///< the token in the list that counts; none for the internal default
@@ -49,13 +52,15 @@ struct EffectiveValue {
 /// All parameters of one axis that a list sets, and the documented defaults of the others.
 class EffectiveValues {
  public:
-  EffectiveValues();
+  explicit EffectiveValues(schema::Catalogue catalogue = {});
   /// Value of one slot. Cost: constant.
   [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const;
   /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
   /// range.
   [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0,
                                          std::uint32_t second_index = 0) const;
+  [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const { return *(*this)[slot].row; }
+  [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
   /// What lists set, in the order in which the lines that count stand (default list first).
   [[nodiscard]] std::vector<schema::Slot> const& set_slots() const { return set_slots_; }
 
@@ -66,12 +71,21 @@ class EffectiveValues {
   void order_set_slots();
 
  private:
+  [[nodiscard]] EffectiveValue const& internal_default(schema::Slot slot) const;
+
+  schema::Catalogue catalogue_;
+  std::vector<EffectiveValue> own_defaults_;  ///< with schema files; without them all share one table
   std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
   std::vector<EffectiveValue> entries_;
   std::vector<schema::Slot> set_slots_;
 };
 
-/// Slot of a pattern of the catalogue with its indices.
+/// `filter[2].order`, and "P-AXIS-00140" or empty.
+[[nodiscard]] std::string parameter_name(EffectiveValue const& value);
+[[nodiscard]] std::string parameter_number(EffectiveValue const& value);
+
+/// Slot of a pattern of the built-in catalogue with its indices. Schema files move no slot of the families that are
+/// compiled.
 [[nodiscard]] schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index = 0,
                                    std::uint32_t second_index = 0);
 
@@ -101,7 +115,7 @@ struct MergedValues {
 };
 
 /// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
-/// AX2014 compares; where it is not given, the lists' own axis type does. Cost: linear in the assignments.
+/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. Cost: linear in the assignments.
 [[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
                                        std::optional<bool> rotary);
 

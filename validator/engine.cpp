@@ -193,8 +193,32 @@ class Engine {
                      .source = set.place.source,
                      .offset = quoted.begin + 1,
                      .instead = plain ? std::nullopt : std::optional(quoted)});
+        run_program_checks_of_set(set, group, plain ? quoted.begin + 1 : 0,
+                                  plain ? std::nullopt : std::optional(quoted));
       }
       if (auto const command = grammar::parse_nc_command(set.text)) note_cycle_time(*command, set.text);
+    }
+  }
+
+  /// Rules that look at NC programs beside lists see a command of the machine file as a program of one line.
+  void run_program_checks_of_set(LocatedText const& set, LoadedGroup const* group, std::uint32_t offset,
+                                 std::optional<Span> instead) {
+    auto const command = grammar::parse_nc_command(set.text);
+    if (!command) return;
+    LoadedProgram program;
+    program.source = set.place.source;
+    program.tree.commands.push_back(*command);
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    ProgramContext const context{.whole = whole, .program = program, .text = set.text, .group = group};
+    std::size_t const before = raw_.size();
+    for (Rule const& rule : rules()) {
+      if (rule.program_check != nullptr && enabled(rule)) {
+        call(rule, rule.program_check, context, {}, std::nullopt);
+      }
+    }
+    for (std::size_t i = before; i < raw_.size(); ++i) {
+      Span& span = raw_[i].finding.place->span;
+      span = instead.value_or(Span{.begin = span.begin + offset, .end = span.end + offset});
     }
   }
 

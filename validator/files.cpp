@@ -9,8 +9,6 @@
 namespace axisc::validator {
 namespace {
 
-constexpr std::size_t looked_at = 8000;
-
 bool is_image(std::string_view bytes) {
   return bytes.substr(0, 4) == "AXIM" && bytes.substr(0, 64).find('\0') != std::string_view::npos;
 }
@@ -19,7 +17,7 @@ bool is_image(std::string_view bytes) {
 bool is_utf16(std::string_view bytes) {
   std::string_view const mark = bytes.substr(0, 2);
   if (mark == "\xFF\xFE" || mark == "\xFE\xFF") return true;
-  std::string_view const head = bytes.substr(0, looked_at);
+  std::string_view const head = bytes.substr(0, judged_beginning);
   std::size_t zeros_at_even = 0;
   std::size_t zeros_at_odd = 0;
   for (std::size_t i = 0; i < head.size(); ++i) {
@@ -31,7 +29,7 @@ bool is_utf16(std::string_view bytes) {
 }
 
 bool is_binary(std::string_view bytes) {
-  std::string_view const head = bytes.substr(0, looked_at);
+  std::string_view const head = bytes.substr(0, judged_beginning);
   auto const controls = static_cast<std::size_t>(std::count_if(head.begin(), head.end(), [](char c) {
     auto const byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
@@ -41,11 +39,23 @@ bool is_binary(std::string_view bytes) {
 
 }  // namespace
 
-std::variant<std::monostate, FileError> check_text(std::string_view bytes) {
-  if (bytes.size() > largest_file) return FileError::too_large;
+std::optional<FileError> Files::read_pieces(std::string const& path, PieceReceiver const& receive) {
+  std::variant<std::string, FileError> const bytes = read(path);
+  if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+  receive(std::get<std::string>(bytes));
+  return std::nullopt;
+}
+
+std::optional<FileError> check_beginning(std::string_view bytes) {
   if (is_image(bytes)) return FileError::image;
   if (is_utf16(bytes)) return FileError::utf16;
   if (is_binary(bytes)) return FileError::binary;
+  return std::nullopt;
+}
+
+std::variant<std::monostate, FileError> check_text(std::string_view bytes) {
+  if (bytes.size() > largest_file) return FileError::too_large;
+  if (auto const error = check_beginning(bytes)) return *error;
   if (grammar::longest_line_in(bytes) > grammar::longest_line) return FileError::line_too_long;
   return std::monostate{};
 }

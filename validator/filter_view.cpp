@@ -89,7 +89,7 @@ int FilterView::type_number() const {
 }
 
 std::string_view FilterView::type_word() const {
-  auto const symbols = schema::parameter(schema::parameter_of(type.slot)).symbols;
+  auto const symbols = type.row->symbols;
   int const number = type_number();
   auto const symbol = std::find_if(symbols.begin(), symbols.end(),
                                    [number](schema::Symbol const& known) { return known.number == number; });

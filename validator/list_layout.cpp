@@ -36,7 +36,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
   using grammar::ValueKind;
   if (!reading.usable()) return false;
   if (reading.status == ReadingStatus::reference) return true;
-  schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+  schema::Parameter const& parameter = *reading.name.row;
   if (parameter.type == schema::DataType::boolean) return true;
   if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   return assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal ||
@@ -45,7 +45,8 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
 
 class Layout {
  public:
-  explicit Layout(SourceText const& source) : source_(source), list_(parse(source)) {}
+  Layout(SourceText const& source, schema::Catalogue const& catalogue)
+      : source_(source), catalogue_(catalogue), list_(parse(source)) {}
 
   std::string write() && {
     auto const rows = this->rows();
@@ -67,7 +68,7 @@ class Layout {
   }
 
   [[nodiscard]] std::vector<Row> rows() const {
-    std::vector<Reading> const readings = read_assignments(source_, list_);
+    std::vector<Reading> const readings = read_assignments(source_, list_, catalogue_);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < readings.size(); ++i) {
       grammar::Assignment const& assignment = list_.assignments[i];
@@ -126,6 +127,7 @@ class Layout {
   }
 
   SourceText const& source_;
+  schema::Catalogue const& catalogue_;
   grammar::AxisList list_;
   std::string out_;
   std::uint32_t copied_ = 0;
@@ -133,8 +135,8 @@ class Layout {
 
 }  // namespace
 
-std::string aligned_list(SourceText const& source) {
-  return Layout(source).write();
+std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue) {
+  return Layout(source, catalogue).write();
 }
 
 }  // namespace axisc::validator

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/source_text.hpp"
+#include "schema/catalogue.hpp"
 
 #include <string>
 
@@ -14,6 +15,6 @@ namespace axisc::validator {
 /// name, a value or a comment says, the order, indentation, encoding, line ends and everything on other lines stay. A
 /// value whose end only the control knows (a string with blanks, a symbol with text behind it) keeps all of its line
 /// up to the `(`. Applying it twice changes nothing. Cost: as reading the list.
-[[nodiscard]] std::string aligned_list(SourceText const& source);
+[[nodiscard]] std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue = {});
 
 }  // namespace axisc::validator

@@ -1,7 +1,6 @@
 #include "validator/loading.hpp"
 
 #include "grammar/axis_list.hpp"
-#include "grammar/nc_program.hpp"
 #include "validator/closest_word.hpp"
 #include "validator/command_check.hpp"
 #include "validator/gantry.hpp"
@@ -52,14 +51,15 @@ std::variant<std::string, FileError> read_text(Files& files, std::string const& 
   return bytes;
 }
 
-LoadedList parse(SourceSet const& sources, SourceId source) {
+LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
   SourceText const& text = sources[source];
   LoadedList list;
   list.source = source;
+  list.catalogue = catalogue;
   list.tree =
       grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
-  list.readings = read_assignments(text, list.tree);
-  list.lost = lost_assignments(text, list.tree, list.readings);
+  list.readings = read_assignments(text, list.tree, catalogue);
+  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }
 
@@ -93,21 +93,10 @@ class Loader {
       : files_(files), options_(options), sources_(sources) {}
 
   std::variant<LoadedMachine, FileError> load(std::string const& path) {
-    std::variant<std::string, FileError> bytes = read_text(files_, path);
-    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
     machine_.path = path;
     machine_.name = without_extension(file_name(path));
     machine_.files.push_back(path);
-    auto& text = std::get<std::string>(bytes);
-    bool const is_machine = ends_in(path, ".json") && looks_like_machine_file(text);
-    SourceId const source = sources_.add(SourceText(path, std::move(text)));
-    if (is_machine) {
-      load_machine(source);
-    } else if (ends_in(path, ".nc")) {
-      add_program(std::string(file_name(path)), source);
-    } else {
-      load_single(source);
-    }
+    if (auto const error = ends_in(path, ".nc") ? load_program() : load_text()) return *error;
     if (machine_.groups.empty()) add_default_group();
     for (LoadedGroup& group : machine_.groups) {
       for (std::size_t const program : common_programs_) {
@@ -121,9 +110,30 @@ class Loader {
   }
 
  private:
+  std::optional<FileError> load_program() {
+    auto const program = add_program(std::string(file_name(machine_.path)), machine_.path);
+    if (auto const* const error = std::get_if<FileError>(&program)) return *error;
+    return std::nullopt;
+  }
+
+  /// A list or a machine file.
+  std::optional<FileError> load_text() {
+    std::variant<std::string, FileError> bytes = read_text(files_, machine_.path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+    auto& text = std::get<std::string>(bytes);
+    bool const is_machine = ends_in(machine_.path, ".json") && looks_like_machine_file(text);
+    SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
+    if (is_machine) {
+      load_machine(source);
+    } else {
+      load_single(source);
+    }
+    return std::nullopt;
+  }
+
   void load_single(SourceId source) {
     machine_.lists.push_back(
-        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source)});
+        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
     LoadedAxis& axis = add_axis(0, std::nullopt);
     EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
     bool const named = name.set() && !name.unusable && !name.value.text.empty();
@@ -229,20 +239,27 @@ class Loader {
     machine_.files.push_back(path);
     SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
     std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
-    machine_.lists.push_back({.name = shown, .list = parse(sources_, source)});
+    machine_.lists.push_back({.name = shown, .list = parse(sources_, source, options_.catalogue)});
     by_path_.emplace(key, machine_.lists.size() - 1);
     return machine_.lists.size() - 1;
   }
 
-  std::size_t add_program(std::string name, SourceId source) {
-    SourceText const& text = sources_[source];
+  /// Index of the program.
+  std::variant<std::size_t, FileError> add_program(std::string name, std::string const& path) {
+    std::variant<ReadProgram, FileError> read =
+        read_program(files_, path, options_.whole_programs ? ProgramText::whole : ProgramText::excerpt);
+    if (auto const* const error = std::get_if<FileError>(&read)) return *error;
+    auto& content = std::get<ReadProgram>(read);
     LoadedProgram program;
     program.name = std::move(name);
-    program.source = source;
-    program.tree = grammar::parse_nc_program(text.bytes(), text.text_begin());
+    program.path = path;
+    program.mark = content.mark;
+    program.source = sources_.add(std::move(content.text));
+    program.tree = std::move(content.tree);
+    std::string_view const text = sources_[program.source].bytes();
     program.gives_order =
         std::any_of(program.tree.commands.begin(), program.tree.commands.end(),
-                    [&](grammar::NcCommand const& command) { return gives_order(command, text.bytes()); });
+                    [&](grammar::NcCommand const& command) { return gives_order(command, text); });
     machine_.programs.push_back(std::move(program));
     return machine_.programs.size() - 1;
   }
@@ -253,16 +270,14 @@ class Loader {
     std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
     auto const known = programs_by_path_.find(key);
     if (known != programs_by_path_.end()) return known->second;
-    std::variant<std::string, FileError> bytes = read_text(files_, path);
-    if (auto const* const error = std::get_if<FileError>(&bytes)) {
+    std::variant<std::size_t, FileError> const program = add_program(name.text, path);
+    if (auto const* const error = std::get_if<FileError>(&program)) {
       missing(name, *error);
       return std::nullopt;
     }
     machine_.files.push_back(path);
-    SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
-    std::size_t const program = add_program(name.text, source);
-    programs_by_path_.emplace(key, program);
-    return program;
+    programs_by_path_.emplace(key, std::get<std::size_t>(program));
+    return std::get<std::size_t>(program);
   }
 
   [[nodiscard]] static bool runs_in(LoadedGroup const& group, std::size_t program) {

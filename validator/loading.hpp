@@ -5,6 +5,7 @@
 #include "validator/check.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/machine_file.hpp"
+#include "validator/program_reading.hpp"
 
 #include <deque>
 #include <optional>
@@ -31,7 +32,9 @@ struct LoadedAxis {
 /// An NC program, alone or named by a machine file.
 struct LoadedProgram {
   std::string name;  ///< as the machine file names it; the file's own name for a single program
-  SourceId source{};
+  std::string path;
+  ContentMark mark;   ///< of the bytes that were checked
+  SourceId source{};  ///< an excerpt, unless the options ask for all of it: the lines that `tree` points into
   grammar::NcProgram tree;
   bool gives_order = false;  ///< one of its #FILTER commands gives an order
 };

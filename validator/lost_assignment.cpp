@@ -43,16 +43,16 @@ bool is_well_formed(std::string_view name) {
          name.find("..") == std::string_view::npos;
 }
 
-std::optional<schema::Slot> slot_of_name(std::string_view name) {
+std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std::string_view name) {
   using Status = schema::NameLookup::Status;
   if (!is_well_formed(name)) return std::nullopt;
-  schema::NameLookup const lookup = schema::find(name);
+  schema::NameLookup const lookup = catalogue.find(name);
   switch (lookup.status) {
     case Status::found:
       return lookup.slot;
     case Status::index_missing:
     case Status::index_superfluous:
-      return schema::slot_of(lookup.parameter);
+      return schema::slot_of(*lookup.row);
     case Status::unknown:
     case Status::index_out_of_range:
       break;
@@ -63,7 +63,8 @@ std::optional<schema::Slot> slot_of_name(std::string_view name) {
 }  // namespace
 
 std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::AxisList const& list,
-                                             std::vector<Reading> const& readings) {
+                                             std::vector<Reading> const& readings,
+                                             schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
   for (grammar::Problem const& problem : list.problems) {
@@ -75,7 +76,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     line.begin += static_cast<std::uint32_t>(blanks);
     std::string const name = with_whole_indices(source.slice(line));
     line.end = std::min(line.end, line.begin + static_cast<std::uint32_t>(name.size()));
-    if (auto const slot = slot_of_name(name)) {
+    if (auto const slot = slot_of_name(catalogue, name)) {
       lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});
     }
   }
@@ -84,9 +85,9 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
     if (!reading.row_known()) {
-      if (!reading.suggestions.empty()) slot = slot_of_name(reading.suggestions.front());
+      if (!reading.suggestions.empty()) slot = slot_of_name(catalogue, reading.suggestions.front());
     } else if (!reading.known()) {
-      slot = slot_of_name(source.slice(assignment.name));
+      slot = slot_of_name(catalogue, source.slice(assignment.name));
     }
     if (slot) {
       lost.push_back({.slot = *slot, .name = assignment.name, .line = assignment.line, .guessed = true});

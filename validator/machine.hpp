@@ -12,8 +12,10 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axisc::validator {
@@ -99,12 +101,23 @@ struct AxisConfiguration {
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 
+/// Takes the next bytes of a source.
+using ContentReceiver = std::function<void(std::string_view)>;
+
+/// The bytes of an NC program, which are not kept in memory.
+struct StoredContent {
+  std::uint64_t size = 0;
+  /// Reads them again, from the Files that the check had; throws SourceChanged where they are not what was checked.
+  std::function<void(ContentReceiver const&)> read;
+};
+
 /// A list, or an NC program, as the image remembers it.
 struct MachineList {
-  std::string name;  ///< as the machine file names it; never an absolute path
-  std::string content;
+  std::string name;     ///< as the machine file names it; never an absolute path
+  std::string content;  ///< of a list
   bool is_default_list = false;
   bool is_program = false;  ///< an NC program: its commands decide which kernels there are
+  std::optional<StoredContent> stored = std::nullopt;  ///< of a program, instead of `content`
 };
 
 /// An NC channel: the axes that #FILTER acts on.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace axisc::validator {
@@ -176,7 +177,7 @@ class AxisBuilder {
       EffectiveValue const& value = values_[slot];
       if (!value.value_place) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
-      result.values.push_back({.name = schema::slot_name(slot),
+      result.values.push_back({.name = parameter_name(value),
                                .text = sources_[value.value_place->source].utf8(value.value_place->span),
                                .list = static_cast<std::uint32_t>(list),
                                .line = value.line});
@@ -191,23 +192,30 @@ class AxisBuilder {
   design::CycleTime cycle_time_;
 };
 
+StoredContent stored_content(LoadedProgram const& program, Files& files) {
+  return {.size = program.mark.bytes,
+          .read = [&files, path = program.path, mark = program.mark](ContentReceiver const& receive) {
+            read_program_again(files, path, mark, [&receive](std::string_view piece) {
+              receive(piece);
+              return true;
+            });
+          }};
+}
+
 }  // namespace
 
-BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources) {
+BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources, Files& files) {
   BuiltMachine built;
   built.machine.name = loaded.name;
   built.machine.cycle_time = loaded.cycle_time.value_or(design::CycleTime{});
   for (NamedList const& named : loaded.lists) {
     built.machine.lists.push_back({.name = named.name,
                                    .content = std::string(sources[named.list.source].bytes()),
-                                   .is_default_list = named.list.is_default_list,
-                                   .is_program = false});
+                                   .is_default_list = named.list.is_default_list});
   }
   for (LoadedProgram const& program : loaded.programs) {
-    built.machine.lists.push_back({.name = program.name,
-                                   .content = std::string(sources[program.source].bytes()),
-                                   .is_default_list = false,
-                                   .is_program = true});
+    built.machine.lists.push_back(
+        {.name = program.name, .content = {}, .is_program = true, .stored = stored_content(program, files)});
   }
   for (LoadedAxis const& axis : loaded.axes) {
     built.machine.axes.push_back(AxisBuilder(loaded, axis, sources, built.not_compiled).build());

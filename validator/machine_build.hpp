@@ -13,7 +13,8 @@ struct BuiltMachine {
   std::vector<NotCompiled> not_compiled;
 };
 
-/// Call it only where no error was found and every file was read.
-[[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources);
+/// Call it only where no error was found and every file was read. The machine reads programs again from `files` when
+/// their bytes are asked for.
+[[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources, Files& files);
 
 }  // namespace axisc::validator

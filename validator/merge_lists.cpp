@@ -2,11 +2,15 @@
 #include "validator/machine.hpp"
 #include "validator/references.hpp"
 
+#include <utility>
+
 namespace axisc::validator {
 namespace {
 
 class Merger {
  public:
+  explicit Merger(schema::Catalogue catalogue) : values_(std::move(catalogue)) {}
+
   void add(LoadedList const& list) {
     list_ = &list;
     origin_ = list.is_default_list ? Origin::default_list : Origin::axis_list;
@@ -73,7 +77,7 @@ AxisType axis_type_of(EffectiveValues const& values) {
 
 MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
                          std::optional<bool> rotary) {
-  Merger merger;
+  Merger merger(axis_list.catalogue);
   if (default_list != nullptr) merger.add(*default_list);
   merger.add(axis_list);
   return merger.finish(rotary);

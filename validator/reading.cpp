@@ -226,21 +226,22 @@ Reference read_reference(std::string_view text) {
   return reference;
 }
 
-std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list) {
+std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list,
+                                      schema::Catalogue const& catalogue) {
   constexpr std::size_t most_suggestions = 1000;
   std::size_t unknown_names = 0;
   std::vector<Reading> readings(list.assignments.size());
   for (std::size_t i = 0; i < readings.size(); ++i) {
     grammar::Assignment const& assignment = list.assignments[i];
     Reading& reading = readings[i];
-    reading.name = schema::find(source.slice(assignment.name));
+    reading.name = catalogue.find(source.slice(assignment.name));
     Judge judge(source, assignment, reading);
     if (reading.row_known()) {
-      judge.with(schema::parameter(reading.name.parameter));
+      judge.with(*reading.name.row);
     } else {
       judge.without_parameter();
       if (++unknown_names <= most_suggestions) {
-        reading.suggestions = schema::suggest_names(source.slice(assignment.name));
+        reading.suggestions = catalogue.suggest_names(source.slice(assignment.name));
       }
     }
   }

@@ -56,8 +56,9 @@ struct Reading {
 };
 
 /// One reading for each assignment, in the same order. Cost: one look-up and one conversion per line;
-/// suggestions are made for the first thousand unknown names only.
-[[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list);
+/// suggestions are made for the first thousand unknown names only. The readings point into the catalogue.
+[[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list,
+                                                    schema::Catalogue const& catalogue = {});
 
 /// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
 /// parameter is meant to be is unknown then, so rules that need it have to stay silent.
@@ -70,7 +71,8 @@ struct LostAssignment {
 };
 [[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
                                                            grammar::AxisList const& list,
-                                                           std::vector<Reading> const& readings);
+                                                           std::vector<Reading> const& readings,
+                                                           schema::Catalogue const& catalogue = {});
 
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,
 /// `lr_param.improved_position_control`. `name` may be misspelt behind its family.

@@ -9,10 +9,6 @@ namespace {
 
 using schema::Slot;
 
-schema::Parameter const& row_of(Slot slot) {
-  return schema::parameter(schema::parameter_of(slot));
-}
-
 struct Target {
   std::optional<Slot> slot;
   ReferenceTrouble trouble = ReferenceTrouble::unresolvable;  ///< where there is no slot
@@ -22,13 +18,15 @@ struct Target {
 Target find_target(Reference const& reference, EffectiveValues const& values) {
   Target target;
   if (reference.p_axis == 0 || reference.p_axis > UINT16_MAX) return target;
-  for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(reference.p_axis))) {
-    std::uint32_t const entries = std::max<std::uint32_t>(schema::parameter(id).array[0], 1);
+  schema::Catalogue const& catalogue = values.catalogue();
+  for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(reference.p_axis))) {
+    schema::Parameter const& row = catalogue.parameter(id);
+    std::uint32_t const entries = std::max<std::uint32_t>(row.array[0], 1);
     if (reference.index >= entries) {
       target.trouble = ReferenceTrouble::wrong_index;
       continue;
     }
-    Slot const slot = schema::slot_of(id, reference.index);
+    Slot const slot = schema::slot_of(row, reference.index);
     if (values[slot].set()) return {.slot = slot};
     if (!target.slot) target.slot = slot;
   }
@@ -37,10 +35,11 @@ Target find_target(Reference const& reference, EffectiveValues const& values) {
 
 /// A documented default that is itself a reference: the default of that parameter.
 std::optional<Value> value_of_default(Slot slot, EffectiveValues const& values) {
-  if (auto value = default_value(row_of(slot))) return value;
-  std::uint16_t const number = default_reference(row_of(slot));
+  schema::Parameter const& row = values.row(slot);
+  if (auto value = default_value(row)) return value;
+  std::uint16_t const number = default_reference(row);
   if (number == 0) return std::nullopt;
-  Target const target = find_target({.p_axis = number, .index = schema::indices_of(slot)[0]}, values);
+  Target const target = find_target({.p_axis = number, .index = schema::indices_of(row, slot)[0]}, values);
   if (!target.slot || values[*target.slot].unusable) return std::nullopt;
   return values[*target.slot].value;
 }
@@ -105,8 +104,8 @@ class Resolver {
     std::optional<Value> value = source.value;
     if (!source.set()) value = value_of_default(target, values_);
     if (!value) return fail(slot, ReferenceTrouble::unresolvable);
-    schema::Parameter const& to = row_of(slot);
-    schema::Parameter const& from = row_of(target);
+    schema::Parameter const& to = values_.row(slot);
+    schema::Parameter const& from = values_.row(target);
     if (!types_agree(to, from, *value)) return fail(slot, ReferenceTrouble::wrong_type);
     if (schema::is_integer(to.type)) {
       DataRange const range = data_range(to.type);

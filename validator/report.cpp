@@ -18,16 +18,16 @@ Finding& Report::add(Place place, Message message) {
   return finding;
 }
 
-Finding& Report::add(Place place, schema::Slot slot, Message message) {
+Finding& Report::add(Place place, schema::Parameter const& row, schema::Slot slot, Message message) {
   Finding& finding = add(place, std::move(message));
-  finding.parameter = schema::slot_name(slot);
-  finding.p_axis = schema::p_axis_text(schema::parameter(schema::parameter_of(slot)).p_axis);
+  finding.parameter = schema::slot_name(row, slot);
+  finding.p_axis = schema::p_axis_text(row.p_axis);
   return finding;
 }
 
 Finding& Report::add(EffectiveValue const& at, Message message) {
   Place const place = at.value_place ? *at.value_place : at.name_place.value_or(Place{});
-  return add(place, at.slot, std::move(message));
+  return add(place, *at.row, at.slot, std::move(message));
 }
 
 }  // namespace axisc::validator

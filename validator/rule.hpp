@@ -34,8 +34,8 @@ class Report {
   /// At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
-  /// At `place`, about the parameter in `slot`.
-  Finding& add(Place place, schema::Slot slot, Message message);
+  /// At `place`, about the parameter of `row` in `slot`.
+  Finding& add(Place place, schema::Parameter const& row, schema::Slot slot, Message message);
 
   Rule const* rule = nullptr;  ///< set by the engine
   std::string axis;            ///< set by the engine; rules about several axes set it before they report

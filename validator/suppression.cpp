@@ -50,6 +50,24 @@ std::vector<Word> words_of(std::string_view comment, std::size_t from) {
   return words;
 }
 
+/// Without the comma and blanks around it.
+std::string trimmed_entry(std::string_view text) {
+  constexpr std::string_view around = " \t,";
+  std::size_t const begin = std::min(text.find_first_not_of(around), text.size());
+  return std::string(text.substr(begin, text.find_last_not_of(around) + 1 - begin));
+}
+
+/// What a repair takes out of the comment, so that the codes before and behind are still read.
+Word removed_with(std::vector<Word> const& words, std::size_t which, std::string_view comment) {
+  if (words.size() == 1) {
+    std::size_t begin = comment.find("axisc:");
+    while (begin > 0 && blanks.find(comment[begin - 1]) != std::string_view::npos) --begin;
+    return {.begin = begin, .end = words[0].end};
+  }
+  if (which == 0) return {.begin = words[0].begin, .end = words[1].begin};
+  return {.begin = words[which - 1].end, .end = words[which].end};
+}
+
 /// "AX3005" as 3005; 0 for anything else.
 Code code_of(std::string_view word) {
   std::uint16_t number = 0;
@@ -69,15 +87,20 @@ void Suppressions::add(SourceSet const& sources, SourceId source,
     if (from == std::string_view::npos) continue;
     std::vector<Word> words = words_of(comment, from);
     if (words.empty()) words.push_back({.begin = from, .end = from});
-    for (Word const& word : words) {
+    auto const place_of = [&](Word const& word) {
+      return Place{.source = source,
+                   .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
+                            .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
+    };
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      Word const& word = words[i];
       Allowance allowance;
       allowance.code = code_of(comment.substr(word.begin, word.end - word.begin));
       allowance.known = find_rule(allowance.code) != nullptr;
       allowance.next_line = directive.whole_line;
       allowance.line = directive.line + (directive.whole_line ? 1 : 0);
-      allowance.place = {.source = source,
-                         .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
-                                  .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
+      allowance.place = place_of(word);
+      allowance.removed = place_of(removed_with(words, i, comment));
       allowances.push_back(allowance);
     }
   }
@@ -110,7 +133,13 @@ Finding Suppressions::unused(Allowance const& allowance, SourceSet const& source
   if (!allowance.known) text = word.empty() ? Text::ax1013_empty : Text::ax1013_unknown;
   Message message{.text = text, .arguments = {}};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
-  report.add(allowance.place, std::move(message));
+  Finding& finding = report.add(allowance.place, std::move(message));
+  std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
+  Fix fix;
+  fix.title = {.text = Text::ax1013_fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
+  fix.edits.push_back({.place = allowance.removed, .text = {}});
+  fix.safety = FixSafety::safe;
+  finding.fix = std::move(fix);
   return std::move(findings.front());
 }
 

@@ -18,6 +18,7 @@ struct Allowance {
   bool next_line = false;  ///< the comment stands alone and speaks for the line below
   std::uint32_t line = 0;  ///< the line that it silences
   Place place;             ///< of the code within the comment
+  Place removed;  ///< what goes when the code is taken out: with its comma, the last one with `axisc: allow`
   bool used = false;
 };
 

@@ -32,11 +32,11 @@ nlohmann::json as_json(Surroundings const& there, std::vector<std::string> argum
 
 }  // namespace
 
-TEST_CASE("what changed as text and Markdown") {
+TEST_CASE("what changed in every format and language") {
   TemporaryFolder const folder;
   auto const there = two_machines(folder);
   for (std::string const language : {"en", "de"}) {
-    for (std::string const form : {"text", "markdown"}) {
+    for (std::string const form : {"text", "markdown", "json"}) {
       auto const outcome =
           run_axisc({"diff", "old.json", "new.json", "--lang", language, "--format", form}, there);
       CHECK(outcome.status == 0);

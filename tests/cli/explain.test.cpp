@@ -1,4 +1,5 @@
 #include "cli/program.hpp"
+#include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "validator/rule.hpp"
 
@@ -22,6 +23,14 @@ TEST_CASE("a parameter is explained by number or name") {
   CHECK_THAT(by_number.out, Catch::Matchers::Contains("`filter[0].order` to `filter[2].order`"));
   for (std::string const word : {"p-axis-140", "filter[2].order", "filter[].order", "filter[7].order"}) {
     CHECK(run_axisc({"explain", word}).out == by_number.out);
+  }
+  for (std::string const language : {"en", "de"}) {
+    for (std::string const subject : {"AX3005", "filter[].type"}) {
+      auto const json = run_axisc({"explain", subject, "--lang", language, "--format", "json"});
+      check_golden("tests/cli/data/golden/explain." + language +
+                       (subject == "AX3005" ? ".code" : ".parameter") + ".json",
+                   json.out);
+    }
   }
   check_golden("tests/cli/data/golden/explain.en.parameter", run_axisc({"explain", "kenngr.achs_typ"}).out);
   check_golden("tests/cli/data/golden/explain.de.parameter",

@@ -125,3 +125,19 @@ TEST_CASE("a list that cannot be written is a failure and stays") {
   CHECK(lint(folder, {"--fix", "x.lis"}).status == 2);
   CHECK(folder.read("x.lis") == "kopf.achs_nr 1\nende\n");
 }
+
+TEST_CASE("programs are repaired whole") {
+  TemporaryFolder const folder;
+  std::string const before = "%MAIN\r\nN1 G01 X1 (\xFC)\r\n#FILTER ON [order=20 ORDR=3]\r\nN3 G00 X0\r\nM30";
+  folder.write("part.nc", before);
+  auto const there = in_folder(folder.path());
+  auto const patch = run_axisc({"lint", "part.nc", "--fix=all", "--diff", "--cycle-time", "1ms"}, there);
+  CHECK_THAT(patch.out, Catch::Matchers::Contains("@@ -1,5 +1,5 @@"));
+  CHECK(folder.read("part.nc") == before);
+  static_cast<void>(run_axisc({"lint", "part.nc", "--fix=all", "--cycle-time", "1ms"}, there));
+  CHECK(folder.read("part.nc") != before);
+  CHECK(folder.read("part.nc").size() > before.size() - 8);
+  CHECK_THAT(folder.read("part.nc"),
+             Catch::Matchers::StartsWith("%MAIN\r\nN1 G01 X1 (\xFC)\r\n#FILTER ON [ORDER=20") &&
+                 Catch::Matchers::EndsWith("]\r\nN3 G00 X0\r\nM30"));
+}

@@ -16,7 +16,7 @@ using namespace axisc::cli;
 
 namespace {
 
-constexpr std::uint32_t lists = 400;
+constexpr std::uint32_t lists = 1000;
 constexpr design::CycleTime one_millisecond{1'000'000};
 
 validator::CheckOptions options() {

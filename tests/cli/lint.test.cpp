@@ -107,6 +107,12 @@ TEST_CASE("the output is the same for every number of threads") {
   TemporaryFolder const folder;
   std::string const list = axisc::test::read_source_file("tests/cli/data/mistakes.lis");
   for (int i = 0; i < 40; ++i) folder.write("axis" + std::to_string(i) + ".lis", list);
+  folder.write("machine/x.lis", list);
+  folder.write("machine/part.nc", "#FILTER ON [ORDER=999]\n#VIB GUARD ON [MODE=7]\n");
+  folder.write(
+      "machine/m.json",
+      R"({"axes": [{"name": "X", "list": "x.lis"}], "programs": ["part.nc"], "filter_sets": ["#FILTER ON [ORDR=1]"]})");
+  folder.write("other.nc", "#FILTER ON [ORDER=20 ORDER=30]\n");
   for (std::string const format : {"text", "json", "sarif", "github", "gitlab"}) {
     auto const one = run_axisc({"lint", folder.path(), "-j", "1", "--format", format});
     auto const eight = run_axisc({"lint", folder.path(), "-j", "8", "--format", format});
@@ -149,8 +155,8 @@ TEST_CASE("the build of the control is named on the command line") {
   CHECK(run_axisc({"lint", path}).out.find("AX2016") == std::string::npos);
   CHECK_THAT(run_axisc({"lint", path, "--build", "V3.1.3075.02"}).out, Catch::Matchers::Contains("AX2016"));
   CHECK(run_axisc({"lint", path, "--build", "V3.1.3075.04"}).out.find("AX2016") == std::string::npos);
-  for (auto const* const wrong : {"3075", "V3.1", "V3.1.x", "V3.1.3075.04.1", ""}) {
-    auto const outcome = run_axisc({"lint", path, "--build", wrong});
+  for (auto const* const build : {"3075", "V3.1", "V3.1.x", "V3.1.3075.04.1", ""}) {
+    auto const outcome = run_axisc({"lint", path, "--build", build});
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Catch::Matchers::Contains("V3.1.3075.04"));
   }

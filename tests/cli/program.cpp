@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
@@ -59,10 +60,12 @@ Outcome run_axisc(std::vector<std::string> const& arguments, Surroundings const&
     become(std::move(words), std::move(variables));
   }
   int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
+  struct rusage usage {};
+  REQUIRE(::wait4(child, &status, 0, &usage) == child);
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .out = folder.read("out"),
-          .err = folder.read("err")};
+          .err = folder.read("err"),
+          .peak_memory = static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
 std::size_t lines_of(std::string_view text) {

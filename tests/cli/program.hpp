@@ -1,6 +1,7 @@
 // Runs the built program as a user would.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@ struct Outcome {
   int status = -1;  ///< exit status; -1 when the program did not end by itself
   std::string out;
   std::string err;
+  std::size_t peak_memory = 0;  ///< bytes of it that were in main memory at most
 };
 
 struct Surroundings {

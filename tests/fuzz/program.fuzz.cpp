@@ -1,6 +1,8 @@
 // Any bytes as an NC program: every span lies inside the text, commands and words come in the order of the text, the
 // reader that skips words finds the same commands, and what a command asks for can be said in any channel.
+#include "grammar/line_splitter.hpp"
 #include "grammar/nc_program.hpp"
+#include "grammar/program_excerpt.hpp"
 #include "validator/command_check.hpp"
 
 #include <algorithm>
@@ -80,6 +82,24 @@ void check_meaning(NcCommand const& command, std::string_view bytes) {
   }
 }
 
+/// What is kept of a long program says the same as the whole of it.
+void check_excerpt(NcProgram const& whole, std::string_view bytes) {
+  ProgramExcerptReader reader;
+  LineSplitter splitter(bytes);
+  for (std::string_view line; splitter.next(line);) reader.line(line);
+  reader.finish();
+  NcProgram const& part = reader.program();
+  require(part.commands.size() == whole.commands.size() && part.directives.size() == whole.directives.size());
+  require(part.lines == whole.lines);
+  for (std::size_t i = 0; i < whole.commands.size(); ++i) {
+    Span const in_part = part.commands[i].name;
+    Span const in_whole = whole.commands[i].name;
+    require(part.commands[i].line == whole.commands[i].line && in_part.end <= reader.bytes().size());
+    require(std::string_view(reader.bytes()).substr(in_part.begin, in_part.size()) ==
+            bytes.substr(in_whole.begin, in_whole.size()));
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
@@ -101,5 +121,6 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     require(program.commands[i].name == checker.commands[i].name);
     check_meaning(program.commands[i], bytes);
   }
+  check_excerpt(program, bytes);
   return 0;
 }

@@ -1,6 +1,7 @@
 // What the engine does to findings: precedence, suppression, merging, the assumed cycle time.
 #include "validator/engine.hpp"
 
+#include "diagnostics/fix_batch.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
 
@@ -118,4 +119,45 @@ TEST_CASE("a finding names its axis, parameter and number") {
   CHECK(finding.parameter == "filter[1].guete");
   CHECK(finding.p_axis == "P-AXIS-00080");
   CHECK(finding.name == "out-of-range");
+}
+
+TEST_CASE("a suppression that silences nothing can be taken out, code by code") {
+  auto const repaired = [](std::string const& list) {
+    Checked const checked(list);
+    FixBatch batch(checked.sources);
+    for (Finding const& finding : checked.result.findings) {
+      if (finding.code != Code{1013}) continue;
+      REQUIRE(finding.fix);
+      CHECK(finding.fix->safety == FixSafety::safe);
+      CHECK(batch.add(*finding.fix));
+    }
+    auto const edited = batch.apply();
+    return edited.empty() ? list : edited.front().bytes;
+  };
+  CHECK(repaired("filter[0].guete 2 ( axisc: allow AX2005\n") == "filter[0].guete 2 (\n");
+  CHECK(repaired("filter[0].guete 2 ( high) # axisc: allow AX2005 as agreed\n") ==
+        "filter[0].guete 2 ( high) # as agreed\n");
+  CHECK(repaired("# axisc: allow AX2005\nfilter[0].guete 2\n") == "#\nfilter[0].guete 2\n");
+  CHECK(repaired("filter[0].guete 11 ( axisc: allow AX2005, AX1006 why\n") ==
+        "filter[0].guete 11 ( axisc: allow AX2005 why\n");
+  CHECK(repaired("filter[0].guete 11 ( axisc: allow AX1006, AX2005\n") ==
+        "filter[0].guete 11 ( axisc: allow AX2005\n");
+  CHECK(repaired("filter[0].guete 11 ( axisc: allow AX2005\n") ==
+        "filter[0].guete 11 ( axisc: allow AX2005\n");
+}
+
+TEST_CASE("the value that the control takes is said in its unit too") {
+  auto const reaction = [](std::string const& list) {
+    Checked const checked(list);
+    REQUIRE(checked.result.findings.size() == 1);
+    return *checked.result.findings.front().control;
+  };
+  ControlReaction const clipped = reaction("filter[0].time_constant 99999999999\n");
+  CHECK(clipped.value == "4294967295");
+  CHECK(clipped.physical == "4294967.295 ms");
+  ControlReaction const lost = reaction("getriebe[0].dynamik.a_max P-AXIS-09999\n");
+  CHECK(lost.message == "2052");
+  CHECK(lost.value == "1000");
+  CHECK(lost.physical == "1000 mm/s\xC2\xB2");
+  CHECK(reaction("antr.v_time_base 70000\n").physical.empty());
 }

@@ -122,3 +122,20 @@ TEST_CASE("whether a program gives the order of an axis") {
   CHECK(validator::program_gives_order(loaded(machine(R"(, "filter_sets": ["#FILTER ON [ORDER=20]"])")), 1));
   CHECK_FALSE(validator::program_gives_order(loaded(machine(R"(, "filter_sets": ["ORDER=20"])")), 0));
 }
+
+TEST_CASE("commands of filter_sets must be known to the control's build too") {
+  auto const findings = [](std::string const& sets, char const* build) {
+    validator::CheckOptions options;
+    options.build = validator::parse_build_version(build);
+    options.disabled.push_back(Code{9006});
+    std::map<std::string, std::string> contents = {
+        {"x.lis", "kopf.log_achs_name X\n"},
+        {"m.json", R"({"axes": [{"name": "X", "list": "x.lis"}], "filter_sets": [)" + sets + "]}"}};
+    return Checked(std::move(contents), "m.json", options).found();
+  };
+  std::string const sets = R"("#FILTER ON [ORDER=20]", "#FILTER ON [QUALITY=0.5 ORDER=3]")";
+  CHECK(findings(sets, "V3.1.3075.04").empty());
+  // Where the text begins in the machine file.
+  CHECK(findings(sets, "V3.1.3075.03") == Lines{"1:98 AX2016"});
+  CHECK(findings(sets, "V3.1.3075.01") == Lines{"1:61 AX2016", "1:86 AX2016"});
+}

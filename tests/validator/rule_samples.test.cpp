@@ -66,6 +66,7 @@ struct Outcome {
   std::string findings;  ///< in the form of the expected file
   bool contains_code = false;
   bool texts_complete = true;
+  std::string silent_messages;  ///< the control's numbers that stand without what it does
 };
 
 Outcome outcome_of(validator::CheckResult const& result, SourceSet const& sources, std::string const& input,
@@ -76,6 +77,10 @@ Outcome outcome_of(validator::CheckResult const& result, SourceSet const& source
     for (Language const language : {Language::english, Language::german}) {
       std::string const text = render(finding.message, language);
       outcome.texts_complete = outcome.texts_complete && !text.empty() && text.find('{') == std::string::npos;
+    }
+    if (finding.control) {
+      auto const& control = *finding.control;
+      if (!control.message.empty() && !control.reaction) outcome.silent_messages += control.message + " ";
     }
     if (finding.place) {
       SourceText const& source = sources[finding.place->source];
@@ -149,6 +154,7 @@ TEST_CASE("every rule reports its failing sample, exactly as expected") {
     Outcome const outcome = run_sample(name, rule.code);
     CHECK(outcome.contains_code);
     CHECK(outcome.texts_complete);
+    CHECK(outcome.silent_messages.empty());
     test::check_golden(samples + name + ".expected", outcome.findings);
   }
 }

@@ -33,8 +33,8 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
     if (!reading.known() || reading.name.slot != slot || reading.status != ReadingStatus::value) continue;
     if (reading.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-    Finding& finding =
-        report.add(place, slot, {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
+    Finding& finding = report.add(place, *reading.name.row, slot,
+                                  {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
     react(finding, "110300", {Text::ax4015_reaction_aborts, {}});
     return;
   }
@@ -45,7 +45,7 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
     if (numbered.value.value.number != 0) continue;
     report.axis = numbered.axis.name;
     Finding& finding = report.add(numbered.value, {Text::ax4015_zero, {}});
-    finding.control->message = "110076";
+    react(finding, "110076", {Text::ax4015_reaction_zero, {}});
   }
 }
 
@@ -72,7 +72,7 @@ void check_twice(std::vector<Numbered> const& axes, Report& report) {
       finding.related.push_back(
           {*numbered.value.value_place, {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
     }
-    finding.control->message = "1001121";
+    react(finding, "1001121", {Text::ax4015_reaction_twice, {}});
   }
 }
 

@@ -19,12 +19,12 @@ Text headline(AxisType type) {
 void checks::axis_type_mismatch(AxisContext const& context, Report& report) {
   for (schema::Slot const slot : context.values.set_slots()) {
     EffectiveValue const& value = context.values[slot];
-    std::string_view const types = schema::parameter(schema::parameter_of(slot)).axis_types;
+    std::string_view const types = context.values.row(slot).axis_types;
     if (types.empty() || types.find(letter(context.type)) != std::string_view::npos) continue;
     // A default list serves axes of every type.
     if (value.origin != Origin::axis_list || !value.value_place) continue;
     Finding& finding =
-        report.add(value, message(headline(context.type), {{"parameter", schema::slot_name(slot)}}));
+        report.add(value, message(headline(context.type), {{"parameter", parameter_name(value)}}));
     std::string listed;
     for (char const type : types) listed.append(listed.empty() ? "" : ", ").append(1, type);
     finding.notes.push_back(message(Text::ax2009_types, {{"types", listed}}));

@@ -25,8 +25,8 @@ void report_mistakes(CommandContext const& context, Code code, Report& report) {
     }
     finding.control.reset();
     if (mistake.reaction) {
-      finding.control =
-          ControlReaction{.message = mistake.control, .reaction = message(*mistake.reaction), .value = {}};
+      finding.control = ControlReaction{
+          .message = mistake.control, .reaction = message(*mistake.reaction), .value = mistake.value};
     }
   }
 }

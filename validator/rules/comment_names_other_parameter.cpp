@@ -34,7 +34,7 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
 void checks::comment_names_other_parameter(ListContext const& context, Report& report) {
   for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || assignment.trailer.empty()) return;
-    std::uint16_t const own = schema::parameter(reading.name.parameter).p_axis;
+    std::uint16_t const own = reading.name.row->p_axis;
     std::string_view const trailer = context.source.slice(assignment.trailer);
     std::optional<Mention> const first = next_mention(trailer, 0);
     if (own == 0 || !first) return;
@@ -50,8 +50,9 @@ void checks::comment_names_other_parameter(ListContext const& context, Report& r
                                                      {"parameter", written_name(context, assignment)},
                                                      {"own", schema::p_axis_text(own)}}));
     if (first->number > UINT16_MAX) return;
-    for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(first->number))) {
-      std::string name(schema::parameter(id).name);
+    for (schema::ParameterId const id :
+         context.list.catalogue.find_number(static_cast<std::uint16_t>(first->number))) {
+      std::string name(context.list.catalogue.parameter(id).name);
       finding.notes.push_back(message(Text::ax1011_note, {{"named", named}, {"name", std::move(name)}}));
     }
   });

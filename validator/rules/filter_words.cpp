@@ -10,14 +10,6 @@
 
 namespace axisc::validator::checks {
 
-std::string parameter_name(EffectiveValue const& value) {
-  return schema::slot_name(value.slot);
-}
-
-std::string parameter_number(EffectiveValue const& value) {
-  return schema::p_axis_text(schema::parameter(schema::parameter_of(value.slot)).p_axis);
-}
-
 std::string filter_name(FilterView const& filter) {
   std::string const enable = parameter_name(filter.enable);
   return enable.substr(0, enable.rfind('.'));
@@ -25,8 +17,7 @@ std::string filter_name(FilterView const& filter) {
 
 std::string symbol_word(EffectiveValue const& value) {
   if (!value.value.text.empty()) return value.value.text;
-  schema::Parameter const& parameter = schema::parameter(schema::parameter_of(value.slot));
-  schema::Symbol const* const symbol = symbol_of_number(parameter, value.value.number);
+  schema::Symbol const* const symbol = symbol_of_number(*value.row, value.value.number);
   return symbol != nullptr ? std::string(symbol->word) : number(value.value.number);
 }
 

@@ -10,10 +10,6 @@
 
 namespace axisc::validator::checks {
 
-/// `filter[0].order`.
-[[nodiscard]] std::string parameter_name(EffectiveValue const& value);
-/// "P-AXIS-00140".
-[[nodiscard]] std::string parameter_number(EffectiveValue const& value);
 /// "filter[0]", "lr_param.add_interface.filter[0]".
 [[nodiscard]] std::string filter_name(FilterView const& filter);
 /// The word of a symbol, also where its number or the internal default counts: "BUTTERWORTH".

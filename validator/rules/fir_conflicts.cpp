@@ -25,6 +25,7 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
     finding.related.push_back(
         {*filter.prototype.value_place, {Text::ax4002_filter_here, {{"filter", filter_name(filter)}}}});
   }
+  react(finding, "110628", {Text::ax4005_reaction, {}});
   finding.help.push_back({Text::ax4005_help, {}});
 }
 

@@ -57,7 +57,7 @@ class GantryJudge {
       Finding& finding =
           add(axis, view.master_number, master ? Text::ax4014_itself : Text::ax4014_no_such_axis,
               {{"number", checks::number(*number)}});
-      finding.control->message = "70124";
+      react(finding, "70124", {Text::ax4014_reaction_no_master, {}});
       return;
     }
     if (claim != nullptr && claim->master != master) {
@@ -70,7 +70,7 @@ class GantryJudge {
     EffectiveValue const& at = view.master_number.set() ? view.master_number : view.mode;
     Finding& finding = add(axis, at, Text::ax4014_no_master);
     finding.notes.push_back({Text::ax4014_number_names, {{"p_axis", parameter_number(view.master_number)}}});
-    finding.control->message = "110244";
+    react(finding, "110244", {Text::ax4014_reaction_no_number, {}});
   }
 
   void require_master_bit(std::size_t slave, GantryView const& view, std::size_t master) {
@@ -89,7 +89,7 @@ class GantryJudge {
                                   {{"axis", name(at_master ? slave : master)}}}});
     }
     finding.notes.push_back({Text::ax4014_bits, {{"p_axis", parameter_number(other.mode)}}});
-    finding.control->message = "70124";
+    react(finding, "70124", {Text::ax4014_reaction_no_master, {}});
   }
 
   void judge_claimed_slave(std::size_t axis, GantryView const& view, GantryClaim const& claim) {

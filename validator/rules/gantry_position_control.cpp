@@ -76,6 +76,7 @@ void gantry_slave_ipc(AxisContext const& axis, Report& report) {
   } else if (GantryClaim const* const claim = slave_claim(axis.machine, axis.index)) {
     finding.related.push_back({claim->place, {Text::ax4012_slave_here, {}}});
   }
+  react(finding, "70600", {Text::ax4012_reaction, {}});
   finding.help.push_back({Text::ax4012_help, {}});
 }
 

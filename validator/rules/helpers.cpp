@@ -10,14 +10,13 @@ std::string written_name(ListContext const& context, grammar::Assignment const& 
 }
 
 std::string p_axis_of(Reading const& reading) {
-  return reading.row_known() ? schema::p_axis_text(schema::parameter(reading.name.parameter).p_axis)
-                             : std::string{};
+  return reading.row_known() ? schema::p_axis_text(reading.name.row->p_axis) : std::string{};
 }
 
 Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
                 Reading const& reading, Span span, Message text) {
   Place const place = place_of(context, span);
-  if (reading.known()) return report.add(place, reading.name.slot, std::move(text));
+  if (reading.known()) return report.add(place, *reading.name.row, reading.name.slot, std::move(text));
   Finding& finding = report.add(place, std::move(text));
   finding.parameter = written_name(context, assignment);
   finding.p_axis = p_axis_of(reading);
@@ -28,6 +27,11 @@ void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, 
   if (!finding.control) finding.control.emplace();
   finding.control->reaction = message(text, std::move(arguments));
   finding.control->value = std::move(value);
+}
+
+void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value) {
+  std::string_view const unit = unit_of(row, type);
+  if (finding.control && !unit.empty()) finding.control->physical = physical(value, unit);
 }
 
 Fix replace_by(Place place, std::string text, Message title, FixSafety safety) {

@@ -30,6 +30,8 @@ Finding& add_at(ListContext const& context, Report& report, grammar::Assignment 
 [[nodiscard]] std::string p_axis_of(Reading const& reading);
 
 void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
+/// Says beside the control's value, which is the raw number `value`, what that is for a person.
+void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value);
 
 /// A fix of one edit.
 [[nodiscard]] Fix replace_by(Place place, std::string text, Message title,

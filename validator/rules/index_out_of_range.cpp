@@ -8,7 +8,7 @@ void checks::index_out_of_range(ListContext const& context, Report& report) {
   for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || reading.known()) return;
     schema::NameLookup const& name = reading.name;
-    std::string const pattern(schema::parameter(name.parameter).name);
+    std::string const pattern(name.row->name);
     Message text =
         message(name.status == Status::index_missing ? Text::ax2002_missing : Text::ax2002_superfluous,
                 {{"parameter", pattern}});

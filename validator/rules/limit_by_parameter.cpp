@@ -13,10 +13,6 @@ namespace {
 using schema::Limit;
 using schema::Slot;
 
-schema::Parameter const& row_of(Slot slot) {
-  return schema::parameter(schema::parameter_of(slot));
-}
-
 /// `getriebe` of `getriebe[].dynamik.vb_max`.
 std::string_view structure(std::string_view pattern) {
   return pattern.substr(0, pattern.find_first_of("[."));
@@ -25,17 +21,17 @@ std::string_view structure(std::string_view pattern) {
 /// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same index only
 /// where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
 std::optional<Slot> limiting_slot(EffectiveValues const& values, Slot limited, std::uint16_t number) {
-  schema::Parameter const& parameter = row_of(limited);
-  std::uint32_t const index = parameter.index_count() == 0 ? 0 : schema::indices_of(limited)[0];
+  schema::Parameter const& parameter = values.row(limited);
+  std::uint32_t const index = parameter.index_count() == 0 ? 0 : schema::indices_of(parameter, limited)[0];
   std::optional<Slot> fallback;
-  for (schema::ParameterId const id : schema::find_number(number)) {
-    schema::Parameter const& limit = schema::parameter(id);
+  for (schema::ParameterId const id : values.catalogue().find_number(number)) {
+    schema::Parameter const& limit = values.catalogue().parameter(id);
     if (index < std::max<std::uint32_t>(limit.array[0], 1)) {
-      Slot const slot = schema::slot_of(id, index);
+      Slot const slot = schema::slot_of(limit, index);
       bool const related = limit.array[0] != 0 && structure(limit.name) == structure(parameter.name);
       if (related || values[slot].set()) return slot;
     }
-    if (!fallback) fallback = schema::slot_of(id);
+    if (!fallback) fallback = schema::slot_of(limit);
   }
   return fallback;
 }
@@ -49,7 +45,7 @@ struct Violation {
 };
 
 std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, Side side) {
-  schema::Parameter const& parameter = row_of(slot);
+  schema::Parameter const& parameter = values.row(slot);
   EffectiveValue const& value = values[slot];
   Limit const& limit = side == Side::minimum ? parameter.minimum : parameter.maximum;
   if (limit.kind != Limit::Kind::parameter || is_default_or_off(parameter, value.value.number)) {
@@ -57,7 +53,7 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   }
   std::optional<Slot> const other = limiting_slot(values, slot, limit.p_axis);
   if (!other || values[*other].unusable) return std::nullopt;
-  if (!values[*other].set() && !default_value(row_of(*other))) return std::nullopt;
+  if (!values[*other].set() && !default_value(values.row(*other))) return std::nullopt;
   double const bound = values[*other].value.number;
   bool const violated = side == Side::minimum ? violates_minimum(value.value.number, bound, limit.open)
                                               : violates_maximum(value.value.number, bound, limit.open);
@@ -83,14 +79,13 @@ std::string relation(Violation const& violation) {
 void add(AxisContext const& context, Report& report, Slot slot, Violation const& violation) {
   EffectiveValue const& value = context.values[slot];
   EffectiveValue const& limit = context.values[violation.limit];
-  std::string const limit_name = schema::slot_name(violation.limit);
-  std::string const limit_value =
-      physical(limit.value.number, unit_of(row_of(violation.limit), context.type));
-  std::string const own_value = physical(value.value.number, unit_of(row_of(slot), context.type));
+  std::string const limit_name = parameter_name(limit);
+  std::string const limit_value = physical(limit.value.number, unit_of(*limit.row, context.type));
+  std::string const own_value = physical(value.value.number, unit_of(*value.row, context.type));
   std::string const sign = relation(violation);
   Finding& finding = report.add(
       value, message(Text::ax2015,
-                     {{"parameter", schema::slot_name(slot)}, {"relation", sign}, {"limit", limit_name}}));
+                     {{"parameter", parameter_name(value)}, {"relation", sign}, {"limit", limit_name}}));
   finding.label =
       message(Text::ax2015_label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
   if (limit.value_place) {
@@ -98,9 +93,8 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
         {.place = *limit.value_place, .message = message(Text::ax2015_related, {{"limit", limit_value}})});
   } else {
     finding.notes.push_back(
-        message(Text::ax2015_default, {{"limit", limit_name},
-                                       {"p_axis", schema::p_axis_text(row_of(violation.limit).p_axis)},
-                                       {"value", limit_value}}));
+        message(Text::ax2015_default,
+                {{"limit", limit_name}, {"p_axis", parameter_number(limit)}, {"value", limit_value}}));
   }
 }
 

@@ -73,15 +73,15 @@ void checks::newer_than_build(AxisContext const& context, Report& report) {
     if (list == nullptr) continue;
     for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (!reading.usable()) return;
-      schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+      schema::Parameter const& parameter = *reading.name.row;
       std::string const needed = missing_build(parameter, reading, build);
       if (needed.empty()) return;
       Place const place{.source = list->source, .span = assignment.value};
-      report.add(
-          place, reading.name.slot,
-          message(headline(parameter, reading, build), {{"parameter", schema::slot_name(reading.name.slot)},
-                                                        {"needed", needed},
-                                                        {"build", to_text(build)}}));
+      report.add(place, parameter, reading.name.slot,
+                 message(headline(parameter, reading, build),
+                         {{"parameter", schema::slot_name(parameter, reading.name.slot)},
+                          {"needed", needed},
+                          {"build", to_text(build)}}));
     });
   }
   check_spindle(context, build, report);

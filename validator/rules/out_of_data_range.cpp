@@ -13,14 +13,18 @@ std::string limit_text(schema::DataType type, bool highest) {
   return format_exact(highest ? range.highest : range.lowest);
 }
 
-void add(Report& report, Place place, schema::Slot slot, std::string const& value, bool positive) {
-  schema::DataType const type = schema::parameter(schema::parameter_of(slot)).type;
+void add(AxisContext const& context, Report& report, Place place, schema::Parameter const& row,
+         schema::Slot slot, std::string const& value, bool positive) {
+  schema::DataType const type = row.type;
   std::string const type_name(schema::data_type_name(type));
-  Finding& finding = report.add(place, slot, message(Text::ax2004, {{"value", value}, {"type", type_name}}));
+  Finding& finding =
+      report.add(place, row, slot, message(Text::ax2004, {{"value", value}, {"type", type_name}}));
   finding.notes.push_back(message(
       Text::ax2004_range,
       {{"type", type_name}, {"lowest", limit_text(type, false)}, {"highest", limit_text(type, true)}}));
   set_reaction(finding, Text::ax2004_reaction, {}, limit_text(type, positive));
+  DataRange const range = data_range(type);
+  add_physical(finding, row, context.type, positive ? range.highest : range.lowest);
 }
 
 }  // namespace
@@ -32,13 +36,15 @@ void checks::out_of_data_range(AxisContext const& context, Report& report) {
     for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (reading.status != ReadingStatus::out_of_data_range || !reading.known()) return;
       Place const place{.source = list->source, .span = assignment.value};
-      add(report, place, reading.name.slot, source.utf8(assignment.value), reading.value.number > 0);
+      add(context, report, place, *reading.name.row, reading.name.slot, source.utf8(assignment.value),
+          reading.value.number > 0);
     });
   }
   for (ReferenceProblem const& problem : context.reference_problems) {
     if (problem.trouble != ReferenceTrouble::out_of_data_range) continue;
     EffectiveValue const& value = context.values[problem.slot];
-    add(report, *value.value_place, problem.slot, format_exact(problem.number), problem.number > 0);
+    add(context, report, *value.value_place, *value.row, problem.slot, format_exact(problem.number),
+        problem.number > 0);
   }
 }
 

@@ -20,12 +20,13 @@ bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& 
 }
 
 void judge(AxisContext const& context, Report& report, Place place, schema::Slot slot, double value) {
-  schema::Parameter const& parameter = schema::parameter(schema::parameter_of(slot));
+  schema::Parameter const& parameter = context.values.row(slot);
   if (!out_of_range(parameter, value)) return;
   std::string_view const unit = unit_of(parameter, context.type);
   std::string const range = range_text(parameter, unit, true);
   Finding& finding = report.add(
-      place, slot, message(Text::ax2005, {{"parameter", schema::slot_name(slot)}, {"range", range}}));
+      place, parameter, slot,
+      message(Text::ax2005, {{"parameter", schema::slot_name(parameter, slot)}, {"range", range}}));
   if (!unit.empty()) {
     finding.label = message(Text::parameter_value_in_unit, {{"value", physical(value, unit)}});
   }
@@ -33,6 +34,8 @@ void judge(AxisContext const& context, Report& report, Place place, schema::Slot
     std::string const raw = range_text(parameter, unit, false);
     finding.notes.push_back(message(Text::ax2005_raw, {{"range", raw}}));
   }
+  std::string const file(context.values.catalogue().file_of(parameter));
+  if (!file.empty()) finding.notes.push_back(message(Text::ax2005_file, {{"file", file}}));
 }
 
 bool is_number(schema::Parameter const& parameter) {
@@ -46,7 +49,7 @@ void checks::out_of_range(AxisContext const& context, Report& report) {
     if (list == nullptr) continue;
     for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (!reading.known() || reading.status != ReadingStatus::value) return;
-      schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+      schema::Parameter const& parameter = *reading.name.row;
       if (!is_number(parameter) || is_number_of_default_list(*list, parameter, reading.value.number)) return;
       judge(context, report, {.source = list->source, .span = assignment.value}, reading.name.slot,
             reading.value.number);
@@ -55,7 +58,7 @@ void checks::out_of_range(AxisContext const& context, Report& report) {
   for (schema::Slot const slot : context.values.set_slots()) {
     EffectiveValue const& value = context.values[slot];
     if (!value.referenced || value.unusable) continue;
-    if (!is_number(schema::parameter(schema::parameter_of(slot)))) continue;
+    if (!is_number(context.values.row(slot))) continue;
     judge(context, report, *value.value_place, slot, value.value.number);
   }
 }

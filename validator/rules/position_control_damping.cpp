@@ -25,6 +25,7 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
     Finding& finding = report.add(damping, {Text::ax3031, {{"damping", number(value)}}});
     finding.label = Message{Text::ax3031_label, {}};
     finding.notes.push_back({Text::ax3031_limit, {{"p_axis", parameter_number(damping)}}});
+    react(finding, "70599", {Text::ax3031_reaction, {}});
     if (stage.mode.value_place) {
       finding.related.push_back(
           {*stage.mode.value_place, {Text::ipc_mode_here, {{"mode", symbol_word(stage.mode)}}}});

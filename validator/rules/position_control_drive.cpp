@@ -31,8 +31,8 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
   if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
   Message message{Text::ax3038,
                   {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};
-  Finding& finding =
-      named ? report.add(named->place, type.slot, std::move(message)) : report.add(type, std::move(message));
+  Finding& finding = named ? report.add(named->place, *type.row, type.slot, std::move(message))
+                           : report.add(type, std::move(message));
   finding.notes.push_back({Text::ax3038_limit, {{"p_axis", parameter_number(type)}}});
   relate_enable(finding, view);
 }
@@ -43,6 +43,7 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
   Finding& finding = report.add(mode, {Text::ax3043, {{"mode", mode.value.text}}});
   finding.notes.push_back({Text::ax3043_limit, {{"p_axis", parameter_number(mode)}}});
+  react(finding, "70602", {Text::ax3043_reaction, {}});
   relate_enable(finding, view);
 }
 
@@ -66,6 +67,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
   finding.notes.push_back({sercos ? Text::ax4016_mapping_sercos : Text::ax4016_mapping, {}});
+  react(finding, "70607", {Text::ax4016_reaction, {}});
   if (last != nullptr) relate_enable(finding, view);
 }
 

@@ -1,4 +1,5 @@
 // AX2010 to AX2014: values that name another parameter.
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/units_text.hpp"
@@ -7,10 +8,6 @@
 
 namespace axisc::validator {
 namespace {
-
-schema::Parameter const& row_of(schema::Slot slot) {
-  return schema::parameter(schema::parameter_of(slot));
-}
 
 /// "P-AXIS-00212" as the reference names it, also where no such number exists.
 std::string named(ReferenceProblem const& problem) {
@@ -32,13 +29,22 @@ void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visi
   }
 }
 
-std::string name_of(ReferenceProblem const& problem) {
-  return schema::slot_name(problem.slot);
+std::string name_of(AxisContext const& context, schema::Slot slot) {
+  return parameter_name(context.values[slot]);
+}
+
+/// The value of the default list, or the documented default; none where that is not known either.
+void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value) {
+  std::string earlier = value.value.text;
+  if (earlier.empty() && default_value(*value.row)) earlier = format_exact(value.value.number);
+  bool const is_number = value.value.text.empty() && !earlier.empty();
+  set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
+  if (is_number) add_physical(finding, *value.row, context.type, value.value.number);
 }
 
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
   if (!problem.target) return;
-  std::string const name = schema::slot_name(*problem.target);
+  std::string const name = name_of(context, *problem.target);
   finding.notes.push_back(message(Text::reference_target, {{"p_axis", named(problem)}, {"name", name}}));
   if (auto const& place = context.values[*problem.target].value_place) {
     finding.related.push_back(
@@ -53,10 +59,10 @@ void checks::reference_unresolvable(AxisContext const& context, Report& report) 
                    [&](ReferenceProblem const& problem, EffectiveValue const& value) {
                      Message const text =
                          problem.target
-                             ? message(Text::ax2010_no_value, {{"name", schema::slot_name(*problem.target)},
+                             ? message(Text::ax2010_no_value, {{"name", name_of(context, *problem.target)},
                                                                {"p_axis", named(problem)}})
                              : message(Text::ax2010, {{"p_axis", named(problem)}});
-                     set_reaction(report.add(value, text), Text::reference_lost);
+                     keep_earlier(context, report.add(value, text), value);
                    });
 }
 
@@ -64,12 +70,12 @@ void checks::reference_circular(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
         Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
-        Finding& finding = report.add(value, message(text, {{"parameter", name_of(problem)}}));
-        set_reaction(finding, Text::reference_lost);
+        Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
+        keep_earlier(context, finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place,
-               .message = message(Text::ax2011_member, {{"parameter", schema::slot_name(member)}})});
+               .message = message(Text::ax2011_member, {{"parameter", name_of(context, member)}})});
         }
       });
 }
@@ -78,19 +84,19 @@ void checks::reference_type(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::wrong_type,
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        schema::DataType const type = row_of(problem.slot).type;
-        schema::DataType const other = row_of(*problem.target).type;
-        Message text = message(Text::ax2012, {{"parameter", name_of(problem)},
+        schema::DataType const type = context.values.row(problem.slot).type;
+        schema::DataType const other = context.values.row(*problem.target).type;
+        Message text = message(Text::ax2012, {{"parameter", name_of(context, problem.slot)},
                                               {"type", std::string(schema::data_type_name(type))},
                                               {"p_axis", named(problem)},
                                               {"other", std::string(schema::data_type_name(other))}});
         if (type == other) {
-          text = message(Text::ax2012_symbol, {{"parameter", name_of(problem)},
+          text = message(Text::ax2012_symbol, {{"parameter", name_of(context, problem.slot)},
                                                {"value", context.values[*problem.target].value.text},
                                                {"p_axis", named(problem)}});
         }
         Finding& finding = report.add(value, std::move(text));
-        set_reaction(finding, Text::reference_lost);
+        keep_earlier(context, finding, value);
         add_target(context, finding, problem);
       });
 }
@@ -99,9 +105,11 @@ void checks::reference_index(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::wrong_index,
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        schema::Catalogue const& catalogue = context.values.catalogue();
         std::uint16_t entries = 0;
-        for (schema::ParameterId const id : schema::find_number(static_cast<std::uint16_t>(problem.p_axis))) {
-          entries = std::max(entries, schema::parameter(id).array[0]);
+        for (schema::ParameterId const id :
+             catalogue.find_number(static_cast<std::uint16_t>(problem.p_axis))) {
+          entries = std::max(entries, catalogue.parameter(id).array[0]);
         }
         std::string const index = written_index(context, value);
         Message text = message(Text::ax2013_scalar, {{"p_axis", named(problem)}, {"index", index}});
@@ -110,23 +118,24 @@ void checks::reference_index(AxisContext const& context, Report& report) {
               message(Text::ax2013,
                       {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
         }
-        set_reaction(report.add(value, std::move(text)), Text::reference_lost);
+        keep_earlier(context, report.add(value, std::move(text)), value);
       });
 }
 
 void checks::reference_unit(AxisContext const& context, Report& report) {
-  for_each_problem(context, ReferenceTrouble::other_unit,
-                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-                     Finding& finding = report.add(
-                         value,
-                         message(Text::ax2014,
-                                 {{"parameter", name_of(problem)},
-                                  {"unit", raw_unit_name(unit_of(row_of(problem.slot), context.type))},
-                                  {"p_axis", named(problem)},
-                                  {"other", raw_unit_name(unit_of(row_of(*problem.target), context.type))}}));
-                     set_reaction(finding, Text::ax2014_reaction);
-                     add_target(context, finding, problem);
-                   });
+  for_each_problem(
+      context, ReferenceTrouble::other_unit,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Finding& finding = report.add(
+            value,
+            message(Text::ax2014,
+                    {{"parameter", name_of(context, problem.slot)},
+                     {"unit", raw_unit_name(unit_of(context.values.row(problem.slot), context.type))},
+                     {"p_axis", named(problem)},
+                     {"other", raw_unit_name(unit_of(context.values.row(*problem.target), context.type))}}));
+        set_reaction(finding, Text::ax2014_reaction);
+        add_target(context, finding, problem);
+      });
 }
 
 }  // namespace axisc::validator

@@ -16,7 +16,7 @@ std::size_t characters(std::string const& utf8) {
 void checks::string_too_long(ListContext const& context, Report& report) {
   for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || reading.status != ReadingStatus::value) return;
-    schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+    schema::Parameter const& parameter = *reading.name.row;
     std::size_t const length = characters(reading.value.text);
     if (parameter.max_length == 0 || length <= parameter.max_length) return;
     Finding& finding = add_at(context, report, assignment, reading, reading.text,

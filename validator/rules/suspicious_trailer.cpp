@@ -26,9 +26,9 @@ bool is_upper_case(std::string_view word) {
   return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
-bool looks_like_value(std::string_view word) {
+bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word) {
   return is_complete_number(word) || is_reference(word) ||
-         (is_upper_case(word) && schema::is_symbol_of_any_parameter(word));
+         (is_upper_case(word) && catalogue.is_symbol_of_any_parameter(word));
 }
 
 /// Behind numbers, booleans and references the control reads over everything; behind words AX1009 looks.
@@ -39,7 +39,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
                       reading.status == ReadingStatus::out_of_data_range;
   if (!usable) return false;
   if (reading.row_known()) {
-    schema::Parameter const& parameter = schema::parameter(reading.name.parameter);
+    schema::Parameter const& parameter = *reading.name.row;
     if (parameter.type == schema::DataType::boolean) return true;
     if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   }
@@ -54,7 +54,7 @@ void checks::suspicious_trailer(ListContext const& context, Report& report) {
     if (assignment.trailer_kind != grammar::TrailerKind::text || !ends_at_blank(assignment, reading)) return;
     std::string_view const trailer = context.source.slice(assignment.trailer);
     std::string_view const word = trailer.substr(0, trailer.find_first_of(" \t("));
-    if (!looks_like_value(word)) return;
+    if (!looks_like_value(context.list.catalogue, word)) return;
     Span const span{.begin = assignment.trailer.begin,
                     .end = assignment.trailer.begin + static_cast<std::uint32_t>(word.size())};
     Finding& finding = add_at(context, report, assignment, reading, span,

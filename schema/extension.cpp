@@ -1,0 +1,148 @@
+#include "schema/extension.hpp"
+
+#include "schema/indexed_name.hpp"
+#include "schema/name_matching.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::schema {
+namespace {
+
+std::vector<Symbol> symbols_of(ParameterRow::Words const& words) {
+  std::vector<Symbol> symbols;
+  symbols.reserve(words.size());
+  for (auto const& [word, number] : words) symbols.push_back({.word = word, .number = number});
+  return symbols;
+}
+
+ParameterRow::Words words_of(std::span<Symbol const> symbols) {
+  ParameterRow::Words words;
+  for (Symbol const& symbol : symbols) words.emplace_back(symbol.word, symbol.number);
+  return words;
+}
+
+std::string without_brackets(std::string_view pattern) {
+  std::string bare(pattern);
+  std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
+  return bare;
+}
+
+}  // namespace
+
+std::size_t slots_of(std::array<std::uint16_t, 2> const& array) {
+  return std::max<std::size_t>(array[0], 1) * std::max<std::size_t>(array[1], 1);
+}
+
+ParameterRow ParameterRow::from(Parameter const& parameter) {
+  ParameterRow row;
+  row.name = parameter.name;
+  row.p_axis = parameter.p_axis;
+  row.type = parameter.type;
+  if (parameter.has_default) row.default_text = parameter.default_text;
+  row.array = parameter.array;
+  row.unit_translatory = parameter.unit_translatory;
+  row.unit_rotary = parameter.unit_rotary;
+  row.minimum = parameter.minimum;
+  row.maximum = parameter.maximum;
+  row.symbols = words_of(parameter.symbols);
+  row.number_names = words_of(parameter.number_names);
+  row.max_length = parameter.max_length;
+  row.axis_types = parameter.axis_types;
+  row.since = parameter.since;
+  return row;
+}
+
+Parameter ParameterRow::view() const {
+  return {.name = name,
+          .p_axis = p_axis,
+          .type = type,
+          .default_text = default_text ? std::string_view(*default_text) : std::string_view(),
+          .has_default = default_text.has_value(),
+          .array = array,
+          .unit_translatory = unit_translatory,
+          .unit_rotary = unit_rotary,
+          .minimum = minimum,
+          .maximum = maximum,
+          .symbols = {},
+          .number_names = {},
+          .max_length = max_length,
+          .axis_types = axis_types,
+          .since = since,
+          .first_slot = {},
+          .slots = static_cast<std::uint16_t>(slots_of(array))};
+}
+
+Extension::Extension(std::vector<ParameterRow> rows)
+    : own_(std::move(rows)), rows_(schema::parameters().begin(), schema::parameters().end()) {
+  for (ParameterRow const& row : own_) add(row);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].p_axis != 0) by_number_[rows_[i].p_axis].push_back(static_cast<ParameterId>(i));
+  }
+}
+
+void Extension::add(ParameterRow const& row) {
+  Parameter parameter = row.view();
+  parameter.symbols = symbols_.emplace_back(symbols_of(row.symbols));
+  parameter.number_names = symbols_.emplace_back(symbols_of(row.number_names));
+  auto const known = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](Parameter const& each) { return each.name == parameter.name; });
+  auto const id = static_cast<ParameterId>(known - rows_.begin());
+  if (known != rows_.end() && known->array == parameter.array) {
+    parameter.first_slot = known->first_slot;
+  } else {
+    parameter.first_slot = static_cast<Slot>(slot_count());
+    own_slots_.insert(own_slots_.end(), parameter.slots, id);
+  }
+  if (known != rows_.end()) {
+    *known = parameter;
+  } else {
+    rows_.push_back(parameter);
+  }
+  own_ids_.insert(id);
+  own_by_bare_name_[without_brackets(row.name)].push_back(id);
+  for (auto const& [word, number] : row.symbols) words_.insert(word);
+}
+
+std::size_t Extension::slot_count() const {
+  return schema::slot_count() + own_slots_.size();
+}
+
+NameLookup Extension::find_as_written(std::string_view text) const {
+  auto const name = split_name(text);
+  if (!name) return {};
+  NameMatch own;
+  auto const named = own_by_bare_name_.find(bare_name(*name));
+  if (named != own_by_bare_name_.end()) own = match_name(*name, named->second, rows_);
+  if (own.exact) return own.lookup;
+  NameLookup built_in = schema::find_as_written(text);
+  if (built_in.status == NameLookup::Status::unknown || own_ids_.contains(built_in.parameter)) {
+    return own.lookup;
+  }
+  built_in.row = &rows_[static_cast<std::size_t>(built_in.parameter)];
+  return built_in;
+}
+
+std::span<ParameterId const> Extension::find_number(std::uint16_t p_axis) const {
+  auto const found = by_number_.find(p_axis);
+  return found == by_number_.end() ? std::span<ParameterId const>{} : found->second;
+}
+
+ParameterId Extension::parameter_of(Slot slot) const {
+  auto const index = static_cast<std::size_t>(slot);
+  std::size_t const built_in = schema::slot_count();
+  return index < built_in ? schema::parameter_of(slot) : own_slots_[index - built_in];
+}
+
+Vocabulary const& Extension::vocabulary() const {
+  std::call_once(taken_apart_, [this] { vocabulary_ = std::make_unique<Vocabulary>(take_apart(rows_)); });
+  return *vocabulary_;
+}
+
+std::string_view Extension::file_of(std::string_view name) const {
+  auto const row =
+      std::find_if(own_.begin(), own_.end(), [&](ParameterRow const& each) { return each.name == name; });
+  return row == own_.end() ? std::string_view() : std::string_view(row->file);
+}
+
+}  // namespace axisc::schema

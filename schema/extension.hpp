@@ -1,0 +1,56 @@
+// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the built-in
+// tables find is still found there.
+#pragma once
+
+#include "schema/parameter_row.hpp"
+#include "schema/vocabulary.hpp"
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::schema {
+
+class Extension {
+ public:
+  /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots, unless its
+  /// array sizes differ.
+  explicit Extension(std::vector<ParameterRow> rows);
+  Extension(Extension const&) = delete;
+  Extension& operator=(Extension const&) = delete;
+
+  [[nodiscard]] std::vector<ParameterRow> const& own_rows() const { return own_; }
+  [[nodiscard]] std::span<Parameter const> parameters() const { return rows_; }
+  [[nodiscard]] std::size_t slot_count() const;
+  [[nodiscard]] NameLookup find_as_written(std::string_view name) const;
+  [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
+  [[nodiscard]] ParameterId parameter_of(Slot slot) const;
+  [[nodiscard]] bool knows_word(std::string_view word) const { return words_.contains(word); }
+  [[nodiscard]] Vocabulary const& vocabulary() const;
+  /// The file of a row; empty for one that was built in.
+  [[nodiscard]] std::string_view file_of(std::string_view name) const;
+
+ private:
+  void add(ParameterRow const& row);
+
+  std::vector<ParameterRow> own_;
+  std::deque<std::vector<Symbol>> symbols_;  ///< what the rows' spans show
+  std::vector<Parameter> rows_;
+  std::map<std::string, std::vector<ParameterId>, std::less<>> own_by_bare_name_;
+  std::set<ParameterId> own_ids_;
+  std::map<std::uint16_t, std::vector<ParameterId>> by_number_;
+  std::vector<ParameterId> own_slots_;  ///< of the slots behind those that were built in
+  std::set<std::string, std::less<>> words_;
+  mutable std::once_flag taken_apart_;
+  mutable std::unique_ptr<Vocabulary> vocabulary_;  ///< made when the first name is mistyped
+};
+
+}  // namespace axisc::schema

@@ -1,0 +1,41 @@
+// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or says anew.
+#pragma once
+
+#include "schema/catalogue.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace axisc::schema {
+
+/// The fields mean what they mean in Parameter.
+struct ParameterRow {
+  using Words = std::vector<std::pair<std::string, std::optional<int>>>;
+
+  std::string name;
+  std::uint16_t p_axis = 0;
+  DataType type{};
+  std::optional<std::string> default_text;
+  std::array<std::uint16_t, 2> array{};
+  std::string unit_translatory, unit_rotary;
+  Limit minimum, maximum;
+  Words symbols;  ///< of a boolean with FALSE and TRUE
+  Words number_names;
+  std::uint16_t max_length = 0;
+  std::string axis_types;
+  std::string since;
+  std::string file;  ///< where the row comes from
+
+  /// A copy to be changed.
+  [[nodiscard]] static ParameterRow from(Parameter const& parameter);
+  /// The row as the catalogue holds it, with texts that live as long as this; its symbols and slots are empty.
+  [[nodiscard]] Parameter view() const;
+};
+
+/// Concrete parameters of a row with these array sizes.
+[[nodiscard]] std::size_t slots_of(std::array<std::uint16_t, 2> const& array);
+
+}  // namespace axisc::schema
