@@ -43,3 +43,13 @@ TEST_CASE("CRC-32C goes on where it stopped") {
     REQUIRE(axim_crc32c(bytes.data() + cut, bytes.size() - cut, head) == axim_crc32c(bytes));
   }
 }
+
+TEST_CASE("CRC-32C of long inputs equals the bitwise definition") {
+  std::vector<std::uint8_t> const bytes = pattern(5000);
+  for (std::size_t const size : {1023U, 1024U, 1025U, 1031U, 4096U, 4999U}) {
+    for (std::size_t start = 0; start < 8 && start + size <= bytes.size(); ++start) {
+      REQUIRE(axim_crc32c(bytes.data() + start, size) ==
+              axisc::test::naive_crc32c(bytes.data() + start, size));
+    }
+  }
+}
