@@ -25,10 +25,10 @@ struct Entry {
 
 template <uint32_t Width, bool AllReset>
 AXISRT_INLINE Signal<Width> enter(double* parts, Entry<Width> const& entry) {
-  auto const previous = load<Real<Width>>(parts + GroupParts::input * Width);
+  auto const previous = load_real<Width>(parts + GroupParts::input * Width);
   Bits<Width> const taken = AllReset ? entry.good : entry.good & entry.done;
   Real<Width> const setpoint = select<Width>(taken, entry.setpoint, previous);
-  store(parts + GroupParts::input * Width, setpoint);
+  store<Width>(parts + GroupParts::input * Width, setpoint);
   return {setpoint, Real<Width>{}, setpoint - previous};
 }
 
@@ -87,9 +87,9 @@ template <uint32_t Width>
 AXISRT_INLINE void write_outputs(Real<Width> outputs, uint32_t const* lines, uint32_t used, bool consecutive,
                                  double* out) {
   if constexpr (Width == 1) {
-    out[lines[0]] = outputs;
+    out[lines[0]] = lane_of(outputs, 0);
   } else if (consecutive) {
-    store(out + lines[0], outputs);
+    store<Width>(out + lines[0], outputs);
   } else {
     for (uint32_t lane = 0; lane < used; ++lane) out[lines[lane]] = outputs[lane];
   }
@@ -100,9 +100,10 @@ AXISRT_INLINE void write_statuses(Entry<Width> const& entry, uint32_t const* lin
                                   bool consecutive, uint8_t* status) {
   Bits<Width> const happened = (entry.done & ~entry.good & bad_input) | (~entry.done & not_reset);
   if constexpr (Width == 1) {
-    status[lines[0]] = static_cast<uint8_t>(happened);
+    status[lines[0]] = static_cast<uint8_t>(lane_of(happened, 0));
   } else if (consecutive) {
-    store(status + lines[0], __builtin_convertvector(happened, typename Lanes<Width>::Octets));
+    auto const octets = __builtin_convertvector(happened, typename Lanes<Width>::Octets);
+    __builtin_memcpy(status + lines[0], &octets, sizeof octets);
   } else {
     for (uint32_t lane = 0; lane < used; ++lane) status[lines[lane]] = static_cast<uint8_t>(happened[lane]);
   }
@@ -154,13 +155,13 @@ class Place {
 
   template <bool AllReset>
   [[nodiscard]] AXISRT_INLINE Signal<Width> begin(Call const& call, Happened<Width>& happened) {
-    entry_.setpoint = consecutive_ ? load<Real<Width>>(call.in + lines_[0]) : gather<Width>(call.in, lines_);
+    entry_.setpoint = consecutive_ ? load_real<Width>(call.in + lines_[0]) : gather<Width>(call.in, lines_);
     entry_.good = mask_if_within<Width>(entry_.setpoint, largest_position);
     happened |= ~entry_.good & bad_input;
     if constexpr (AllReset) {
       entry_.done = ~Bits<Width>{};
     } else {
-      entry_.done = load<Bits<Width>>(parts_ + GroupParts::reset_done * Width);
+      entry_.done = load_bits<Width>(parts_ + GroupParts::reset_done * Width);
       happened |= ~entry_.done & not_reset;
     }
     return enter<Width, AllReset>(parts_, entry_);
@@ -169,7 +170,7 @@ class Place {
   template <bool AllReset>
   AXISRT_INLINE void end(Call const& call, Signal<Width> const& signal) const {
     Real<Width> const output = signal.base + signal.sum;
-    store(parts_ + GroupParts::output * Width, output);
+    store<Width>(parts_ + GroupParts::output * Width, output);
     if constexpr (AllReset) {
       write_outputs<Width>(output, lines_, used_, consecutive_, call.out);
     } else {
@@ -249,13 +250,9 @@ AXISRT_INLINE void step_groups(Batch const& batch, Call const& call, Happened<Wi
 /// The worst status as a number.
 template <uint32_t Width>
 AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
-  if constexpr (Width == 1) {
-    return happened;
-  } else {
-    uint64_t worst = 0;
-    for (uint32_t lane = 0; lane < Width; ++lane) worst |= happened[lane];
-    return worst;
-  }
+  uint64_t worst = 0;
+  for (uint32_t lane = 0; lane < Width; ++lane) worst |= lane_of(happened, lane);
+  return worst;
 }
 
 inline ChainKind kind_of(Batch const& batch) {

@@ -30,8 +30,8 @@ inline constexpr uint32_t numbers_of_share = 3;
 
 template <uint32_t Width>
 AXISRT_INLINE Share<Width> load_share(double const* constants) {
-  return {load<Real<Width>>(constants), load<Real<Width>>(constants + Width),
-          load<Real<Width>>(constants + 2 * Width)};
+  return {load_real<Width>(constants), load_real<Width>(constants + Width),
+          load_real<Width>(constants + 2 * Width)};
 }
 
 template <uint32_t Width>
@@ -88,12 +88,12 @@ AXISRT_INLINE Signal<Width> run_delay(Operation const& operation, double const* 
   uint32_t const newest = operation.state->position;
   uint32_t const oldest = newest == operation.delay_cycles ? 0 : newest + 1;
   double* const to = states + 3 * Width * newest;
-  store(to, in.base);
-  store(to + Width, in.sum);
-  store(to + 2 * Width, in.d);
+  store<Width>(to, in.base);
+  store<Width>(to + Width, in.sum);
+  store<Width>(to + 2 * Width, in.d);
   double const* const from = states + 3 * Width * oldest;
-  Signal<Width> const delayed{load<Real<Width>>(from), load<Real<Width>>(from + Width),
-                              load<Real<Width>>(from + 2 * Width)};
+  Signal<Width> const delayed{load_real<Width>(from), load_real<Width>(from + Width),
+                              load_real<Width>(from + 2 * Width)};
   Share<Width> const part = load_share<Width>(constants);
   Real<Width> const distance = (in.base - delayed.base) + in.sum;
   return {delayed.base, part.share * delayed.sum + part.direct * distance,

@@ -41,12 +41,12 @@ void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, d
   double* const parts = batch.states + static_cast<size_t>(group) * batch.state_stride;
   with_width(
       batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
-        Signal<Width> const in{load<Real<Width>>(signal), load<Real<Width>>(signal + Width),
-                               load<Real<Width>>(signal + 2 * Width)};
+        Signal<Width> const in{load_real<Width>(signal), load_real<Width>(signal + Width),
+                               load_real<Width>(signal + 2 * Width)};
         Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
-        store(signal, out.base);
-        store(signal + Width, out.sum);
-        store(signal + 2 * Width, out.d);
+        store<Width>(signal, out.base);
+        store<Width>(signal + Width, out.sum);
+        store<Width>(signal + 2 * Width, out.d);
         advance_operation<Width>(batch, one);
       });
 }

@@ -22,10 +22,22 @@ namespace axisc::runtime::AXISRT_LEVEL {
 template <uint32_t Width>
 struct Lanes;
 
+// One lane stands in a vector too where the processor has them: masks and numbers then stay in the same registers.
+#if defined(__SSE2__)
+#define AXISRT_ONE_LANE_IN_VECTOR 1
+#else
+#define AXISRT_ONE_LANE_IN_VECTOR 0
+#endif
+
 template <>
 struct Lanes<1> {
+#if AXISRT_ONE_LANE_IN_VECTOR
+  using Real = double __attribute__((vector_size(16)));
+  using Bits = uint64_t __attribute__((vector_size(16)));
+#else
   using Real = double;
   using Bits = uint64_t;
+#endif
 };
 template <>
 struct Lanes<2> {
@@ -51,24 +63,62 @@ using Real = typename Lanes<Width>::Real;
 template <uint32_t Width>
 using Bits = typename Lanes<Width>::Bits;
 
-/// From any address that is aligned to a double.
-template <class Value>
-AXISRT_INLINE Value load(void const* from) {
-  Value value;
-  __builtin_memcpy(&value, from, sizeof value);
+/// A single number, without a vector around it.
+template <uint32_t Width>
+inline constexpr bool is_plain = Width == 1 && AXISRT_ONE_LANE_IN_VECTOR == 0;
+
+/// The only lane.
+AXISRT_INLINE Real<1> only_lane(double value) {
+#if AXISRT_ONE_LANE_IN_VECTOR
+  return Real<1>{value, 0};
+#else
   return value;
+#endif
 }
 
-template <class Value>
-AXISRT_INLINE void store(void* to, Value value) {
-  __builtin_memcpy(to, &value, sizeof value);
+template <class Vector>
+AXISRT_INLINE auto lane_of(Vector const& value, uint32_t lane) {
+  if constexpr (sizeof(Vector) == sizeof(double)) {
+    return value;
+  } else {
+    return value[lane];
+  }
+}
+
+/// From any address that is aligned to a double.
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> load_real(void const* from) {
+  if constexpr (Width == 1) {
+    double value = 0;
+    __builtin_memcpy(&value, from, sizeof value);
+    return only_lane(value);
+  } else {
+    Real<Width> value;
+    __builtin_memcpy(&value, from, sizeof value);
+    return value;
+  }
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> load_bits(void const* from) {
+  return __builtin_bit_cast(Bits<Width>, load_real<Width>(from));
+}
+
+template <uint32_t Width>
+AXISRT_INLINE void store(void* to, Real<Width> value) {
+  if constexpr (Width == 1) {
+    double const only = lane_of(value, 0);
+    __builtin_memcpy(to, &only, sizeof only);
+  } else {
+    __builtin_memcpy(to, &value, sizeof value);
+  }
 }
 
 /// The same number in every lane.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> all(double value) {
   if constexpr (Width == 1) {
-    return value;
+    return only_lane(value);
   } else {
     return value - Real<Width>{};
   }
@@ -95,7 +145,7 @@ AXISRT_INLINE uint64_t opaque(uint64_t mask) {
 /// All bits of a lane set where a <= b; clear where one is NaN.
 template <uint32_t Width>
 AXISRT_INLINE Bits<Width> mask_if_at_most(Real<Width> a, Real<Width> b) {
-  if constexpr (Width == 1) {
+  if constexpr (is_plain<Width>) {
     return opaque(0U - static_cast<uint64_t>(a <= b));
   } else {
     return __builtin_bit_cast(Bits<Width>, a <= b);
@@ -137,20 +187,16 @@ AXISRT_INLINE Real<Width> rounded(Real<Width> value) {
 
 template <uint32_t Width>
 AXISRT_INLINE double sum_of_lanes(Real<Width> value) {
-  if constexpr (Width == 1) {
-    return value;
-  } else {
-    double sum = 0;
-    for (uint32_t lane = 0; lane < Width; ++lane) sum += value[lane];
-    return sum;
-  }
+  double sum = lane_of(value, 0);
+  for (uint32_t lane = 1; lane < Width; ++lane) sum += lane_of(value, lane);
+  return sum;
 }
 
 /// Values of lines that need not be neighbours.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> gather(double const* values, uint32_t const* lines) {
   if constexpr (Width == 1) {
-    return values[lines[0]];
+    return only_lane(values[lines[0]]);
   } else if constexpr (Width == 2) {
     return Real<2>{values[lines[0]], values[lines[1]]};
   } else if constexpr (Width == 4) {

@@ -29,12 +29,12 @@ template <uint32_t Width>
 AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* history, Real<Width> d) {
   Kernel const& kernel = *slot.common;
   uint32_t const length = kernel.tail_count;
-  auto c = load<Real<Width>>(sums);
-  auto p = load<Real<Width>>(sums + Width);
-  auto g = load<Real<Width>>(sums + 2 * Width);
-  auto q = load<Real<Width>>(sums + 3 * Width);
+  auto c = load_real<Width>(sums);
+  auto p = load_real<Width>(sums + Width);
+  auto g = load_real<Width>(sums + 2 * Width);
+  auto q = load_real<Width>(sums + 3 * Width);
   g -= q;
-  q -= load<Real<Width>>(increment_of_age<Width>(slot, history, length));
+  q -= load_real<Width>(increment_of_age<Width>(slot, history, length));
   c = (c - p) + static_cast<double>(length) * d;
   p += d;
   Real<Width> const removed = kernel.ramp * (c + g);
@@ -46,10 +46,10 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
     c = Real<Width>{};
     p = Real<Width>{};
   }
-  store(sums, c);
-  store(sums + Width, p);
-  store(sums + 2 * Width, g);
-  store(sums + 3 * Width, q);
+  store<Width>(sums, c);
+  store<Width>(sums + Width, p);
+  store<Width>(sums + 2 * Width, g);
+  store<Width>(sums + 3 * Width, q);
   return removed;
 }
 
@@ -60,14 +60,14 @@ AXISRT_INLINE void begin_ramp(SlotGroup& slot, double* sums, double const* histo
   Real<Width> g{};
   Real<Width> q{};
   for (uint32_t j = 0; j < length; ++j) {
-    auto const d = load<Real<Width>>(increment_of_age<Width>(slot, history, j));
+    auto const d = load_real<Width>(increment_of_age<Width>(slot, history, j));
     g += static_cast<double>(length - j) * d;
     q += d;
   }
-  store(sums, Real<Width>{});
-  store(sums + Width, Real<Width>{});
-  store(sums + 2 * Width, g);
-  store(sums + 3 * Width, q);
+  store<Width>(sums, Real<Width>{});
+  store<Width>(sums + Width, Real<Width>{});
+  store<Width>(sums + 2 * Width, g);
+  store<Width>(sums + 3 * Width, q);
   slot.ramp_phase = 0;
 }
 

@@ -49,15 +49,15 @@ inline constexpr uint32_t states_of_section = 2;
 /// One cycle of a section: its e and de.
 template <uint32_t Width>
 AXISRT_INLINE CascadeSignal<Width> run_section(double const* coefficients, double* states, Real<Width> d) {
-  auto const p = load<Real<Width>>(coefficients);
-  auto const g = load<Real<Width>>(coefficients + Width);
-  auto const k = load<Real<Width>>(coefficients + 2 * Width);
-  auto const b = load<Real<Width>>(coefficients + 3 * Width);
-  auto const r = load<Real<Width>>(states + Width);
+  auto const p = load_real<Width>(coefficients);
+  auto const g = load_real<Width>(coefficients + Width);
+  auto const k = load_real<Width>(coefficients + 2 * Width);
+  auto const b = load_real<Width>(coefficients + 3 * Width);
+  auto const r = load_real<Width>(states + Width);
   Real<Width> const de = p * d + r;
-  Real<Width> const e = load<Real<Width>>(states) + de;
-  store(states, e);
-  store(states + Width, r + (g * d - k * e - b * de));
+  Real<Width> const e = load_real<Width>(states) + de;
+  store<Width>(states, e);
+  store<Width>(states + Width, r + (g * d - k * e - b * de));
   return {e, de};
 }
 
@@ -88,13 +88,13 @@ AXISRT_INLINE CascadeSignal<Width> run_blocking(double const* coefficients, doub
 
 template <uint32_t Width>
 AXISRT_INLINE void bound_section(double* states) {
-  auto const e = load<Real<Width>>(states);
-  auto const r = load<Real<Width>>(states + Width);
+  auto const e = load_real<Width>(states);
+  auto const r = load_real<Width>(states + Width);
   Real<Width> const size = magnitude<Width>(e) + magnitude<Width>(r);
   Bits<Width> const is_good = mask_if_at_most<Width>(all<Width>(smallest_state), size) &
                               mask_if_at_most<Width>(size, all<Width>(largest_state));
-  store(states, keep<Width>(is_good, e));
-  store(states + Width, keep<Width>(is_good, r));
+  store<Width>(states, keep<Width>(is_good, e));
+  store<Width>(states + Width, keep<Width>(is_good, r));
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL

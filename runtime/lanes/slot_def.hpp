@@ -58,8 +58,8 @@ AXISRT_INLINE Real<Width> apply_all_kernels(SlotGroup& slot, double const* histo
   uint64_t fades[Width];
   advance_fades<Width>(slot, weights, fades);
   Real<Width> const before = apply_directly<Width>(slot.from, slot, history);
-  Real<Width> const blend = before + load<Real<Width>>(weights) * (removed - before);
-  return select<Width>(load<Bits<Width>>(fades), blend, removed);
+  Real<Width> const blend = before + load_real<Width>(weights) * (removed - before);
+  return select<Width>(load_bits<Width>(fades), blend, removed);
 }
 
 template <uint32_t Width>
@@ -112,7 +112,7 @@ AXISRT_INLINE void begin_block(SlotGroup& slot, double* parts) {
   }
   slot.next_ahead ^= 1U;
   double* const next = ahead_of<Width>(slot, parts, 1);
-  for (uint32_t i = 0; i < block_cycles; ++i) store(next + i * Width, Real<Width>{});
+  for (uint32_t i = 0; i < block_cycles; ++i) store<Width>(next + i * Width, Real<Width>{});
 }
 
 template <uint32_t Width>
@@ -136,10 +136,10 @@ AXISRT_INLINE void advance(SlotGroup& slot, double* parts) {
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
   uint32_t const place = slot.block * block_cycles + slot.phase;
-  store(parts + (SlotParts::history + place) * Width, in.d);
+  store<Width>(parts + (SlotParts::history + place) * Width, in.d);
   Real<Width> const removed = removed_by_kernels<Width>(slot, parts, in.d);
-  auto const removed_before = load<Real<Width>>(parts + SlotParts::removed * Width);
-  store(parts + SlotParts::removed * Width, removed);
+  auto const removed_before = load_real<Width>(parts + SlotParts::removed * Width);
+  store<Width>(parts + SlotParts::removed * Width, removed);
   advance<Width>(slot, parts);
   return {in.base, in.sum - removed, in.d - (removed - removed_before)};
 }

@@ -29,7 +29,7 @@ AXISRT_INLINE Real<Width> tail(double const* zero, uint32_t age, uint32_t place)
   if constexpr (Common) {
     return all<Width>(*(zero - age + place));
   } else {
-    return load<Real<Width>>(zero - static_cast<size_t>(age) * Width + static_cast<size_t>(place) * Width);
+    return load_real<Width>(zero - static_cast<size_t>(age) * Width + static_cast<size_t>(place) * Width);
   }
 }
 
@@ -45,7 +45,7 @@ AXISRT_INLINE void add_block(double const* zero, uint32_t age, double const* inc
                              FourSums<Width>& sums) {
   unrolled<block_cycles>([&]<uint32_t Place>() __attribute__((always_inline)) {
     sums.part[Place % 4] +=
-        tail<Width, Common>(zero, age, Place) * load<Real<Width>>(increments + Place * Width);
+        tail<Width, Common>(zero, age, Place) * load_real<Width>(increments + Place * Width);
   });
 }
 
@@ -61,7 +61,7 @@ AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup
     double const* const tails = zero - (slot.phase + block_cycles * c);
     unrolled<vectors>([&]<uint32_t Vector>() __attribute__((always_inline)) {
       sums.part[Vector % 4] +=
-          load<Real<lanes>>(tails + Vector * lanes) * load<Real<lanes>>(increments + Vector * lanes);
+          load_real<lanes>(tails + Vector * lanes) * load_real<lanes>(increments + Vector * lanes);
     });
   }
   return sum_of_lanes<lanes>(sums.total());
@@ -71,7 +71,7 @@ AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> apply_directly(double const* zero, SlotGroup const& slot, double const* history) {
   if constexpr (Width == 1) {
-    return apply_to_one(zero, slot.block_count, slot, history);
+    return only_lane(apply_to_one(zero, slot.block_count, slot, history));
   } else {
     FourSums<Width> sums;
     for (uint32_t c = 0; c < slot.block_count; ++c) {
@@ -99,7 +99,7 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
                                 double* ahead) {
   Real<Width> sums[block_cycles];
   unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
-    sums[Output] = load<Real<Width>>(ahead + Output * Width);
+    sums[Output] = load_real<Width>(ahead + Output * Width);
   });
   uint32_t const first = blocks_applied_directly + slot.phase * reach.blocks_a_cycle;
   uint32_t const end =
@@ -109,14 +109,15 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
     double const* const increments = increments_of<Width>(history, block_before(slot, c - 1));
     double const* const tails = zero - static_cast<size_t>(block_cycles) * c * (Common ? 1 : Width);
     unrolled<block_cycles>([&]<uint32_t Place>() __attribute__((always_inline)) {
-      auto const increment = load<Real<Width>>(increments + Place * Width);
+      auto const increment = load_real<Width>(increments + Place * Width);
       unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
         sums[Output] += tail<Width, Common>(tails, Output, Place) * increment;
       });
     });
   }
-  unrolled<block_cycles>([&]<uint32_t Output>()
-                             __attribute__((always_inline)) { store(ahead + Output * Width, sums[Output]); });
+  unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
+    store<Width>(ahead + Output * Width, sums[Output]);
+  });
 }
 
 /// E of the present cycle: the two latest blocks, and what was applied ahead.
@@ -124,7 +125,7 @@ template <uint32_t Width, bool Common>
 AXISRT_INLINE Real<Width> apply_latest(double const* zero, SlotGroup const& slot, double const* history,
                                        double const* ahead) {
   FourSums<Width> sums;
-  sums.part[0] = load<Real<Width>>(ahead + slot.phase * Width);
+  sums.part[0] = load_real<Width>(ahead + slot.phase * Width);
   unrolled<blocks_applied_directly>([&]<uint32_t Block>() __attribute__((always_inline)) {
     add_block<Width, Common>(zero, slot.phase + block_cycles * Block,
                              increments_of<Width>(history, block_before(slot, Block)), sums);
