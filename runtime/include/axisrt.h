@@ -47,7 +47,8 @@ typedef enum axisrt_status {
   AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
   AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
-  AXISRT_NO_LEVEL = 24,     /* this processor, or this build, does not have the instruction set that was asked for */
+  AXISRT_NO_LEVEL =
+      24, /* this processor, or this build, does not have the instruction set that was asked for */
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */

@@ -152,3 +152,14 @@ TEST_CASE("functions without a runtime answer harmlessly") {
   CHECK(axisrt_get_axis_state(prepared.runtime, 0, nullptr) == AXISRT_BAD_ARGUMENT);
   CHECK(axisrt_get_axis_state(prepared.runtime, 2, &state) == AXISRT_BAD_ARGUMENT);
 }
+
+TEST_CASE("the automatic level is the best one of this processor") {
+  TestRuntime automatic(write_image(complete_image()));
+  REQUIRE(automatic.status == AXISRT_OK);
+  std::uint32_t const level = axisrt_level_of(automatic.runtime);
+  CHECK(level != AXISRT_LEVEL_AUTOMATIC);
+  // Emulators say which processor they are.
+  if (char const* const expected = std::getenv("AXISRT_TEST_EXPECTED_LEVEL")) {
+    CHECK(level == std::strtoul(expected, nullptr, 10));
+  }
+}

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 using namespace axisc::test;
 
@@ -63,15 +64,39 @@ TEST_CASE("the counter counts") {
   CHECK(after == before + 2);
 }
 
-TEST_CASE("no function of the runtime allocates") {
+namespace {
+
+/// The levels that this processor and this build have.
+std::vector<std::uint32_t> levels(Bytes const& image) {
+  AlignedMemory const bytes(image);
+  axisrt_config config{};
+  config.size = sizeof config;
+  config.image = bytes.data();
+  config.image_size = bytes.size();
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t level = AXISRT_LEVEL_AUTOMATIC; level <= AXISRT_LEVEL_NEON; ++level) {
+    config.level = level;
+    std::size_t size = 0;
+    if (axisrt_memory_size(&config, &size, &size) == AXISRT_OK) found.push_back(level);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("no function of the runtime allocates, at any level") {
   AlignedMemory const image(write_image(complete_image()));
   AlignedMemory memory(1 << 16);
+  auto const level = GENERATE_COPY(from_range(levels(write_image(complete_image()))));
+  INFO("level " << level);
   axisrt_config const config{.size = sizeof(axisrt_config),
                              .cycle_time_ns = 1'000'000,
                              .image = image.data(),
                              .image_size = image.size(),
                              .memory = memory.data(),
-                             .memory_size = memory.size()};
+                             .memory_size = memory.size(),
+                             .level = level,
+                             .reserved = 0};
   axisrt* runtime = nullptr;
   axisrt_axis_state state{};
   double in[2] = {};
@@ -98,15 +123,19 @@ TEST_CASE("no function of the runtime allocates") {
   CHECK(state.reset_done == 1);
 }
 
-TEST_CASE("commands, fades and position control do not allocate") {
+TEST_CASE("commands, fades and position control do not allocate, at any level") {
   AlignedMemory const image(write_image(channel_image()));
   AlignedMemory memory(1 << 16);
+  auto const level = GENERATE_COPY(from_range(levels(write_image(channel_image()))));
+  INFO("level " << level);
   axisrt_config const config{.size = sizeof(axisrt_config),
                              .cycle_time_ns = 1'000'000,
                              .image = image.data(),
                              .image_size = image.size(),
                              .memory = memory.data(),
-                             .memory_size = memory.size()};
+                             .memory_size = memory.size(),
+                             .level = level,
+                             .reserved = 0};
   axisrt* runtime = nullptr;
   double in[3] = {};
   double out[3] = {};
