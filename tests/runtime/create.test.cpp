@@ -18,7 +18,9 @@ struct Prepared {
               .memory = memory.data(),
               .memory_size = memory.size(),
               .level = test_level(),
-              .reserved = 0};
+              .reserved = 0,
+              .verify_signature = nullptr,
+              .verify_context = nullptr};
   }
   axisrt_status create() { return axisrt_create(&config, &runtime); }
 
