@@ -14,6 +14,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   packages+=(
     clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
+    gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
 if [ "${1:-}" = long ]; then

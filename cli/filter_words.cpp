@@ -41,10 +41,10 @@ std::vector<codegen::ImageValue> settings_of(codegen::ImageAxis const& axis,
   return settings;
 }
 
-std::string hexadecimal(std::array<std::uint8_t, 32> const& digest) {
+std::string hexadecimal(std::span<std::uint8_t const> bytes) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (auto const byte : digest) {
+  for (auto const byte : bytes) {
     text += digits[byte >> 4U];
     text += digits[byte & 0xFU];
   }

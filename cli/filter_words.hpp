@@ -4,6 +4,7 @@
 #include "codegen/image_contents.hpp"
 #include "design/filter_specification.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,6 @@ namespace axisc::cli {
                                                            bool interface);
 
 /// "0123abcd…".
-[[nodiscard]] std::string hexadecimal(std::array<std::uint8_t, 32> const& digest);
+[[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);
 
 }  // namespace axisc::cli

@@ -4,6 +4,7 @@
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/image_file.hpp"
+#include "cli/key_file.hpp"
 
 namespace axisc::cli {
 
@@ -12,11 +13,30 @@ namespace {
 enum class Form : std::uint8_t { text, json };
 enum class Target : std::uint8_t { none, host };
 
+/// Failure where the signature is not right by this key.
+void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
+  auto const key = load_public_key(key_path);
+  auto const status = codegen::check_signature(file.bytes.bytes(), key);
+  if (status == AXISRT_OK) return;
+  auto const wanted = codegen::key_id(key);
+  auto const signer = codegen::signer(file.bytes.bytes());
+  bool const other_key = signer && *signer != wanted;
+  throw Failure({.text = !signer     ? Text::ax9004_unsigned
+                         : other_key ? Text::ax9004_other_key
+                                     : Text::ax9004_signature,
+                 .arguments = {{"file", path},
+                               {"status", axisrt_status_name(status)},
+                               {"key", key_name(wanted)},
+                               {"signer", signer ? key_name(*signer) : ""}}},
+                not_an_image);
+}
+
 }  // namespace
 
 ExitStatus inspect(Invocation const& invocation) {
   std::optional<std::string> path;
   std::optional<std::string> axis;
+  std::optional<std::string> key;
   Form form = Form::text;
   Target target = Target::none;
   bool as_list = false;
@@ -27,6 +47,7 @@ ExitStatus inspect(Invocation const& invocation) {
                       Text::cli_opt_inspect_format);
   command_line.value("--axis", "NAME", axis, Text::cli_opt_inspect_axis);
   command_line.flag("--as-list", as_list, Text::cli_opt_as_list);
+  command_line.value("--key", "KEY.pub", key, Text::cli_opt_public_key);
   command_line.choice("--memory", {{"host", Target::host}}, target, Text::cli_opt_memory);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
@@ -37,9 +58,12 @@ ExitStatus inspect(Invocation const& invocation) {
                    .arguments = {{"argument", "IMAGE.axim"}, {"command", "inspect"}}});
   }
   auto const file = load_image(*path);
+  if (key) require_signature(*path, file, *key);
   Shown shown{.file = *path,
               .image = file.contents,
               .axes = chosen_axes(file.contents, axis),
+              .signer = codegen::signer(file.bytes.bytes()),
+              .signature_checked = key.has_value(),
               .memory = std::nullopt};
   if (target == Target::host) shown.memory = start_runtime(*path, file).memory_size();
   if (as_list) {

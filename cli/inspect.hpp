@@ -2,6 +2,7 @@
 #pragma once
 
 #include "codegen/image_contents.hpp"
+#include "codegen/signature.hpp"
 #include "diagnostics/text.hpp"
 
 #include <cstdint>
@@ -14,7 +15,9 @@ namespace axisc::cli {
 struct Shown {
   std::string const& file;
   codegen::ImageContents const& image;
-  std::vector<std::size_t> axes;      ///< which of them
+  std::vector<std::size_t> axes;                        ///< which of them
+  std::optional<codegen::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
+  bool signature_checked = false;                       ///< and the signature was found right
   std::optional<std::size_t> memory;  ///< bytes that the runtime needs on this computer, where asked for
 };
 

@@ -2,6 +2,7 @@
 #include "cli/image_file.hpp"
 #include "cli/inspect.hpp"
 #include "cli/inspect_parts_json.hpp"
+#include "cli/key_file.hpp"
 #include "design/filter_design.hpp"
 
 #include <cmath>
@@ -136,6 +137,11 @@ std::string inspect_json(Shown const& shown) {
                     {"image_version", image.image_version},
                     {"cycle_time_us", image.cycle_time.microseconds()},
                     {"source_digest", hexadecimal(image.source_digest)}};
+  json["signature"] = nullptr;
+  if (shown.signer) {
+    json["signature"] = {
+        {"algorithm", "Ed25519"}, {"key", key_name(*shown.signer)}, {"checked", shown.signature_checked}};
+  }
   if (shown.memory) {
     json["memory"] = {{"target", "host"}, {"bytes", *shown.memory}, {"alignment", AXISRT_ALIGNMENT}};
   }

@@ -2,6 +2,7 @@
 #include "cli/image_file.hpp"
 #include "cli/inspect.hpp"
 #include "cli/inspect_writer.hpp"
+#include "cli/key_file.hpp"
 #include "cli/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 
@@ -22,6 +23,7 @@ class TextForm : public InspectWriter {
     text += row(Text::inspect_cycle_time, format_exact(image_.cycle_time.microseconds()) + " µs");
     text += row(Text::inspect_compiler, "axisc " + image_.compiler_version);
     text += row(Text::inspect_image_version, std::to_string(image_.image_version));
+    text += row(Text::inspect_signature, signature(shown));
     if (shown.memory) {
       text += row(Text::inspect_memory,
                   say(Text::inspect_memory_value, {{"bytes", std::to_string(*shown.memory)},
@@ -54,6 +56,11 @@ class TextForm : public InspectWriter {
   }
 
  private:
+  std::string signature(Shown const& shown) const {
+    if (!shown.signer) return say(Text::inspect_unsigned);
+    return say(shown.signature_checked ? Text::inspect_signed_right : Text::inspect_signed,
+               {{"key", key_name(*shown.signer)}});
+  }
   std::string version() const {
     return std::to_string(image_.format_major) + "." + std::to_string(image_.format_minor);
   }

@@ -1,13 +1,19 @@
-# The runtime is what other projects link: find_package(axisrt) gives axisrt::axisrt.
+# The runtime is what other projects link: find_package(axisrt) gives axisrt::axisrt, pkg-config knows axisrt.
+# `cmake --install build/release --component axisrt` installs it alone.
 include(CMakePackageConfigHelpers)
-install(TARGETS axisrt EXPORT axisrtTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES "${PROJECT_SOURCE_DIR}/runtime/include/axisrt.h" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT axisrtTargets NAMESPACE axisrt:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/axisrt)
+set(package "${CMAKE_INSTALL_LIBDIR}/cmake/axisrt")
+install(TARGETS axisrt EXPORT axisrtTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT axisrt)
+install(FILES "${PROJECT_SOURCE_DIR}/runtime/include/axisrt.h" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT axisrt)
+install(EXPORT axisrtTargets NAMESPACE axisrt:: DESTINATION ${package} COMPONENT axisrt)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/axisrtConfig.cmake.in"
-  "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfig.cmake" INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/axisrt)
+  "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfig.cmake" INSTALL_DESTINATION ${package})
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/axisrtConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfigVersion.cmake"
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/axisrt)
+  DESTINATION ${package} COMPONENT axisrt)
+# The prefix is computed from where the file lies: an install tree may be chosen, or moved, after configuring.
+file(RELATIVE_PATH prefix_from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/axisrt.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/axisrt.pc" @ONLY)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/axisrt.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT axisrt)
 if(AXISC_BUILD_TOOL)
   install(TARGETS axisc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -27,9 +27,11 @@ namespace format_types {
 template <std::size_t Size>
 using u8x = std::array<std::uint8_t, Size>;
 using u8x4 = u8x<4>;
+using u8x8 = u8x<8>;
 using u8x16 = u8x<16>;
 using u8x32 = u8x<32>;
 using u8x48 = u8x<48>;
+using u8x64 = u8x<64>;
 using u16 = std::uint16_t;
 using u32 = std::uint32_t;
 using u64 = std::uint64_t;

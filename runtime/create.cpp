@@ -1,12 +1,18 @@
 #include "axisrt.h"
 #include "runtime/building.hpp"
 #include "runtime/self_test.hpp"
+#include "runtime/signature.hpp"
 
 namespace axisc::runtime {
 namespace {
 
 bool is_known(axisrt_config const* config) {
   return config != nullptr && config->size == sizeof(axisrt_config);
+}
+
+axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
+  axisrt_status const status = check_signature(config);
+  return status == AXISRT_OK ? verify_image(config.image, config.image_size, view) : status;
 }
 
 /// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or 1e-4 degree.
@@ -71,7 +77,7 @@ axisrt_status check_memory(axisrt_config const& config, Layout const& layout) {
 
 axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
   ImageView view;
-  axisrt_status status = verify_image(config.image, config.image_size, view);
+  axisrt_status status = open_configured(config, view);
   if (status != AXISRT_OK) return status;
   if (view.header()[field::header::cycle_time_ns] != config.cycle_time_ns) return AXISRT_OTHER_CYCLE_TIME;
   Instructions const* const instructions = find_instructions(config.level);
@@ -92,7 +98,7 @@ axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, siz
   using namespace axisc::runtime;
   if (!is_known(config) || bytes == nullptr || alignment == nullptr) return AXISRT_BAD_ARGUMENT;
   ImageView view;
-  axisrt_status const status = verify_image(config->image, config->image_size, view);
+  axisrt_status const status = open_configured(*config, view);
   if (status != AXISRT_OK) return status;
   Instructions const* const instructions = find_instructions(config->level);
   if (instructions == nullptr) return AXISRT_NO_LEVEL;

@@ -9,6 +9,8 @@ using SectionEntry = Record<record::section>;
 
 constexpr uint32_t magic = 0x4D495841U;  // "AXIM", little-endian
 constexpr size_t magic_size = 4;
+constexpr uint32_t trailer_magic = 0x47535841U;  // "AXSG"
+constexpr uint32_t trailer_version = 1;
 constexpr uint64_t section_entry_size = record::section::bytes;
 
 bool is_aligned(uint64_t offset) {
@@ -20,6 +22,16 @@ uint64_t directory_end(Record<record::header> header) {
   return header[field::header::header_size] + header[field::header::section_count] * section_entry_size;
 }
 
+/// `size` bytes behind the image.
+axisrt_status check_trailer(uint8_t const* bytes, size_t size) {
+  if (size == 0) return AXISRT_OK;
+  if (size < record::trailer::bytes || load_u32(bytes) != trailer_magic) return AXISRT_WRONG_SIZE;
+  if (Record<record::trailer>(bytes)[field::trailer::version] != trailer_version) return AXISRT_WRONG_VERSION;
+  return size == record::trailer::bytes ? AXISRT_OK : AXISRT_WRONG_SIZE;
+}
+
+}  // namespace
+
 axisrt_status check_header(uint8_t const* image, size_t size) {
   if (size < magic_size) return AXISRT_TOO_SHORT;
   if (load_u32(image) != magic) return AXISRT_WRONG_MAGIC;
@@ -29,18 +41,21 @@ axisrt_status check_header(uint8_t const* image, size_t size) {
   if (header[field::header::format_major] != axim_major) return AXISRT_WRONG_VERSION;
   uint64_t const total_size = header[field::header::total_size];
   if (total_size > size) return AXISRT_TOO_SHORT;
-  if (total_size < size) return AXISRT_WRONG_SIZE;
   bool const is_newer = header[field::header::format_minor] > axim_minor;
   uint32_t const header_size = header[field::header::header_size];
   if (header_size < record::header::bytes) return AXISRT_OUT_OF_BOUNDS;
   if (header_size > record::header::bytes && !is_newer) return AXISRT_OUT_OF_BOUNDS;
   if (directory_end(header) > total_size) return AXISRT_OUT_OF_BOUNDS;
-  return AXISRT_OK;
+  auto const image_size = static_cast<size_t>(total_size);  // no more than `size`
+  return check_trailer(image + image_size, size - image_size);
 }
 
-axisrt_status check_checksums(uint8_t const* image, size_t size) {
+namespace {
+
+axisrt_status check_checksums(uint8_t const* image) {
   Record<record::header> const header(image);
   auto const directory = static_cast<size_t>(directory_end(header));
+  auto const size = static_cast<size_t>(header[field::header::total_size]);
   constexpr uint8_t zero[4] = {};
   constexpr size_t behind_checksum = axim_header_header_checksum_offset + sizeof zero;
   uint32_t crc = axim_crc32c(image, axim_header_header_checksum_offset);
@@ -133,7 +148,7 @@ axisrt_status open_image(void const* image, size_t size, ImageView& view) {
   if (!is_aligned(reinterpret_cast<uintptr_t>(image))) return AXISRT_MISALIGNED;
   auto const* bytes = static_cast<uint8_t const*>(image);
   axisrt_status status = check_header(bytes, size);
-  if (status == AXISRT_OK) status = check_checksums(bytes, size);
+  if (status == AXISRT_OK) status = check_checksums(bytes);
   if (status != AXISRT_OK) return status;
   view = ImageView{};
   view.image = bytes;

@@ -19,9 +19,11 @@ struct Octets {
 
 namespace field_types {
 using u8x4 = Octets<4>;
+using u8x8 = Octets<8>;
 using u8x16 = Octets<16>;
 using u8x32 = Octets<32>;
 using u8x48 = Octets<48>;
+using u8x64 = Octets<64>;
 using u16 = uint16_t;
 using u32 = uint32_t;
 using u64 = uint64_t;
@@ -124,6 +126,9 @@ struct ImageView {
     return Record<record::header>(image);
   }
 };
+
+/// Checks the header's magic, version and sizes, and what stands behind the image: nothing, or a trailer.
+[[nodiscard]] axisrt_status check_header(uint8_t const* image, size_t size);
 
 /// Checks the container: magic, version, sizes, checksums and the section table.
 [[nodiscard]] axisrt_status open_image(void const* image, size_t size, ImageView& view);

@@ -11,7 +11,7 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_WRONG_VERSION:
       return "The image has another major version of the format.";
     case AXISRT_WRONG_SIZE:
-      return "The image is longer than its header says.";
+      return "Bytes stand behind the image that are no whole signature.";
     case AXISRT_WRONG_CHECKSUM:
       return "The image was changed or damaged after it was written.";
     case AXISRT_OUT_OF_BOUNDS:
@@ -38,6 +38,10 @@ const char* axisrt_status_text(axisrt_status status) {
       return "The memory is smaller than axisrt_memory_size demands.";
     case AXISRT_NO_LEVEL:
       return "This processor or this build does not have the instruction set that was asked for.";
+    case AXISRT_UNSIGNED:
+      return "The image is not signed, and this controller demands a signature.";
+    case AXISRT_WRONG_SIGNATURE:
+      return "The image was changed after it was signed, or signed with another key.";
     case AXISRT_BAD_ARGUMENT:
       return "An argument is null, out of range or of unknown size.";
     case AXISRT_OTHER_AXES:
@@ -104,6 +108,10 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_OTHER_AXES";
     case AXISRT_OLDER_IMAGE:
       return "AXISRT_OLDER_IMAGE";
+    case AXISRT_UNSIGNED:
+      return "AXISRT_UNSIGNED";
+    case AXISRT_WRONG_SIGNATURE:
+      return "AXISRT_WRONG_SIGNATURE";
     case AXISRT_BAD_INPUT:
       return "AXISRT_BAD_INPUT";
     case AXISRT_NOT_RESET:

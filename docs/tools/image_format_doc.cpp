@@ -87,6 +87,10 @@ Bytes between the end of a section (or of the section table) and the next multip
 too: the total size is a multiple of 64. The header's checksum covers header and section table, with its own field as
 zero; the payload's checksum covers every byte behind the section table, those zeros included, so it is computed first.
 
+A signed image (`axisc sign`) has a trailer of 80 bytes behind its last byte, at total_size. It is no part of the image:
+the header does not know it, and cutting it off gives the unsigned image again. A reader without a key ignores it; it
+refuses any other bytes there.
+
 Mandatory sections are in every image, empty ones too. Critical sections are there where they have records. Optional
 sections are all there, empty ones too, or none of them: a stripped image (`compile --strip`) has none, and fields that
 point into them are 0.
@@ -228,11 +232,12 @@ the axis' `peak_gain` is the product of the chain's and the kernel's, its `delay
 
 ## What a loader refuses
 
-Each with a status of its own: fewer bytes than a header, another magic, another major version, a size that
-is not the given one, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
+Each with a status of its own: fewer bytes than a header, another magic, another major version, bytes behind
+the image that are no whole trailer, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
 section that is not optional, counts and indices outside their section, numbers that are not finite, sections that may be unstable, delays beyond
 100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s. Slot and member of an axis name
-each other, choices fit into their slot's history, a gantry slave's source has stages of its own. `runtime/include/axisrt.h` names them.
+each other, choices fit into their slot's history, a gantry slave's source has stages of its own. Where a key is set, also an
+image without a trailer and one whose signature is wrong. `runtime/include/axisrt.h` names them.
 )";
 
 std::string table_row(std::initializer_list<std::string_view> cells) {

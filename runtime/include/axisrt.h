@@ -31,7 +31,7 @@ typedef enum axisrt_status {
   AXISRT_TOO_SHORT = 1,        /* fewer bytes than a header, or than the header's total size */
   AXISRT_WRONG_MAGIC = 2,      /* does not begin with "AXIM" */
   AXISRT_WRONG_VERSION = 3,    /* another major version of the format */
-  AXISRT_WRONG_SIZE = 4,       /* total size and given size disagree */
+  AXISRT_WRONG_SIZE = 4,       /* bytes behind the total size that are no whole signature */
   AXISRT_WRONG_CHECKSUM = 5,   /* header or payload was changed */
   AXISRT_OUT_OF_BOUNDS = 6,    /* an offset, count, index or value out of range; a section missing or twice */
   AXISRT_OVERLAP = 7,          /* sections overlap or are not aligned to 64 bytes */
@@ -47,7 +47,10 @@ typedef enum axisrt_status {
   AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
   AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
-  AXISRT_NO_LEVEL = 24,     /* this processor, or this build, does not have the instruction set that was asked for */
+  AXISRT_NO_LEVEL =
+      24, /* this processor, or this build, does not have the instruction set that was asked for */
+  AXISRT_UNSIGNED = 25,        /* a signature is demanded, and the image has none */
+  AXISRT_WRONG_SIGNATURE = 26, /* the image was changed after it was signed, or signed with another key */
 
   /* axisrt_prepare. */
   AXISRT_OTHER_AXES = 27,  /* the image is of another machine: number, names, numbers or types of axes differ */
@@ -71,13 +74,14 @@ const char* axisrt_status_text(axisrt_status status);
 const char* axisrt_status_name(axisrt_status status);
 
 /* Version of this interface; changes when a program must be rebuilt. */
-#define AXISRT_ABI_VERSION 3u
+#define AXISRT_ABI_VERSION 4u
 uint32_t axisrt_abi_version(void);
 
 #define AXISRT_ALIGNMENT 64u
 
 /* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64 bytes.
- * What it accepts can be created and stepped without any fault, whoever wrote it.
+ * What it accepts can be created and stepped without any fault, whoever wrote it. A signature behind the image is
+ * accepted and not checked: only a configuration names the key.
  * Returns AXISRT_OK, one of the image's statuses, or AXISRT_BAD_ARGUMENT for a null pointer.
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
@@ -95,24 +99,35 @@ typedef enum axisrt_level {
 
 typedef struct axisrt axisrt;
 
+/* Checks the signature of an image with a key that the controller holds: 0 if it is right (what
+ * crypto_sign_verify_detached of libsodium returns), anything else if not. `key_id`: the 8 bytes that `axisc keygen` printed;
+ * they help to choose among several keys and prove nothing. `image`, `image_size`: the signed bytes. `signature`: 64
+ * bytes, Ed25519. `context`: verify_context of the configuration. Called before anything behind the header is read. */
+typedef int (*axisrt_verify_signature)(void* context, const uint8_t* key_id, const void* image,
+                                       size_t image_size, const uint8_t* signature);
+
 typedef struct axisrt_config {
   uint32_t size;          /* sizeof(axisrt_config) */
   uint32_t cycle_time_ns; /* the controller's real NC cycle time; an image for another one is refused */
   const void* image;      /* aligned to 64 bytes; only read, and not needed after create, except for names */
-  size_t image_size;
-  void* memory; /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
+  size_t image_size;      /* with the signature behind it, where there is one */
+  void* memory;           /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
   size_t memory_size;
   uint32_t level;    /* an axisrt_level; axisrt_memory_size and axisrt_create get the same */
   uint32_t reserved; /* 0 */
+  /* Null: signatures are not looked at. Else axisrt_memory_size and axisrt_create refuse an image without a right one. */
+  axisrt_verify_signature verify_signature;
+  void* verify_context; /* handed to verify_signature; may be null */
 } axisrt_config;
 
 /* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
  * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
- * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, or AXISRT_NO_LEVEL. Cost as axisrt_verify, and a
+ * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE or
+ * AXISRT_NO_LEVEL. Cost as axisrt_verify, and a
  * pass over the axes for each shape of chains. Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 
-/* Verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
+/* Checks the signature if one is demanded, verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
  * stepped before it was reset. On failure *runtime is null. Needs no counterpart: the memory is the caller's.
  * Returns what axisrt_verify returns, or one of the statuses of create. Cost: as axisrt_verify, the coefficients, the
  * self-tests' cycles. Not in the cycle. */

@@ -198,7 +198,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
                        .memory = nullptr,
                        .memory_size = 0,
                        .level = AXISRT_LEVEL_AUTOMATIC,
-                       .reserved = 0};
+                       .reserved = 0,
+                       .verify_signature = nullptr,
+                       .verify_context = nullptr};
   std::size_t alignment = 0;
   require(axisrt_memory_size(&config, &config.memory_size, &alignment) == AXISRT_OK);
   AlignedMemory memory(config.memory_size);

@@ -18,7 +18,9 @@ struct Prepared {
               .memory = memory.data(),
               .memory_size = memory.size(),
               .level = test_level(),
-              .reserved = 0};
+              .reserved = 0,
+              .verify_signature = nullptr,
+              .verify_context = nullptr};
   }
   axisrt_status create() { return axisrt_create(&config, &runtime); }
 
@@ -151,4 +153,15 @@ TEST_CASE("functions without a runtime answer harmlessly") {
   CHECK(axisrt_reset_interface(prepared.runtime, 2, 0) == AXISRT_BAD_ARGUMENT);
   CHECK(axisrt_get_axis_state(prepared.runtime, 0, nullptr) == AXISRT_BAD_ARGUMENT);
   CHECK(axisrt_get_axis_state(prepared.runtime, 2, &state) == AXISRT_BAD_ARGUMENT);
+}
+
+TEST_CASE("the automatic level is the best one of this processor") {
+  TestRuntime automatic(write_image(complete_image()));
+  REQUIRE(automatic.status == AXISRT_OK);
+  std::uint32_t const level = axisrt_level_of(automatic.runtime);
+  CHECK(level != AXISRT_LEVEL_AUTOMATIC);
+  // Emulators say which processor they are.
+  if (char const* const expected = std::getenv("AXISRT_TEST_EXPECTED_LEVEL")) {
+    CHECK(level == std::strtoul(expected, nullptr, 10));
+  }
 }

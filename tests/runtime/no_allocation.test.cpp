@@ -96,7 +96,9 @@ TEST_CASE("no function of the runtime allocates, at any level") {
                              .memory = memory.data(),
                              .memory_size = memory.size(),
                              .level = level,
-                             .reserved = 0};
+                             .reserved = 0,
+                             .verify_signature = nullptr,
+                             .verify_context = nullptr};
   axisrt* runtime = nullptr;
   axisrt_axis_state state{};
   double in[2] = {};
@@ -135,7 +137,9 @@ TEST_CASE("commands, fades and position control do not allocate, at any level") 
                              .memory = memory.data(),
                              .memory_size = memory.size(),
                              .level = level,
-                             .reserved = 0};
+                             .reserved = 0,
+                             .verify_signature = nullptr,
+                             .verify_context = nullptr};
   axisrt* runtime = nullptr;
   double in[3] = {};
   double out[3] = {};

@@ -1,6 +1,9 @@
 #include "axisrt.h"
 #include "support/catch.hpp"
+#include "support/golden.hpp"
 
+#include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -27,6 +30,8 @@ constexpr axisrt_status all_statuses[] = {AXISRT_OK,
                                           AXISRT_NO_LEVEL,
                                           AXISRT_OTHER_AXES,
                                           AXISRT_OLDER_IMAGE,
+                                          AXISRT_UNSIGNED,
+                                          AXISRT_WRONG_SIGNATURE,
                                           AXISRT_BAD_INPUT,
                                           AXISRT_NOT_RESET,
                                           AXISRT_BUSY,
@@ -34,7 +39,28 @@ constexpr axisrt_status all_statuses[] = {AXISRT_OK,
                                           AXISRT_NEEDS_STANDSTILL,
                                           AXISRT_NOT_WARM};
 
+/// Name and number of each match of `pattern`, whose groups `name` and `number` say where they stand.
+std::map<std::string, int> numbers_in(std::string const& text, char const* pattern, unsigned name,
+                                      unsigned number) {
+  std::map<std::string, int> found;
+  std::regex const row(pattern);
+  for (std::sregex_iterator i(text.begin(), text.end(), row), end; i != end; ++i) {
+    INFO((*i)[name]);
+    CHECK(found.emplace((*i)[name], std::stoi((*i)[number])).second);
+  }
+  return found;
+}
+
 }  // namespace
+
+TEST_CASE("docs/runtime.md says what to do about every status of axisrt.h") {
+  std::string const header = axisc::test::read_source_file("runtime/include/axisrt.h");
+  std::string const document = axisc::test::read_source_file("docs/runtime.md");
+  std::string const statuses = header.substr(0, header.find("} axisrt_status;"));
+  auto const declared = numbers_in(statuses, R"((AXISRT_[A-Z_]+)\s*=\s*([0-9]+))", 1, 2);
+  CHECK(declared.size() == std::size(all_statuses));
+  CHECK(numbers_in(document, R"(\n\| ([0-9]+) \| `(AXISRT_[A-Z_]+)` \| [^|]+ \| [^|]*\|)", 2, 1) == declared);
+}
 
 TEST_CASE("every status has a text and a name of its own") {
   std::set<std::string> texts;

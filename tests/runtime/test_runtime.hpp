@@ -33,7 +33,9 @@ class TestRuntime {
                          .memory = nullptr,
                          .memory_size = 0,
                          .level = test_level(),
-                         .reserved = 0};
+                         .reserved = 0,
+                         .verify_signature = nullptr,
+                         .verify_context = nullptr};
     std::size_t alignment = 0;
     status = axisrt_memory_size(&config, &memory_size, &alignment);
     if (status == AXISRT_NO_LEVEL) std::puts(axisrt_status_name(status));  // the test is skipped

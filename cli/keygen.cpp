@@ -1,0 +1,31 @@
+#include "cli/command_line.hpp"
+#include "cli/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/key_file.hpp"
+
+namespace axisc::cli {
+
+ExitStatus keygen(Invocation const& invocation) {
+  std::optional<std::string> path;
+  CommandLine command_line("keygen", Text::cli_keygen_purpose, Text::cli_keygen_examples,
+                           invocation.language);
+  command_line.argument("KEY", path, Text::cli_arg_new_key);
+  if (auto const text = command_line.read(invocation.arguments)) {
+    invocation.streams.out.write(*text);
+    return ExitStatus::success;
+  }
+  if (!path) {
+    throw Failure(
+        {.text = Text::cli_argument_missing, .arguments = {{"argument", "KEY"}, {"command", "keygen"}}});
+  }
+  auto const key = codegen::make_secret_key();
+  write_keys(*path, key);
+  invocation.streams.out.write(
+      render({.text = Text::cli_keys_made,
+              .arguments = {{"file", *path}, {"key", key_name(codegen::key_id(key.public_key()))}}},
+             invocation.language) +
+      "\n");
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

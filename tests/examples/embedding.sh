@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Installs the runtime into a tree of its own, then builds and runs the examples as another project would: through
+# find_package (C alone, and with C++) and through pkg-config.
+#   embedding.sh SOURCE_TREE BUILD_TREE FOLDER CC CXX
+set -euo pipefail
+source=$1 build=$2 folder=$3
+export CC=$4 CXX=$5
+rm -rf "$folder"
+mkdir -p "$folder"
+cmake --install "$build" --component axisrt --prefix "$folder/installed" >/dev/null
+mv "$folder/installed" "$folder/moved"  # an install tree may lie anywhere
+"$build/bin/axisc" compile --quiet "$source/samples/mill/machine.json" -o "$folder/mill.axim" 2>/dev/null
+
+build_examples() {
+  cmake -S "$source/examples" -B "$folder/$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$folder/moved" \
+    -DCMAKE_C_FLAGS="-Wall -Wextra -Wpedantic -Werror" -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Werror" "${@:2}" >/dev/null
+  cmake --build "$folder/$1" >"$folder/$1.log" || { cat "$folder/$1.log" >&2; exit 1; }
+}
+build_examples with_cxx
+build_examples c_alone -DAXISRT_EXAMPLES_CXX=OFF -DCMAKE_CXX_COMPILER=/nowhere
+
+export PKG_CONFIG_PATH
+PKG_CONFIG_PATH=$(dirname "$(find "$folder/moved" -name axisrt.pc)")
+# Options are words on purpose.
+# shellcheck disable=SC2046
+"$CC" -std=c11 $(pkg-config --cflags axisrt) "$source/examples/filter_in_c.c" "$source/examples/image_file.c" \
+  $(pkg-config --libs axisrt) -o "$folder/filter_by_pkg_config"
+
+"$build/bin/axisc" run "$folder/mill.axim" --signal step --amplitude 1000 --cycles 30 |
+  awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) if ($i !~ /\./ && $i != "cycle") use[i] = 1}
+           NR > 1 {line = NR - 2; for (i = 1; i <= NF; ++i) if (i in use) line = line " " sprintf("%.17g", $i); print line}' \
+  >"$folder/expected.txt"
+for program in with_cxx/filter_in_c with_cxx/filter_in_cxx c_alone/filter_in_c filter_by_pkg_config; do
+  "$folder/$program" "$folder/mill.axim" 30 >"$folder/out.txt"
+  diff "$folder/expected.txt" "$folder/out.txt" >&2 || { echo "$program differs from axisc run" >&2; exit 1; }
+done
+
+"$folder/with_cxx/cyclic_task" "$folder/mill.axim" 300 2>/dev/null
+if "$folder/c_alone/filter_in_c" "$source/README.md" 2>"$folder/refused.txt"; then
+  echo "a text was taken for an image" >&2
+  exit 1
+fi
+grep -q AXISRT_WRONG_MAGIC "$folder/refused.txt"
