@@ -68,7 +68,7 @@ class CycleArithmetic {
 #else
 
 /// Processors that handle subnormal numbers at full speed, or have no such switch.
-class CycleArithmetic {
+class [[maybe_unused]] CycleArithmetic {
  public:
   CycleArithmetic() = default;
 };

@@ -45,15 +45,6 @@ class SteppedRuntime {
       .size = sizeof(axisrt_velocities), .reserved = 0, .v_set = in_, .v_motor = in_, .v_direct = in_};
 };
 
-double first_step_from_rest(std::vector<ExactFilter> const& filters, double in) {
-  TestRuntime runtime(one_axis_image(filters));
-  REQUIRE(runtime.status == AXISRT_OK);
-  runtime.reset_all(0);
-  return runtime.step(in);
-}
-
-constexpr Quad T = Quad{1} / 1000;
-
 }  // namespace
 
 TEST_CASE("the caller's control word comes back from every step") {
@@ -80,6 +71,19 @@ TEST_CASE("the caller's control word comes back from every step") {
 }
 
 #if defined(AXISC_TEST_CONTROL_WORD)
+
+namespace {
+
+double first_step_from_rest(std::vector<ExactFilter> const& filters, double in) {
+  TestRuntime runtime(one_axis_image(filters));
+  REQUIRE(runtime.status == AXISRT_OK);
+  runtime.reset_all(0);
+  return runtime.step(in);
+}
+
+constexpr Quad T = Quad{1} / 1000;
+
+}  // namespace
 
 TEST_CASE("a caller that handles subnormal numbers sees none of the cycle's exceptions") {
   SteppedRuntime runtime;

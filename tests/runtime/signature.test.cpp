@@ -134,9 +134,10 @@ TEST_CASE("a signed image that was cut at any length is refused, with a key and 
 
 TEST_CASE("every flipped bit of a signed image is refused where a key is set") {
   Bytes bytes = with_trailer(image_bytes());
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    // All bits of the header and the trailer, one of each byte between them.
-    bool const every_bit = at < 128 || at >= bytes.size() - trailer_size;
+  bool every_bit = true;
+  // All bits of the header and the trailer, one of every seventh byte between them.
+  for (std::size_t at = 0; at < bytes.size(); at += every_bit ? 1 : 7) {
+    every_bit = at < 128 || at + 7 >= bytes.size() - trailer_size;
     for (unsigned bit = every_bit ? 0 : at % 8; bit < (every_bit ? 8 : at % 8 + 1); ++bit) {
       INFO("bit " << bit << " of byte " << at);
       bytes[at] ^= static_cast<std::uint8_t>(1U << bit);
