@@ -24,6 +24,8 @@ struct Invocation {
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
+[[nodiscard]] ExitStatus contour(Invocation const& invocation);
+[[nodiscard]] ExitStatus simulate(Invocation const& invocation);
 [[nodiscard]] ExitStatus explain(Invocation const& invocation);
 
 }  // namespace axisc::cli

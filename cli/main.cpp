@@ -26,14 +26,16 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 8> commands = {{{"lint", Text::cli_lint_meaning, lint},
-                                              {"fmt", Text::cli_fmt_meaning, fmt},
-                                              {"compile", Text::cli_compile_meaning, compile},
-                                              {"inspect", Text::cli_inspect_meaning, inspect},
-                                              {"run", Text::cli_run_meaning, run},
-                                              {"response", Text::cli_response_meaning, response},
-                                              {"diff", Text::cli_diff_meaning, diff},
-                                              {"explain", Text::cli_explain_meaning, explain}}};
+constexpr std::array<Command, 10> commands = {{{"lint", Text::cli_lint_meaning, lint},
+                                               {"fmt", Text::cli_fmt_meaning, fmt},
+                                               {"compile", Text::cli_compile_meaning, compile},
+                                               {"inspect", Text::cli_inspect_meaning, inspect},
+                                               {"run", Text::cli_run_meaning, run},
+                                               {"response", Text::cli_response_meaning, response},
+                                               {"contour", Text::cli_contour_meaning, contour},
+                                               {"simulate", Text::cli_simulate_meaning, simulate},
+                                               {"diff", Text::cli_diff_meaning, diff},
+                                               {"explain", Text::cli_explain_meaning, explain}}};
 
 std::string help(Language language) {
   auto const say = [language](Text text) { return render({.text = text, .arguments = {}}, language); };

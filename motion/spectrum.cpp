@@ -1,0 +1,36 @@
+#include "motion/spectrum.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace axisc::motion {
+
+double amplitude_at(std::span<double const> record, double cycle_seconds, double frequency) {
+  auto const count = static_cast<double>(record.size());
+  if (record.empty()) return 0;
+  double mean = 0;
+  for (double const x : record) mean += x / count;
+  // The phasor turns step by step: its error stays far below what is measured.
+  auto const turn = std::polar(1.0, -2 * std::numbers::pi * frequency * cycle_seconds);
+  std::complex<double> phasor = 1;
+  std::complex<double> sum = 0;
+  for (double const x : record) {
+    sum += (x - mean) * phasor;
+    phasor *= turn;
+  }
+  return 2 * std::abs(sum) / count;
+}
+
+Oscillation dominant_oscillation(std::span<double const> record, double cycle_seconds, double lowest,
+                                 double highest) {
+  constexpr double step = 0.1;
+  Oscillation found{.frequency = lowest, .amplitude = 0};
+  for (double frequency = lowest; frequency <= highest; frequency += step) {
+    double const amplitude = amplitude_at(record, cycle_seconds, frequency);
+    if (amplitude > found.amplitude) found = {.frequency = frequency, .amplitude = amplitude};
+  }
+  return found;
+}
+
+}  // namespace axisc::motion
