@@ -8,7 +8,6 @@
 namespace axisc::motion {
 namespace {
 
-constexpr int phases = 8;
 /// Points of the contour that are looked at on either side of the corner.
 constexpr double points_aside = 24;
 
@@ -65,13 +64,15 @@ double CornerProbe::largest_of_path(Corner const& corner, double plateau, double
     double const tau = n == -1 ? 0 : (n < 0 ? n + 1 : n) * stride - phase;
     Point const point = nominal(corner, plateau, tau);
     NearestPoint nearest;
-    for (std::size_t i = 1; i < path_.size(); ++i) nearest.consider(point, path_[i - 1], path_[i]);
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      nearest.consider(point, path_[i - 1], path_[i], runtime_->axis_count());
+    }
     for (double const error : nearest.away) largest = std::max(largest, std::abs(error));
   }
   return largest;
 }
 
-double CornerProbe::largest_axis_error(Corner const& corner, double plateau) {
+double CornerProbe::largest_axis_error(Corner const& corner, double plateau, int phases) {
   double largest = 0;
   for (int phase = 0; phase < phases; ++phase) {
     double const share = static_cast<double>(phase) / phases;

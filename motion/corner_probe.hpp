@@ -29,8 +29,9 @@ class CornerProbe {
   /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again.
   CornerProbe(GroupRuntime& runtime, std::span<ChainAnswer const> answers);
 
-  /// Largest axis error around the corner for a plateau of this velocity, wherever between two cycles the corner lies.
-  [[nodiscard]] double largest_axis_error(Corner const& corner, double plateau);
+  /// Largest axis error around the corner for a plateau of this velocity, tried with the corner at so many places
+  /// between two cycles.
+  [[nodiscard]] double largest_axis_error(Corner const& corner, double plateau, int phases);
 
  private:
   [[nodiscard]] Point nominal(Corner const& corner, double plateau, double tau) const;

@@ -14,15 +14,23 @@ struct NearestPoint {
 
   [[nodiscard]] double distance() const { return std::sqrt(squared); }
 
-  /// Looks at the straight line from `a` to `b`, too.
-  void consider(Point const& point, Point const& a, Point const& b) {
-    Point const from_a = minus(a, point);
-    Point const along = minus(b, a);
-    double const squared_length = dot(along, along);
-    double const share =
-        squared_length > 0 ? std::clamp(-dot(from_a, along) / squared_length, 0.0, 1.0) : 0.0;
-    Point const vector = plus(from_a, share, along);
-    double const here = dot(vector, vector);
+  /// Looks at the straight line from `a` to `b`, too; components from `axes` on are 0.
+  void consider(Point const& point, Point const& a, Point const& b, std::size_t axes = most_axes) {
+    double along = 0;
+    double squared_length = 0;
+    for (std::size_t i = 0; i < axes; ++i) {
+      double const d = b[i] - a[i];
+      along += d * (a[i] - point[i]);
+      squared_length += d * d;
+    }
+    double const share = along < 0 ? std::min(1.0, -along / squared_length) : 0;
+    Point vector{};
+    double here = 0;
+    for (std::size_t i = 0; i < axes; ++i) {
+      // The end itself where it is nearest: exactly 0 for a point that the path passes.
+      vector[i] = share < 1 ? (a[i] - point[i]) + share * (b[i] - a[i]) : b[i] - point[i];
+      here += vector[i] * vector[i];
+    }
     if (here >= squared) return;
     squared = here;
     away = vector;

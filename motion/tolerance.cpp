@@ -10,6 +10,8 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 /// The probe looks at a few phases only; between them the error may be this much larger.
 constexpr double between_phases = 1.004;
+/// The same where corners stand so close that no probe of one of them tells.
+constexpr double among_others = 1.02;
 constexpr std::size_t remembered = 64;
 
 bool alike(Corner const& a, Corner const& b) {
@@ -49,9 +51,10 @@ double ToleranceMonitor::enlarged(Corner const& corner) {
   if (!(alone > 0)) return 1;
   double ratio = 1;
   // The share of the ramps depends on the velocity, but not much: it settles at once.
-  for (int i = 0; i < 2; ++i) {
+  for (int const phases : {4, 8}) {
     double const plateau = tolerance_ / (alone * ratio);
-    ratio = std::max(1.0, probe_->largest_axis_error(corner, plateau) / (plateau * alone)) * between_phases;
+    double const error = probe_->largest_axis_error(corner, plateau, phases);
+    ratio = std::max(1.0, error / (plateau * alone)) * between_phases;
   }
   if (known_.size() < remembered) known_.emplace_back();
   known_[replaced_] = {.corner = corner, .enlarged = ratio};
@@ -61,16 +64,20 @@ double ToleranceMonitor::enlarged(Corner const& corner) {
 
 double ToleranceMonitor::largest_error(std::span<Corner const> near, std::size_t index,
                                        double velocity) const {
-  double largest = 0;
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
-    double sum = near[index].turn[i] * answers_[i].corner;
-    for (std::size_t m = 0; m < near.size(); ++m) {
-      if (m == index || near[m].turn[i] == 0) continue;
-      double const cycles = (near[index].place - near[m].place) / velocity;
-      if (std::abs(cycles) < reach_) sum += near[m].turn[i] * answers_[i].remainder(cycles);
+  Point sum{};
+  for (std::size_t i = 0; i < answers_.size(); ++i) sum[i] = near[index].turn[i] * answers_[i].corner;
+  auto const add = [&](Corner const& corner) {
+    double const cycles = (near[index].place - corner.place) / velocity;
+    if (std::abs(cycles) >= reach_) return false;
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+      sum[i] += corner.turn[i] * answers_[i].remainder(cycles);
     }
-    largest = std::max(largest, std::abs(sum));
-  }
+    return true;
+  };
+  for (std::size_t m = index; m > 0 && add(near[m - 1]);) --m;
+  for (std::size_t m = index + 1; m < near.size() && add(near[m]);) ++m;
+  double largest = 0;
+  for (double const error : sum) largest = std::max(largest, std::abs(error));
   return velocity * largest;
 }
 
@@ -98,7 +105,7 @@ double ToleranceMonitor::velocity(std::span<Corner const> corners, std::size_t i
     worst = std::max(worst, sum * std::abs(answers_[i].corner));
   }
   if (!(worst > 0) || tolerance_ / worst >= 2 * fastest) return unlimited;
-  double const tolerance = tolerance_ / enlarged(corners[index]);
+  double const tolerance = tolerance_ / among_others;
   double low = tolerance / worst;
   double high = low;
   do {
@@ -106,10 +113,14 @@ double ToleranceMonitor::velocity(std::span<Corner const> corners, std::size_t i
     low = high;
     high = std::min(high * 1.1, fastest);
   } while (largest_error(near, index - first, high) <= tolerance);
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 30; ++i) {
     double const middle = (low + high) / 2;
     (largest_error(near, index - first, middle) <= tolerance ? low : high) = middle;
   }
+  double const reached = low * plateau();
+  bool const others = (index > first && corners[index].place - corners[index - 1].place < reached) ||
+                      (index < last && corners[index + 1].place - corners[index].place < reached);
+  if (!others) low = std::min(low * among_others / enlarged(corners[index]), fastest);
   return low;
 }
 

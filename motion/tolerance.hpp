@@ -28,8 +28,8 @@ class ToleranceMonitor {
   /// Cycles on either side of a corner.
   [[nodiscard]] double plateau() const { return plateau_cycles(answers_); }
   /// Velocity for corners[index], or infinite where the fastest of its blocks keeps the tolerance. Corners further away
-  /// than most_neighbours are not looked at. Cost: for a corner that has to be slower some 0.3 ms, unless one like it was
-  /// seen lately.
+  /// than most_neighbours are not looked at. Cost: for a corner that stands alone and has to be slower some 0.3 ms, unless
+  /// one like it was seen lately.
   [[nodiscard]] double velocity(std::span<Corner const> corners, std::size_t index);
 
   static constexpr std::size_t most_neighbours = 128;
