@@ -13,13 +13,19 @@ double amplitude_at(std::span<double const> record, double cycle_seconds, double
   for (double const x : record) mean += x / count;
   // The phasor turns step by step: its error stays far below what is measured.
   auto const turn = std::polar(1.0, -2 * std::numbers::pi * frequency * cycle_seconds);
+  auto const window_turn = std::polar(1.0, 2 * std::numbers::pi / count);
   std::complex<double> phasor = 1;
+  auto window_phasor = std::polar(1.0, std::numbers::pi / count);
   std::complex<double> sum = 0;
+  double weights = 0;
   for (double const x : record) {
-    sum += (x - mean) * phasor;
+    double const weight = 0.5 - 0.5 * window_phasor.real();
+    sum += weight * (x - mean) * phasor;
+    weights += weight;
     phasor *= turn;
+    window_phasor *= window_turn;
   }
-  return 2 * std::abs(sum) / count;
+  return 2 * std::abs(sum) / weights;
 }
 
 Oscillation dominant_oscillation(std::span<double const> record, double cycle_seconds, double lowest,

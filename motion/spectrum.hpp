@@ -10,7 +10,8 @@ struct Oscillation {
   double amplitude = 0;  ///< in the record's unit
 };
 
-/// Amplitude of the sine of one frequency, the mean taken off:  2/N |Σ x e^(-jωn)|. Of a decaying one it is the average.
+/// Amplitude of the sine of one frequency:  2 |Σ w x e^(-jωn)| / Σ w  with a Hann window w, the mean taken off. Of a
+/// decaying one it is about that in the middle of the record.
 [[nodiscard]] double amplitude_at(std::span<double const> record, double cycle_seconds, double frequency);
 
 /// The largest one between two frequencies, on a grid of 0.1 Hz.
