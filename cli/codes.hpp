@@ -11,5 +11,6 @@ inline constexpr Code too_large{9003};
 inline constexpr Code not_an_image{9004};
 inline constexpr Code csv_malformed{9005};
 inline constexpr Code cycle_time_assumed{9006};
+inline constexpr Code plant_file{9009};
 
 }  // namespace axisc::cli

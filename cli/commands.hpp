@@ -26,6 +26,8 @@ struct Invocation {
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);
+[[nodiscard]] ExitStatus contour(Invocation const& invocation);
+[[nodiscard]] ExitStatus simulate(Invocation const& invocation);
 [[nodiscard]] ExitStatus explain(Invocation const& invocation);
 
 }  // namespace axisc::cli

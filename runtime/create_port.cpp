@@ -4,9 +4,6 @@
 namespace axisc::runtime {
 namespace {
 
-constexpr uint32_t numbers_of_share = 3;
-constexpr uint32_t numbers_of_section = 4;
-
 PortLayout const& layout_of(Layout const& layout, PortKind port) {
   switch (port) {
     case PortKind::setpoint:

@@ -98,6 +98,7 @@ struct AxisConfiguration {
   double position_window = 0.4;      ///< P-AXIS-00351, in position units (0.1 µm or 1e-4°)
   double velocity_limit = 0;         ///< P-AXIS-00212, µm/s or 1e-3 °/s
   double acceleration_limit = 0;     ///< P-AXIS-00008, mm/s² or °/s²
+  double transition_weight = 0;      ///< P-AXIS-00013, in 0.1 %
   std::vector<SourcedValue> values;  ///< everything its lists set, in the order of the lines
 };
 
@@ -135,6 +136,7 @@ struct Machine {
   std::vector<AxisConfiguration> axes;
   std::vector<MachineGroup> groups;
   std::vector<MachineList> lists;
+  bool inch = false;  ///< lengths in NC programs are inches
 };
 
 }  // namespace axisc::validator

@@ -33,6 +33,7 @@ class AxisBuilder {
     result.position_window = number("kenngr.filter_position_window");
     result.velocity_limit = number("getriebe[].dynamik.vb_max");
     result.acceleration_limit = number("getriebe[].dynamik.a_max");
+    result.transition_weight = number("getriebe[].dynamik.a_trans_weight");
     add_filters(result);
     add_kernel(result);
     add_position_control(result);
@@ -207,6 +208,7 @@ StoredContent stored_content(LoadedProgram const& program, Files& files) {
 BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources, Files& files) {
   BuiltMachine built;
   built.machine.name = loaded.name;
+  built.machine.inch = loaded.inch;
   built.machine.cycle_time = loaded.cycle_time.value_or(design::CycleTime{});
   for (NamedList const& named : loaded.lists) {
     built.machine.lists.push_back({.name = named.name,

@@ -89,6 +89,12 @@ std::vector<Rule> rows() {
        .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
       {.code = Code{9006}, .name = "cycle-time-assumed", .severity = Severity::note, .control = "",
        .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
+      {.code = Code{9007}, .name = "not-simulated", .severity = Severity::warning, .control = "",
+       .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
+      {.code = Code{9008}, .name = "cannot-simulate", .severity = Severity::error, .control = "",
+       .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
+      {.code = Code{9009}, .name = "plant-file", .severity = Severity::error, .control = "",
+       .needs = Needs::nothing, .silenced_by = {}, .check = std::monostate{}},
   // clang-format on
 #include "validator/rules/filter_rows.inc"
 #include "validator/rules/kernel_rows.inc"

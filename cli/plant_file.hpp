@@ -1,0 +1,13 @@
+// The plant file of `axisc simulate --plant`.
+#pragma once
+
+#include "motion/plant.hpp"
+
+#include <string>
+
+namespace axisc::cli {
+
+/// The plant of one axis. Failure AX9009 for whatever is wrong with the file, AX9001 where it cannot be read.
+[[nodiscard]] motion::PlantParameters read_plant(std::string const& path, std::string const& axis);
+
+}  // namespace axisc::cli

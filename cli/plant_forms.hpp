@@ -1,0 +1,37 @@
+// What `axisc simulate --plant` found, and its forms of output.
+#pragma once
+
+#include "diagnostics/text.hpp"
+#include "motion/closed_loop.hpp"
+#include "motion/spectrum.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+/// The dominant oscillation of the load in one phase of the move.
+struct PhaseOscillation {
+  motion::MovePhase phase = motion::MovePhase::travel;
+  motion::Oscillation without, with;  ///< the latter next to the frequency of the former
+};
+
+struct ClosedLoopFigures {
+  std::string axis;
+  double distance_mm = 0, feed_mm_per_min = 0, kv = 0;
+  bool has_function = false;
+  std::vector<PhaseOscillation> oscillations;
+  double largest_additive = 0;  ///< µm/s
+  double limit = 0;             ///< µm/s
+  bool limit_hit = false;
+  bool diverges_without = false, diverges_with = false;
+  double highest_kv_without = 0, highest_kv_with = 0;
+};
+
+[[nodiscard]] std::string plant_text(ClosedLoopFigures const& figures, Language language);
+[[nodiscard]] std::string plant_json(ClosedLoopFigures const& figures);
+/// Both records cycle by cycle.
+[[nodiscard]] std::string plant_csv(motion::LoopRecord const& without, motion::LoopRecord const& with,
+                                    double cycle_seconds);
+
+}  // namespace axisc::cli

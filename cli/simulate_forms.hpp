@@ -1,0 +1,57 @@
+// The forms in which `axisc simulate` tells what happened, written while it happens.
+#pragma once
+
+#include "design/units.hpp"
+#include "diagnostics/text.hpp"
+#include "motion/simulation.hpp"
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// Where text goes, piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+struct SimulatedPath {
+  std::string group;
+  std::vector<std::string> axes;
+  design::CycleTime cycle_time;
+};
+
+/// Every NC cycle as CSV: time, block, path velocity, per axis setpoint, filtered setpoint and axis error, contour deviation.
+class CycleWriter {
+ public:
+  CycleWriter(SimulatedPath const& path, TextSink sink);
+  void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block);
+  void finish();
+
+ private:
+  SimulatedPath const& path_;
+  TextSink sink_;
+  std::string text_;
+  std::vector<double> row_;
+  std::uint64_t cycles_ = 0;
+};
+
+/// Blocks as they end; the passes, which are few, behind them.
+class SummaryWriter {
+ public:
+  virtual ~SummaryWriter() = default;
+  SummaryWriter(SummaryWriter const&) = delete;
+  SummaryWriter& operator=(SummaryWriter const&) = delete;
+  virtual void block(motion::BlockSummary const& summary) = 0;
+  virtual void pass(motion::PassSummary const& summary) = 0;
+  virtual void finish(std::uint64_t blocks, std::uint64_t cycles) = 0;
+
+ protected:
+  SummaryWriter() = default;
+};
+
+[[nodiscard]] std::unique_ptr<SummaryWriter> text_summary(SimulatedPath const& path, Language language,
+                                                          TextSink sink);
+[[nodiscard]] std::unique_ptr<SummaryWriter> json_summary(SimulatedPath const& path, TextSink sink);
+
+}  // namespace axisc::cli

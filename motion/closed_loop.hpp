@@ -1,0 +1,56 @@
+// An axis in its position loop: there, a rest, back, a rest. Setpoints pass the image's filters, measured velocities its
+// stages of Improved Position Control; both are executed by the runtime.
+//
+//     v_set = Kv (x_set - x) + f x_set',   v = v_set + v_add
+#pragma once
+
+#include "codegen/runtime_host.hpp"
+#include "motion/path_block.hpp"
+#include "motion/plant.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace axisc::motion {
+
+/// A move of one axis; position units and cycles.
+struct AxisMove {
+  std::size_t axis = 0;     ///< of the image
+  double distance = 0;      ///< position units, its sign the direction
+  double velocity = 0;      ///< units per cycle
+  double acceleration = 0;  ///< units per cycle²
+};
+
+enum class MovePhase : std::uint8_t { ramp, travel, rest };
+
+struct LoopCycle {
+  MovePhase phase = MovePhase::rest;
+  bool back = false;
+  double setpoint = 0;           ///< position units
+  double load_position = 0;      ///< position units
+  double load_acceleration = 0;  ///< m/s²
+  double additive_velocity = 0;  ///< µm/s
+};
+
+struct LoopRecord {
+  std::vector<LoopCycle> cycles;
+  bool lost = false;  ///< ended early: the plant left every bound
+};
+
+/// Seconds that the axis rests behind each motion.
+inline constexpr double rest_seconds = 1.5;
+
+/// `with_function`: the additive velocity acts; else it is only calculated. The runtime is reset first.
+[[nodiscard]] LoopRecord simulate_loop(codegen::RuntimeHost& runtime, AxisMove const& move,
+                                       PlantParameters const& plant, bool with_function);
+
+/// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
+[[nodiscard]] bool diverges(LoopRecord const& record, double cycle_seconds);
+
+/// The largest Kv, up to a thousand times the plant's smallest, at which the loop does not diverge; 0 where there is none.
+/// Within 1 %.
+[[nodiscard]] double highest_kv(codegen::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
+                                bool with_function);
+
+}  // namespace axisc::motion

@@ -1,0 +1,166 @@
+#include "motion/contour_predictions.hpp"
+
+#include "motion/nearest_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace axisc::motion {
+namespace {
+
+struct Plane {
+  ChainAnswer const& first;
+  ChainAnswer const& second;
+
+  [[nodiscard]] double reach() const {
+    return std::max(first.reach, second.reach) + std::abs(first.delay - second.delay) + 2;
+  }
+  [[nodiscard]] double latest() const { return std::max(first.delay, second.delay); }
+  /// Cycles between two points that are looked at: slow filters smooth over thousands of cycles.
+  [[nodiscard]] double stride() const { return std::ceil(reach() / 256); }
+};
+
+/// The largest figures of the planes of the first axis with each other one.
+template <class Predict>
+ContourFigures over_planes(std::span<ChainAnswer const> answers, Predict predict) {
+  if (answers.size() == 1) return predict(Plane{.first = answers[0], .second = answers[0]});
+  ContourFigures largest;
+  for (std::size_t axis = 1; axis < answers.size(); ++axis) {
+    ContourFigures const here = predict(Plane{.first = answers[0], .second = answers[axis]});
+    largest.deviation = std::max(largest.deviation, here.deviation);
+    largest.axis_error[0] = std::max(largest.axis_error[0], here.axis_error[0]);
+    largest.axis_error[axis] = here.axis_error[1];
+  }
+  return largest;
+}
+
+/// y = v0 (n - D - r) + v1 r
+double passed(ChainAnswer const& answer, double v0, double v1, double cycle) {
+  double const r = answer.ramp_at(cycle);
+  return v0 * (cycle - answer.delay - r) + v1 * r;
+}
+
+/// The filtered path around a corner at 0 that is passed at cycle 0, one point per cycle.
+struct Corner {
+  Point u0{}, u1{};
+  double velocity = 0;
+
+  [[nodiscard]] Point nominal(double cycle) const { return plus({}, velocity * cycle, cycle < 0 ? u0 : u1); }
+  [[nodiscard]] Point filtered(Plane const& plane, double cycle) const {
+    Point point{};
+    point[0] = passed(plane.first, velocity * u0[0], velocity * u1[0], cycle);
+    point[1] = passed(plane.second, velocity * u0[1], velocity * u1[1], cycle);
+    return point;
+  }
+  [[nodiscard]] std::vector<Point> path(Plane const& plane, double first, double last) const {
+    std::vector<Point> points;
+    double const stride = plane.stride();
+    for (double n = first; n <= last; n += stride) points.push_back(filtered(plane, n));
+    return points;
+  }
+};
+
+NearestPoint nearest_on(std::vector<Point> const& path, Point const& point) {
+  NearestPoint nearest;
+  for (std::size_t i = 1; i < path.size(); ++i) nearest.consider(point, path[i - 1], path[i]);
+  return nearest;
+}
+
+void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
+  figures.deviation = std::max(figures.deviation, nearest.distance());
+  for (std::size_t i = 0; i < most_axes; ++i) {
+    figures.axis_error[i] = std::max(figures.axis_error[i], std::abs(nearest.away[i]));
+  }
+}
+
+ContourFigures measure(Corner const& corner, Plane const& plane) {
+  double const reach = plane.reach();
+  double const stride = plane.stride();
+  // Whole strides away from the delay, so that a path point belongs to the corner itself.
+  double const middle = std::round(plane.latest());
+  double const steps = std::ceil(reach / stride);
+  auto const path = corner.path(plane, middle - 2 * steps * stride, middle + 2 * steps * stride);
+  ContourFigures figures;
+  for (double n = -steps; n <= steps; n += 1) {
+    take_largest(figures, nearest_on(path, corner.nominal(n * stride)));
+  }
+  return figures;
+}
+
+/// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n] e^(-jθn).
+std::complex<double> gain(ChainAnswer const& answer, double theta) {
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n + 1 < answer.ramp.size(); ++n) {
+    double const before = n > 0 ? answer.ramp[n - 1] : 0.0;
+    sum +=
+        (answer.ramp[n + 1] - 2 * answer.ramp[n] + before) * std::polar(1.0, -theta * static_cast<double>(n));
+  }
+  return sum;
+}
+
+ContourFigures circle(Plane const& plane, double velocity, double radius) {
+  constexpr int directions = 3600;
+  double const theta = velocity / radius;
+  // The delay of the first axis is no deviation: both are seen from there.
+  auto const seen = std::polar(1.0, theta * plane.first.delay);
+  auto const x = radius * gain(plane.first, theta) * seen;
+  auto const y = radius * gain(plane.second, theta) * seen;
+  ContourFigures figures;
+  for (int i = 0; i < directions; ++i) {
+    // Setpoints r cos and r sin of this angle: real and imaginary part.
+    auto const setpoint = std::polar(1.0, 2 * std::numbers::pi * i / directions);
+    double const px = (x * setpoint).real();
+    double const py = (y * setpoint).imag();
+    double const distance = std::hypot(px, py);
+    double const share = distance > 0 ? 1 - radius / distance : 1;
+    figures.deviation = std::max(figures.deviation, std::abs(distance - radius));
+    figures.axis_error[0] = std::max(figures.axis_error[0], std::abs(px * share));
+    figures.axis_error[1] = std::max(figures.axis_error[1], std::abs(py * share));
+  }
+  return figures;
+}
+
+ContourFigures parallel(Plane const& plane, double velocity) {
+  double const reach = plane.reach();
+  Corner const there{.u0 = {1, 0}, .u1 = {0, 1}, .velocity = velocity};
+  Corner const back{.u0 = {0, -1}, .u1 = {-1, 0}, .velocity = velocity};
+  double const middle = std::round(plane.latest());
+  double const steps = std::ceil(reach / plane.stride()) * plane.stride();
+  auto const way_back = back.path(plane, middle - 3 * steps, middle + 3 * steps);
+  ContourFigures figures;
+  for (auto const& point : there.path(plane, middle - steps, middle + steps)) {
+    take_largest(figures, nearest_on(way_back, point));
+  }
+  return figures;
+}
+
+}  // namespace
+
+double ContourFigures::largest_axis_error() const {
+  return *std::max_element(axis_error.begin(), axis_error.end());
+}
+
+ContourFigures predict_corner(std::span<ChainAnswer const> answers, double velocity, double turn) {
+  Corner corner{.u0 = {1, 0}, .u1 = {std::cos(turn), std::sin(turn)}, .velocity = velocity};
+  return over_planes(answers, [&](Plane const& plane) { return measure(corner, plane); });
+}
+
+ContourFigures predict_line(std::span<ChainAnswer const> answers, double velocity) {
+  double const share = std::numbers::sqrt2 / 2;
+  Corner const straight{.u0 = {share, share}, .u1 = {share, share}, .velocity = velocity};
+  return over_planes(answers, [&](Plane const& plane) { return measure(straight, plane); });
+}
+
+ContourFigures predict_circle(std::span<ChainAnswer const> answers, double velocity, double radius) {
+  return over_planes(answers, [&](Plane const& plane) { return circle(plane, velocity, radius); });
+}
+
+double predict_parallel(std::span<ChainAnswer const> answers, double velocity) {
+  auto const figures = over_planes(answers, [&](Plane const& plane) { return parallel(plane, velocity); });
+  return figures.deviation;
+}
+
+}  // namespace axisc::motion

@@ -1,0 +1,20 @@
+// The path velocity at which an axis error becomes as large as a tolerance.
+#pragma once
+
+#include "motion/contour_predictions.hpp"
+
+#include <optional>
+
+namespace axisc::motion {
+
+/// Highest velocity in units per cycle at which the axis error at a corner keeps `tolerance` (units); none where any
+/// velocity does. The error is proportional to the velocity.
+[[nodiscard]] std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, double turn,
+                                                    double tolerance);
+
+/// The same on a circle, where the error grows with the square of the velocity as long as it is small: searched. None
+/// where it is kept up to half a radius per cycle.
+[[nodiscard]] std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius,
+                                                    double tolerance);
+
+}  // namespace axisc::motion

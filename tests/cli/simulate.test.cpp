@@ -1,0 +1,140 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const square = std::string(AXISC_SOURCE_DIR) + "/samples/motion/square/";
+
+nlohmann::json simulate(Surroundings const& there, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "simulate");
+  arguments.insert(arguments.end(), {"--format", "json"});
+  auto const outcome = run_axisc(arguments, there);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return nlohmann::json::parse(outcome.out);
+}
+
+Surroundings two_axes(TemporaryFolder const& folder, std::string const& more = "") {
+  folder.write("a.lis",
+               "filter_fir.type 1\nfilter_fir.order 40\ngetriebe[0].dynamik.vb_max 500000\n"
+               "getriebe[0].dynamik.a_max 10000\nEnde\n");
+  folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, )" + more +
+                             R"("axes": [{"name": "X", "list": "a.lis"}, {"name": "Y", "list": "a.lis"}]})");
+  return in_folder(folder.path());
+}
+
+}  // namespace
+
+TEST_CASE("the manual's square, three passes in one simulation") {
+  auto const found = simulate({}, {square + "machine.json", "--program", square + "square.nc"});
+  auto const& passes = found["passes"];
+  REQUIRE(passes.size() == 3);
+  CHECK(passes[0]["max_axis_error_um"].get<double>() >= 0.95);
+  CHECK(passes[0]["max_axis_error_um"].get<double>() <= 1.0);
+  CHECK(passes[1]["max_axis_error_um"].get<double>() > 1.0);
+  CHECK(passes[2]["max_axis_error_um"] == 0);
+  CHECK(passes[2]["max_contour_deviation_um"] == 0);
+  CHECK(passes[0]["time_s"].get<double>() > passes[1]["time_s"].get<double>());
+  CHECK(passes[1]["time_s"].get<double>() > passes[2]["time_s"].get<double>());
+  REQUIRE(found["blocks"].size() == 12);
+  CHECK(found["blocks"][0]["block"] == "N040");
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(found["blocks"][i]["max_axis_error_um"].get<double>() >= 0.95);
+    CHECK(found["blocks"][i]["max_axis_error_um"].get<double>() <= 1.0);
+  }
+}
+
+TEST_CASE("a summary as text in both languages") {
+  for (std::string const language : {"en", "de"}) {
+    auto const outcome = run_axisc(
+        {"simulate", square + "machine.json", "--program", square + "square.nc", "--lang", language});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    check_golden("tests/cli/data/golden/simulate." + language, outcome.out);
+  }
+}
+
+TEST_CASE("every cycle as CSV") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "N10 G01 X1 F6000\n");
+  auto const outcome =
+      run_axisc({"simulate", "m.json", "--program", "p.nc", "--constant-velocity", "--format", "csv"}, there);
+  CHECK(outcome.status == 0);
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line ==
+        "time_s,block,path_velocity_mm_per_min,X.setpoint_mm,X.filtered_mm,X.axis_error_um,Y.setpoint_mm,"
+        "Y.filtered_mm,Y.axis_error_um,contour_deviation_um");
+  std::getline(lines, line);
+  CHECK(line == "0.001,N10,6000,0.1,0.1,0,0,0,0,0");  // the lists leave the filter off
+  // 10 cycles of 100 µm
+  CHECK(lines_of(outcome.out) == 11);
+
+  CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc", "-o", "out.csv"}, there).status == 0);
+  CHECK_THAT(folder.read("out.csv"), Catch::Matchers::StartsWith("time_s,block,"));
+  CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc", "-o", "p.nc"}, there).status == 2);
+}
+
+TEST_CASE("predicted and simulated corners agree at constant path velocity") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "#FILTER ON\nG01 X10 F1000\nY10\nX0\nY0\n");
+  auto const found = simulate(there, {"m.json", "--program", "p.nc", "--constant-velocity"});
+  CHECK(found["passes"][0]["max_axis_error_um"].get<double>() == Approx(85.366).epsilon(0.005));
+  CHECK(found["passes"][0]["max_contour_deviation_um"].get<double>() == Approx(120.726).epsilon(0.005));
+}
+
+TEST_CASE("programs from standard input, in inches, with a command of their own") {
+  TemporaryFolder const folder;
+  auto there = two_axes(folder, R"("inch": true, )");
+  there.input = "#FILTER ON [ORDER=100]\nG01 X1 F100\nY1\n";
+  auto const found = simulate(there, {"m.json", "--program", "-"});
+  CHECK(found["passes"][0]["blocks"] == 2);
+  // One inch at 100 inch/min takes 0.6 s and the ramps.
+  CHECK(found["blocks"][0]["time_s"].get<double>() == Approx(0.6).margin(0.05));
+}
+
+TEST_CASE("what the simulation does not follow is named with its place") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("warned.nc", "N10 G01 X1 F1000 S500\nN20 Y1 M08\n");
+  auto const warned = run_axisc({"simulate", "m.json", "--program", "warned.nc", "--color", "never"}, there);
+  CHECK(warned.status == 0);
+  check_golden("tests/cli/data/golden/simulate.warned", warned.err);
+  folder.write("refused.nc", "N10 G01 X1 F1000\nN20 G02 X2 Y2 I1 J0\n#FILTER ON [ORDER=300]\nN30 X=P1\n");
+  auto const refused =
+      run_axisc({"simulate", "m.json", "--program", "refused.nc", "--color", "never"}, there);
+  CHECK(refused.status == 1);
+  CHECK(refused.out.empty());
+  check_golden("tests/cli/data/golden/simulate.refused", refused.err);
+}
+
+TEST_CASE("what simulate refuses") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "G01 X1 F1000\n");
+  CHECK(run_axisc({"simulate", "m.json"}, there).status == 2);
+  CHECK(run_axisc({"simulate", "m.json", "--plant", "p.json"}, there).status == 2);
+  CHECK(run_axisc({"simulate", "m.json", "--program", "missing.nc"}, there).status == 2);
+  CHECK(run_axisc({"simulate", "m.json", "--program", "."}, there).status == 2);
+  CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc", "--group", "none"}, there).status == 2);
+}
+
+TEST_CASE("progress is shown where it is wanted") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "G01 X1 F1000\n");
+  auto const outcome = run_axisc({"simulate", "m.json", "--program", "p.nc", "--progress"}, there);
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("% of the program"));
+  CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc"}, there).err.empty());
+}

@@ -1,0 +1,99 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/catch.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+
+namespace {
+
+std::string const rack = std::string(AXISC_SOURCE_DIR) + "/samples/motion/rack/";
+
+/// The sample with every weight multiplied.
+nlohmann::json with_weights(TemporaryFolder const& folder, std::string const& denominator) {
+  std::ifstream in(rack + "x.lis");
+  std::string list;
+  for (std::string line; std::getline(in, line);) {
+    if (line.find("weight_fact_denom") != std::string::npos) {
+      line = line.substr(0, line.find(' ')) + " " + denominator;
+    }
+    list += line + "\n";
+  }
+  folder.write("x.lis", list);
+  folder.write("m.json",
+               R"({"machine": "m", "cycle_time_us": 1000,
+                   "axes": [{"name": "X", "list": "x.lis", "drive": "SERCOS", "position_control": "drive"}]})");
+  auto const outcome = run_axisc(
+      {"simulate", "m.json", "--plant", rack + "plant.json", "--move", "X:800:31800", "--format", "json"},
+      in_folder(folder.path()));
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return nlohmann::json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("the manual's damping: 53 Hz directly, 11 Hz indirectly, both at once") {
+  auto const outcome = run_axisc({"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move",
+                                  "X:800:31800", "--format", "json"});
+  REQUIRE(outcome.status == 0);
+  auto const found = nlohmann::json::parse(outcome.out);
+  auto const& travel = found["oscillations"][0];
+  auto const& rest = found["oscillations"][1];
+  CHECK(travel["frequency_hz"].get<double>() == Approx(53).margin(0.5));
+  CHECK(travel["amplitude_without_m_per_s2"].get<double>() == Approx(0.81).margin(0.02));
+  CHECK(travel["amplitude_with_m_per_s2"].get<double>() <= 0.40);
+  CHECK(rest["frequency_hz"].get<double>() == Approx(11).margin(0.5));
+  CHECK(rest["amplitude_without_m_per_s2"].get<double>() == Approx(0.52).margin(0.02));
+  CHECK(rest["amplitude_with_m_per_s2"].get<double>() <= 0.28);
+  CHECK(found["diverges"] == false);
+  CHECK(found["limit_hit"] == false);
+  CHECK(found["highest_kv_without_per_s"].get<double>() > found["kv_per_s"].get<double>());
+}
+
+TEST_CASE("weights raised far enough make the loop diverge, and the command says so") {
+  TemporaryFolder const folder;
+  auto const found = with_weights(folder, "20");
+  CHECK(found["diverges"] == true);
+  CHECK(found["diverges_without"] == false);
+  CHECK_THAT(run_axisc({"simulate", "m.json", "--plant", rack + "plant.json", "--move", "X:800:31800"},
+                       in_folder(folder.path()))
+                 .out,
+             Catch::Matchers::Contains("DIVERGES"));
+}
+
+TEST_CASE("the record of a loop as CSV") {
+  TemporaryFolder const folder;
+  auto const outcome = run_axisc({"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move",
+                                  "X:-50", "--output", folder / "loop.csv", "--lang", "de"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("höchstes Kv ohne Schwingung"));
+  CHECK_THAT(folder.read("loop.csv"), Catch::Matchers::StartsWith("time_s,setpoint_mm,load_without_mm,"));
+}
+
+TEST_CASE("mistakes of plant files and moves") {
+  TemporaryFolder const folder;
+  auto const error = [&](std::string const& plant, std::string const& move = "X:10") {
+    folder.write("p.json", plant);
+    auto const outcome =
+        run_axisc({"simulate", rack + "machine.json", "--plant", folder / "p.json", "--move", move});
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  CHECK_THAT(error("[1"), Catch::Matchers::Contains("AX9009") && Catch::Matchers::Contains("no JSON object"));
+  CHECK_THAT(error("[]"), Catch::Matchers::Contains("no JSON object"));
+  CHECK_THAT(error("{}"), Catch::Matchers::Contains("\"plants\" is missing"));
+  CHECK_THAT(error(R"({"plants": []})"), Catch::Matchers::Contains("no plant for axis X"));
+  CHECK_THAT(error(R"({"plants": [{"name": "X"}]})"),
+             Catch::Matchers::Contains("\"motor_mass_kg\" is missing"));
+  CHECK_THAT(error(R"({"plants": [{"name": "X", "motor_mass_kg": -1}]})"),
+             Catch::Matchers::Contains("must be a number > 0"));
+  CHECK_THAT(
+      error(R"({"plants": [{"name": "X", "motor_mass_kg": 1, "load_mass_kg": 1, "stiffness_n_per_um": 1,
+                       "damping_n_s_per_mm": 1, "velocity_bandwidth_hz": 9, "kv_per_s": 1, "mass": 2}]})"),
+      Catch::Matchers::Contains("\"mass\" is not known"));
+  for (std::string const move : {"X", "X:0", "X:a", ":5", "X:5:0", "Q:5"}) {
+    static_cast<void>(error("{}", move));
+  }
+}

@@ -1,0 +1,120 @@
+#include "channels.hpp"
+
+#include "codegen/image_writer.hpp"
+#include "support/catch.hpp"
+
+#include <sstream>
+
+namespace axisc::test {
+namespace {
+
+validator::AxisConfiguration axis(std::size_t index) {
+  validator::AxisConfiguration axis;
+  axis.name = std::string(1, static_cast<char>('X' + index));
+  axis.number = static_cast<std::uint32_t>(index + 1);
+  axis.velocity_limit = 500'000;
+  axis.acceleration_limit = 10'000;
+  return axis;
+}
+
+validator::Machine group_of(std::vector<validator::AxisConfiguration> axes, design::CycleTime cycle_time) {
+  validator::Machine machine;
+  machine.name = "test";
+  machine.cycle_time = cycle_time;
+  machine.groups.push_back({.name = "channel", .axes = {}, .filter_sets = {}});
+  for (std::size_t i = 0; i < axes.size(); ++i) machine.groups[0].axes.push_back(i);
+  machine.axes = std::move(axes);
+  return machine;
+}
+
+struct Ignore final : motion::PathListener {
+  explicit Ignore(validator::MachineGroup& where) : group(where) {}
+  void motion(motion::ProgrammedBlock const&) override {}
+  void command(motion::FilterChange const& change) override {
+    if (!change.command.parameters.empty()) group.filter_sets.push_back(change.command.parameters);
+  }
+  void end() override {}
+  validator::MachineGroup& group;
+};
+
+void interpret(motion::ProgramChannel const& channel, motion::PathListener& listener,
+               std::string const& program) {
+  motion::ProgramInterpreter interpreter(channel, listener, [](motion::ProgramProblem const& problem) {
+    FAIL(problem.line_text << ": " << render(problem.finding.message, Language::english));
+  });
+  std::istringstream lines(program);
+  std::uint32_t offset = 0;
+  for (std::string line; std::getline(lines, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
+    interpreter.line(line, offset);
+  }
+  interpreter.finish();
+}
+
+}  // namespace
+
+validator::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
+                              design::CycleTime cycle_time) {
+  std::vector<validator::AxisConfiguration> axes;
+  for (auto const& kernel : kernels) {
+    axes.push_back(axis(axes.size()));
+    axes.back().kernel = validator::ConfiguredKernel{
+        .family = validator::KernelFamily::fir, .index = 0, .specification = kernel, .on_at_start = true};
+  }
+  return group_of(std::move(axes), cycle_time);
+}
+
+validator::Machine channel_of_pt1(double time_constant_us, std::size_t count) {
+  std::vector<validator::AxisConfiguration> axes;
+  for (std::size_t i = 0; i < count; ++i) {
+    axes.push_back(axis(i));
+    axes.back().filters.push_back(
+        {.index = 0,
+         .specification = {.type = design::FilterType::pt1, .time_constant = {time_constant_us}}});
+  }
+  return group_of(std::move(axes), {});
+}
+
+motion::GroupRuntime runtime_of(validator::Machine const& machine) {
+  auto const image = codegen::write_image(machine, {});
+  auto contents = codegen::read_image(image);
+  REQUIRE(std::holds_alternative<codegen::ImageContents>(contents));
+  auto runtime =
+      motion::GroupRuntime::create(image, std::get<codegen::ImageContents>(contents), machine.groups[0].axes);
+  REQUIRE(std::holds_alternative<motion::GroupRuntime>(runtime));
+  return std::get<motion::GroupRuntime>(std::move(runtime));
+}
+
+std::vector<motion::ChainAnswer> answers_of(validator::Machine const& machine) {
+  auto runtime = runtime_of(machine);
+  auto answers = motion::chain_answers(runtime);
+  REQUIRE(std::holds_alternative<std::vector<motion::ChainAnswer>>(answers));
+  return std::get<std::vector<motion::ChainAnswer>>(std::move(answers));
+}
+
+double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time) {
+  return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
+}
+
+Recorded simulated(validator::Machine machine, std::string const& program, bool constant_velocity) {
+  motion::ProgramChannel channel;
+  channel.limits.cycle_time = machine.cycle_time;
+  std::vector<motion::AxisLimits> limits;
+  double const T = machine.cycle_time.seconds();
+  for (auto const& axis : machine.axes) {
+    channel.axes.push_back(axis.name);
+    channel.rotary.push_back(false);
+    limits.push_back({.velocity = axis.velocity_limit * 10 * T,
+                      .acceleration = axis.acceleration_limit * 1e4 * T * T,
+                      .transition_weight = axis.transition_weight / 1000});
+  }
+  Ignore first(machine.groups[0]);
+  interpret(channel, first, program);
+  Recorded recorded;
+  motion::Simulation simulation(runtime_of(machine), runtime_of(machine), motion::PathLimits(limits),
+                                constant_velocity, recorded);
+  interpret(channel, simulation, program);
+  CHECK_FALSE(simulation.failure().has_value());
+  return recorded;
+}
+
+}  // namespace axisc::test

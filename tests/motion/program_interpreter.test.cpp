@@ -1,0 +1,109 @@
+#include "motion/program_interpreter.hpp"
+
+#include "support/catch.hpp"
+
+#include <sstream>
+
+#include <fmt/format.h>
+
+namespace axisc::motion {
+namespace {
+
+/// A program as the path it means, one line per motion or command.
+struct Script final : PathListener {
+  void motion(ProgrammedBlock const& block) override {
+    lines.push_back(fmt::format("{} {} {} {}", block.label, block.end[0] / units_per_mm,
+                                block.end[1] / units_per_mm,
+                                std::isinf(block.feed) ? "rapid" : fmt::format("{:.6g}", block.feed)));
+  }
+  void command(FilterChange const& change) override {
+    lines.push_back(fmt::format("{} tolerance {:.6g}", change.text, change.tolerance));
+  }
+  void end() override { lines.emplace_back("end"); }
+  std::vector<std::string> lines;
+};
+
+struct Interpreted {
+  std::vector<std::string> path;
+  std::vector<std::string> problems;  ///< "line:column code word"
+};
+
+Interpreted interpret(std::string const& program, bool inch = false) {
+  Script script;
+  Interpreted result;
+  ProgramChannel const channel{.axes = {"X", "Y1"}, .rotary = {false, false}, .inch = inch, .limits = {}};
+  ProgramInterpreter interpreter(channel, script, [&](ProgramProblem const& problem) {
+    result.problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,
+                                          code_text(problem.finding.code),
+                                          problem.line_text.substr(problem.span.begin, problem.span.size())));
+  });
+  std::istringstream in(program);
+  std::uint32_t offset = 0;
+  for (std::string line; std::getline(in, line); offset += static_cast<std::uint32_t>(line.size() + 1)) {
+    if (!interpreter.line(line, offset)) break;
+  }
+  interpreter.finish();
+  result.path = script.lines;
+  return result;
+}
+
+using Lines = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("the subset of NC programs") {
+  auto const found = interpret(
+      "%MAIN (a square)\n"
+      "N010 G00 G90 X1 Y1=2 ; rapid\n"
+      "N020 #SLOPE [TYPE=TRAPEZ]\n"
+      "N030 #FILTER ON [ORDER=20 AX_DEV=0.001] (smooth)\n"
+      "N040 G01 X+5 F600\n"
+      "/N050 G91 X-1.5\n"
+      "X.5 Y1=-2\n"
+      "N060 G90 X0 #FILTER OFF\n"
+      "N070 M30\n"
+      "N080 X100\n");
+  CHECK(found.problems.empty());
+  CHECK(found.path == Lines{"N010 1 2 rapid", "#FILTER ON [ORDER=20 AX_DEV=0.001] tolerance 10",
+                            "N040 5 2 100", "N050 3.5 2 100", "L7 4 0 100", "N060 0 0 100",
+                            "#FILTER OFF tolerance 0", "end"});
+}
+
+TEST_CASE("a block over several lines, and a program without M30") {
+  auto const found = interpret("G01 X1 \\\n  F60 \\\n  Y1=3\nX2");
+  CHECK(found.problems.empty());
+  CHECK(found.path == Lines{"L1 1 3 10", "L4 2 3 10", "end"});
+}
+
+TEST_CASE("inches") {
+  auto const found = interpret("G01 X1 F10\n#FILTER [AX_DEV=0.001]\n", true);
+  CHECK(found.path == Lines{"L1 25.4 0 42.3333", "#FILTER [AX_DEV=0.001] tolerance 254", "end"});
+}
+
+TEST_CASE("what is ignored is named once, what is refused each time") {
+  auto const found = interpret(
+      "G01 X1 F60 S1000 M03\n"
+      "X2 S2000 M3 Z5\n"
+      "G04 X3\n"
+      "#SLOPE [TYPE=SIN]\n"
+      "#CONTOUR MODE ON\n"
+      "G02 X3\n"
+      "P10=5\n"
+      "LL SUB\n"
+      "$IF V.P.A\n"
+      "XP1\n"
+      "#VIB GUARD ON\n");
+  CHECK(found.problems == Lines{"1:12 AX9007 S1000", "1:18 AX9007 M03", "2:13 AX9007 Z5", "3:1 AX9007 G04",
+                                "4:1 AX9007 #SLOPE", "5:1 AX9007 #CONTOUR", "6:1 AX9008 G02",
+                                "7:1 AX9008 P10", "8:1 AX9008 LL", "9:1 AX9008 $IF", "10:1 AX9008 XP1",
+                                "11:1 AX9008 #VIB GUARD"});
+}
+
+TEST_CASE("a motion needs a feed, a command sound keywords") {
+  CHECK(interpret("N10 G01 X1\nX2\n").problems == Lines{"1:9 AX9008 X1"});
+  CHECK(interpret("G01 X1 F0\n").problems.front() == "1:8 AX9008 F0");
+  CHECK(interpret("N10 #FILTER ON [ORDER=999]\n").problems == Lines{"1:23 AX5002 999"});
+  CHECK(interpret("G00 X1e300\n").problems.size() == 1);
+}
+
+}  // namespace axisc::motion

@@ -1,0 +1,113 @@
+#include "motion/simulation.hpp"
+
+#include "channels.hpp"
+#include "support/catch.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+
+namespace axisc::motion {
+namespace {
+
+using test::channel_of;
+using test::per_cycle;
+using test::simulated;
+
+/// Fails where an axis exceeds its velocity, or where its velocity changes by more than `steps` accelerations a cycle.
+void check_limits(test::Recorded const& found, std::size_t axes, double velocity, double acceleration,
+                  double steps) {
+  Point before{};
+  Point change_before{};
+  for (auto const& cycle : found.cycles) {
+    Point const change = minus(cycle.point.point.nominal, before);
+    for (std::size_t i = 0; i < axes; ++i) {
+      CHECK(std::abs(change[i]) <= velocity * (1 + 1e-9) + 1e-6);
+      CHECK(std::abs(change[i] - change_before[i]) <= steps * acceleration * (1 + 1e-6) + 1e-6);
+    }
+    before = cycle.point.point.nominal;
+    change_before = change;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("constant path velocity: the corner's error is the predicted one") {
+  auto const found =
+      simulated(channel_of({{.order = 40}, {.order = 40}}), "G91 G01 F1000 X10\nY10\nX-10\nY-10\n", true);
+  double const expected = per_cycle(1000) * 20 * 21 / (2 * 41);
+  REQUIRE(found.blocks.size() == 4);
+  for (auto const& block : found.blocks) {
+    CHECK(block.axis_error[0] == Approx(expected).epsilon(0.005));
+    CHECK(block.axis_error[1] == Approx(expected).epsilon(0.005));
+    CHECK(block.deviation == Approx(std::sqrt(2) * expected).epsilon(0.005));
+    CHECK(block.cycles == Approx(600));
+  }
+}
+
+TEST_CASE("identical filters leave straight lines straight") {
+  auto const found =
+      simulated(channel_of({{.order = 60}, {.order = 60}, {.order = 60}}), "G01 X30 Y-17 Z5 F20000\n");
+  REQUIRE(found.passes.size() == 1);
+  CHECK(found.passes[0].deviation < 0.01);
+  CHECK(found.passes[0].lag > 100);
+}
+
+TEST_CASE("different filters bend them") {
+  auto const found = simulated(channel_of({{.order = 60}, {.order = 20}}), "G01 X30 Y30 F6000\n");
+  // v ΔD / 2 at constant velocity, ΔD = 20 cycles
+  CHECK(found.passes.at(0).deviation == Approx(per_cycle(6000) * 20 / 2).epsilon(0.01));
+}
+
+TEST_CASE("without filter the path is the programmed one") {
+  auto const found = simulated(channel_of({{.order = 0}, {.order = 0}}), "G01 X3 F5000\nY1\nX0\nY0\n");
+  REQUIRE(found.passes.size() == 1);
+  CHECK(found.passes[0].deviation == 0);
+  CHECK(found.passes[0].axis_error == Point{});
+}
+
+TEST_CASE("planned paths keep the axes' limits and end where they should") {
+  std::mt19937_64 engine(20261121);
+  auto const number = [&engine](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine() >> 11U) * 0x1p-53;
+  };
+  for (int round = 0; round < 20; ++round) {
+    std::string program = fmt::format("G01 F{:.3f}\n", number(500, 40'000));
+    double x = 0;
+    double y = 0;
+    for (int block = 0; block < 300; ++block) {
+      double const size = std::pow(10, number(-3, 1));
+      x += number(-size, size);
+      y += number(-size, size);
+      program += fmt::format("X{:.4f} Y{:.4f}\n", x, y);
+    }
+    auto const found = simulated(channel_of({{.order = 4}, {.order = 4}}), program);
+    // Inside a cycle a path may leave one corner, accelerate and meet the next one: each takes its share of the cycle.
+    check_limits(found, 2, 500 * 10, 100, 4);
+    auto const& last = found.cycles.back().point;
+    CHECK(last.point.nominal[0] == Approx(std::round(x * 1e4)).margin(1e-6));
+    CHECK(last.filtered[1] == Approx(std::round(y * 1e4)).margin(1e-6));
+    CHECK(found.blocks.size() <= 300);
+  }
+}
+
+TEST_CASE("a straight path in many blocks takes as long as in one") {
+  std::string program = "G01 F30000\n";
+  for (int i = 1; i <= 5000; ++i) program += fmt::format("X{:.2f}\n", i * 0.1);
+  auto const pieces = simulated(channel_of({{.order = 10}}), program);
+  auto const whole = simulated(channel_of({{.order = 10}}), "G01 X500 F30000\n");
+  CHECK(pieces.passes.at(0).cycles == Approx(whole.passes.at(0).cycles).margin(1));
+}
+
+TEST_CASE("kernels change at rest, between passes") {
+  auto const found = simulated(channel_of({{.order = 40}, {.order = 40}}),
+                               "G01 X5 F3000\nY5\n#FILTER ON [ORDER=10]\nX0\nY0\n#FILTER OFF\nX5\nY5\n");
+  REQUIRE(found.passes.size() == 3);
+  CHECK(found.passes[0].axis_error[0] > found.passes[1].axis_error[0]);
+  CHECK(found.passes[1].axis_error[0] > 0);
+  CHECK(found.passes[2].axis_error[0] == 0);
+  CHECK(found.passes[1].command == "#FILTER ON [ORDER=10]");
+}
+
+}  // namespace axisc::motion
