@@ -53,7 +53,8 @@ typedef enum axisrt_status {
   AXISRT_WRONG_SIGNATURE = 26, /* the image was changed after it was signed, or signed with another key */
 
   /* axisrt_prepare. */
-  AXISRT_OTHER_AXES = 27,  /* the image is of another machine: number, names, numbers or types of axes differ */
+  AXISRT_OTHER_AXES =
+      27, /* the image is of another machine: number, names, numbers or types of axes differ */
   AXISRT_OLDER_IMAGE = 28, /* its version counter is lower than that of the image that works */
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
@@ -62,8 +63,8 @@ typedef enum axisrt_status {
   AXISRT_NOT_RESET = 41,
 
   /* axisrt_command, axisrt_swap. Nothing was changed. */
-  AXISRT_BUSY = 50,            /* a filter of the group is still changing over; try again in the next cycle */
-  AXISRT_NO_BANK = 51,         /* the image has no kernels for these parameters */
+  AXISRT_BUSY = 50,    /* a filter of the group is still changing over; try again in the next cycle */
+  AXISRT_NO_BANK = 51, /* the image has no kernels for these parameters */
   AXISRT_NEEDS_STANDSTILL = 52, /* no transition is gentle enough: only while the axes stand */
   AXISRT_NOT_WARM = 53 /* axisrt_swap: the new filters have not seen enough of the motion yet; shadow on */
 } axisrt_status;
@@ -270,7 +271,8 @@ uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
  * while `active` itself is still replacing another. `prepared` may get commands; it begins with the lists' values. Prepare again
  * after axisrt_rebase, and after axisrt_reset of an axis that was reset before.
  * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in the cycle. */
-axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options, axisrt** prepared);
+axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options,
+                             axisrt** prepared);
 
 /* One cycle of the prepared runtime with what the active one was given last. To be called after the active one's steps.
  * Cost: that of a cycle. */

@@ -26,7 +26,7 @@ PKG_CONFIG_PATH=$(dirname "$(find "$folder/moved" -name axisrt.pc)")
 "$CC" -std=c11 $(pkg-config --cflags axisrt) "$source/examples/filter_in_c.c" "$source/examples/image_file.c" \
   $(pkg-config --libs axisrt) -o "$folder/filter_by_pkg_config"
 
-"$build/bin/axisc" run "$folder/mill.axim" --signal step --amplitude 1000 --cycles 30 |
+"$build/bin/axisc" run "$folder/mill.axim" --level auto --signal step --amplitude 1000 --cycles 30 |
   awk -F, 'NR == 1 {for (i = 1; i <= NF; ++i) if ($i !~ /\./ && $i != "cycle") use[i] = 1}
            NR > 1 {line = NR - 2; for (i = 1; i <= NF; ++i) if (i in use) line = line " " sprintf("%.17g", $i); print line}' \
   >"$folder/expected.txt"
