@@ -1,6 +1,5 @@
 #include "cli/path_machine.hpp"
 
-#include "cli/disk_files.hpp"
 #include "cli/finding_report.hpp"
 #include "cli/machine_outline.hpp"
 #include "cli/quantities.hpp"
@@ -35,9 +34,9 @@ std::optional<CheckedMachine> checked_machine(std::string const& path,
   SettingsFinder finder;
   auto const settings = finder.find(path);
   if (settings) options = with_settings(options, *settings, path);
-  DiskFiles files(path == "-");
+  auto disk = std::make_unique<DiskFiles>(path == "-");
   SourceSet sources;
-  auto result = validator::check(files, path, options, sources);
+  auto result = validator::check(*disk, path, options, sources);
   if (result.unreadable) throw unreadable(path, *result.unreadable);
   if (!result.machine) {
     std::erase_if(result.findings,
@@ -51,7 +50,8 @@ std::optional<CheckedMachine> checked_machine(std::string const& path,
     throw Failure({.text = is_machine ? Text::cli_machine_cycle_time_missing : Text::cli_cycle_time_missing,
                    .arguments = {{"file", path}}});
   }
-  return CheckedMachine{.machine = *std::move(result.machine), .files = std::move(result.files)};
+  return CheckedMachine{
+      .disk = std::move(disk), .machine = *std::move(result.machine), .files = std::move(result.files)};
 }
 
 ImageFile image_of(validator::Machine const& machine, std::string const& path) {

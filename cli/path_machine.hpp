@@ -2,11 +2,13 @@
 #pragma once
 
 #include "cli/commands.hpp"
+#include "cli/disk_files.hpp"
 #include "cli/image_file.hpp"
 #include "motion/group_runtime.hpp"
 #include "validator/command_check.hpp"
 #include "validator/machine.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,7 @@
 namespace axisc::cli {
 
 struct CheckedMachine {
+  std::unique_ptr<DiskFiles> disk;  ///< from which the machine reads its NC programs again
   validator::Machine machine;
   std::vector<std::string> files;  ///< that were read
 };

@@ -97,6 +97,15 @@ TEST_CASE("filters as a command wants them") {
              Catch::Matchers::Contains("is no #FILTER command"));
 }
 
+TEST_CASE("machines with NC programs of their own, whose bytes the image remembers") {
+  for (std::string const machine : {"samples/mill/machine.json", "samples/motion/square/machine.json"}) {
+    INFO(machine);
+    auto const result = run_axisc({"contour", AXISC_SOURCE_DIR "/" + machine, "--feed", "1000"});
+    CHECK(result.status == 0);
+    CHECK(result.out.find("corner, 90") != std::string::npos);
+  }
+}
+
 TEST_CASE("what contour refuses") {
   TemporaryFolder const folder;
   auto const there = machine(folder, average(40), average(40));
