@@ -58,7 +58,8 @@ struct Corner {
   [[nodiscard]] std::vector<Point> path(Plane const& plane, double first, double last) const {
     std::vector<Point> points;
     double const stride = plane.stride();
-    for (double n = first; n <= last; n += stride) points.push_back(filtered(plane, n));
+    auto const strides = static_cast<int>((last - first) / stride);
+    for (int i = 0; i <= strides; ++i) points.push_back(filtered(plane, first + i * stride));
     return points;
   }
 };
@@ -81,10 +82,10 @@ ContourFigures measure(Corner const& corner, Plane const& plane) {
   double const stride = plane.stride();
   // Whole strides away from the delay, so that a path point belongs to the corner itself.
   double const middle = std::round(plane.latest());
-  double const steps = std::ceil(reach / stride);
+  auto const steps = static_cast<int>(std::ceil(reach / stride));
   auto const path = corner.path(plane, middle - 2 * steps * stride, middle + 2 * steps * stride);
   ContourFigures figures;
-  for (double n = -steps; n <= steps; n += 1) {
+  for (int n = -steps; n <= steps; ++n) {
     take_largest(figures, nearest_on(path, corner.nominal(n * stride)));
   }
   return figures;

@@ -48,7 +48,9 @@ void CornerProbe::execute(Corner const& corner, double plateau, double phase) {
   double const last = reach_ + delay_;
   static_cast<void>(runtime_->reset(nominal(corner, plateau, first - phase)));
   Point filtered{};
-  for (double n = first; n <= last; n += 1) {
+  auto const cycles = static_cast<int>(last - first);
+  for (int i = 0; i <= cycles; ++i) {
+    double const n = first + i;
     static_cast<void>(runtime_->step(nominal(corner, plateau, n - phase), filtered));
     if (n >= delay_ - reach_) path_.push_back(filtered);
   }
@@ -58,8 +60,8 @@ double CornerProbe::largest_of_path(Corner const& corner, double plateau, double
   double largest = 0;
   double const aside = std::floor(0.7 * reach_);
   double const stride = std::max(1.0, std::floor(aside / points_aside));
-  double const points = std::floor(aside / stride);
-  for (double n = -points - 1; n <= points; n += 1) {
+  auto const points = static_cast<int>(aside / stride);
+  for (int n = -points - 1; n <= points; ++n) {
     // In the middle the corner itself, on either side setpoints.
     double const tau = n == -1 ? 0 : (n < 0 ? n + 1 : n) * stride - phase;
     Point const point = nominal(corner, plateau, tau);

@@ -286,7 +286,7 @@ void ProgramInterpreter::take_filter(Token const& token) {
   auto const line_end = kept_.find('\n', last);
   bool const bracket = !command.keywords.empty() && behind != std::string::npos && behind < line_end;
   if (command.keywords.empty()) {
-    auto const word = change.command.filter_switch == validator::FilterSwitch::on ? " ON" : " OFF";
+    char const* const word = change.command.filter_switch == validator::FilterSwitch::on ? " ON" : " OFF";
     bool const none = change.command.filter_switch == validator::FilterSwitch::unchanged;
     change.text = "#FILTER" + std::string(none ? "" : word);
   } else {

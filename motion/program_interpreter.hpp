@@ -93,7 +93,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   void keep(std::string_view text, std::uint32_t offset);
   [[nodiscard]] std::string_view text(Span span) const;
   [[nodiscard]] std::optional<std::size_t> axis(std::string_view name) const;
-  void report(Token const& token, Code code, Text text, std::vector<Argument> arguments = {});
+  void report(Token const& token, Code code, Text message, std::vector<Argument> arguments = {});
   void ignore(Token const& token, std::string const& key, Text text, std::vector<Argument> arguments = {});
   void refuse(Token const& token, Text text = Text::ax9008);
 

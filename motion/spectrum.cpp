@@ -31,8 +31,8 @@ double amplitude_at(std::span<double const> record, double cycle_seconds, double
 Oscillation dominant_oscillation(std::span<double const> record, double cycle_seconds, double lowest,
                                  double highest) {
   Oscillation found{.frequency = lowest, .amplitude = 0};
-  for (double tenths = std::ceil(lowest * 10); tenths <= highest * 10; tenths += 1) {
-    double const frequency = tenths / 10;
+  for (auto tenths = static_cast<int>(std::ceil(lowest * 10)); tenths <= highest * 10; ++tenths) {
+    double const frequency = tenths / 10.0;
     double const amplitude = amplitude_at(record, cycle_seconds, frequency);
     if (amplitude > found.amplitude) found = {.frequency = frequency, .amplitude = amplitude};
   }

@@ -94,8 +94,8 @@ void take_over(axisrt const& active, axisrt& prepared) {
   }
   if (prepared.change->same_controls == 0) return;
   for (uint32_t i = 0; i < prepared.stage_count; ++i) {
-    if (was_reset(active.velocity, i))
-      reset_line(prepared, prepared.velocity, i, input_of(active.velocity, i));
+    if (!was_reset(active.velocity, i)) continue;
+    reset_line(prepared, prepared.velocity, i, input_of(active.velocity, i));
   }
 }
 
@@ -152,8 +152,9 @@ uint32_t digest_of_controls(axisrt const& runtime) {
       Filter const& filter = runtime.filters[k];
       add(filter.kind);
       add(filter.delay_cycles);
-      for (uint32_t section = 0; section < filter.section_count; ++section)
+      for (uint32_t section = 0; section < filter.section_count; ++section) {
         add(lane.section(filter, section));
+      }
       if (filter.kind == FilterKind::pass_through || filter.kind == FilterKind::passing) continue;
       for (uint32_t part = 0; part < 3; ++part) {
         double const share = lane.share(filter, part);

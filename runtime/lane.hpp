@@ -60,11 +60,10 @@ class Lane {
   }
   [[nodiscard]] SectionCoefficients section(Filter const& filter, uint32_t index) const {
     uint32_t const shares = filter.kind == FilterKind::passing ? 0 : 3;
+    size_t const width = batch_.width;
     double const* const first =
-        constants_[filter.operation] +
-        static_cast<size_t>(shares + 4 * (filter.first_section + index)) * batch_.width + lane_;
-    return {
-        .p = first[0], .g = first[batch_.width], .k = first[2 * batch_.width], .b = first[3 * batch_.width]};
+        constants_[filter.operation] + (shares + size_t{4} * (filter.first_section + index)) * width + lane_;
+    return {.p = first[0], .g = first[width], .k = first[2 * width], .b = first[3 * width]};
   }
 
  private:
@@ -87,8 +86,8 @@ class Lane {
 /// increment to speak of. Cost: that many cycles.
 [[nodiscard]] bool is_at_rest(Slot const& slot);
 
-/// The steady state of a line for a signal that has always been `value`.
-void reset_line(axisrt const& runtime, LinePort const& port, uint32_t line, double value);
+/// The steady state of line `index` for a signal that has always been `value`.
+void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double value);
 
 /// The steady state for any constant signal; a fade has ended.
 void reset_slot(Slot const& slot);

@@ -79,8 +79,9 @@ axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
 
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
-  if (axisrt* const before = axisc::runtime::changes_from(*runtime))
+  if (axisrt* const before = axisc::runtime::changes_from(*runtime)) {
     axisrt_reset_interface(before, axis, value);
+  }
   return axisc::runtime::reset_port(runtime, runtime->additional_interface, axis, value);
 }
 
@@ -92,8 +93,9 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   for (double const velocity : velocities) {
     if (!is_within(velocity, largest_position)) return AXISRT_BAD_INPUT;
   }
-  if (axisrt* const before = changes_from(*runtime))
+  if (axisrt* const before = changes_from(*runtime)) {
     axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
+  }
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.axis != axis) continue;

@@ -221,7 +221,7 @@ bool Grouping::next(Group& group) {
   }
   group.width = width_for(left_of_steps_, lanes_, has_slot);
   group.used = left_of_steps_ < group.width ? left_of_steps_ : group.width;
-  for (uint32_t lane = 0; lane < most_lanes; ++lane) group.lines[lane] = line;
+  for (uint32_t& one : group.lines) one = line;
   for (uint32_t lane = 1; lane < group.used; ++lane) {
     if (!next_line(group.lines[lane])) break;
     widen(group.shape, shape_of(view_, line_at(view_, port_, group.lines[lane])));

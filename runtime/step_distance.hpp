@@ -18,6 +18,6 @@ struct StepDistance {
 };
 
 /// Computes the step response: at most 2^21 cycles. Not in the cycle.
-[[nodiscard]] StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t line);
+[[nodiscard]] StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t index);
 
 }  // namespace axisc::runtime

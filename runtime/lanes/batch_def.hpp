@@ -5,6 +5,8 @@
 #include "runtime/lanes/filters_def.hpp"
 #include "runtime/lanes/slot_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 /// What happened to any lane: statuses, joined bit by bit. The worse of the two contains the other's bits.
@@ -311,3 +313,4 @@ AXISRT_INLINE uint64_t step_batch(Batch const& batch, Call const& call) {
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

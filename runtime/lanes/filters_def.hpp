@@ -18,6 +18,8 @@
 
 #include "runtime/lanes/sections_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 /// s, 1 - s and what rounding took from it.
@@ -101,3 +103,4 @@ AXISRT_INLINE Signal<Width> run_delay(Operation const& operation, double const* 
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

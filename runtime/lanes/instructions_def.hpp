@@ -4,6 +4,8 @@
 #include "runtime/instructions.hpp"
 #include "runtime/lanes/batch_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 /// Calls call.template operator()<Width>() for the width of the batch.
@@ -21,7 +23,7 @@ AXISRT_INLINE void with_width(uint32_t width, Call const& call) {
   }
 }
 
-uint64_t step(Port const& port, double const* in, double* out, uint8_t* status) {
+static uint64_t step(Port const& port, double const* in, double* out, uint8_t* status) {
   uint64_t worst = AXISRT_OK;
   for (uint32_t i = 0; i < port.batch_count; ++i) {
     Batch const& batch = port.batches[i];
@@ -34,7 +36,7 @@ uint64_t step(Port const& port, double const* in, double* out, uint8_t* status) 
   return worst;
 }
 
-void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, double* signal) {
+static void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, double* signal) {
   Operation const& one = batch.operations[operation];
   double const* const constants =
       batch.constants[static_cast<size_t>(group) * batch.operation_count + operation];
@@ -52,6 +54,8 @@ void run_one_operation(Batch const& batch, uint32_t operation, uint32_t group, d
 }
 
 extern Instructions const instructions;
+// NOLINTNEXTLINE(misc-definitions-in-headers): included by one source of each level
 Instructions const instructions{AXISRT_LEVEL_NUMBER, AXISRT_LANES, step, run_one_operation};
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

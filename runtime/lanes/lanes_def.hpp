@@ -17,6 +17,8 @@
 #define AXISRT_INLINE inline
 #endif
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 template <uint32_t Width>
@@ -229,3 +231,4 @@ template <uint32_t Count>
 using FirstMembers = typename CountMembers<Count>::Type;
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

@@ -15,6 +15,8 @@
 
 #include "runtime/lanes/taps_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 /// The increment that stands `age` cycles before the present one.
@@ -72,3 +74,4 @@ AXISRT_INLINE void begin_ramp(SlotGroup& slot, double* sums, double const* histo
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

@@ -29,6 +29,8 @@
 
 #include "runtime/lanes/lanes_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 /// Value base + sum, and its increment since the cycle before.
@@ -98,3 +100,4 @@ AXISRT_INLINE void bound_section(double* states) {
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

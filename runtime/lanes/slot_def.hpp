@@ -20,6 +20,8 @@
 #include "runtime/lanes/ramp_def.hpp"
 #include "runtime/lanes/sections_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 template <uint32_t Width>
@@ -145,3 +147,4 @@ AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Widt
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)

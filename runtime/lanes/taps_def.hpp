@@ -9,6 +9,8 @@
 
 #include "runtime/lanes/lanes_def.hpp"
 
+// Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
+// NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
 inline constexpr uint32_t blocks_applied_directly = 2;
@@ -134,3 +136,4 @@ AXISRT_INLINE Real<Width> apply_latest(double const* zero, SlotGroup const& slot
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
+// NOLINTEND(bugprone-implicit-widening-of-multiplication-result)
