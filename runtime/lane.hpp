@@ -86,8 +86,8 @@ class Lane {
 /// increment to speak of. Cost: that many cycles.
 [[nodiscard]] bool is_at_rest(Slot const& slot);
 
-/// The steady state of line `index` for a signal that has always been `value`.
-void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double value);
+/// The steady state of line `index` for a signal that has always been `position`.
+void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double position);
 
 /// The steady state for any constant signal; a fade has ended.
 void reset_slot(Slot const& slot);
