@@ -22,8 +22,9 @@ constexpr mode_t others = 077;
 constexpr std::size_t longest_key_file = 256;
 
 [[noreturn]] void refuse_to_write(std::string const& path, int error) {
-  if (error == EEXIST)
+  if (error == EEXIST) {
     throw Failure({.text = Text::ax9002_key_exists, .arguments = {{"file", path}}}, cannot_write);
+  }
   throw Failure({.text = Text::ax9002, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
                 cannot_write);
 }
