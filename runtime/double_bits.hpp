@@ -47,11 +47,6 @@ inline constexpr Mask all_set = ~Mask{0};
   return std::bit_cast<double>(magnitude_bits(value));
 }
 
-/// |value| < limit; clear for NaN. Expects 0 <= limit.
-[[nodiscard]] inline Mask mask_if_below(double value, double limit) {
-  return mask_if_less(magnitude_bits(value), std::bit_cast<uint64_t>(limit));
-}
-
 /// |value| <= limit; clear for NaN. Expects 0 <= limit.
 [[nodiscard]] inline Mask mask_if_within(double value, double limit) {
   return ~mask_if_less(std::bit_cast<uint64_t>(limit), magnitude_bits(value));
