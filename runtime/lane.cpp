@@ -27,7 +27,7 @@ Value join_shared(Lane const& lane, Filter const& filter, Value const& in, doubl
 
 /// Puts a kernel's tails into the slot's lane.
 void write_tails(Slot const& slot, Kernel const& kernel) {
-  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * block_cycles;
+  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * static_cast<ptrdiff_t>(block_cycles);
   auto const width = static_cast<ptrdiff_t>(slot.width);
   auto const tails = static_cast<ptrdiff_t>(kernel.tail_count);
   for (ptrdiff_t j = 0; j < end; ++j) {
@@ -36,7 +36,7 @@ void write_tails(Slot const& slot, Kernel const& kernel) {
 }
 
 void copy_tails_to_before(Slot const& slot) {
-  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * block_cycles;
+  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * static_cast<ptrdiff_t>(block_cycles);
   auto const width = static_cast<ptrdiff_t>(slot.width);
   for (ptrdiff_t j = 0; j < end; ++j) {
     ptrdiff_t const at = slot.lane - j * width;
