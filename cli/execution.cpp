@@ -51,6 +51,7 @@ void Execution::reset(double position, Port fed) {
   interface_ = in(Input::interface);
   v_add_.assign(host_.axis_count(), 0);
   increments_.assign(host_.axis_count(), 0);
+  status_.assign(host_.axis_count(), AXISRT_OK);
 }
 
 std::vector<Execution::Output> Execution::outputs() const {
@@ -74,7 +75,7 @@ std::vector<Execution::Output> Execution::outputs() const {
   return outputs;
 }
 
-Refused Execution::go(std::function<void(std::string_view)> const& write) {
+Noticed Execution::go(std::function<void(std::string_view)> const& write) {
   auto const columns = outputs();
   std::string text;
   for (auto const& column : columns) {
@@ -84,11 +85,11 @@ Refused Execution::go(std::function<void(std::string_view)> const& write) {
   text += '\n';
   std::vector<double> row_in(stimulus_.channels().size());
   std::vector<double> row_out(columns.size());
-  Refused refused;
+  Noticed noticed;
   for (std::uint64_t cycle = 0; stimulus_.next(row_in); ++cycle) {
     execute_commands(cycle);
     feed(row_in);
-    step(cycle, refused);
+    step(cycle, noticed);
     std::transform(columns.begin(), columns.end(), row_out.begin(),
                    [](Output const& column) { return (*column.values)[column.axis]; });
     append_csv_row(text, row_out);
@@ -98,7 +99,7 @@ Refused Execution::go(std::function<void(std::string_view)> const& write) {
     }
   }
   write(text);
-  return refused;
+  return noticed;
 }
 
 void Execution::execute_commands(std::uint64_t cycle) {
@@ -115,19 +116,22 @@ void Execution::feed(std::vector<double> const& row) {
   }
 }
 
-void Execution::step(std::uint64_t cycle, Refused& refused) {
-  auto const results = {
-      host_.step(in(Input::setpoint), setpoints_), host_.step_interface(in(Input::interface), interface_),
-      host_.step_velocity(
-          {.set = in(Input::v_set), .motor = in(Input::v_motor), .direct = in(Input::v_direct)}, v_add_,
-          increments_)};
-  for (auto const status : results) {
-    if (status != AXISRT_BAD_INPUT) {
-      require(status);
-      continue;
-    }
-    if (refused.count++ == 0) refused.first_cycle = cycle;
+void Execution::notice(axisrt_status worst, std::uint64_t cycle, Noticed& noticed) const {
+  if (worst == AXISRT_OK) return;
+  if (worst != AXISRT_BAD_INPUT && worst != AXISRT_IMPLAUSIBLE) require(worst);
+  for (auto const status : status_) {
+    if (status == AXISRT_BAD_INPUT) noticed.refused.add(cycle);
+    if (status == AXISRT_IMPLAUSIBLE) noticed.jumps.add(cycle);
   }
+}
+
+void Execution::step(std::uint64_t cycle, Noticed& noticed) {
+  notice(host_.step(in(Input::setpoint), setpoints_, status_), cycle, noticed);
+  notice(host_.step_interface(in(Input::interface), interface_, status_), cycle, noticed);
+  notice(host_.step_velocity(
+             {.set = in(Input::v_set), .motor = in(Input::v_motor), .direct = in(Input::v_direct)}, v_add_,
+             increments_, status_),
+         cycle, noticed);
 }
 
 }  // namespace axisc::cli

@@ -14,10 +14,19 @@
 
 namespace axisc::cli {
 
-/// Inputs that the runtime did not accept; it went on with the last good one.
-struct Refused {
+/// Cycles in which the same happened.
+struct Occurrences {
   std::uint64_t count = 0;
   std::uint64_t first_cycle = 0;
+  void add(std::uint64_t cycle) {
+    if (count++ == 0) first_cycle = cycle;
+  }
+};
+
+/// What the runtime noticed without stopping.
+struct Noticed {
+  Occurrences refused;  ///< inputs that were not accepted; it went on with the last good one
+  Occurrences jumps;    ///< outputs that moved farther than their axis may
 };
 
 class Execution {
@@ -30,7 +39,7 @@ class Execution {
   void reset(double position, Port fed);
   /// Runs to the stimulus' end and hands on the table, header first, in pieces. Failure where the runtime stops or a
   /// command cannot be executed.
-  Refused go(std::function<void(std::string_view)> const& write);
+  Noticed go(std::function<void(std::string_view)> const& write);
 
  private:
   /// A column of output.
@@ -43,7 +52,8 @@ class Execution {
   [[nodiscard]] std::vector<double>& in(Input input) { return in_[static_cast<std::size_t>(input)]; }
   void execute_commands(std::uint64_t cycle);
   void feed(std::vector<double> const& row);
-  void step(std::uint64_t cycle, Refused& refused);
+  void step(std::uint64_t cycle, Noticed& noticed);
+  void notice(axisrt_status worst, std::uint64_t cycle, Noticed& noticed) const;
 
   std::string path_;
   codegen::RuntimeHost host_;
@@ -55,6 +65,7 @@ class Execution {
   bool feeds_velocities_ = false;
   std::array<std::vector<double>, inputs> in_;
   std::vector<double> setpoints_, interface_, v_add_, increments_;
+  std::vector<std::uint8_t> status_;  ///< of all axes, of the latest call
 };
 
 }  // namespace axisc::cli

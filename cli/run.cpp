@@ -123,12 +123,13 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageCon
   return stimulus;
 }
 
-void report_refused(Refused const& refused, Invocation const& invocation) {
-  if (refused.count == 0) return;
-  invocation.streams.err.write(warning_line({.text = Text::cli_refused_setpoints,
-                                             .arguments = {{"count", std::to_string(refused.count)},
-                                                           {"cycle", std::to_string(refused.first_cycle)}}},
-                                            invocation.language));
+void report(Occurrences const& occurrences, Text text, Invocation const& invocation) {
+  if (occurrences.count == 0) return;
+  invocation.streams.err.write(
+      warning_line({.text = text,
+                    .arguments = {{"count", std::to_string(occurrences.count)},
+                                  {"cycle", std::to_string(occurrences.first_cycle)}}},
+                   invocation.language));
 }
 
 }  // namespace
@@ -155,15 +156,17 @@ ExitStatus run(Invocation const& invocation) {
                       *stimulus,
                       read_timed_commands(words.commands, file, *words.image, invocation.language));
   execution.reset(position, port);
-  Refused refused;
+  Noticed noticed;
   if (words.output) {
     OutputFile target(*words.output);
-    refused = execution.go([&target](std::string_view text) { target.write(text); });
+    noticed = execution.go([&target](std::string_view text) { target.write(text); });
     target.commit();
   } else {
-    refused = execution.go([&out](std::string_view text) { out.write(text); });
+    noticed = execution.go([&out](std::string_view text) { out.write(text); });
   }
-  if (!words.quiet) report_refused(refused, invocation);
+  if (words.quiet) return ExitStatus::success;
+  report(noticed.refused, Text::cli_refused_setpoints, invocation);
+  report(noticed.jumps, Text::cli_jumps, invocation);
   return ExitStatus::success;
 }
 

@@ -97,10 +97,11 @@ struct Operation {
 
 /// Pieces that begin every group's state, one double per lane each.
 struct GroupParts {
-  static constexpr uint32_t input = 0;       ///< the last good setpoint
-  static constexpr uint32_t output = 1;      ///< 0 before the first reset
-  static constexpr uint32_t reset_done = 2;  ///< all bits set after a reset
-  static constexpr uint32_t operations = 3;
+  static constexpr uint32_t input = 0;              ///< the last good setpoint
+  static constexpr uint32_t output = 1;             ///< 0 before the first reset
+  static constexpr uint32_t reset_done = 2;         ///< all bits set after a reset
+  static constexpr uint32_t largest_increment = 3;  ///< that is plausible; never changes
+  static constexpr uint32_t operations = 4;
 };
 
 /// What calls between the cycles change for a whole batch.

@@ -221,6 +221,7 @@ axisrt_status axisrt_swap(axisrt* prepared) {
   bool const stands = change.standstill >= standstill_cycles;
   if (!stands && change.length == 0) return AXISRT_NEEDS_STANDSTILL;
   if (!stands && change.cycles < change.warm_up) return AXISRT_NOT_WARM;
+  axisrt_recorder_stop(active.recorder);
   if (change.length == 0) change.predecessor = nullptr;
   change.begun = 1;
   change.position = 0;

@@ -3,6 +3,7 @@
 #include "runtime/double_bits.hpp"
 #include "runtime/format/image_format.h"
 #include "runtime/lane.hpp"
+#include "runtime/recorder.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -111,6 +112,26 @@ axisrt_status apply(Channel const& channel, Switching const& change) {
   return AXISRT_OK;
 }
 
+axisrt_status execute(axisrt const& runtime, uint32_t group, axisrt_filter_command const& command) {
+  if (changes_from(runtime) != nullptr) return AXISRT_BUSY;
+  Switching change{.action = command.action, .bank = nullptr, .pass = runtime.kernels + runtime.kernel_count};
+  if (command.action == AXISRT_ACTION_ON || command.action == AXISRT_ACTION_SET) {
+    change.bank = find_bank(runtime.channels[group], command);
+    if (change.bank == nullptr) return AXISRT_NO_BANK;
+  }
+  return apply(runtime.channels[group], change);
+}
+
+void record(axisrt const& runtime, uint32_t group, axisrt_filter_command const& command,
+            axisrt_status status) {
+  double const values[axrd_command_words] = {
+      std::bit_cast<double>(command.action | uint64_t{command.keywords} << 32U),
+      std::bit_cast<double>(uint64_t{command.order}), command.share, command.fcut, command.quality};
+  record_call(runtime,
+              {.kind = axrd_command, .flags = 0, .status = static_cast<uint32_t>(status), .index = group},
+              values, axrd_command_words);
+}
+
 }  // namespace
 }  // namespace axisc::runtime
 
@@ -122,14 +143,9 @@ axisrt_status axisrt_command(axisrt* runtime, uint32_t group, axisrt_filter_comm
   if (group >= runtime->channel_count || command->action > AXISRT_ACTION_PROGRAM_END) {
     return AXISRT_BAD_ARGUMENT;
   }
-  if (changes_from(*runtime) != nullptr) return AXISRT_BUSY;
-  Switching change{
-      .action = command->action, .bank = nullptr, .pass = runtime->kernels + runtime->kernel_count};
-  if (command->action == AXISRT_ACTION_ON || command->action == AXISRT_ACTION_SET) {
-    change.bank = find_bank(runtime->channels[group], *command);
-    if (change.bank == nullptr) return AXISRT_NO_BANK;
-  }
-  return apply(runtime->channels[group], change);
+  axisrt_status const status = execute(*runtime, group, *command);
+  record(*runtime, group, *command, status);
+  return status;
 }
 
 uint32_t axisrt_order_of_time(axisrt const* runtime, double time_us) {

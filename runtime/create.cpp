@@ -46,6 +46,8 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
               .stage_count = view.stages.count,
               .control_count = view.controls.count,
               .image_version = view.header()[field::header::image_version],
+              .image_checksum = view.header()[field::header::payload_checksum],
+              .reserved = 0,
               .instructions = &instructions,
               .names = view.names.first,
               .axes = memory.part<Axis>(layout.axes),
@@ -63,7 +65,9 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
                                 .out = memory.part<double>(layout.stage_out),
                                 .status = memory.part<uint8_t>(layout.stage_status)},
               .additive_velocities = memory.part<double>(layout.additive_velocities),
-              .change = change};
+              .change = change,
+              .recorder = nullptr};
+  limit_increments(view, *runtime);
   build_channels(view, layout, memory);
   build_controls(view, layout, memory);
   return runtime;

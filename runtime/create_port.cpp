@@ -1,8 +1,12 @@
 #include "runtime/building.hpp"
 #include "runtime/lane.hpp"
 
+#include <limits>
+
 namespace axisc::runtime {
 namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 PortLayout const& layout_of(Layout const& layout, PortKind port) {
   switch (port) {
@@ -96,6 +100,9 @@ class PortBuilder {
       *group_lines_++ = group.lines[lane];
     }
     for (uint32_t i = 0; i < batch.state_stride; ++i) states_[i] = 0;
+    for (uint32_t lane = 0; lane < group.width; ++lane) {
+      states_[GroupParts::largest_increment * group.width + lane] = unlimited;
+    }
     for (uint32_t i = 0; i < group.shape.step_count; ++i) {
       if (group.shape.steps[i].kind == OperationKind::slot) {
         build_slot_group(batch, group, i);

@@ -25,20 +25,20 @@ Value join_shared(Lane const& lane, Filter const& filter, Value const& in, doubl
   return {.base = in.base, .sum = lane.share(filter, 0) * sum + lane.share(filter, 1) * in.sum};
 }
 
-/// Puts a kernel's tails into the slot's lane.
-void write_tails(Slot const& slot, Kernel const& kernel) {
-  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * static_cast<ptrdiff_t>(block_cycles);
-  auto const width = static_cast<ptrdiff_t>(slot.width);
+ptrdiff_t tails_of(SlotGroup const& group) {
+  return static_cast<ptrdiff_t>(group.block_count) * static_cast<ptrdiff_t>(block_cycles);
+}
+
+/// Puts a kernel's tails into a lane of `zero`.
+void write_tails(double* zero, SlotGroup const& group, ptrdiff_t lane, ptrdiff_t width,
+                 Kernel const& kernel) {
   auto const tails = static_cast<ptrdiff_t>(kernel.tail_count);
-  for (ptrdiff_t j = 0; j < end; ++j) {
-    slot.group->to[slot.lane - j * width] = j < tails ? kernel.zero[-j] : 0;
-  }
+  for (ptrdiff_t j = 0; j < tails_of(group); ++j) zero[lane - j * width] = j < tails ? kernel.zero[-j] : 0;
 }
 
 void copy_tails_to_before(Slot const& slot) {
-  auto const end = static_cast<ptrdiff_t>(slot.group->block_count) * static_cast<ptrdiff_t>(block_cycles);
   auto const width = static_cast<ptrdiff_t>(slot.width);
-  for (ptrdiff_t j = 0; j < end; ++j) {
+  for (ptrdiff_t j = 0; j < tails_of(*slot.group); ++j) {
     ptrdiff_t const at = slot.lane - j * width;
     slot.group->from[at] = slot.group->to[at];
   }
@@ -70,10 +70,15 @@ void reset_slot(Slot const& slot) {
   for (uint32_t i = 0; i < end; ++i) slot_part(slot, i) = 0;
 }
 
+void write_tails_of_lane(SlotGroup& group, uint32_t lane, uint32_t width) {
+  write_tails(group.to, group, lane, width, *group.kernel[lane]);
+  write_tails(group.from, group, lane, width, *group.before[lane]);
+}
+
 void switch_slot(Slot const& slot, Kernel const* kernel, uint32_t fade_cycles) {
   SlotGroup& group = *slot.group;
   copy_tails_to_before(slot);
-  write_tails(slot, *kernel);
+  write_tails(group.to, group, slot.lane, slot.width, *kernel);
   group.before[slot.lane] = fade_cycles > 0 ? group.kernel[slot.lane] : kernel;
   group.kernel[slot.lane] = kernel;
   group.fade_length[slot.lane] = fade_cycles;

@@ -96,6 +96,9 @@ void reset_slot(Slot const& slot);
 /// slot's longest kernel.
 void switch_slot(Slot const& slot, Kernel const* kernel, uint32_t fade_cycles);
 
+/// Puts the tails of a lane's kernels, the one that works and the one before, where they are applied from.
+void write_tails_of_lane(SlotGroup& group, uint32_t lane, uint32_t width);
+
 /// Chooses how a group works whose lanes are all in the steady state.
 void start_at_rest(SlotGroup& group, uint32_t width);
 

@@ -2,6 +2,7 @@
 #include "runtime/change.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
+#include "runtime/recorder.hpp"
 #include "runtime/twofold.hpp"
 
 namespace axisc::runtime {
@@ -20,9 +21,17 @@ void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
   }
 }
 
-axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t axis, double position) {
+/// A call between the cycles, which is going to be done.
+template <uint32_t Count>
+void record(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
+  record_call(runtime, {.kind = kind, .flags = 0, .status = AXISRT_OK, .index = axis}, values, Count);
+}
+
+axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t kind, uint32_t axis,
+                         double position) {
   if (axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
   if (!is_within(position, largest_position)) return AXISRT_BAD_INPUT;
+  record(*runtime, kind, axis, {position});
   reset_line(*runtime, port, axis, position);
   return AXISRT_OK;
 }
@@ -74,7 +83,7 @@ void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, dou
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   if (axisrt* const before = axisc::runtime::changes_from(*runtime)) axisrt_reset(before, axis, position);
-  return axisc::runtime::reset_port(runtime, runtime->setpoint, axis, position);
+  return axisc::runtime::reset_port(runtime, runtime->setpoint, axrd_reset, axis, position);
 }
 
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value) {
@@ -82,7 +91,8 @@ axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double valu
   if (axisrt* const before = axisc::runtime::changes_from(*runtime)) {
     axisrt_reset_interface(before, axis, value);
   }
-  return axisc::runtime::reset_port(runtime, runtime->additional_interface, axis, value);
+  return axisc::runtime::reset_port(runtime, runtime->additional_interface, axrd_reset_interface, axis,
+                                    value);
 }
 
 axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set, double v_motor,
@@ -96,6 +106,7 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   if (axisrt* const before = changes_from(*runtime)) {
     axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
   }
+  record(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
   for (uint32_t i = 0; i < runtime->control_count; ++i) {
     Control const& control = runtime->controls[i];
     if (control.axis != axis) continue;
@@ -119,6 +130,7 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset) {
     axisrt_rebase(before, axis, offset);
     runtime->change->outputs[axis] += offset;
   }
+  record(*runtime, axrd_rebase, axis, {offset});
   rebase_line(*runtime, line, lane, offset);
   return AXISRT_OK;
 }

@@ -138,6 +138,8 @@ struct axisrt {
   uint32_t stage_count;
   uint32_t control_count;
   uint32_t image_version;
+  uint32_t image_checksum;  ///< of its payload
+  uint32_t reserved;
   axisc::runtime::Instructions const* instructions;
   uint8_t const* names;  ///< in the image; null if it has none
   axisc::runtime::Axis const* axes;
@@ -153,4 +155,5 @@ struct axisrt {
   axisc::runtime::StageSignals stage_signals;
   double* additive_velocities;  ///< of the controls, in the latest cycle
   axisc::runtime::Change* change;
+  axisrt_recorder* recorder;  ///< null where nothing is recorded
 };

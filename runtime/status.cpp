@@ -48,10 +48,16 @@ const char* axisrt_status_text(axisrt_status status) {
       return "The image is of another machine: its axes differ.";
     case AXISRT_OLDER_IMAGE:
       return "The image is older than the one that works.";
+    case AXISRT_OTHER_IMAGE:
+      return "The image is not the one that was recorded.";
+    case AXISRT_BAD_RECORDING:
+      return "This is no recording, one of another version, or a damaged one.";
     case AXISRT_BAD_INPUT:
       return "A position is not finite or beyond 2^53.";
     case AXISRT_NOT_RESET:
       return "The axis was never reset to a position.";
+    case AXISRT_IMPLAUSIBLE:
+      return "An output moved farther in one cycle than the axis' limits allow.";
     case AXISRT_BUSY:
       return "A filter of the group is still changing over.";
     case AXISRT_NO_BANK:
@@ -108,6 +114,10 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_OTHER_AXES";
     case AXISRT_OLDER_IMAGE:
       return "AXISRT_OLDER_IMAGE";
+    case AXISRT_OTHER_IMAGE:
+      return "AXISRT_OTHER_IMAGE";
+    case AXISRT_BAD_RECORDING:
+      return "AXISRT_BAD_RECORDING";
     case AXISRT_UNSIGNED:
       return "AXISRT_UNSIGNED";
     case AXISRT_WRONG_SIGNATURE:
@@ -116,6 +126,8 @@ const char* axisrt_status_name(axisrt_status status) {
       return "AXISRT_BAD_INPUT";
     case AXISRT_NOT_RESET:
       return "AXISRT_NOT_RESET";
+    case AXISRT_IMPLAUSIBLE:
+      return "AXISRT_IMPLAUSIBLE";
     case AXISRT_BUSY:
       return "AXISRT_BUSY";
     case AXISRT_NO_BANK:

@@ -2,6 +2,7 @@
 #include "runtime/change.hpp"
 #include "runtime/control_word.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/recorder.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -20,13 +21,25 @@ uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt:
   return worst;
 }
 
-axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
+axisrt_status execute_port(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
   CycleArithmetic const arithmetic;
   axisrt const* const before = changes_from(runtime);
   uint64_t const worst =
       before != nullptr ? step_both(runtime, *before, port, call)
                         : runtime.instructions->step((runtime.*port).port, call.in, call.out, call.status);
   return static_cast<axisrt_status>(worst);
+}
+
+axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind, Call const& call) {
+  if (runtime.recorder == nullptr) return execute_port(runtime, port, call);
+  EntrySizes const sizes = entry_sizes(runtime);
+  Entry entry(runtime.recorder, kind, 0, kind == axrd_step ? sizes.step : sizes.step_interface);
+  entry.put(call.in, runtime.axis_count);
+  axisrt_status const worst = execute_port(runtime, port, call);
+  entry.put(call.out, runtime.axis_count);
+  entry.put(call.status, runtime.axis_count);
+  entry.finish(call.status != nullptr ? axrd_has_status : 0, worst);
+  return worst;
 }
 
 }  // namespace
@@ -38,7 +51,7 @@ axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_
   bool const changes = changes_from(*runtime) != nullptr;
   if (changes) advance(*runtime->change);
   axisrt_status const worst =
-      step_port(*runtime, &axisrt::setpoint, {.in = in, .out = out, .status = status});
+      step_port(*runtime, &axisrt::setpoint, axrd_step, {.in = in, .out = out, .status = status});
   if (changes) {
     for (uint32_t i = 0; i < runtime->axis_count; ++i) runtime->change->outputs[i] = out[i];
   }
@@ -48,5 +61,6 @@ axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_
 axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return step_port(*runtime, &axisrt::additional_interface, {.in = in, .out = out, .status = status});
+  return step_port(*runtime, &axisrt::additional_interface, axrd_step_interface,
+                   {.in = in, .out = out, .status = status});
 }

@@ -59,17 +59,33 @@ bool rests(Lane const& lane, Filter const& filter, double const* e, double const
   return true;
 }
 
-StepDistance distance_of_filters(axisrt const& runtime, Lane const& lane, LineChain const& line) {
-  StepDistance distance{.is_bounded = true, .sum = 0, .peak_gain = 0, .settling = 0};
-  States states{};
-  uint32_t delays = 0;
+bool passes_constants(axisrt const& runtime, LineChain const& line) {
   for (uint32_t i = 0; i < line.filter_count; ++i) {
-    Filter const& filter = runtime.filters[line.first_filter + i];
-    if (filter.kind == FilterKind::blocking) return {};
-    delays += filter.delay_cycles;
+    if (runtime.filters[line.first_filter + i].kind == FilterKind::blocking) return false;
+  }
+  return true;
+}
+
+/// Step n of the step response of a kernel: 1 - S_n.
+Step kernel_step(Kernel const& kernel, uint32_t n) {
+  double const tail = n < kernel.tail_count ? *(kernel.zero - n) : 0;
+  double const before = n == 0 ? 1 : n - 1 < kernel.tail_count ? *(kernel.zero - (n - 1)) : 0;
+  return {.value = 1 - tail, .increment = before - tail};
+}
+
+/// Calls `visit(s[n], h[n])` with the step and the impulse response of a kernel and a line's filters, for n = 0, 1, ... until they
+/// have settled. False if they do not.
+template <class Visit>
+bool respond(axisrt const& runtime, Lane const& lane, LineChain const& line, Kernel const& kernel,
+             Visit visit) {
+  if (!passes_constants(runtime, line)) return false;
+  States states{};
+  uint32_t delays = kernel.tail_count;
+  for (uint32_t i = 0; i < line.filter_count; ++i) {
+    delays += runtime.filters[line.first_filter + i].delay_cycles;
   }
   for (uint32_t n = 0; n < longest; ++n) {
-    Step y{.value = 1, .increment = n == 0 ? 1.0 : 0.0};
+    Step y = kernel_step(kernel, n);
     bool at_rest = n > delays;
     uint32_t section = 0;
     for (uint32_t i = 0; i < line.filter_count; ++i) {
@@ -84,12 +100,23 @@ StepDistance distance_of_filters(axisrt const& runtime, Lane const& lane, LineCh
         at_rest = at_rest && rests(lane, filter, e, r);
       }
     }
-    distance.sum += magnitude(y.value - 1);
-    distance.peak_gain += magnitude(y.increment);
-    if (magnitude(y.value - 1) > settled) distance.settling = n + 1;
-    if (at_rest) return distance;
+    visit(y.value, y.increment);
+    if (at_rest) return true;
   }
-  return {};
+  return false;
+}
+
+StepDistance distance_of_filters(axisrt const& runtime, Lane const& lane, LineChain const& line) {
+  StepDistance distance{.is_bounded = true, .sum = 0, .peak_gain = 0, .settling = 0};
+  uint32_t n = 0;
+  Kernel const& none = runtime.kernels[runtime.kernel_count];
+  distance.is_bounded = respond(runtime, lane, line, none, [&](double s, double h) {
+    n += 1;
+    distance.sum += magnitude(s - 1);
+    distance.peak_gain += magnitude(h);
+    if (magnitude(s - 1) > settled) distance.settling = n;
+  });
+  return distance.is_bounded ? distance : StepDistance{};
 }
 
 /// The largest of every kernel that the slot has room for.
@@ -127,6 +154,50 @@ StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t
   distance.peak_gain *= kernel.peak_gain;
   distance.settling += kernel.settling;
   return distance;
+}
+
+namespace {
+
+double larger(double a, double b) {
+  return a > b ? a : b;
+}
+
+/// The largest  |r[n] - max(0, n - D)|  of the answer r to a ramp of one unit per cycle; between two cycles r is a straight line,
+/// so that only the ramp's own bend at D stands besides them.
+class RampError {
+ public:
+  explicit RampError(double delay) : delay_(delay) {}
+  void take(double s) {
+    double const next = r_ + s;
+    if (n_ <= delay_ && delay_ < n_ + 1) largest_ = larger(largest_, magnitude(r_ + (delay_ - n_) * s));
+    r_ = next;
+    n_ += 1;
+    largest_ = larger(largest_, magnitude(r_ - larger(0, n_ - delay_)));
+  }
+  [[nodiscard]] double largest() const { return largest_; }
+
+ private:
+  double delay_;
+  double n_ = 0;
+  double r_ = 0;
+  double largest_ = 0;
+};
+
+}  // namespace
+
+bool corner_error(axisrt const& runtime, LinePort const& port, uint32_t index, double& cycles) {
+  LineChain const& line = port.lines[index];
+  Lane const lane(port, line);
+  Slot const* const slot = line.before != nullptr ? line.before : line.behind;
+  Kernel const& kernel =
+      slot != nullptr ? *slot->group->kernel[slot->lane] : runtime.kernels[runtime.kernel_count];
+  double delay = 0;
+  bool const follows = respond(runtime, lane, line, kernel, [&](double s, double) { delay += 1 - s; });
+  if (!follows) return false;
+  RampError error(delay);
+  respond(runtime, lane, line, kernel, [&](double s, double) { error.take(s); });
+  cycles = error.largest();
+  return true;
 }
 
 }  // namespace axisc::runtime

@@ -20,4 +20,8 @@ struct StepDistance {
 /// Computes the step response: at most 2^21 cycles. Not in the cycle.
 [[nodiscard]] StepDistance step_distance(axisrt const& runtime, LinePort const& port, uint32_t index);
 
+/// The largest distance in cycles between the chain's answer to a ramp of one unit per cycle and the ramp itself, later by the
+/// group delay at 0 Hz. False for a chain that does not follow a ramp. Computes the step response twice.
+[[nodiscard]] bool corner_error(axisrt const& runtime, LinePort const& port, uint32_t index, double& cycles);
+
 }  // namespace axisc::runtime

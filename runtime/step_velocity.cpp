@@ -3,6 +3,7 @@
 #include "runtime/control_word.hpp"
 #include "runtime/double_bits.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/recorder.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -62,6 +63,61 @@ double blended(Change const& change, uint32_t control, double v) {
   return change.shadow[control] + weight_of(change) * (v - change.shadow[control]);
 }
 
+/// What a call gives, one entry for each axis; increments and statuses may be null.
+struct Outputs {
+  double* v_add;
+  double* increments;
+  uint8_t* status;
+};
+
+axisrt_status step_controls(axisrt const& runtime, axisrt_velocities const& in, Outputs const& out) {
+  CycleArithmetic const arithmetic;
+  if (axisrt const* const before = changes_from(runtime)) step_before(*before, in, runtime.change->shadow);
+  step_stages(runtime, in);
+  Mask worst = AXISRT_OK;
+  for (uint32_t i = 0; i < runtime.control_count; ++i) {
+    Control const& control = runtime.controls[i];
+    if (control.source != i) continue;
+    double& v = runtime.additive_velocities[i];
+    Mask const happened = join_stages(runtime, control, v);
+    if (changes_from(runtime) != nullptr) v = blended(*runtime.change, i, v);
+    if (out.status != nullptr) out.status[control.axis] = static_cast<uint8_t>(happened);
+    worst = worse(worst, happened);
+  }
+  uint32_t next = 0;
+  for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {
+    bool const controlled = next < runtime.control_count && runtime.controls[next].axis == axis;
+    double const v = controlled ? runtime.additive_velocities[runtime.controls[next].source] : 0;
+    bool const own = controlled && runtime.controls[next].source == next;
+    out.v_add[axis] = v;
+    if (out.increments != nullptr) out.increments[axis] = controlled ? v * runtime.controls[next].scale : 0;
+    if (out.status != nullptr && !own) out.status[axis] = AXISRT_OK;
+    next += controlled ? 1 : 0;
+  }
+  return static_cast<axisrt_status>(worst);
+}
+
+uint32_t flag_if(bool given, uint32_t flag) {
+  return given ? flag : 0;
+}
+
+axisrt_status record_step(axisrt const& runtime, axisrt_velocities const& in, Outputs const& out) {
+  uint32_t const axes = runtime.axis_count;
+  Entry entry(runtime.recorder, axrd_step_velocity, 0, entry_sizes(runtime).step_velocity);
+  entry.put(in.v_set, axes);
+  entry.put(in.v_motor, axes);
+  entry.put(in.v_direct, axes);
+  axisrt_status const worst = step_controls(runtime, in, out);
+  entry.put(out.v_add, axes);
+  entry.put(out.increments, axes);
+  entry.put(out.status, axes);
+  entry.finish(flag_if(in.v_direct != nullptr, axrd_has_v_direct) |
+                   flag_if(out.increments != nullptr, axrd_has_increments) |
+                   flag_if(out.status != nullptr, axrd_has_status),
+               worst);
+  return worst;
+}
+
 }  // namespace
 }  // namespace axisc::runtime
 
@@ -72,28 +128,6 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in,
     return AXISRT_BAD_ARGUMENT;
   }
   if (in->v_set == nullptr || in->v_motor == nullptr) return AXISRT_BAD_ARGUMENT;
-  CycleArithmetic const arithmetic;
-  if (axisrt const* const before = changes_from(*runtime)) step_before(*before, *in, runtime->change->shadow);
-  step_stages(*runtime, *in);
-  Mask worst = AXISRT_OK;
-  for (uint32_t i = 0; i < runtime->control_count; ++i) {
-    Control const& control = runtime->controls[i];
-    if (control.source != i) continue;
-    double& v = runtime->additive_velocities[i];
-    Mask const happened = join_stages(*runtime, control, v);
-    if (changes_from(*runtime) != nullptr) v = blended(*runtime->change, i, v);
-    if (status != nullptr) status[control.axis] = static_cast<uint8_t>(happened);
-    worst = worse(worst, happened);
-  }
-  uint32_t next = 0;
-  for (uint32_t axis = 0; axis < runtime->axis_count; ++axis) {
-    bool const controlled = next < runtime->control_count && runtime->controls[next].axis == axis;
-    double const v = controlled ? runtime->additive_velocities[runtime->controls[next].source] : 0;
-    bool const own = controlled && runtime->controls[next].source == next;
-    v_add[axis] = v;
-    if (increments != nullptr) increments[axis] = controlled ? v * runtime->controls[next].scale : 0;
-    if (status != nullptr && !own) status[axis] = AXISRT_OK;
-    next += controlled ? 1 : 0;
-  }
-  return static_cast<axisrt_status>(worst);
+  Outputs const out{.v_add = v_add, .increments = increments, .status = status};
+  return runtime->recorder != nullptr ? record_step(*runtime, *in, out) : step_controls(*runtime, *in, out);
 }

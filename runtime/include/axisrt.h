@@ -57,10 +57,16 @@ typedef enum axisrt_status {
       27, /* the image is of another machine: number, names, numbers or types of axes differ */
   AXISRT_OLDER_IMAGE = 28, /* its version counter is lower than that of the image that works */
 
+  /* axisrt_recorder_start, axisrt_restore. */
+  AXISRT_OTHER_IMAGE = 29,   /* it is not the image that was recorded */
+  AXISRT_BAD_RECORDING = 30, /* no recording, of another version, or damaged */
+
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
   /* The axis was never reset: its output repeats the input (0 for a bad one), nothing was filtered. */
   AXISRT_NOT_RESET = 41,
+  /* The output moved farther in this cycle than the lists allow, |y[n] - y[n-1]| > (P + 1/4) v (see axisrt_step). */
+  AXISRT_IMPLAUSIBLE = 43,
 
   /* axisrt_command, axisrt_swap. Nothing was changed. */
   AXISRT_BUSY = 50,    /* a filter of the group is still changing over; try again in the next cycle */
@@ -75,7 +81,7 @@ const char* axisrt_status_text(axisrt_status status);
 const char* axisrt_status_name(axisrt_status status);
 
 /* Version of this interface; changes when a program must be rebuilt. */
-#define AXISRT_ABI_VERSION 4u
+#define AXISRT_ABI_VERSION 5u
 uint32_t axisrt_abi_version(void);
 
 #define AXISRT_ALIGNMENT 64u
@@ -174,6 +180,22 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
  * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that of one
  * kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
+
+/* What axisrt_step calls implausible, for axes whose list gives P-AXIS-00212 (v per cycle): with P the largest peak gain
+ * of the axis' chain with any kernel of the image, an output that moves by more than (P + 1/4) v in one cycle. Setpoints
+ * that stay within v never cause it, not in a change of kernels or of images either; a reset does not count. */
+
+/* How far the filters of an axis take it away from its commanded path where its velocity changes by `velocity` (um/s or
+ * 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the unit of positions, between the
+ * filtered setpoint and the setpoint of D cycles before, D being the chain's group delay at 0 Hz. For a symmetric
+ * kernel of half width h alone: v sum of k b_k over k = 1..h. Proportional to |velocity|, so that a path planner asks once
+ * for each kernel and multiplies.
+ * Infinite for a chain that does not follow a ramp (it blocks the constant part).
+ * AXISRT_BUSY while kernels change over or an image is replaced; AXISRT_BAD_INPUT for a velocity that is not finite or
+ * beyond 2^53; AXISRT_BAD_ARGUMENT.
+ * Cost: the step response twice: the kernel's tails; with sections, until they have settled (at most 2^22 cycles in all):
+ * not in the cycle then. */
+axisrt_status axisrt_axis_error_bound(const axisrt* runtime, uint32_t axis, double velocity, double* bound);
 
 /* One NC cycle of the additional interface; axes without a filter there pass through. */
 axisrt_status axisrt_step_interface(axisrt* runtime, const double* in, double* out, uint8_t* status);
@@ -286,6 +308,45 @@ axisrt_status axisrt_swap(axisrt* prepared);
 
 /* 1 once the change is over. Commands are AXISRT_BUSY until then. Cost: constant. */
 int axisrt_swap_done(const axisrt* runtime);
+
+/* Recorder: what a runtime was given and gave in its last cycles, with the state before them, so that they can be
+ * executed again bit for bit on the same level (`axisc replay IMAGE DUMP`).
+ *
+ *   axisrt_recorder_size, axisrt_recorder_start                not in the cycle
+ *   axisrt_step(runtime, ...), axisrt_command, axisrt_reset    as ever
+ *   axisrt_recorder_stop                                       when something happened that is worth looking at
+ *   axisrt_recorder_dump                                       in any task: a stopped recorder is independent of the runtime
+ *
+ * The price, the same in every cycle: its numbers are written into a ring, and what falls out of the ring is executed once
+ * more by a runtime of the recorder's own, which thereby keeps the state that the recording begins with. So a cycle costs
+ * about twice of what it costs without. */
+typedef struct axisrt_recorder axisrt_recorder;
+
+/* Bytes that axisrt_recorder_start needs for at least `cycles` cycles (and 256 words of commands and resets in between);
+ * aligned to AXISRT_ALIGNMENT. `config`: image, signature check and cycle time as for axisrt_create of `runtime`. Returns what
+ * axisrt_memory_size returns. Not in the cycle. */
+axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* config, uint32_t cycles,
+                                   size_t* bytes);
+
+/* Begins to record; `memory` of the configuration is the recorder's, until it was stopped and dumped. AXISRT_BUSY where
+ * the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE; else what axisrt_create returns. A change of
+ * image ends the recording (axisrt_swap). Cost: axisrt_create, and a copy of the state. Not in the cycle. */
+axisrt_status axisrt_recorder_start(axisrt* runtime, const axisrt_config* config, uint32_t cycles,
+                                    axisrt_recorder** recorder);
+
+/* Ends the recording; what was recorded stays. Nothing for null or a second time. Cost: constant. May be called in the
+ * cycle. */
+void axisrt_recorder_stop(axisrt_recorder* recorder);
+
+/* Writes the recording (docs/runtime.md has the format). `needed` receives its size; AXISRT_MEMORY_TOO_SMALL where `size` is
+ * less, or `bytes` null. Cost: the state and the ring. Of a stopped recorder from any task, else between two cycles. */
+axisrt_status axisrt_recorder_dump(const axisrt_recorder* recorder, void* bytes, size_t size, size_t* needed);
+
+/* Creates a runtime in the state with which a recording begins, at the recorded level, whatever the configuration says.
+ * AXISRT_BAD_RECORDING, AXISRT_OTHER_IMAGE, or what axisrt_create returns (AXISRT_NO_LEVEL where this processor cannot execute
+ * the level). The checksum guards a recording against accidents; numbers that would lead outside the memory are refused,
+ * whoever wrote them. Not in the cycle. */
+axisrt_status axisrt_restore(const axisrt_config* config, const void* dump, size_t size, axisrt** runtime);
 
 #define AXISRT_MOST_FILTERS 4u
 #define AXISRT_NO_KERNEL 0xFFFFFFFFu

@@ -15,7 +15,9 @@ using Happened = Bits<Width>;
 
 inline constexpr uint64_t bad_input = AXISRT_BAD_INPUT;
 inline constexpr uint64_t not_reset = AXISRT_NOT_RESET;
+inline constexpr uint64_t implausible = AXISRT_IMPLAUSIBLE;
 static_assert((bad_input | not_reset) == not_reset && bad_input < not_reset);
+static_assert((not_reset | implausible) == implausible && not_reset < implausible);
 
 /// Setpoints as they come, and the masks that decide what becomes of them.
 template <uint32_t Width>
@@ -98,9 +100,8 @@ AXISRT_INLINE void write_outputs(Real<Width> outputs, uint32_t const* lines, uin
 }
 
 template <uint32_t Width>
-AXISRT_INLINE void write_statuses(Entry<Width> const& entry, uint32_t const* lines, uint32_t used,
+AXISRT_INLINE void write_statuses(Bits<Width> happened, uint32_t const* lines, uint32_t used,
                                   bool consecutive, uint8_t* status) {
-  Bits<Width> const happened = (entry.done & ~entry.good & bad_input) | (~entry.done & not_reset);
   if constexpr (Width == 1) {
     status[lines[0]] = static_cast<uint8_t>(lane_of(happened, 0));
   } else if (consecutive) {
@@ -170,8 +171,13 @@ class Place {
   }
 
   template <bool AllReset>
-  AXISRT_INLINE void end(Call const& call, Signal<Width> const& signal) const {
+  AXISRT_INLINE void end(Call const& call, Signal<Width> const& signal, Happened<Width>& happened) const {
     Real<Width> const output = signal.base + signal.sum;
+    Real<Width> const increment = output - load_real<Width>(parts_ + GroupParts::output * Width);
+    Bits<Width> const plausible = mask_if_at_most<Width>(
+        magnitude<Width>(increment), load_real<Width>(parts_ + GroupParts::largest_increment * Width));
+    Bits<Width> const beyond = entry_.done & ~plausible & implausible;
+    happened |= beyond;
     store<Width>(parts_ + GroupParts::output * Width, output);
     if constexpr (AllReset) {
       write_outputs<Width>(output, lines_, used_, consecutive_, call.out);
@@ -181,7 +187,9 @@ class Place {
       write_outputs<Width>(select<Width>(entry_.done, output, repeated), lines_, used_, consecutive_,
                            call.out);
     }
-    if (call.status != nullptr) write_statuses<Width>(entry_, lines_, used_, consecutive_, call.status);
+    if (call.status == nullptr) return;
+    Bits<Width> const entered = (entry_.done & ~entry_.good & bad_input) | (~entry_.done & not_reset);
+    write_statuses<Width>(entered | beyond, lines_, used_, consecutive_, call.status);
   }
 
   [[nodiscard]] uint32_t group() const { return group_; }
@@ -217,7 +225,7 @@ AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const&
       });
     });
     unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
-      places[One].template end<AllReset>(call, signals[One]);
+      places[One].template end<AllReset>(call, signals[One], happened);
     });
   }
   (FirstMembers<Groups>{});
@@ -245,7 +253,7 @@ AXISRT_INLINE void step_groups(Batch const& batch, Call const& call, Happened<Wi
         signal = run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
       }
     }
-    place.template end<AllReset>(call, signal);
+    place.template end<AllReset>(call, signal, happened);
   }
 }
 

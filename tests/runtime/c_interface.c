@@ -23,6 +23,9 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   uint32_t axis = 0;
   int cycle = 0;
   axisrt* runtime = NULL;
+  axisrt* restored = NULL;
+  axisrt_recorder* recorder = NULL;
+  double bound = 0;
   axisrt_axis_state state;
   axisrt_config config;
   axisrt_velocities velocities;
@@ -73,6 +76,15 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   if (command.order != 20 || axisrt_group_count(runtime) != 0) return 17;
   if (axisrt_command(runtime, 0, &command) != AXISRT_BAD_ARGUMENT) return 18;
   if (axisrt_group_name(runtime, 0, &length)[0] != '\0' || length != 0) return 19;
+  if (axisrt_axis_error_bound(runtime, 0, 1000.0, &bound) != AXISRT_OK || !(bound > 0)) return 20;
+  if (axisrt_recorder_size(runtime, &config, 10, &length) != AXISRT_OK) return 21;
+  config.memory = (char*)memory + memory_size / 2;
+  config.memory_size = memory_size / 2;
+  if (length > config.memory_size) return 22;
+  if (axisrt_recorder_start(runtime, &config, 10, &recorder) != AXISRT_OK) return 23;
+  axisrt_recorder_stop(recorder);
+  if (axisrt_recorder_dump(recorder, NULL, 0, &length) != AXISRT_MEMORY_TOO_SMALL || length == 0) return 24;
+  if (axisrt_restore(&config, image, image_size, &restored) != AXISRT_BAD_RECORDING) return 25;
   *arrived = out[0];
   return 0;
 }

@@ -37,10 +37,10 @@ void append_axis(Sections& to, AxisRecord const& axis, std::uint32_t index, bool
   out.u32(static_cast<std::uint32_t>(axis.interface_filters.size()));
   out.u32(0);
   out.f64(axis.position_window);
-  out.f64(200'000);  // velocity
-  out.f64(2'000);    // acceleration
-  out.f64(1);        // peak gain
-  out.f64(0);        // delay
+  out.f64(axis.velocity_limit);
+  out.f64(axis.acceleration_limit);
+  out.f64(axis.peak_gain);
+  out.f64(0);  // delay
   out.zeros(48);
   to.axes.end_record();
   for (FilterRecord const& filter : axis.filters) append_filter(to, filter, index, 0, strip);

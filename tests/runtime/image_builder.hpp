@@ -69,6 +69,7 @@ struct KernelRecord {
   std::uint32_t delay_cycles = 0;
   std::vector<double> tails;
   std::vector<SampleRecord> samples;
+  double peak_gain = 1;
 };
 
 /// Taps half[|k|], k = -h..h, divided by their sum.
@@ -124,6 +125,9 @@ struct AxisRecord {
   std::uint32_t number = 1;
   std::uint32_t type = 1;
   double position_window = 0.4;
+  double velocity_limit = 200'000;
+  double acceleration_limit = 2'000;
+  double peak_gain = 1;
   std::vector<FilterRecord> filters;
   std::vector<FilterRecord> interface_filters;
 };

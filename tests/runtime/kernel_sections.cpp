@@ -15,7 +15,7 @@ void append_kernel(Sections& to, KernelRecord const& kernel, bool strip) {
   out.u32(tested ? to.samples.count() : 0);
   out.u32(tested ? static_cast<std::uint32_t>(kernel.samples.size()) : 0);
   for (double const parameter : {100.0, 30.0, 1.0}) out.f64(parameter);
-  for (double const proof : {2.0, 1.0, 1.0, 0.0, 3.0}) out.f64(proof);
+  for (double const proof : {2.0, 1.0, kernel.peak_gain, 0.0, 3.0}) out.f64(proof);
   out.zeros(32);
   to.kernels.end_record();
   for (double const tail : kernel.tails) {

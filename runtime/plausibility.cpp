@@ -1,0 +1,44 @@
+#include "runtime/building.hpp"
+#include "runtime/lane.hpp"
+
+namespace axisc::runtime {
+namespace {
+
+/// The largest peak gain of the kernels that a slot may work with; none at all has 1.
+double largest_kernel_gain(ImageView const& view, Slot const& slot) {
+  double largest = 1;
+  for (uint32_t i = 0; i < view.kernels.count; ++i) {
+    Record<record::kernel> const kernel = view.kernels[i];
+    double const gain = kernel[field::kernel::peak_gain];
+    if (kernel[field::kernel::tail_count] <= slot.history_length && gain > largest) largest = gain;
+  }
+  return largest;
+}
+
+/// P of the chain with whichever kernel it works. The image states that of the chain as it starts.
+double peak_gain(ImageView const& view, axisrt const& runtime, uint32_t axis) {
+  double const at_start = view.axes[axis][field::axis::peak_gain];
+  LineChain const& line = runtime.setpoint.lines[axis];
+  Slot const* const slot = line.before != nullptr ? line.before : line.behind;
+  if (slot == nullptr) return at_start;
+  double const largest = largest_kernel_gain(view, *slot);
+  auto const number = static_cast<uint32_t>(slot->listed - runtime.kernels);
+  if (slot->on_at_start == 0 || number >= view.kernels.count) return at_start * largest;
+  double const listed = view.kernels[number][field::kernel::peak_gain];
+  return listed > 0 ? at_start / listed * largest : 0;
+}
+
+}  // namespace
+
+/// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades.
+void limit_increments(ImageView const& view, axisrt const& runtime) {
+  for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {
+    double const v = runtime.axes[axis].velocity_limit;
+    double const gain = peak_gain(view, runtime, axis);
+    if (!(v > 0) || !(gain > 0)) continue;
+    Lane(runtime.setpoint, runtime.setpoint.lines[axis]).part(GroupParts::largest_increment) =
+        (gain + 0.25) * v;
+  }
+}
+
+}  // namespace axisc::runtime

@@ -1,0 +1,388 @@
+// A recording begins with a state and holds what happened since: executed again, it gives the same bits.
+#include "axisrt.h"
+#include "runtime/format/recording_format.h"
+#include "support/catch.hpp"
+#include "tests/runtime/test_runtime.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <random>
+#include <vector>
+
+using namespace axisc::test;
+
+namespace {
+
+constexpr std::size_t word = 8;
+
+std::uint64_t word_at(Bytes const& dump, std::size_t index) {
+  return peek(dump, index * word, 8);
+}
+
+/// A runtime with a recorder.
+class Recorded {
+ public:
+  explicit Recorded(ImageRecord const& image, std::uint32_t cycles)
+      : bytes_(write_image(image)), image_(bytes_), runtime(bytes_) {
+    REQUIRE(runtime.status == AXISRT_OK);
+    start(cycles);
+  }
+  void start(std::uint32_t cycles) {
+    axisrt_config config = config_of(image_);
+    std::size_t size = 0;
+    REQUIRE(axisrt_recorder_size(runtime.runtime, &config, cycles, &size) == AXISRT_OK);
+    memory_ = std::make_unique<AlignedMemory>(size);
+    config.memory = memory_->data();
+    config.memory_size = size;
+    REQUIRE(axisrt_recorder_start(runtime.runtime, &config, cycles, &recorder) == AXISRT_OK);
+  }
+  [[nodiscard]] static axisrt_config config_of(AlignedMemory const& image) {
+    return {.size = sizeof(axisrt_config),
+            .cycle_time_ns = 1'000'000,
+            .image = image.data(),
+            .image_size = image.size(),
+            .memory = nullptr,
+            .memory_size = 0,
+            .level = test_level(),
+            .reserved = 0,
+            .verify_signature = nullptr,
+            .verify_context = nullptr};
+  }
+  [[nodiscard]] Bytes dump() const {
+    std::size_t size = 0;
+    REQUIRE(axisrt_recorder_dump(recorder, nullptr, 0, &size) == AXISRT_MEMORY_TOO_SMALL);
+    Bytes bytes(size);
+    REQUIRE(axisrt_recorder_dump(recorder, bytes.data(), bytes.size(), &size) == AXISRT_OK);
+    return bytes;
+  }
+  [[nodiscard]] AlignedMemory const& image() const { return image_; }
+
+ private:
+  Bytes bytes_;
+  AlignedMemory image_;
+  std::unique_ptr<AlignedMemory> memory_;
+
+ public:
+  TestRuntime runtime;
+  axisrt_recorder* recorder = nullptr;
+};
+
+/// The runtime that a dump begins with.
+struct Restored {
+  Restored(AlignedMemory const& image, Bytes const& dump) {
+    axisrt_config config = Recorded::config_of(image);
+    config.level = static_cast<std::uint32_t>(word_at(dump, 1));
+    std::size_t size = 0;
+    std::size_t alignment = 0;
+    REQUIRE(axisrt_memory_size(&config, &size, &alignment) == AXISRT_OK);
+    memory = std::make_unique<AlignedMemory>(size);
+    config.memory = memory->data();
+    config.memory_size = size;
+    config.level = AXISRT_LEVEL_PORTABLE;  // that of the dump wins
+    status = axisrt_restore(&config, dump.data(), dump.size(), &runtime);
+  }
+  std::unique_ptr<AlignedMemory> memory;
+  axisrt* runtime = nullptr;
+  axisrt_status status = AXISRT_OK;
+};
+
+double number(std::uint64_t bits) {
+  return std::bit_cast<double>(bits);
+}
+
+std::vector<double> numbers(Bytes const& dump, std::size_t first, std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(number(word_at(dump, first + i)));
+  return values;
+}
+
+bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {
+  return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+struct Replayed {
+  std::uint64_t entries = 0;
+  std::uint64_t cycles = 0;
+  std::uint64_t commands = 0;
+  std::uint64_t differences = 0;
+};
+
+/// Executes the entries of a dump with a reader of its own.
+Replayed replay(AlignedMemory const& image, Bytes const& dump) {
+  Restored restored(image, dump);
+  REQUIRE(restored.status == AXISRT_OK);
+  Replayed result;
+  std::size_t const n = axisrt_axis_count(restored.runtime);
+  std::size_t const status_words = (n + 7) / 8;
+  std::size_t at = axrd_header_words + static_cast<std::size_t>(word_at(dump, 3));
+  std::size_t const end = at + static_cast<std::size_t>(word_at(dump, 4));
+  REQUIRE(end * word == dump.size());
+  while (at < end) {
+    std::uint64_t const head = word_at(dump, at++);
+    auto const index = static_cast<std::uint32_t>(head >> 32U);
+    auto const expected = static_cast<axisrt_status>(head >> 16U & 0xFFFFU);
+    std::uint64_t const flags = head >> 8U & 0xFFU;
+    std::vector<std::uint8_t> status(status_words * word, 0);
+    axisrt_status happened = AXISRT_OK;
+    result.entries += 1;
+    switch (head & 0xFFU) {
+      case axrd_step:
+      case axrd_step_interface: {
+        std::vector<double> const in = numbers(dump, at, n);
+        std::vector<double> out(n);
+        auto* const step = (head & 0xFFU) == axrd_step ? axisrt_step : axisrt_step_interface;
+        happened = step(restored.runtime, in.data(), out.data(), status.data());
+        result.differences += same_bits(out, numbers(dump, at + n, n)) ? 0 : 1;
+        if ((flags & axrd_has_status) != 0) {
+          result.differences += std::memcmp(status.data(), dump.data() + (at + 2 * n) * word, n) == 0 ? 0 : 1;
+        }
+        result.cycles += (head & 0xFFU) == axrd_step ? 1 : 0;
+        at += 2 * n + status_words;
+        break;
+      }
+      case axrd_step_velocity: {
+        std::vector<double> const in = numbers(dump, at, 3 * n);
+        axisrt_velocities velocities{};
+        velocities.size = sizeof velocities;
+        velocities.v_set = in.data();
+        velocities.v_motor = in.data() + n;
+        if ((flags & axrd_has_v_direct) != 0) velocities.v_direct = in.data() + 2 * n;
+        std::vector<double> out(2 * n);
+        double* const increments = (flags & axrd_has_increments) != 0 ? out.data() + n : nullptr;
+        happened = axisrt_step_velocity(restored.runtime, &velocities, out.data(), increments, status.data());
+        result.differences += same_bits(out, numbers(dump, at + 3 * n, 2 * n)) ? 0 : 1;
+        at += 5 * n + status_words;
+        break;
+      }
+      case axrd_reset:
+        happened = axisrt_reset(restored.runtime, index, number(word_at(dump, at++)));
+        break;
+      case axrd_reset_interface:
+        happened = axisrt_reset_interface(restored.runtime, index, number(word_at(dump, at++)));
+        break;
+      case axrd_reset_velocity: {
+        std::vector<double> const v = numbers(dump, at, 3);
+        happened = axisrt_reset_velocity(restored.runtime, index, v[0], v[1], v[2]);
+        at += 3;
+        break;
+      }
+      case axrd_rebase:
+        happened = axisrt_rebase(restored.runtime, index, number(word_at(dump, at++)));
+        break;
+      case axrd_command: {
+        axisrt_filter_command command{};
+        command.size = sizeof command;
+        command.action = static_cast<std::uint32_t>(word_at(dump, at));
+        command.keywords = static_cast<std::uint32_t>(word_at(dump, at) >> 32U);
+        command.order = static_cast<std::uint32_t>(word_at(dump, at + 1));
+        command.share = number(word_at(dump, at + 2));
+        command.fcut = number(word_at(dump, at + 3));
+        command.quality = number(word_at(dump, at + 4));
+        happened = axisrt_command(restored.runtime, index, &command);
+        result.commands += 1;
+        at += axrd_command_words;
+        break;
+      }
+      default:
+        FAIL("an entry of unknown kind");
+    }
+    result.differences += happened == expected ? 0 : 1;
+  }
+  CHECK(result.entries == word_at(dump, 5));
+  return result;
+}
+
+/// Everything that a controller may do, at random.
+class Controller {
+ public:
+  explicit Controller(unsigned seed) : random_(seed) {}
+  void cycle(TestRuntime& runtime) {
+    std::uint32_t const n = axisrt_axis_count(runtime.runtime);
+    in_.resize(n);
+    for (double& x : in_) x += static_cast<double>(random_() % 2001) - 1000;
+    between(runtime, n);
+    std::vector<double> in = in_;
+    if (one_in(50)) in[random_() % n] = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> out(n);
+    std::vector<std::uint8_t> status(n);
+    axisrt_step(runtime.runtime, in.data(), one_in(3) ? in.data() : out.data(),
+                one_in(2) ? status.data() : nullptr);
+    axisrt_step_interface(runtime.runtime, in_.data(), out.data(), nullptr);
+    axisrt_velocities velocities{};
+    velocities.size = sizeof velocities;
+    velocities.v_set = velocities.v_motor = in_.data();
+    if (one_in(2)) velocities.v_direct = in_.data();
+    std::vector<double> increments(n);
+    axisrt_step_velocity(runtime.runtime, &velocities, out.data(), one_in(2) ? increments.data() : nullptr,
+                         status.data());
+  }
+
+ private:
+  bool one_in(unsigned n) { return random_() % n == 0; }
+  void between(TestRuntime& runtime, std::uint32_t n) {
+    if (one_in(20)) {
+      static_cast<void>(runtime.command(static_cast<axisrt_action>(random_() % 4),
+                                        static_cast<std::uint32_t>(random_() % 32), 3, 50));
+    }
+    auto const axis = static_cast<std::uint32_t>(random_() % n);
+    if (one_in(100)) axisrt_reset(runtime.runtime, axis, in_[axis]);
+    if (one_in(100)) axisrt_reset_interface(runtime.runtime, axis, in_[axis]);
+    if (one_in(100)) axisrt_reset_velocity(runtime.runtime, axis, in_[axis], 5, -5);
+    if (one_in(100) && axisrt_rebase(runtime.runtime, axis, 4096) == AXISRT_OK) in_[axis] += 4096;
+  }
+  std::mt19937 random_;
+  std::vector<double> in_;
+};
+
+/// Five times the axes of another image, so that groups of every width occur.
+ImageRecord repeated(ImageRecord const& image) {
+  ImageRecord many;
+  for (int i = 0; i < 5; ++i) {
+    for (AxisRecord axis : image.axes) {
+      axis.name += std::to_string(i);
+      axis.number = static_cast<std::uint32_t>(many.axes.size() + 1);
+      many.axes.push_back(axis);
+    }
+  }
+  return many;
+}
+
+}  // namespace
+
+TEST_CASE("a recording replays bit for bit, before and after the ring is full") {
+  for (ImageRecord const& image : {channel_image(), complete_image(), repeated(complete_image())}) {
+    Recorded recorded(image, 40);
+    Controller controller(7);
+    std::uint64_t commands = 0;
+    for (int cycle = 1; cycle <= 2000; ++cycle) {
+      controller.cycle(recorded.runtime);
+      if (cycle % 97 != 0 && cycle > 5) continue;
+      Replayed const replayed = replay(recorded.image(), recorded.dump());
+      REQUIRE(replayed.differences == 0);
+      REQUIRE(replayed.cycles >= static_cast<std::uint64_t>(cycle < 40 ? cycle : 39));
+      commands += replayed.commands;
+    }
+    if (!image.groups.empty()) CHECK(commands > 0);
+  }
+}
+
+TEST_CASE("a recorder may start in the middle of a motion and of a fade") {
+  Recorded recorded(channel_image(), 10);
+  axisrt_recorder_stop(recorded.recorder);
+  recorded.runtime.reset_all(0);
+  for (int i = 0; i < 35; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  REQUIRE(recorded.runtime.command(AXISRT_ACTION_OFF) == AXISRT_OK);
+  for (int i = 35; i < 50; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  REQUIRE(recorded.runtime.state(0).fading == 1);
+  recorded.start(100);
+  for (int i = 50; i < 150; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  Replayed const replayed = replay(recorded.image(), recorded.dump());
+  CHECK(replayed.differences == 0);
+  CHECK(replayed.cycles == 100);
+}
+
+TEST_CASE("recording changes no output") {
+  Recorded recorded(channel_image(), 5);
+  TestRuntime plain(write_image(channel_image()));
+  recorded.runtime.reset_all(1e9);
+  plain.reset_all(1e9);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<double> const in = {1e9 + 30.0 * i, 1e9 - 20.0 * i, 1e9};
+    REQUIRE(recorded.runtime.step_all(in) == plain.step_all(in));
+  }
+}
+
+TEST_CASE("a changed bit is noticed: in the dump by its checksum, in an output by the replay") {
+  Recorded recorded(channel_image(), 20);
+  Controller controller(3);
+  for (int i = 0; i < 30; ++i) controller.cycle(recorded.runtime);
+  Bytes const dump = recorded.dump();
+  for (std::size_t bit = 0; bit < dump.size() * 8; bit += 37) {
+    Bytes damaged = dump;
+    damaged[bit / 8] = static_cast<std::uint8_t>(damaged[bit / 8] ^ 1U << bit % 8);
+    axisrt* runtime = nullptr;
+    axisrt_config const config = Recorded::config_of(recorded.image());
+    REQUIRE(axisrt_restore(&config, damaged.data(), damaged.size(), &runtime) == AXISRT_BAD_RECORDING);
+    REQUIRE(runtime == nullptr);
+  }
+}
+
+TEST_CASE("a stopped recorder keeps what it has, and another may start") {
+  Recorded recorded(channel_image(), 10);
+  Controller controller(5);
+  for (int i = 0; i < 30; ++i) controller.cycle(recorded.runtime);
+  axisrt_recorder_stop(recorded.recorder);
+  Bytes const dump = recorded.dump();
+  for (int i = 0; i < 30; ++i) controller.cycle(recorded.runtime);
+  CHECK(recorded.dump() == dump);
+  axisrt_recorder_stop(recorded.recorder);
+  axisrt_recorder_stop(nullptr);
+  recorded.start(10);
+  for (int i = 0; i < 30; ++i) controller.cycle(recorded.runtime);
+  CHECK(replay(recorded.image(), recorded.dump()).differences == 0);
+}
+
+TEST_CASE("what cannot be recorded or restored is refused") {
+  Recorded recorded(channel_image(), 10);
+  axisrt_config config = Recorded::config_of(recorded.image());
+  axisrt_recorder* other = nullptr;
+  AlignedMemory memory(1 << 20);
+  config.memory = memory.data();
+  config.memory_size = memory.size();
+  CHECK(axisrt_recorder_start(recorded.runtime.runtime, &config, 10, &other) == AXISRT_BUSY);
+  Bytes const dump = recorded.dump();
+  axisrt_recorder_stop(recorded.recorder);
+
+  ImageRecord changed = channel_image();
+  changed.axes[0].position_window = 0.5;
+  AlignedMemory const changed_image(write_image(changed));
+  axisrt_config wrong = config;
+  wrong.image = changed_image.data();
+  wrong.image_size = changed_image.size();
+  CHECK(axisrt_recorder_start(recorded.runtime.runtime, &wrong, 10, &other) == AXISRT_OTHER_IMAGE);
+  CHECK(other == nullptr);
+  axisrt* runtime = nullptr;
+  CHECK(axisrt_restore(&wrong, dump.data(), dump.size(), &runtime) == AXISRT_OTHER_IMAGE);
+  CHECK(runtime == nullptr);
+
+  config.memory_size = 64;
+  CHECK(axisrt_recorder_start(recorded.runtime.runtime, &config, 10, &other) == AXISRT_MEMORY_TOO_SMALL);
+  CHECK(axisrt_restore(&config, dump.data(), dump.size(), &runtime) == AXISRT_MEMORY_TOO_SMALL);
+  config.memory = nullptr;
+  CHECK(axisrt_recorder_start(recorded.runtime.runtime, &config, 10, &other) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_recorder_start(nullptr, &config, 10, &other) == AXISRT_BAD_ARGUMENT);
+  CHECK(axisrt_restore(&config, nullptr, 0, &runtime) == AXISRT_BAD_ARGUMENT);
+  for (std::size_t const size : {std::size_t{0}, std::size_t{63}, std::size_t{64}, dump.size() - 8}) {
+    CHECK(axisrt_restore(&config, dump.data(), size, &runtime) == AXISRT_BAD_RECORDING);
+  }
+}
+
+TEST_CASE("numbers of a dump that lead outside the memory are refused, with a right checksum too") {
+  Recorded recorded(channel_image(), 5);
+  recorded.runtime.reset_all(0);
+  for (int i = 0; i < 20; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  Bytes const dump = recorded.dump();
+  auto const state = static_cast<std::size_t>(word_at(dump, 3));
+  int refused = 0;
+  for (std::size_t i = 0; i < state; ++i) {
+    Bytes damaged = dump;
+    poke(damaged, (axrd_header_words + i) * word, 0xFFFFFFFF, 8);
+    poke(damaged, 6 * word, 0, 8);
+    std::uint32_t const content = naive_crc32c(damaged.data() + 64, damaged.size() - 64);
+    poke(damaged, 6 * word, content, 4);
+    poke(damaged, 6 * word + 4, naive_crc32c(damaged.data(), 64), 4);
+    Restored restored(recorded.image(), damaged);
+    if (restored.status != AXISRT_OK) {
+      REQUIRE(restored.status == AXISRT_BAD_RECORDING);
+      refused += 1;
+      continue;
+    }
+    for (int cycle = 0; cycle < 40; ++cycle) {  // only numbers were changed: the sanitizers see no bad access
+      double in[3] = {1, 2, 3};
+      axisrt_step(restored.runtime, in, in, nullptr);
+    }
+  }
+  CHECK(refused > 10);
+}
