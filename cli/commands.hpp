@@ -23,6 +23,7 @@ struct Invocation {
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
+[[nodiscard]] ExitStatus replay(Invocation const& invocation);
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);

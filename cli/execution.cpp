@@ -35,6 +35,10 @@ Execution::Execution(std::string path, codegen::RuntimeHost host, codegen::Image
   }
 }
 
+void Execution::record(std::uint32_t cycles) {
+  require(host_.record(cycles));
+}
+
 void Execution::reset(double position, Port fed) {
   auto const start = [&](Port port) { return fed == port ? position : 0.0; };
   for (std::uint32_t axis = 0; axis < host_.axis_count(); ++axis) {

@@ -35,6 +35,10 @@ class Execution {
   Execution(std::string path, codegen::RuntimeHost host, codegen::ImageContents const& image,
             Stimulus& stimulus, std::vector<TimedCommand> commands);
 
+  /// Keeps the last cycles from now on. Failure where that does not work.
+  void record(std::uint32_t cycles);
+  [[nodiscard]] std::vector<std::byte> recording() const { return host_.recording(); }
+
   /// Resets all axes: to `position` at the port that the stimulus feeds, to 0 elsewhere.
   void reset(double position, Port fed);
   /// Runs to the stimulus' end and hands on the table, header first, in pieces. Failure where the runtime stops or a

@@ -19,6 +19,8 @@ namespace axisc::cli {
 namespace {
 
 constexpr std::uint64_t default_cycles = 256;
+constexpr std::uint64_t default_record_cycles = 1000;
+constexpr std::uint64_t most_record_cycles = 10'000'000;
 
 struct RunWords {
   std::optional<std::string> image;
@@ -31,6 +33,8 @@ struct RunWords {
   std::vector<std::string> commands;
   std::optional<std::string> port;
   std::optional<std::string> level;
+  std::optional<std::string> record;
+  std::optional<std::string> record_cycles;
   bool quiet = false;
 };
 
@@ -45,6 +49,8 @@ void declare(CommandLine& command_line, RunWords& words) {
   command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
   command_line.value("--level", level_words, words.level, Text::cli_opt_level);
   command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_csv_output);
+  command_line.value("--record", "FILE.axrd", words.record, Text::cli_opt_record);
+  command_line.value("--record-cycles", "N", words.record_cycles, Text::cli_opt_record_cycles);
   command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_run_quiet);
 }
 
@@ -57,13 +63,23 @@ double number(std::optional<std::string> const& word, char const* option, double
   return *value;
 }
 
-std::uint64_t cycles(std::optional<std::string> const& word) {
-  if (!word) return default_cycles;
+std::uint64_t count(std::optional<std::string> const& word, char const* option, std::uint64_t otherwise) {
+  if (!word) return otherwise;
   auto const value = parse_count(*word);
-  if (!value) {
-    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "--cycles"}, {"value", *word}}});
-  }
+  if (!value)
+    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", option}, {"value", *word}}});
   return *value;
+}
+
+/// How many cycles shall be recorded; none without `--record`.
+std::optional<std::uint32_t> cycles_to_record(RunWords const& words) {
+  if (!words.record && words.record_cycles)
+    throw Failure({.text = Text::cli_record_missing, .arguments = {}});
+  if (!words.record) return std::nullopt;
+  auto const cycles = count(words.record_cycles, "--record-cycles", default_record_cycles);
+  if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
+  throw Failure({.text = Text::cli_bad_count,
+                 .arguments = {{"option", "--record-cycles"}, {"value", *words.record_cycles}}});
 }
 
 Port port_of(RunWords const& words) {
@@ -113,7 +129,7 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageCon
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
                                    .amplitude = number(words.amplitude, "--amplitude", 1),
-                                   .cycles = cycles(words.cycles),
+                                   .cycles = count(words.cycles, "--cycles", default_cycles),
                                    .port = port_of(words)});
   if (stimulus->channels().empty()) {
     Text const text_of_port =
@@ -121,6 +137,12 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageCon
     throw Failure({.text = text_of_port, .arguments = {{"file", *words.image}}});
   }
   return stimulus;
+}
+
+void write_recording(std::string const& path, std::vector<std::byte> const& bytes) {
+  OutputFile target(path);
+  target.write({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
+  target.commit();
 }
 
 void report(Occurrences const& occurrences, Text text, Invocation const& invocation) {
@@ -150,11 +172,13 @@ ExitStatus run(Invocation const& invocation) {
   refuse_mixture(words);
   auto const port = port_of(words);
   double const position = number(words.reset, "--reset", 0);
+  auto const recorded_cycles = cycles_to_record(words);
   auto const file = load_image(*words.image);
   auto const stimulus = make_stimulus(words, file.contents);
   Execution execution(*words.image, start_runtime(*words.image, file, level_of(words.level)), file.contents,
                       *stimulus,
                       read_timed_commands(words.commands, file, *words.image, invocation.language));
+  if (recorded_cycles) execution.record(*recorded_cycles);
   execution.reset(position, port);
   Noticed noticed;
   if (words.output) {
@@ -164,6 +188,7 @@ ExitStatus run(Invocation const& invocation) {
   } else {
     noticed = execution.go([&out](std::string_view text) { out.write(text); });
   }
+  if (words.record) write_recording(*words.record, execution.recording());
   if (words.quiet) return ExitStatus::success;
   report(noticed.refused, Text::cli_refused_setpoints, invocation);
   report(noticed.jumps, Text::cli_jumps, invocation);

@@ -131,4 +131,34 @@ std::variant<axisrt_axis_state, axisrt_status> RuntimeHost::axis_state(std::uint
   return state;
 }
 
+axisrt_config RuntimeHost::configuration() const {
+  axisrt_config config{};
+  config.size = sizeof config;
+  config.cycle_time_ns = axisrt_cycle_time_ns(runtime_);
+  config.image = image_.data();
+  config.image_size = image_.size();
+  config.level = axisrt_level_of(runtime_);
+  return config;
+}
+
+axisrt_status RuntimeHost::record(std::uint32_t cycles) {
+  axisrt_recorder_stop(recorder_);
+  axisrt_config config = configuration();
+  std::size_t size = 0;
+  axisrt_status const status = axisrt_recorder_size(runtime_, &config, cycles, &size);
+  if (status != AXISRT_OK) return status;
+  recorder_memory_ = AlignedBytes(size);
+  config.memory = recorder_memory_.data();
+  config.memory_size = recorder_memory_.size();
+  return axisrt_recorder_start(runtime_, &config, cycles, &recorder_);
+}
+
+std::vector<std::byte> RuntimeHost::recording() const {
+  std::size_t size = 0;
+  static_cast<void>(axisrt_recorder_dump(recorder_, nullptr, 0, &size));
+  std::vector<std::byte> bytes(size);
+  static_cast<void>(axisrt_recorder_dump(recorder_, bytes.data(), bytes.size(), &size));
+  return bytes;
+}
+
 }  // namespace axisc::codegen

@@ -13,6 +13,7 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace axisc::codegen {
 
@@ -76,14 +77,22 @@ class RuntimeHost {
 
   [[nodiscard]] std::variant<axisrt_axis_state, axisrt_status> axis_state(std::uint32_t axis) const;
 
+  /// Keeps what is given and given out in the last `cycles` cycles from now on.
+  [[nodiscard]] axisrt_status record(std::uint32_t cycles);
+  /// What was recorded, as axisrt_recorder_dump writes it; empty without a recorder.
+  [[nodiscard]] std::vector<std::byte> recording() const;
+
  private:
   RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtime);
+  [[nodiscard]] axisrt_config configuration() const;
   [[nodiscard]] bool fits(std::span<double const> in, std::span<double> out,
                           std::span<std::uint8_t> status) const;
 
   AlignedBytes image_;
   AlignedBytes memory_;
   axisrt* runtime_;  ///< lies in memory_
+  AlignedBytes recorder_memory_{0};
+  axisrt_recorder* recorder_ = nullptr;
 };
 
 }  // namespace axisc::codegen
