@@ -2,7 +2,10 @@
 // as ratios within one run: best of 15 repetitions that are interleaved at random.
 //
 //   bench_runtime [--axes N,N,...] [--case NAME] [--flush] [options of Google Benchmark]
+//   bench_runtime --case cycles     single cycles: their distribution, standstill, cold caches, recorder
+//   bench_runtime --case load       checksum and verification of an image of about 1 MiB
 #include "bench/runtime/cases.hpp"
+#include "bench/runtime/cycles.hpp"
 #include "bench/runtime/load.hpp"
 #include "bench/runtime/peers.hpp"
 #include "codegen/runtime_host.hpp"
@@ -163,9 +166,20 @@ int main(int argc, char** argv) {
   }
   int count = static_cast<int>(rest.size());
   benchmark::Initialize(&count, rest.data());
+  if (only == "cycles") {
+    for (char const* const name : {"a", "d", "f"}) {
+      Contender contender = make_case(name, 64);
+      std::printf("\ncase %s", name);
+      report_cycles(contender, 64);
+    }
+    return 0;
+  }
+  if (only == "load") {
+    report_load(make_case("a", 1200).image);
+    return 0;
+  }
   BestOf reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   reporter.print();
-  if (only.empty()) report_load(make_case("a", 1200).image);
   return 0;
 }

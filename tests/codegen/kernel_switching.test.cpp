@@ -149,8 +149,9 @@ axisrt_status random_command(RuntimeHost& runtime, validator::Machine const& mac
 
 }  // namespace
 
-TEST_CASE("switching in motion keeps the bounds of velocity and acceleration, at rest nothing moves",
-          "[kernel][switching]") {
+namespace {
+
+void switch_often(int number_of_commands) {
   validator::Machine const machine = switching_machine();
   std::vector<std::byte> const image = write_image(machine, {});
   ImageContents const contents = test::contents_of(image);
@@ -168,7 +169,7 @@ TEST_CASE("switching in motion keeps the bounds of velocity and acceleration, at
   int accepted_at_rest = 0;
   int stands_since = 0;
   bool stood = true;
-  while (commands < 100'000) {
+  while (commands < number_of_commands) {
     bool const at_rest =
         stands_since > 600;  // cycles of the longest kernel, and until the filters have settled
     if (random.below(4) == 0) {
@@ -197,6 +198,17 @@ TEST_CASE("switching in motion keeps the bounds of velocity and acceleration, at
   CHECK(accepted_in_motion > 200);
   CHECK(accepted_at_rest > 200);
   CHECK(watch.most_added > 0.02);  // fades were felt
+}
+
+}  // namespace
+
+TEST_CASE("switching in motion keeps the bounds of velocity and acceleration, at rest nothing moves",
+          "[kernel][switching]") {
+  switch_often(100'000);
+}
+
+TEST_CASE("a million commands keep the bounds", "[.][long][switching]") {
+  switch_often(1'000'000);
 }
 
 }  // namespace axisc::codegen
