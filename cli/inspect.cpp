@@ -11,7 +11,16 @@ namespace axisc::cli {
 namespace {
 
 enum class Form : std::uint8_t { text, json };
-enum class Target : std::uint8_t { none, host };
+/// Levels, and nothing.
+enum class Target : std::uint32_t {
+  host = AXISRT_LEVEL_AUTOMATIC,
+  portable = AXISRT_LEVEL_PORTABLE,
+  x86_64_v2 = AXISRT_LEVEL_X86_64_V2,
+  x86_64_v3 = AXISRT_LEVEL_X86_64_V3,
+  x86_64_v4 = AXISRT_LEVEL_X86_64_V4,
+  aarch64 = AXISRT_LEVEL_NEON,
+  none
+};
 
 /// Failure where the signature is not right by this key.
 void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
@@ -48,7 +57,14 @@ ExitStatus inspect(Invocation const& invocation) {
   command_line.value("--axis", "NAME", axis, Text::cli_opt_inspect_axis);
   command_line.flag("--as-list", as_list, Text::cli_opt_as_list);
   command_line.value("--key", "KEY.pub", key, Text::cli_opt_public_key);
-  command_line.choice("--memory", {{"host", Target::host}}, target, Text::cli_opt_memory);
+  command_line.choice("--memory",
+                      {{"host", Target::host},
+                       {"portable", Target::portable},
+                       {"x86-64-v2", Target::x86_64_v2},
+                       {"x86-64-v3", Target::x86_64_v3},
+                       {"x86-64-v4", Target::x86_64_v4},
+                       {"aarch64", Target::aarch64}},
+                      target, Text::cli_opt_memory);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -65,7 +81,9 @@ ExitStatus inspect(Invocation const& invocation) {
               .signer = codegen::signer(file.bytes.bytes()),
               .signature_checked = key.has_value(),
               .memory = std::nullopt};
-  if (target == Target::host) shown.memory = start_runtime(*path, file).memory_size();
+  if (target != Target::none) {
+    shown.memory = codegen::runtime_memory(file.bytes.bytes(), static_cast<std::uint32_t>(target));
+  }
   if (as_list) {
     if (file.contents.lists.empty()) {
       throw Failure({.text = Text::cli_stripped, .arguments = {{"file", *path}}});

@@ -18,7 +18,7 @@ struct Shown {
   std::vector<std::size_t> axes;                        ///< which of them
   std::optional<codegen::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
   bool signature_checked = false;                       ///< and the signature was found right
-  std::optional<std::size_t> memory;  ///< bytes that the runtime needs on this computer, where asked for
+  std::optional<std::size_t> memory;  ///< bytes that the runtime needs on a target, where asked for
 };
 
 [[nodiscard]] std::string inspect_text(Shown const& shown, Language language);

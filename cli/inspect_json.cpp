@@ -143,7 +143,7 @@ std::string inspect_json(Shown const& shown) {
         {"algorithm", "Ed25519"}, {"key", key_name(*shown.signer)}, {"checked", shown.signature_checked}};
   }
   if (shown.memory) {
-    json["memory"] = {{"target", "host"}, {"bytes", *shown.memory}, {"alignment", AXISRT_ALIGNMENT}};
+    json["memory"] = {{"bytes", *shown.memory}, {"alignment", AXISRT_ALIGNMENT}};
   }
   json["lists"] = ordered_json::array();
   for (auto const& list : image.lists) {

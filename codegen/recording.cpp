@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <utility>
 
 namespace axisc::codegen {
@@ -45,7 +44,9 @@ std::size_t size_of(std::uint64_t kind, std::size_t axes) {
 }
 
 bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ std::variant<Recording, axisrt_status> Recording::open(std::span<std::byte const
   std::size_t size = 0;
   std::size_t alignment = 0;
   axisrt_status const sized = axisrt_memory_size(&config, &size, &alignment);
-  if (sized != AXISRT_OK && sized != AXISRT_NO_LEVEL) return sized;
+  if (sized != AXISRT_OK) return sized == AXISRT_NO_LEVEL ? AXISRT_BAD_RECORDING : sized;
   AlignedBytes memory(size);
   config.memory = memory.data();
   config.memory_size = memory.size();

@@ -8,6 +8,18 @@
 
 namespace axisc::codegen {
 
+std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level) {
+  AlignedBytes const aligned(image);
+  axisrt_config config{};
+  config.size = sizeof config;
+  config.level = level;
+  config.image = aligned.data();
+  config.image_size = aligned.size();
+  std::size_t size = 0;
+  std::size_t alignment = 0;
+  return axisrt_memory_size(&config, &size, &alignment) == AXISRT_OK ? size : 0;
+}
+
 RuntimeHost::RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtime)
     : image_(std::move(image)), memory_(std::move(memory)), runtime_(runtime) {}
 

@@ -17,6 +17,10 @@
 
 namespace axisc::codegen {
 
+/// Bytes that the runtime needs for an image at an axisrt_level, also at one that this processor lacks. Expects a verified
+/// image and a known level.
+[[nodiscard]] std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level);
+
 class RuntimeHost {
  public:
   /// Copies and verifies the image and runs its self-tests. Without `cycle_time` the controller is taken to

@@ -104,9 +104,9 @@ axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, siz
   ImageView view;
   axisrt_status const status = open_configured(*config, view);
   if (status != AXISRT_OK) return status;
-  Instructions const* const instructions = find_instructions(config->level);
-  if (instructions == nullptr) return AXISRT_NO_LEVEL;
-  uint64_t const size = lay_out(count_amounts(view, instructions->lanes)).size;
+  uint32_t const lanes = lanes_of_level(config->level);
+  if (lanes == 0) return AXISRT_NO_LEVEL;
+  uint64_t const size = lay_out(count_amounts(view, lanes)).size;
   if (size > SIZE_MAX) return AXISRT_MEMORY_TOO_SMALL;  // more than this processor can address
   *bytes = static_cast<size_t>(size);
   *alignment = AXISRT_ALIGNMENT;

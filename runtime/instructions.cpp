@@ -110,4 +110,22 @@ Instructions const* find_instructions(uint32_t level) {
   return level == AXISRT_LEVEL_PORTABLE ? &portable::instructions : find_native(level);
 }
 
+uint32_t lanes_of_level(uint32_t level) {
+  switch (level) {
+    case AXISRT_LEVEL_AUTOMATIC:
+      return find_instructions(level)->lanes;
+    case AXISRT_LEVEL_PORTABLE:
+      return 1;
+    case AXISRT_LEVEL_X86_64_V2:
+    case AXISRT_LEVEL_NEON:
+      return 2;
+    case AXISRT_LEVEL_X86_64_V3:
+      return 4;
+    case AXISRT_LEVEL_X86_64_V4:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
 }  // namespace axisc::runtime

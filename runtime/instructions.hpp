@@ -22,4 +22,7 @@ struct Instructions {
 /// does not have it.
 [[nodiscard]] Instructions const* find_instructions(uint32_t level);
 
+/// Lanes of the widest group at a level, also of one that this processor does not have; 0 for an unknown level.
+[[nodiscard]] uint32_t lanes_of_level(uint32_t level);
+
 }  // namespace axisc::runtime

@@ -130,7 +130,8 @@ typedef struct axisrt_config {
 /* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
  * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
  * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE or
- * AXISRT_NO_LEVEL. Cost as axisrt_verify, and a
+ * AXISRT_NO_LEVEL for a number that is no level (one that this processor lacks is answered, for a program that plans another's
+ * memory). Cost as axisrt_verify, and a
  * pass over the axes for each shape of chains. Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 

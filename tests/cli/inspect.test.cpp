@@ -38,6 +38,16 @@ TEST_CASE("one axis, and the memory it takes") {
   auto const outcome = run_axisc({"inspect", "m.axim", "--axis", "Y", "--memory", "host"}, there);
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("axis Y") && !Catch::Matchers::Contains("axis X"));
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("bytes, aligned to 64"));
+  std::size_t before = 0;
+  for (std::string const target : {"portable", "x86-64-v2", "x86-64-v4", "aarch64"}) {
+    auto const json = run_axisc({"inspect", "m.axim", "--memory", target, "--format", "json"}, there).out;
+    std::string const key = "\"memory\": {\n    \"bytes\": ";
+    REQUIRE(json.find(key) != std::string::npos);
+    std::size_t const bytes = std::stoul(json.substr(json.find(key) + key.size()));
+    CHECK(bytes % 64 == 0);
+    if (target != "aarch64") CHECK(bytes >= before);  // wider lanes, more padding
+    before = bytes;
+  }
   auto const unknown = run_axisc({"inspect", "m.axim", "--axis", "Z"}, there);
   CHECK(unknown.status == 2);
   CHECK(unknown.err == "axisc: error: the image has no axis \"Z\"; its axes are X, Y\n");
