@@ -2,6 +2,8 @@
 
 #include "runtime/double_bits.hpp"
 
+#include <stddef.h>
+
 namespace axisc::runtime {
 namespace {
 
@@ -34,13 +36,26 @@ uint64_t place(axisrt_recorder const& recorder, uint64_t behind_first) {
   return at >= recorder.capacity ? at - recorder.capacity : at;
 }
 
+/// How many of `count` words stand between `place` and the end of the ring.
+uint64_t before_end(axisrt_recorder const& recorder, uint64_t place, uint64_t count) {
+  uint64_t const left = recorder.capacity - place;
+  return count < left ? count : left;
+}
+
+/// Numbers and words are the same bytes.
+void copy_words(void* to, void const* from, uint64_t count) {
+  __builtin_memcpy(to, from, static_cast<size_t>(count * sizeof(uint64_t)));
+}
+
 /// The oldest entry leaves the ring and is executed by the runtime behind it.
 void forget_oldest(axisrt_recorder& recorder) {
   EntryHead const head = unpacked(recorder.words[recorder.first]);
   uint64_t const size = size_of(*recorder.past, head.kind);
-  for (uint64_t i = 1; i < size; ++i) {
-    recorder.values[i - 1] = std::bit_cast<double>(recorder.words[place(recorder, i)]);
-  }
+  uint64_t const from = place(recorder, 1);
+  uint64_t const count = size - 1;
+  uint64_t const at_once = before_end(recorder, from, count);
+  copy_words(recorder.values, recorder.words + from, at_once);
+  copy_words(recorder.values + at_once, recorder.words, count - at_once);
   execute(*recorder.past, head, recorder.values);
   recorder.first = place(recorder, size);
   recorder.used -= size;
@@ -98,7 +113,15 @@ void Entry::put(uint64_t word) {
 
 void Entry::put(double const* values, uint32_t count) {
   if (recorder_ == nullptr) return;
-  for (uint32_t i = 0; i < count; ++i) put(values == nullptr ? 0 : std::bit_cast<uint64_t>(values[i]));
+  if (values == nullptr) {
+    for (uint32_t i = 0; i < count; ++i) put(uint64_t{0});
+    return;
+  }
+  uint64_t const to = place(*recorder_, recorder_->used + next_);
+  uint64_t const at_once = before_end(*recorder_, to, count);
+  copy_words(recorder_->words + to, values, at_once);
+  copy_words(recorder_->words, values + at_once, count - at_once);
+  next_ += count;
 }
 
 void Entry::put(uint8_t const* status, uint32_t count) {

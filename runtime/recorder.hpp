@@ -9,6 +9,16 @@
 
 #include <stdint.h>
 
+namespace axisc::runtime {
+
+/// Words of a cycle's entry at each port; 0 for ports that nothing is recorded of, because the image has no filters there.
+struct EntrySizes {
+  uint64_t step, step_interface, step_velocity;
+};
+[[nodiscard]] EntrySizes entry_sizes(axisrt const& runtime);
+
+}  // namespace axisc::runtime
+
 struct axisrt_recorder {
   axisrt* runtime;  ///< that is recorded; null when the recording has ended
   axisrt* past;     ///< in the state before the oldest entry
@@ -18,15 +28,10 @@ struct axisrt_recorder {
   uint64_t first;  ///< where the oldest entry begins
   uint64_t used;
   uint64_t entries;
+  axisc::runtime::EntrySizes sizes;
 };
 
 namespace axisc::runtime {
-
-/// Words of the largest entry of each port; 0 for ports that nothing is recorded of, because the image has no filters there.
-struct EntrySizes {
-  uint64_t step, step_interface, step_velocity;
-};
-[[nodiscard]] EntrySizes entry_sizes(axisrt const& runtime);
 
 /// What an entry says of itself.
 struct EntryHead {

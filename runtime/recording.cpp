@@ -210,7 +210,8 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
                .capacity = layout.capacity,
                .first = 0,
                .used = 0,
-               .entries = 0};
+               .entries = 0,
+               .sizes = entry_sizes(runtime)};
   runtime.recorder = recorder;
   return AXISRT_OK;
 }

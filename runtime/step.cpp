@@ -32,7 +32,7 @@ axisrt_status execute_port(axisrt const& runtime, LinePort axisrt::*port, Call c
 
 axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind, Call const& call) {
   if (runtime.recorder == nullptr) return execute_port(runtime, port, call);
-  EntrySizes const sizes = entry_sizes(runtime);
+  EntrySizes const& sizes = runtime.recorder->sizes;
   Entry entry(runtime.recorder, kind, 0, kind == axrd_step ? sizes.step : sizes.step_interface);
   entry.put(call.in, runtime.axis_count);
   axisrt_status const worst = execute_port(runtime, port, call);

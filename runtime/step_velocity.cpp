@@ -103,7 +103,7 @@ uint32_t flag_if(bool given, uint32_t flag) {
 
 axisrt_status record_step(axisrt const& runtime, axisrt_velocities const& in, Outputs const& out) {
   uint32_t const axes = runtime.axis_count;
-  Entry entry(runtime.recorder, axrd_step_velocity, 0, entry_sizes(runtime).step_velocity);
+  Entry entry(runtime.recorder, axrd_step_velocity, 0, runtime.recorder->sizes.step_velocity);
   entry.put(in.v_set, axes);
   entry.put(in.v_motor, axes);
   entry.put(in.v_direct, axes);

@@ -320,7 +320,7 @@ int axisrt_swap_done(const axisrt* runtime);
  *
  * The price, the same in every cycle: its numbers are written into a ring, and what falls out of the ring is executed once
  * more by a runtime of the recorder's own, which thereby keeps the state that the recording begins with. So a cycle costs
- * about twice of what it costs without. */
+ * two to three times of what it costs without. */
 typedef struct axisrt_recorder axisrt_recorder;
 
 /* Bytes that axisrt_recorder_start needs for at least `cycles` cycles (and 256 words of commands and resets in between);
