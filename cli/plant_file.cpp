@@ -78,7 +78,7 @@ PlantParameters parameters_of(json const& axis, std::string const& path, std::st
   }
   auto const feedback = axis.value("position_feedback", json("direct"));
   if (feedback != "direct" && feedback != "motor") {
-    fail(path, name, Text::ax9009_range, {{"key", "position_feedback"}, {"range", "\"direct\", \"motor\""}});
+    fail(path, name, Text::ax9009_range, {{"key", "position_feedback"}, {"range", R"("direct", "motor")"}});
   }
   parameters.feedback =
       feedback == "motor" ? motion::PositionFeedback::motor : motion::PositionFeedback::direct;
@@ -102,8 +102,9 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
   }
   if (!document.is_object()) fail(path, {}, Text::ax9009_json, {{"reason", document.type_name()}});
   auto const plants = document.find("plants");
-  if (plants == document.end() || !plants->is_array())
+  if (plants == document.end() || !plants->is_array()) {
     fail(path, {}, Text::ax9009_missing, {{"key", "plants"}});
+  }
   for (auto const& entry : *plants) {
     if (entry.is_object() && entry.value("name", json()) == axis) return parameters_of(entry, path, axis);
   }

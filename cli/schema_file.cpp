@@ -72,6 +72,7 @@ schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::stri
   }
   require_room(file, catalogue, entries);
   std::vector<schema::ParameterRow> rows;
+  rows.reserve(entries.size());
   for (auto const& entry : entries) rows.push_back(entry.row);
   auto extended = catalogue.with(std::move(rows));
   for (auto const& entry : entries) {

@@ -244,8 +244,9 @@ class EntryReader {
   void read_symbols(JsonValue const& value) {
     schema::ParameterRow::Words words;
     if (row_.type == DataType::boolean) words = {{"FALSE", 0}, {"TRUE", 1}};
-    if (value.kind != JsonKind::object || value.members.empty())
+    if (value.kind != JsonKind::object || value.members.empty()) {
       file_.refuse(value.span, Text::schema_symbols);
+    }
     std::set<std::string> seen{"FALSE", "TRUE"};
     if (row_.type != DataType::boolean) seen.clear();
     for (auto const& symbol : value.members) {
@@ -285,8 +286,9 @@ class EntryReader {
   }
 
   void read_axis_types(JsonValue const& value) {
-    if (value.kind != JsonKind::array || value.items.empty())
+    if (value.kind != JsonKind::array || value.items.empty()) {
       file_.refuse(value.span, Text::schema_axis_types);
+    }
     std::string types;
     for (auto const item : value.items) {
       auto const& type = file_[item];

@@ -64,7 +64,7 @@ void wipe(std::span<char> text);
 [[nodiscard]] axisrt_status check_signature(std::span<std::byte const> image, PublicKey const& key);
 
 /// An axisrt_verify_signature; its context is a PublicKey.
-[[nodiscard]] int verify_with_public_key(void* public_key, std::uint8_t const* key_id, void const* image,
+[[nodiscard]] int verify_with_public_key(void* public_key, std::uint8_t const* named_key, void const* image,
                                          std::size_t image_size, std::uint8_t const* signature);
 
 }  // namespace axisc::codegen

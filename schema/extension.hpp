@@ -30,7 +30,7 @@ class Extension {
   [[nodiscard]] std::vector<ParameterRow> const& own_rows() const { return own_; }
   [[nodiscard]] std::span<Parameter const> parameters() const { return rows_; }
   [[nodiscard]] std::size_t slot_count() const;
-  [[nodiscard]] NameLookup find_as_written(std::string_view name) const;
+  [[nodiscard]] NameLookup find_as_written(std::string_view text) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] ParameterId parameter_of(Slot slot) const;
   [[nodiscard]] bool knows_word(std::string_view word) const { return words_.contains(word); }
