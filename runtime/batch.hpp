@@ -109,6 +109,16 @@ struct BatchState {
   uint32_t never_reset;  ///< lines that were never reset
 };
 
+/// What the chains of a batch are known to be, so that a cycle needs no decisions.
+enum class ChainKind : uint32_t {
+  any,
+  sections_1,  ///< so many passing sections and nothing else
+  sections_2,
+  sections_4,
+  sections_6,
+  slot  ///< a linear-phase filter and nothing else
+};
+
 struct Batch {
   uint32_t width;  ///< lanes of a group: 1, 2, 4 or 8
   uint32_t group_count;
@@ -116,6 +126,7 @@ struct Batch {
   uint32_t operation_count;
   uint32_t state_stride;  ///< doubles of a group's state
   uint32_t consecutive;   ///< 1: its lanes are neighbouring lines, group after group
+  ChainKind kind;
   Operation operations[most_operations];
   BatchState* state;
   double* states;                  ///< of all groups

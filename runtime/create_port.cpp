@@ -6,6 +6,24 @@
 namespace axisc::runtime {
 namespace {
 
+ChainKind chain_kind(Shape const& shape) {
+  if (shape.step_count != 1) return ChainKind::any;
+  if (shape.steps[0].kind == OperationKind::slot) return ChainKind::slot;
+  if (shape.steps[0].kind != OperationKind::passing) return ChainKind::any;
+  switch (shape.steps[0].section_count) {
+    case 1:
+      return ChainKind::sections_1;
+    case 2:
+      return ChainKind::sections_2;
+    case 4:
+      return ChainKind::sections_4;
+    case 6:
+      return ChainKind::sections_6;
+    default:
+      return ChainKind::any;
+  }
+}
+
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 PortLayout const& layout_of(Layout const& layout, PortKind port) {
@@ -71,6 +89,7 @@ class PortBuilder {
              .operation_count = group.shape.step_count,
              .state_stride = state_stride(group),
              .consecutive = 1,
+             .kind = chain_kind(group.shape),
              .operations = {},
              .state = batch_states_++,
              .states = states_,

@@ -21,24 +21,43 @@ uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt:
   return worst;
 }
 
-axisrt_status execute_port(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
-  CycleArithmetic const arithmetic;
-  axisrt const* const before = changes_from(runtime);
-  uint64_t const worst =
-      before != nullptr ? step_both(runtime, *before, port, call)
-                        : runtime.instructions->step((runtime.*port).port, call.in, call.out, call.status);
-  return static_cast<axisrt_status>(worst);
+/// A change of image goes on, or a recorder runs along.
+bool has_company(axisrt const& runtime) {
+  return runtime.recorder != nullptr || runtime.change->begun != 0;
 }
 
-axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind, Call const& call) {
-  if (runtime.recorder == nullptr) return execute_port(runtime, port, call);
+axisrt_status execute(axisrt const& runtime, Port const& port, Call const& call) {
+  CycleArithmetic const arithmetic;
+  return static_cast<axisrt_status>(runtime.instructions->step(port, call.in, call.out, call.status));
+}
+
+axisrt_status execute_in_change(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
+  axisrt const* const before = changes_from(runtime);
+  if (before == nullptr) return execute(runtime, (runtime.*port).port, call);
+  CycleArithmetic const arithmetic;
+  return static_cast<axisrt_status>(step_both(runtime, *before, port, call));
+}
+
+axisrt_status step_in_company(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind,
+                              Call const& call) {
+  if (runtime.recorder == nullptr) return execute_in_change(runtime, port, call);
   EntrySizes const& sizes = runtime.recorder->sizes;
   Entry entry(runtime.recorder, kind, 0, kind == axrd_step ? sizes.step : sizes.step_interface);
   entry.put(call.in, runtime.axis_count);
-  axisrt_status const worst = execute_port(runtime, port, call);
+  axisrt_status const worst = execute_in_change(runtime, port, call);
   entry.put(call.out, runtime.axis_count);
   entry.put(call.status, runtime.axis_count);
   entry.finish(call.status != nullptr ? axrd_has_status : 0, worst);
+  return worst;
+}
+
+axisrt_status step_setpoints_in_company(axisrt const& runtime, Call const& call) {
+  bool const changes = changes_from(runtime) != nullptr;
+  if (changes) advance(*runtime.change);
+  axisrt_status const worst = step_in_company(runtime, &axisrt::setpoint, axrd_step, call);
+  if (changes) {
+    for (uint32_t i = 0; i < runtime.axis_count; ++i) runtime.change->outputs[i] = call.out[i];
+  }
   return worst;
 }
 
@@ -48,19 +67,16 @@ axisrt_status step_port(axisrt const& runtime, LinePort axisrt::*port, uint32_t 
 axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  bool const changes = changes_from(*runtime) != nullptr;
-  if (changes) advance(*runtime->change);
-  axisrt_status const worst =
-      step_port(*runtime, &axisrt::setpoint, axrd_step, {.in = in, .out = out, .status = status});
-  if (changes) {
-    for (uint32_t i = 0; i < runtime->axis_count; ++i) runtime->change->outputs[i] = out[i];
-  }
-  return worst;
+  Call const call{.in = in, .out = out, .status = status};
+  return has_company(*runtime) ? step_setpoints_in_company(*runtime, call)
+                               : execute(*runtime, runtime->setpoint.port, call);
 }
 
 axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
-  return step_port(*runtime, &axisrt::additional_interface, axrd_step_interface,
-                   {.in = in, .out = out, .status = status});
+  Call const call{.in = in, .out = out, .status = status};
+  return has_company(*runtime)
+             ? step_in_company(*runtime, &axisrt::additional_interface, axrd_step_interface, call)
+             : execute(*runtime, runtime->additional_interface.port, call);
 }

@@ -112,16 +112,6 @@ AXISRT_INLINE void write_statuses(Bits<Width> happened, uint32_t const* lines, u
   }
 }
 
-/// What the chains of a batch are known to be, so that they need no decisions.
-enum class ChainKind : uint32_t {
-  any,
-  sections_1,  ///< so many passing sections and nothing else
-  sections_2,
-  sections_4,
-  sections_6,
-  slot  ///< a linear-phase filter and nothing else
-};
-
 constexpr uint32_t sections_of(ChainKind kind) {
   switch (kind) {
     case ChainKind::sections_1:
@@ -265,25 +255,6 @@ AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
   return worst;
 }
 
-inline ChainKind kind_of(Batch const& batch) {
-  if (batch.operation_count != 1) return ChainKind::any;
-  Operation const& only = batch.operations[0];
-  if (only.kind == OperationKind::slot) return ChainKind::slot;
-  if (only.kind != OperationKind::passing) return ChainKind::any;
-  switch (only.section_count) {
-    case 1:
-      return ChainKind::sections_1;
-    case 2:
-      return ChainKind::sections_2;
-    case 4:
-      return ChainKind::sections_4;
-    case 6:
-      return ChainKind::sections_6;
-    default:
-      return ChainKind::any;
-  }
-}
-
 template <uint32_t Width, ChainKind Kind>
 AXISRT_INLINE void step_kind(Batch const& batch, Call const& call, Happened<Width>& happened) {
   if (batch.state->never_reset == 0) {
@@ -296,7 +267,7 @@ AXISRT_INLINE void step_kind(Batch const& batch, Call const& call, Happened<Widt
 template <uint32_t Width>
 AXISRT_INLINE uint64_t step_batch(Batch const& batch, Call const& call) {
   Happened<Width> happened{};
-  switch (kind_of(batch)) {
+  switch (batch.kind) {
     case ChainKind::sections_1:
       step_kind<Width, ChainKind::sections_1>(batch, call, happened);
       break;
