@@ -12,7 +12,7 @@ constexpr std::array ending_signals = {SIGINT, SIGTERM, SIGHUP};
 // A handler has no other way to know. It may read atomics without locks, and unlink() is safe in it.
 using Path = std::atomic<char const*>;
 static_assert(Path::is_always_lock_free);
-std::array<Path, 4> paths;
+std::array<Path, most_files_at_once> paths;
 
 extern "C" void remove_files(int signal) {
   for (Path const& path : paths) {

@@ -27,7 +27,7 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 12> commands = {{{"lint", Text::cli_lint_meaning, lint},
+constexpr std::array<Command, 13> commands = {{{"lint", Text::cli_lint_meaning, lint},
                                                {"fmt", Text::cli_fmt_meaning, fmt},
                                                {"compile", Text::cli_compile_meaning, compile},
                                                {"inspect", Text::cli_inspect_meaning, inspect},
@@ -36,6 +36,7 @@ constexpr std::array<Command, 12> commands = {{{"lint", Text::cli_lint_meaning, 
                                                {"contour", Text::cli_contour_meaning, contour},
                                                {"simulate", Text::cli_simulate_meaning, simulate},
                                                {"diff", Text::cli_diff_meaning, diff},
+                                               {"merge", Text::cli_merge_meaning, merge},
                                                {"keygen", Text::cli_keygen_meaning, keygen},
                                                {"sign", Text::cli_sign_meaning, sign},
                                                {"explain", Text::cli_explain_meaning, explain}}};

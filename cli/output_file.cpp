@@ -60,10 +60,14 @@ std::string folder_of(std::string const& path) {
   return folder.empty() ? "." : folder;
 }
 
+/// Asked for once: the question changes the answer for a moment, for all threads.
 mode_t mode_for_new_files() {
-  auto const mask = ::umask(0);
-  ::umask(mask);
-  return 0666U & ~mask;
+  static mode_t const mode = [] {
+    auto const mask = ::umask(0);
+    ::umask(mask);
+    return 0666U & ~mask;
+  }();
+  return mode;
 }
 
 }  // namespace
@@ -72,7 +76,8 @@ OutputFile::TemporaryFile::~TemporaryFile() {
   if (!path.empty()) ::unlink(path.c_str());
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path, Durability durability)
+    : path_(std::move(path)), durability_(durability) {
   if (path_ == "-") {
     file_ = FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
     if (!file_.is_open()) fail(errno);
@@ -126,14 +131,34 @@ void OutputFile::commit() {
     if (int const error = file_.close(); error != 0) fail(error);
     return;
   }
-  if (::fsync(file_.get()) != 0) fail(errno);
+  bool const syncs = durability_ == Durability::of_content;
+  if (syncs && ::fsync(file_.get()) != 0) fail(errno);
   if (int const error = file_.close(); error != 0) fail(error);
   if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.interruption.reset();
   temporary_.path.clear();
+  if (!syncs) return;
   // The name survives a power failure only when its folder is synced too; the content is safe either way.
   FileDescriptor const folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.is_open()) static_cast<void>(::fsync(folder.get()));
+}
+
+bool is_content_of(std::string const& path, std::string_view bytes) {
+  if (path == "-") return false;
+  FileDescriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat facts {};
+  if (!file.is_open() || ::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) return false;
+  if (static_cast<std::uint64_t>(facts.st_size) != bytes.size()) return false;
+  std::string block(std::size_t{1} << 16U, '\0');
+  while (!bytes.empty()) {
+    auto const got = ::read(file.get(), block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    auto const length = static_cast<std::size_t>(got);
+    if (bytes.substr(0, length) != std::string_view(block).substr(0, length)) return false;
+    bytes.remove_prefix(length);
+  }
+  return true;
 }
 
 void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {
