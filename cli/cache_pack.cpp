@@ -1,9 +1,9 @@
 #include "cli/cache_pack.hpp"
 
+#include "cli/unique_name.hpp"
+
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -42,19 +42,6 @@ bool read_at(int file, std::uint64_t offset, void* target, std::size_t size) {
 
 std::string_view bytes_of(std::vector<PackRow> const& rows) {
   return {reinterpret_cast<char const*>(rows.data()), rows.size() * sizeof(PackRow)};
-}
-
-/// No other process, nor another pack of this one, has the name.
-std::string new_name() {
-  static std::atomic<std::uint64_t> count{0};
-  Hasher hasher;
-  hasher.number(static_cast<std::uint64_t>(::getpid()));
-  hasher.number(count++);
-  hasher.number(static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count()));
-  char host[256] = {};
-  static_cast<void>(::gethostname(host, sizeof(host) - 1));
-  hasher.text(host);
-  return hexadecimal(hasher.finish()) + std::string(pack_extension);
 }
 
 }  // namespace
@@ -116,7 +103,9 @@ void CachePack::mark_used(std::vector<std::uint32_t> const& rows, std::uint32_t 
 }
 
 PackWriter::PackWriter(std::string const& folder)
-    : file_(folder + "/" + new_name(), Durability::of_name), offset_(magic.size()), buffer_(magic) {}
+    : file_(folder + "/" + unique_name() + std::string(pack_extension), Durability::of_name),
+      offset_(magic.size()),
+      buffer_(magic) {}
 
 void PackWriter::add(Digest const& key, std::string_view content, std::uint32_t last_use) {
   entries_.push_back(

@@ -35,7 +35,7 @@ class Compile {
       : words_(words),
         streams_(streams),
         settings_(words.checking.schema_files),
-        threads_(thread_count(words.checking)),
+        threads_(thread_count(words.checking.threads)),
         job_{.check = {}, .words = words.checking, .image = image_options(words), .form = {}} {
     job_.check.options = check_options(words.checking);
     job_.check.quiet = words.checking.quiet;

@@ -87,7 +87,7 @@ class Lint {
       : words_(words),
         streams_(streams),
         settings_(words.checking.schema_files),
-        threads_(thread_count(words.checking)),
+        threads_(thread_count(words.checking.threads)),
         inputs_(expand_inputs(words.named)) {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;

@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/unique_name.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -60,14 +61,10 @@ std::string folder_of(std::string const& path) {
   return folder.empty() ? "." : folder;
 }
 
-/// Asked for once: the question changes the answer for a moment, for all threads.
-mode_t mode_for_new_files() {
-  static mode_t const mode = [] {
-    auto const mask = ::umask(0);
-    ::umask(mask);
-    return 0666U & ~mask;
-  }();
-  return mode;
+/// Makes a file that was not there. A new target gets the usual mode from the system (asking for the mask would change it
+/// for all threads); in the place of an old one nobody shall read more than before.
+FileDescriptor make_file(std::string const& name, bool replaces) {
+  return FileDescriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666));
 }
 
 }  // namespace
@@ -103,17 +100,18 @@ void OutputFile::open_directly(std::string const& path) {
 void OutputFile::open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group) {
   // Renaming needs no right to write the old file, but a write protection is meant.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
-  std::string name = folder_of(target_) + "/.axisc-XXXXXX";
+  std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {
     WithoutInterruption const made_and_remembered;
-    file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+    file_ = make_file(name, exists);
     if (!file_.is_open()) fail(errno);
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());
   }
+  if (!exists) return;
   // Only root may give a file away; the others keep their own name on it.
-  [[maybe_unused]] bool const same_owner = exists && ::fchown(file_.get(), old_user, old_group) == 0;
-  if (::fchmod(file_.get(), exists ? old_mode & permission_bits : mode_for_new_files()) != 0) fail(errno);
+  [[maybe_unused]] bool const same_owner = ::fchown(file_.get(), old_user, old_group) == 0;
+  if (::fchmod(file_.get(), old_mode & permission_bits) != 0) fail(errno);
 }
 
 void OutputFile::fail(int error) const {

@@ -61,7 +61,9 @@ void ReportStream::add(std::size_t number, CheckedInput const& checked) {
 }
 
 std::size_t ReportStream::number_of(Artifact const& artifact) {
-  auto const [number, is_new] = artifact_numbers_.try_emplace(artifact.name, artifacts_.size());
+  // Machines name one list in many ways.
+  auto const path = shown_path(plan_.form.context.paths, artifact.name);
+  auto const [number, is_new] = artifact_numbers_.try_emplace(path, artifacts_.size());
   if (is_new) artifacts_.push_back(artifact);
   return number->second;
 }

@@ -235,15 +235,17 @@ class SarifResult {
   Language language_;
 };
 
-/// Those of all findings; sources that several inputs share have one name.
-std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceSet const& sources) {
+/// Those of all findings; sources that several inputs share are one.
+std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceSet const& sources,
+                                   RepositoryPaths const& paths) {
   std::set<SourceId> used;
   for (Finding const& finding : findings) used.merge(sources_of(finding));
-  std::set<std::string_view> named;
+  std::set<std::string> named;
   std::vector<Artifact> artifacts;
   for (SourceId const id : used) {
     SourceText const& source = sources[id];
-    if (named.insert(source.name()).second) artifacts.push_back({source.name(), source.encoding()});
+    if (named.insert(shown_path(paths, source.name())).second)
+      artifacts.push_back({source.name(), source.encoding()});
   }
   return artifacts;
 }
@@ -279,7 +281,8 @@ std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& s
                         ReportContext const& context, WriteOptions const& options) {
   std::set<Code> codes;
   for (Finding const& finding : findings) codes.insert(finding.code);
-  std::string text = sarif_head(codes, artifacts_of(findings, sources), context, options.language);
+  std::string text =
+      sarif_head(codes, artifacts_of(findings, sources, context.paths), context, options.language);
   for (Finding const& finding : findings) {
     if (&finding != &findings.front()) text += ',';
     text += fill_holes(
