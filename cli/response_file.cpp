@@ -21,16 +21,27 @@ std::string read_whole(std::string const& file) {
   return std::get<std::string>(std::move(bytes));
 }
 
-void add_path(std::vector<NamedInput>& inputs, std::string_view name, std::string place) {
-  if (name.front() == '@') {
+/// 'it'\''s' is it's, as shells read it.
+std::string without_quotes(std::string_view name) {
+  if (name.size() < 2 || !name.starts_with('\'') || !name.ends_with('\'')) return std::string(name);
+  std::string plain(name.substr(1, name.size() - 2));
+  constexpr std::string_view quote = "'\\''";
+  for (auto at = plain.find(quote); at != std::string::npos; at = plain.find(quote, at + 1)) {
+    plain.replace(at, quote.size(), "'");
+  }
+  return plain;
+}
+
+void add_path(std::vector<NamedInput>& inputs, std::string name, std::string place) {
+  if (name.starts_with('@')) {
     throw Failure({.text = Text::cli_response_nested,
-                   .arguments = {{"place", std::move(place)}, {"name", std::string(name)}}});
+                   .arguments = {{"place", std::move(place)}, {"name", std::move(name)}}});
   }
   if (name.size() >= PATH_MAX) {
     throw Failure({.text = Text::cli_response_long,
                    .arguments = {{"place", std::move(place)}, {"length", std::to_string(name.size())}}});
   }
-  inputs.push_back({.path = std::string(name), .place = std::move(place)});
+  inputs.push_back({.path = std::move(name), .place = std::move(place)});
 }
 
 void read_response_file(std::string const& file, std::vector<NamedInput>& inputs) {
@@ -44,7 +55,8 @@ void read_response_file(std::string const& file, std::vector<NamedInput>& inputs
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++number;
     if (!has_nul && name.ends_with('\r')) name.remove_suffix(1);
-    if (!name.empty()) add_path(inputs, name, file + ":" + std::to_string(number));
+    if (name.empty()) continue;
+    add_path(inputs, has_nul ? std::string(name) : without_quotes(name), file + ":" + std::to_string(number));
   }
   if (inputs.size() == before) {
     throw Failure({.text = Text::cli_response_empty, .arguments = {{"file", file}}});

@@ -13,8 +13,8 @@ struct NamedInput {
 };
 
 /// The words with each `@FILE` replaced by the paths in it, `@-` by those on standard input. One path per line (LF or
-/// CRLF, empty lines are left out); in a file that holds a NUL, one path in front of each NUL (`find -print0`). Paths are
-/// relative to the working folder, wherever the response file lies. Failure for a file that cannot be read, is empty,
+/// CRLF, empty lines are left out), in single quotes where it begins and ends with one, as Ninja writes names with blanks;
+/// in a file that holds a NUL, one path as it is in front of each NUL (`find -print0`). Paths are relative to the working folder, wherever the response file lies. Failure for a file that cannot be read, is empty,
 /// names another response file, or holds a name that no path can be.
 [[nodiscard]] std::vector<NamedInput> read_response_files(std::vector<std::string> const& words);
 

@@ -44,6 +44,15 @@ TEST_CASE("a response file with NULs may hold names with line breaks") {
   CHECK_THAT(lists.lint({"@-"}, "a.lis\0b.lis\0"s).out, Contains("2 files"));
 }
 
+TEST_CASE("names in quotes, as Ninja writes them") {
+  Lists const lists;
+  lists.folder.write("it's.lis", sound);
+  lists.folder.write("names.txt", "a.lis\n'with blank.lis'\n'it'\\''s.lis'\n");
+  auto const outcome = lists.lint({"@names.txt"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("3 files"));
+}
+
 TEST_CASE("commands with several inputs take response files") {
   Lists const lists;
   lists.folder.write("names.txt", "a.lis\nb.lis\n");
