@@ -19,12 +19,11 @@ using json_type = nlohmann::json;
 
 constexpr int format_version = 1;
 
-BaselineEntry entry_of(Finding const& finding, SourceSet const& sources) {
-  auto identity = identity_of(finding, sources);
-  return {.axis = std::move(identity.axis),
-          .parameter = std::move(identity.parameter),
+BaselineEntry entry_of(Identity const& identity, std::uint32_t occurrence) {
+  return {.axis = identity.axis,
+          .parameter = identity.parameter,
           .code = identity.code,
-          .occurrence = finding.occurrence};
+          .occurrence = occurrence};
 }
 
 Identity identity_of(BaselineEntry const& entry) {
@@ -70,10 +69,12 @@ std::optional<BaselineEntry> entry_of(json_type const& object) {
 
 }  // namespace
 
-Baseline::Baseline(std::vector<Finding> const& findings, SourceSet const& sources) {
-  for (auto const& finding : findings) {
-    if (finding.code < cannot_read) entries_.insert(entry_of(finding, sources));
-  }
+void Baseline::add(Identity const& identity, std::uint32_t occurrence) {
+  if (identity.code < cannot_read) entries_.insert(entry_of(identity, occurrence));
+}
+
+void Baseline::remove(Identity const& identity, std::uint32_t occurrence) {
+  entries_.erase(entry_of(identity, occurrence));
 }
 
 Baseline Baseline::read(std::string const& path) {
@@ -109,28 +110,19 @@ std::string Baseline::text() const {
   return text + (entries_.empty() ? "]}\n" : "\n]}\n");
 }
 
-bool Baseline::holds(Finding const& finding, SourceSet const& sources) const {
-  return entries_.contains(entry_of(finding, sources));
+bool Baseline::holds(Identity const& identity, std::uint32_t occurrence) const {
+  return entries_.contains(entry_of(identity, occurrence));
 }
 
-bool Baseline::mentions(Finding const& finding, SourceSet const& sources) const {
-  auto entry = entry_of(finding, sources);
-  entry.occurrence = 0;
-  auto const found = entries_.lower_bound(entry);
-  return found != entries_.end() && found->axis == entry.axis && found->parameter == entry.parameter &&
-         found->code == entry.code;
+bool Baseline::mentions(Identity const& identity) const {
+  auto const found = entries_.lower_bound(entry_of(identity, 0));
+  return found != entries_.end() && identity_of(*found) == identity;
 }
 
-std::size_t Baseline::hide(std::vector<Finding>& findings, SourceSet const& sources) const {
-  return std::erase_if(findings, [&](Finding const& finding) { return holds(finding, sources); });
-}
-
-std::vector<Identity> Baseline::stale(std::vector<Finding> const& findings, SourceSet const& sources) const {
-  auto missing = entries_;
-  for (auto const& finding : findings) missing.erase(entry_of(finding, sources));
+std::vector<Identity> Baseline::identities() const {
   std::vector<Identity> identities;
-  identities.reserve(missing.size());
-  for (auto const& entry : missing) identities.push_back(identity_of(entry));
+  identities.reserve(entries_.size());
+  for (auto const& entry : entries_) identities.push_back(identity_of(entry));
   return identities;
 }
 

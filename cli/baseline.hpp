@@ -30,22 +30,20 @@ struct BaselineEntry {
 class Baseline {
  public:
   Baseline() = default;
-  /// Of findings that are numbered. What is said about the run (AX9…) is left out: it accuses no list.
-  Baseline(std::vector<Finding> const& findings, SourceSet const& sources);
   /// Failure for a file that cannot be read or is no baseline.
   [[nodiscard]] static Baseline read(std::string const& path);
 
+  /// Of findings that are numbered. What is said about the run (AX9…) is left out: it accuses no list.
+  void add(Identity const& identity, std::uint32_t occurrence);
+  void remove(Identity const& identity, std::uint32_t occurrence);
+
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
-  [[nodiscard]] bool holds(Finding const& finding, SourceSet const& sources) const;
+  [[nodiscard]] bool holds(Identity const& identity, std::uint32_t occurrence) const;
   /// The same, whatever the occurrence.
-  [[nodiscard]] bool mentions(Finding const& finding, SourceSet const& sources) const;
-
-  /// Removes the findings that it holds; returns how many.
-  std::size_t hide(std::vector<Finding>& findings, SourceSet const& sources) const;
-  /// The entries that none of the findings answers to.
-  [[nodiscard]] std::vector<Identity> stale(std::vector<Finding> const& findings,
-                                            SourceSet const& sources) const;
+  [[nodiscard]] bool mentions(Identity const& identity) const;
+  [[nodiscard]] std::vector<Identity> identities() const;
+  [[nodiscard]] std::set<BaselineEntry> const& entries() const { return entries_; }
 
  private:
   std::set<BaselineEntry> entries_;

@@ -62,12 +62,16 @@ void declare_checking(CommandLine& command_line, CheckingWords& words) {
   command_line.values("--disable", "CODE[,CODE]", words.disabled, Text::cli_opt_disable);
   declare_schema(command_line, words.schema_files);
   command_line.flag("--pedantic", words.pedantic, Text::cli_opt_pedantic);
-  command_line.value("-j,--jobs", "N", words.threads, Text::cli_opt_jobs);
+  declare_threads(command_line, words.threads);
   command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
 }
 
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
   command_line.values("--schema", "FILE", files, Text::cli_opt_schema);
+}
+
+void declare_threads(CommandLine& command_line, std::optional<std::string>& threads) {
+  command_line.value("-j,--jobs", "N", threads, Text::cli_opt_jobs);
 }
 
 validator::CheckOptions check_options(CheckingWords const& words) {
@@ -90,11 +94,11 @@ validator::CheckOptions check_options(CheckingWords const& words) {
   return options;
 }
 
-unsigned thread_count(CheckingWords const& words) {
-  if (!words.threads) return std::max(1U, std::thread::hardware_concurrency());
-  auto const count = parse_count(*words.threads);
+unsigned thread_count(std::optional<std::string> const& threads) {
+  if (!threads) return std::max(1U, std::thread::hardware_concurrency());
+  auto const count = parse_count(*threads);
   if (!count || *count == 0 || *count > most_threads) {
-    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "-j"}, {"value", *words.threads}}});
+    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
   }
   return static_cast<unsigned>(*count);
 }

@@ -34,8 +34,11 @@ void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 /// Failure for a value that means nothing.
 [[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
 
+/// `-j N`, which every command that works on several inputs has.
+void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
+
 /// Number of threads: -j, else one per core.
-[[nodiscard]] unsigned thread_count(CheckingWords const& words);
+[[nodiscard]] unsigned thread_count(std::optional<std::string> const& threads);
 
 /// Takes the notes out for --quiet.
 void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings);

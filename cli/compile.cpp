@@ -1,138 +1,241 @@
-#include "cli/checking.hpp"
 #include "cli/commands.hpp"
+#include "cli/compile_words.hpp"
 #include "cli/depfile.hpp"
-#include "cli/disk_files.hpp"
-#include "cli/finding_report.hpp"
+#include "cli/image_names.hpp"
 #include "cli/machine_outline.hpp"
+#include "cli/ordered_work.hpp"
 #include "cli/output_file.hpp"
-#include "cli/quantities.hpp"
 #include "cli/report_context.hpp"
-#include "cli/settings.hpp"
-#include "codegen/image_writer.hpp"
-#include "diagnostics/writers.hpp"
+#include "cli/report_stream.hpp"
+#include "cli/written_image.hpp"
 
-#include <limits>
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <utility>
 
 namespace axisc::cli {
 
 namespace {
 
-struct CompileWords {
-  CheckingWords checking;
-  std::optional<std::string> input;
-  std::optional<std::string> output;
-  std::optional<std::string> depfile;
-  std::optional<std::string> image_version;
-  bool strip = false;
-};
-
-codegen::ImageOptions image_options(CompileWords const& words) {
-  codegen::ImageOptions options;
-  options.strip = words.strip;
-  if (!words.image_version) return options;
-  auto const version = parse_count(*words.image_version);
-  if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {
-    throw Failure({.text = Text::cli_bad_image_version, .arguments = {{"value", *words.image_version}}});
-  }
-  options.image_version = static_cast<std::uint32_t>(*version);
-  return options;
-}
-
-/// An image for a guessed cycle time would move every frequency.
-void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
-  bool const is_machine = has_extension(input, ".json");
-  // A machine file with mistakes is judged first: the cycle time may be one of them.
-  if (result.cycle_time_known || (is_machine && !result.machine)) return;
-  throw Failure({.text = is_machine ? Text::cli_machine_cycle_time_missing : Text::cli_cycle_time_missing,
-                 .arguments = {{"file", input}}});
-}
-
-/// A configured filter is never left out silently.
-void require_complete(validator::CheckResult const& result, SourceSet const& sources, Language language) {
-  if (result.not_compiled.empty()) return;
-  auto const& first = result.not_compiled.front();
-  auto const& source = sources[first.place.source];
-  throw Failure({.text = Text::cli_not_compiled,
-                 .arguments = {{"place", source.name() + ":" +
-                                             std::to_string(source.position(first.place.span.begin).line)},
-                               {"feature", render(first.feature, language)}}});
-}
-
-std::string_view as_text(std::vector<std::byte> const& bytes) {
-  return {reinterpret_cast<char const*>(bytes.data()), bytes.size()};
-}
-
-void write_files(CompileWords const& words, std::vector<std::byte> const& image,
-                 std::vector<std::string> const& sources) {
-  OutputFile output(*words.output);
-  output.write(as_text(image));
-  if (words.depfile) {
-    OutputFile dependencies(*words.depfile);
-    dependencies.write(dependency_rule(*words.output, sources));
-    dependencies.commit();
-  }
-  output.commit();
-}
-
-std::string findings_text(CompileWords const& words, validator::CheckResult& result, SourceSet const& sources,
-                          WriteOptions const& options) {
-  auto const format = words.checking.format;
-  RunFacts const run{.files = result.files.size(), .fixes = {}, .baseline = {}, .statistics = false};
-  number_occurrences(result.findings, sources);
-  auto text = document_of(format, result.findings, sources, run, report_context({*words.input}), options);
-  if (format == FindingFormat::text && !words.checking.quiet && !result.findings.empty()) {
-    text += write_text_summary(run.files, count(result.findings), options);
-  }
-  return text;
-}
-
-std::string summary(CompileWords const& words, validator::Machine const& machine, std::size_t bytes,
-                    Language language) {
-  std::size_t filters = 0;
-  for (auto const& axis : machine.axes) {
-    filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
-    if (axis.position_control) filters += axis.position_control->stages.size();
-  }
-  return render({.text = Text::cli_compiled,
-                 .arguments = {{"file", *words.output},
-                               {"axes", std::to_string(machine.axes.size())},
-                               {"filters", std::to_string(filters)},
-                               {"bytes", std::to_string(bytes)}}},
+std::string summary(WrittenImage const& image, std::string const& path, Language language) {
+  return render({.text = image.fate == ImageFate::written ? Text::cli_compiled : Text::cli_unchanged,
+                 .arguments = {{"file", path},
+                               {"axes", std::to_string(image.axes)},
+                               {"filters", std::to_string(image.filters)},
+                               {"bytes", std::to_string(image.bytes)}}},
                 language) +
          "\n";
 }
 
-/// Schema files decide what a list may say, so a build system has to watch them too.
-std::vector<std::string> files_read(validator::CheckResult const& result,
-                                    std::optional<Settings> const& settings,
-                                    std::vector<std::string> const& schema_files) {
-  auto files = result.files;
-  if (settings) files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
-  files.insert(files.end(), schema_files.begin(), schema_files.end());
-  return files;
-}
-
-void declare(CommandLine& command_line, CompileWords& words) {
-  command_line.argument("INPUT", words.input, Text::cli_arg_input);
-  command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_image_output);
-  command_line.value("--depfile", "FILE", words.depfile, Text::cli_opt_depfile);
-  command_line.flag("--strip", words.strip, Text::cli_opt_strip);
-  command_line.value("--image-version", "N", words.image_version, Text::cli_opt_image_version);
-  declare_checking(command_line, words.checking);
-}
-
-void require_arguments(CompileWords const& words) {
-  for (auto const& [given, shown] :
-       {std::pair(words.input.has_value(), "INPUT"), {words.output.has_value(), "-o"}}) {
-    if (given) continue;
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", shown}, {"command", "compile"}}});
+/// One compile: the words of the command line, and what they lead to.
+class Compile {
+ public:
+  Compile(CompileWords const& words, Language language, bool color, Streams& streams)
+      : words_(words),
+        streams_(streams),
+        settings_(words.checking.schema_files),
+        threads_(thread_count(words.checking.threads)),
+        job_{.check = {}, .words = words.checking, .image = image_options(words), .form = {}} {
+    job_.check.options = check_options(words.checking);
+    job_.check.quiet = words.checking.quiet;
+    job_.check.settings = &settings_;
+    job_.form.format = words.checking.format;
+    job_.form.write = {.language = language, .color = color};
+    choose_inputs();
+    if (needs_context(job_.form.format)) job_.form.context = report_context(part_.all.front());
+    if (words.fleet.asks_for_digests()) run_ = image_digest();
   }
-  if (has_extension(*words.input, ".nc")) {
-    throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", *words.input}}});
+
+  [[nodiscard]] ExitStatus print_key() {
+    Hasher hasher;
+    hasher.digest(run_);
+    for (auto const& path : part_.paths()) add_files(hasher, job_.check, path);
+    streams_.out.write(hexadecimal(hasher.finish()) + "\n");
+    return ExitStatus::success;
   }
-}
+
+  [[nodiscard]] ExitStatus run() {
+    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
+    ReportStream report({.form = job_.form,
+                         .quiet = words_.checking.quiet,
+                         .statistics = false,
+                         .counts_always = false,
+                         .baseline = {},
+                         .write_baseline = false,
+                         .shard = shard_record(part_, {}, run_, job_.check, words_.checking.werror)},
+                        streams_.err);
+    for (std::size_t i = 0; i < name_failures_.size(); ++i) {
+      if (reports_names(part_)) fail(report, i, name_failures_[i]);
+    }
+    compile_all(report);
+    auto const status = failed_                                                    ? ExitStatus::failure
+                        : fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
+                                                                                   : ExitStatus::success;
+    report.finish(
+        {}, [](Code) { return true; }, static_cast<int>(status));
+    streams_.err.write(failure_lines_);
+    print_summary();
+    return status;
+  }
+
+ private:
+  void choose_inputs() {
+    if (!words_.is_batch()) {
+      auto const& input = words_.inputs.front();
+      bool const is_file = input.substr(0, 1) != "@" || input.size() == 1;
+      auto named = is_file ? words_.inputs : expand_inputs(words_.inputs).paths;
+      if (named.size() > 1) throw Failure({.text = Text::cli_one_output, .arguments = {}});
+      part_ = choose_part({}, std::move(named));
+      refuse_programs();
+      if (words_.output) names_ = {*words_.output};
+      return;
+    }
+    auto inputs = expand_inputs(words_.inputs);
+    name_failures_ = std::move(inputs.failures);
+    // In folders NC programs lie beside lists; named by hand they are a misunderstanding.
+    std::erase_if(inputs.paths, [this](std::string const& path) {
+      bool const is_named =
+          std::find(words_.inputs.begin(), words_.inputs.end(), path) != words_.inputs.end();
+      return has_extension(path, ".nc") && !is_named;
+    });
+    names_ = image_names(inputs.paths, words_.input_folder.value_or(""), *words_.output_folder);
+    part_ = choose_part(words_.fleet, std::move(inputs.paths));
+    refuse_programs();
+  }
+
+  void refuse_programs() const {
+    for (auto const& path : part_.all) {
+      if (has_extension(path, ".nc")) {
+        throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", path}}});
+      }
+    }
+  }
+
+  /// Everything but the input that decides about an image and what is printed with it.
+  [[nodiscard]] Digest image_digest() const {
+    Hasher hasher;
+    hasher.text("compile");
+    hasher.digest(run_digest(job_.check, job_.form));
+    hasher.number(words_.checking.werror ? 1 : 0);
+    hasher.number(job_.image.strip ? 1 : 0);
+    hasher.number(job_.image.image_version);
+    return hasher.finish();
+  }
+
+  void fail(ReportStream& report, std::size_t order, Failure const& failure) {
+    failed_ = true;
+    failure_lines_ += failure.line(job_.form.write.language);
+    report.fail(order, failure);
+  }
+
+  void compile_all(ReportStream& report) {
+    auto cache = open_cache(words_.fleet, streams_.err, job_.form.write.language);
+    std::optional<OutputFile> rules;
+    if (words_.is_batch() && words_.depfile) rules.emplace(*words_.depfile);
+    {
+      Progress progress(words_.is_batch() && progress_is_seen() && !words_.checking.quiet,
+                        job_.form.write.language);
+      progress.stand_aside_for(streams_.err);
+      in_order<WrittenImage>({.count = part_.chosen.size(),
+                              .work = [&](std::size_t i) { return compile_one(i, cache.get()); },
+                              .take =
+                                  [&](std::size_t i, WrittenImage&& image) {
+                                    take(report, i, image);
+                                    if (rules) rules->write(rule_of(i, image));
+                                    progress.show(i + 1, part_.chosen.size());
+                                  },
+                              .weight = [](WrittenImage const& image) { return weight_of(image.checked); }},
+                             threads_);
+    }
+    if (rules) rules->commit();
+    finish_cache(std::move(cache), words_.fleet, streams_.err, job_.form.write.language);
+  }
+
+  [[nodiscard]] WrittenImage compile_one(std::size_t index, ResultCache* cache) {
+    auto const& path = part_.path(index);
+    ImageTarget target{.path = names_[part_.chosen[index]], .depfile = {}};
+    if (words_.is_batch()) {
+      std::error_code error;  // what it means shows when the image is written
+      std::filesystem::create_directories(std::filesystem::path(target.path).parent_path(), error);
+    } else {
+      target.depfile = words_.depfile;
+    }
+    return write_image(compiled(path, cache), target, more_sources(path));
+  }
+
+  [[nodiscard]] CompiledInput compiled(std::string const& path, ResultCache* cache) const {
+    if (cache == nullptr || path == "-") {
+      DiskFiles files(path == "-");
+      return compile_input(job_, path, files);
+    }
+    CachedInput cached(*cache, input_digest(run_, job_.check, path), path);
+    if (auto const known = cached.find()) {
+      if (auto result = read_compiled_input(*known)) return *std::move(result);
+    }
+    auto result = compile_input(job_, path, cached.files());
+    if (!result.checked.failure) cached.keep(to_bytes(result));
+    return result;
+  }
+
+  /// Settings and schema files decide what a list may say, so a build system has to watch them too.
+  [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
+    std::vector<std::string> files;
+    if (auto const* const settings = settings_.find(path)) {
+      files.push_back(settings->file);
+      files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
+    }
+    files.insert(files.end(), words_.checking.schema_files.begin(), words_.checking.schema_files.end());
+    return files;
+  }
+
+  /// An image that could not be made keeps its rule: it is to be made again when one of its sources changes.
+  [[nodiscard]] std::string rule_of(std::size_t index, WrittenImage const& image) const {
+    auto sources = image.sources;
+    if (image.checked.files.empty()) sources.insert(sources.begin(), part_.path(index));
+    return dependency_rule(names_[part_.chosen[index]], sources);
+  }
+
+  void take(ReportStream& report, std::size_t index, WrittenImage const& image) {
+    auto const number = part_.chosen[index];
+    report.add(number, image.checked);
+    if (image.checked.failure) fail(report, name_failures_.size() + number, *image.checked.failure);
+    ++fates_[static_cast<std::size_t>(image.fate)];
+    if (!words_.is_batch() && image.fate != ImageFate::missing) {
+      summary_ = summary(image, names_[number], job_.form.write.language);
+    }
+  }
+
+  void print_summary() {
+    if (words_.checking.quiet || words_.checking.format != FindingFormat::text) return;
+    if (words_.is_batch()) {
+      auto const number = [this](ImageFate fate) {
+        return std::to_string(fates_[static_cast<std::size_t>(fate)]);
+      };
+      summary_ = render({.text = Text::cli_batch_done,
+                         .arguments = {{"written", number(ImageFate::written)},
+                                       {"unchanged", number(ImageFate::unchanged)},
+                                       {"missing", number(ImageFate::missing)}}},
+                        job_.form.write.language) +
+                 "\n";
+    }
+    streams_.err.write(summary_);
+  }
+
+  CompileWords const& words_;
+  Streams& streams_;
+  SettingsFinder settings_;
+  unsigned threads_;
+  CompileJob job_;
+  Part part_;
+  std::vector<std::string> names_;  ///< of the images, by input
+  std::vector<Failure> name_failures_;
+  Digest run_;
+  std::array<std::size_t, 3> fates_{};  ///< how many images had it
+  bool failed_ = false;
+  std::string failure_lines_;
+  std::string summary_;
+};
 
 }  // namespace
 
@@ -145,35 +248,9 @@ ExitStatus compile(Invocation const& invocation) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
   }
-  require_arguments(words);
-  auto options = check_options(words.checking);
-  auto const image = image_options(words);
-  static_cast<void>(
-      thread_count(words.checking));  // accepted for the sake of scripts; one input needs one thread
-
-  DiskFiles files(words.input == "-");
-  SourceSet sources;
-  SettingsFinder finder(words.checking.schema_files);
-  options.catalogue = finder.catalogue(*words.input);
-  auto const settings = finder.find(*words.input);
-  if (settings) options = with_settings(std::move(options), *settings, *words.input);
-  auto result = validator::check(files, *words.input, options, sources);
-  if (result.unreadable) throw unreadable(*words.input, *result.unreadable);
-  require_cycle_time(*words.input, result);
-  apply_quiet(words.checking, result.findings);
-  WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
-  invocation.streams.err.write(findings_text(words, result, sources, write));
-  if (!result.machine || objectionable(words.checking, count(result.findings))) return ExitStatus::findings;
-
-  require_complete(result, sources, invocation.language);
-  auto const read = files_read(result, settings, words.checking.schema_files);
-  refuse_overwriting(*words.output, read);
-  auto const bytes = codegen::write_image(*result.machine, image);
-  write_files(words, bytes, read);
-  if (!words.checking.quiet && words.checking.format == FindingFormat::text) {
-    invocation.streams.err.write(summary(words, *result.machine, bytes.size(), invocation.language));
-  }
-  return ExitStatus::success;
+  require_sense(words);
+  Compile compile(words, invocation.language, use_color(command_line.color(), 2), invocation.streams);
+  return words.fleet.print_key ? compile.print_key() : compile.run();
 }
 
 }  // namespace axisc::cli

@@ -34,6 +34,8 @@ void Console::write(std::string_view text) {
 }
 
 void Console::flush() {
+  if (buffer_.empty()) return;
+  if (before_printing_) before_printing_();
   int const error = write_all(descriptor_, buffer_);
   buffer_.clear();
   if (error != 0 && descriptor_ == STDOUT_FILENO) {

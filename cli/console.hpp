@@ -1,8 +1,10 @@
 // Standard output and standard error, written so that no failure goes unnoticed.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -18,11 +20,14 @@ class Console {
   void write(std::string_view text);
   /// Writes what was collected. Must be called at the end: the destructor writes nothing.
   void flush();
+  /// Called before something is printed; empty: nothing is.
+  void before_printing(std::function<void()> action) { before_printing_ = std::move(action); }
   /// Forgets what was collected, after a failure.
   void discard() { buffer_.clear(); }
 
  private:
   int descriptor_;
+  std::function<void()> before_printing_;
   std::string buffer_;
 };
 

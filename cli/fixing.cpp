@@ -79,7 +79,7 @@ class Fixer {
   }
 
   [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {
-    if (!finding.fix || baseline_.mentions(finding, sources)) return false;
+    if (!finding.fix || baseline_.mentions(identity_of(finding, sources))) return false;
     return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
   }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/baseline.hpp"
-#include "cli/check_inputs.hpp"
+#include "cli/check_input.hpp"
 
 #include <cstdint>
 #include <string>

@@ -4,13 +4,15 @@
 #include "cli/disk_files.hpp"
 #include "cli/inputs.hpp"
 #include "cli/machine_outline.hpp"
+#include "cli/ordered_work.hpp"
 #include "cli/output_file.hpp"
 #include "cli/settings.hpp"
 #include "diagnostics/unified_diff.hpp"
 #include "validator/list_layout.hpp"
 
-#include <algorithm>
 #include <filesystem>
+#include <unordered_set>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -24,6 +26,7 @@ bool is_program(std::string const& path) {
 struct FmtWords {
   std::vector<std::string> named;
   std::vector<std::string> schema_files;
+  std::optional<std::string> threads;
   bool check = false;
   bool diff = false;
 };
@@ -31,8 +34,9 @@ struct FmtWords {
 /// The lists behind the inputs: a machine file stands for those that it names.
 std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   std::vector<std::string> lists;
-  auto const add = [&lists](std::string list) {
-    if (std::find(lists.begin(), lists.end(), list) == lists.end()) lists.push_back(std::move(list));
+  std::unordered_set<std::string> known;
+  auto const add = [&](std::string list) {
+    if (known.insert(list).second) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
     if (is_program(input)) continue;
@@ -61,26 +65,32 @@ std::string read_list(std::string const& path) {
   return std::move(text);
 }
 
-/// True when the list was, or is to be, written differently.
-bool format_list(std::string const& path, FmtWords const& words, schema::Catalogue const& catalogue,
-                 Invocation const& invocation) {
+struct Formatted {
+  bool changed = false;  ///< the list was, or is to be, written differently
+  std::string out;       ///< for standard output
+  std::optional<Failure> failure;
+};
+
+/// May be called by several threads: no two write one list.
+Formatted format_list(std::string const& path, FmtWords const& words, schema::Catalogue const& catalogue,
+                      Language language) {
+  Formatted result;
   auto const before = read_list(path);
   auto const after = validator::aligned_list(SourceText(path, before), catalogue);
-  auto& out = invocation.streams.out;
-  if (path == "-" && !words.check && !words.diff) out.write(after);
-  if (after == before) return false;
-  if (words.diff) out.write(unified_diff(path, before, after));
+  if (path == "-" && !words.check && !words.diff) result.out += after;
+  if (after == before) return result;
+  result.changed = true;
+  if (words.diff) result.out += unified_diff(path, before, after);
   if (words.check && !words.diff) {
-    out.write(
-        render({.text = Text::cli_fmt_would_change, .arguments = {{"file", path}}}, invocation.language) +
-        "\n");
+    result.out +=
+        render({.text = Text::cli_fmt_would_change, .arguments = {{"file", path}}}, language) + "\n";
   }
   if (path != "-" && !words.check && !words.diff) {
     OutputFile file(path);
     file.write(after);
     file.commit();
   }
-  return true;
+  return result;
 }
 
 }  // namespace
@@ -92,6 +102,7 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.flag("--check", words.check, Text::cli_opt_fmt_check);
   command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
   declare_schema(command_line, words.schema_files);
+  declare_threads(command_line, words.threads);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -100,17 +111,29 @@ ExitStatus fmt(Invocation const& invocation) {
     throw Failure(
         {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "fmt"}}});
   }
+  auto const threads = thread_count(words.threads);
   auto inputs = expand_inputs(words.named);
   SettingsFinder settings(words.schema_files);
   bool changed = false;
-  for (auto const& list : lists_of(inputs.paths)) {
+  auto const lists = lists_of(inputs.paths);
+  auto const format = [&](std::size_t i) {
     try {
-      changed = format_list(list, words, settings.catalogue(list), invocation) || changed;
+      return format_list(lists[i], words, settings.catalogue(lists[i]), invocation.language);
     } catch (Failure const& failure) {
       // The other lists are still looked at.
-      inputs.failures.push_back(failure);
+      return Formatted{.changed = false, .out = {}, .failure = failure};
     }
-  }
+  };
+  auto const take = [&](std::size_t, Formatted&& formatted) {
+    changed = changed || formatted.changed;
+    invocation.streams.out.write(formatted.out);
+    if (formatted.failure) inputs.failures.push_back(*std::move(formatted.failure));
+  };
+  in_order<Formatted>({.count = lists.size(),
+                       .work = format,
+                       .take = take,
+                       .weight = [](Formatted const& formatted) { return formatted.out.size(); }},
+                      threads);
   for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
   if (!inputs.failures.empty()) return ExitStatus::failure;
   return words.check && changed ? ExitStatus::findings : ExitStatus::success;

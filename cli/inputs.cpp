@@ -3,10 +3,13 @@
 #include "cli/codes.hpp"
 #include "cli/disk_files.hpp"
 #include "cli/machine_outline.hpp"
+#include "cli/response_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <variant>
 
 namespace axisc::cli {
@@ -17,15 +20,38 @@ namespace fs = std::filesystem;
 
 struct Found {
   std::string path;
-  fs::path identity;            ///< the same for every way to write the path
-  std::vector<fs::path> named;  ///< lists and programs of a machine file
+  std::string identity;            ///< the same for every way to write the path
+  std::vector<std::string> named;  ///< identities of the lists and programs of a machine file
 };
 
-fs::path identity_of(fs::path const& path) {
-  std::error_code error;
-  auto const canonical = fs::weakly_canonical(path, error);
-  return error ? path.lexically_normal() : canonical;
-}
+/// What a path is behind all links. That of a folder is found once: asking for every file would cost more than reading
+/// them.
+class Identities {
+ public:
+  [[nodiscard]] std::string of(fs::path const& path) {
+    if (path == "-") return "-";
+    auto const name = path.filename();
+    std::error_code error;
+    if (name.empty() || name == "." || name == ".." || fs::is_symlink(fs::symlink_status(path, error))) {
+      return canonical(path);
+    }
+    auto const [folder, is_new] = folders_.try_emplace(path.parent_path().string());
+    if (is_new) folder->second = canonical(path.has_parent_path() ? path.parent_path() : ".");
+    return folder->second + "/" + name.string();
+  }
+
+ private:
+  [[nodiscard]] static std::string canonical(fs::path const& path) {
+    std::error_code error;
+    auto const found = fs::weakly_canonical(fs::absolute(path, error), error);
+    auto name = error ? path.lexically_normal().string() : found.string();
+    // "a/missing/.." becomes "a/".
+    while (name.ends_with('/')) name.pop_back();
+    return name;
+  }
+
+  std::unordered_map<std::string, std::string> folders_;
+};
 
 /// What a machine file names; nothing for a list, and for JSON that is no machine file. One that cannot be read counts,
 /// so that the check complains about it.
@@ -37,70 +63,104 @@ MachineOutline outline_of(std::string const& path) {
   return text == nullptr ? MachineOutline{.is_machine = true, .named = {}} : read_machine_outline(*text);
 }
 
-Found found(std::string path, MachineOutline const& outline) {
-  Found result{.path = std::move(path), .identity = {}, .named = {}};
-  result.identity = result.path == "-" ? fs::path("-") : identity_of(result.path);
-  auto const folder = fs::path(result.path).parent_path();
-  for (auto const& file : outline.named) result.named.push_back(identity_of(folder / file));
-  return result;
+/// Folders come before what only begins like them, as paths are compared.
+bool is_before(std::string const& left, std::string const& right) {
+  auto const rank = [](char character) {
+    return character == '/' ? 0U : static_cast<unsigned char>(character) + 1U;
+  };
+  return std::lexicographical_compare(left.begin(), left.end(), right.begin(), right.end(),
+                                      [rank](char a, char b) { return rank(a) < rank(b); });
 }
 
 bool may_be_input(fs::directory_entry const& entry) {
+  auto const& name = entry.path().native();
+  if (!has_extension(name, ".lis") && !has_extension(name, ".json") && !has_extension(name, ".nc")) {
+    return false;
+  }
   std::error_code error;
-  auto const type = entry.status(error).type();
   // A link that leads nowhere is reported when it is read.
-  if (type != fs::file_type::regular && type != fs::file_type::not_found) return false;
-  auto const name = entry.path().filename().string();
-  return has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc");
+  return entry.is_regular_file(error) || !entry.exists(error);
 }
 
-void expand_folder(std::string const& folder, std::vector<Found>& inputs, std::vector<Failure>& failures) {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    if (may_be_input(*entry)) paths.push_back(entry->path().lexically_normal());
+class Expansion {
+ public:
+  void add(NamedInput const& input) {
+    std::error_code error;
+    auto const type = input.path == "-" ? fs::file_type::regular : fs::status(input.path, error).type();
+    if (type == fs::file_type::directory) {
+      add_folder(input.path);
+    } else if (type == fs::file_type::not_found && !input.place.empty()) {
+      failures_.push_back(
+          Failure({.text = Text::ax9001_listed, .arguments = {{"file", input.path}, {"place", input.place}}},
+                  cannot_read));
+    } else {
+      add_file(input.path, outline_of(input.path));
+    }
   }
-  if (error) {
-    failures.push_back(
-        Failure({.text = Text::ax9001_folder, .arguments = {{"folder", folder}, {"reason", error.message()}}},
-                cannot_read));
-    return;
+
+  [[nodiscard]] Inputs result() && {
+    Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}};
+    std::unordered_set<std::string> through_machine;
+    for (auto const& input : found_) through_machine.insert(input.named.begin(), input.named.end());
+    std::unordered_set<std::string> taken;
+    for (auto& input : found_) {
+      bool const again = !taken.insert(input.identity).second;
+      if (!again && !through_machine.contains(input.identity)) result.paths.push_back(std::move(input.path));
+    }
+    return result;
   }
-  std::sort(paths.begin(), paths.end());
-  auto const before = inputs.size();
-  for (auto const& path : paths) {
-    auto const outline = outline_of(path.string());
-    if (has_extension(path.string(), ".json") && !outline.is_machine) continue;
-    inputs.push_back(found(path.string(), outline));
+
+ private:
+  void add_file(std::string path, MachineOutline const& outline) {
+    Found found{.path = std::move(path), .identity = {}, .named = {}};
+    found.identity = identities_.of(found.path);
+    auto const folder = fs::path(found.path).parent_path();
+    for (auto const& file : outline.named) found.named.push_back(identities_.of(folder / file));
+    found_.push_back(std::move(found));
   }
-  if (inputs.size() == before) {
-    failures.push_back(
-        Failure({.text = Text::ax9001_folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
+
+  void add_folder(std::string const& folder) {
+    std::vector<std::string> paths;
+    std::error_code error;
+    auto const start = fs::path(folder).lexically_normal();
+    for (fs::recursive_directory_iterator entry(start, error), end; !error && entry != end;
+         entry.increment(error)) {
+      if (!may_be_input(*entry)) continue;
+      auto const& path = entry->path().native();
+      paths.push_back(start == "." ? path.substr(2) : path);
+    }
+    if (error) {
+      failures_.push_back(Failure(
+          {.text = Text::ax9001_folder, .arguments = {{"folder", folder}, {"reason", error.message()}}},
+          cannot_read));
+      return;
+    }
+    std::sort(paths.begin(), paths.end(), is_before);
+    auto const before = found_.size();
+    for (auto const& path : paths) {
+      auto const outline = outline_of(path);
+      if (!has_extension(path, ".json") || outline.is_machine) add_file(path, outline);
+    }
+    if (found_.size() == before) {
+      failures_.push_back(
+          Failure({.text = Text::ax9001_folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
+    }
   }
-}
+
+  Identities identities_;
+  std::vector<Found> found_;
+  std::vector<Failure> failures_;
+};
 
 }  // namespace
 
-Inputs expand_inputs(std::vector<std::string> const& named) {
-  Inputs result;
-  std::vector<Found> inputs;
-  for (auto const& name : named) {
-    std::error_code error;
-    if (name != "-" && fs::is_directory(name, error)) {
-      expand_folder(name, inputs, result.failures);
-    } else {
-      inputs.push_back(found(name, outline_of(name)));
-    }
-  }
-  std::set<fs::path> through_machine;
-  for (auto const& input : inputs) through_machine.insert(input.named.begin(), input.named.end());
-  std::set<fs::path> taken;
-  for (auto& input : inputs) {
-    bool const again = !taken.insert(input.identity).second;
-    if (!again && !through_machine.contains(input.identity)) result.paths.push_back(std::move(input.path));
-  }
-  return result;
+Inputs expand_inputs(std::vector<std::string> const& words) {
+  auto const named = read_response_files(words);
+  Expansion expansion;
+  for (auto const& input : named) expansion.add(input);
+  auto inputs = std::move(expansion).result();
+  if (!named.empty()) inputs.first = named.front().path;
+  return inputs;
 }
 
 }  // namespace axisc::cli

@@ -11,10 +11,13 @@ namespace axisc::cli {
 struct Inputs {
   std::vector<std::string> paths;  ///< lists and machine files, in the order in which they are reported
   std::vector<Failure> failures;   ///< names that cannot be used
+  std::string first;               ///< the first name: its settings and its repository are those of the run
 };
 
-/// A folder stands for every list and machine file below it, sorted. A file that is named twice, and a list that one of
-/// the machine files names, is checked once. Whether a named file exists is found out when it is read.
-[[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& named);
+/// A folder stands for every list and machine file below it, sorted; `@FILE` for the names in it (response_file.hpp). A
+/// file that is named twice, and a list that one of the machine files names, is checked once. Whether a file that the
+/// command line names exists is found out when it is read. Cost: one system call per file, and those of finding links
+/// per folder.
+[[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& words);
 
 }  // namespace axisc::cli

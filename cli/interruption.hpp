@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 
 namespace axisc::cli {
 
@@ -18,8 +19,12 @@ class WithoutInterruption {
   sigset_t before_{};
 };
 
+/// One for each thread, and some more.
+inline constexpr std::size_t most_files_at_once = 1100;
+
 /// While it lives, Ctrl-C and SIGTERM remove this file before they end the program. A signal that is ignored or handled
-/// by somebody else stays so. `path` must live longer; of more than four files at once the further ones stay behind.
+/// by somebody else stays so. `path` must live longer; of more than `most_files_at_once` the further
+/// ones stay behind.
 class RemovedWhenInterrupted {
  public:
   explicit RemovedWhenInterrupted(char const* path);

@@ -1,18 +1,19 @@
 #include "cli/baseline.hpp"
-#include "cli/check_inputs.hpp"
+#include "cli/check_input.hpp"
 #include "cli/checking.hpp"
 #include "cli/commands.hpp"
-#include "cli/finding_report.hpp"
 #include "cli/fixing.hpp"
+#include "cli/fleet.hpp"
 #include "cli/inputs.hpp"
+#include "cli/ordered_work.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report_context.hpp"
+#include "cli/report_stream.hpp"
 #include "diagnostics/unified_diff.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
+#include <utility>
 
 namespace axisc::cli {
 
@@ -20,6 +21,7 @@ namespace {
 
 struct LintWords {
   CheckingWords checking;
+  FleetWords fleet;
   std::vector<std::string> named;
   std::optional<std::string> baseline;
   std::optional<std::string> write_baseline;
@@ -27,12 +29,6 @@ struct LintWords {
   bool diff = false;
   bool statistics = false;
   bool print_config = false;
-};
-
-/// What is printed, and what decides about the exit status.
-struct Report {
-  std::string text;
-  FindingCounts counts;
 };
 
 void declare(CommandLine& command_line, LintWords& words) {
@@ -44,6 +40,7 @@ void declare(CommandLine& command_line, LintWords& words) {
   command_line.value("--write-baseline", "FILE", words.write_baseline, Text::cli_opt_write_baseline);
   command_line.flag("--statistics", words.statistics, Text::cli_opt_statistics);
   command_line.flag("--print-config", words.print_config, Text::cli_opt_print_config);
+  declare_fleet(command_line, words.fleet);
 }
 
 void require_sense(LintWords const& words) {
@@ -54,6 +51,12 @@ void require_sense(LintWords const& words) {
   bool const countable =
       words.checking.format == FindingFormat::text || words.checking.format == FindingFormat::json;
   if (words.statistics && !countable) throw Failure({.text = Text::cli_statistics_format, .arguments = {}});
+  if (!words.fleet.shard) return;
+  if (words.fix || words.diff) throw Failure({.text = Text::cli_shard_fix, .arguments = {}});
+  for (auto const& [given, option] : {std::pair(words.baseline.has_value(), "--baseline"),
+                                      {words.write_baseline.has_value(), "--write-baseline"}}) {
+    if (given) throw Failure({.text = Text::cli_shard_baseline, .arguments = {{"option", option}}});
+  }
 }
 
 bool names_language(std::span<std::string const> arguments) {
@@ -69,166 +72,210 @@ FixChoice fix_choice(LintWords const& words) {
                  .arguments = {{"option", "--fix"}, {"value", *words.fix}, {"choices", "all"}}});
 }
 
+/// What this run does not look for cannot be missing.
+bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code) {
+  auto const* const rule = validator::find_rule(code);
+  if (rule == nullptr) return true;
+  bool const shown = rule->severity != Severity::note || (options.pedantic && !words.checking.quiet);
+  return shown && std::find(options.disabled.begin(), options.disabled.end(), code) == options.disabled.end();
+}
+
 /// One lint: the words of the command line, and what they lead to.
 class Lint {
  public:
-  Lint(LintWords const& words, Language language, bool color)
-      : words_(words), settings_(words.checking.schema_files) {
+  Lint(LintWords const& words, Language language, bool color, Streams& streams)
+      : words_(words),
+        streams_(streams),
+        settings_(words.checking.schema_files),
+        threads_(thread_count(words.checking.threads)),
+        inputs_(expand_inputs(words.named)) {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;
     job_.settings = &settings_;
-    job_.write = {.language = language, .color = color};
+    form_.format = words.checking.format;
+    form_.write = {.language = language, .color = color};
     choice_ = fix_choice(words);
-    if (words.baseline) baseline_ = Baseline::read(*words.baseline);
+    part_ = choose_part(words.fleet, std::move(inputs_.paths));
   }
 
   /// The language that the first input's settings ask for; the command line's own is asked for elsewhere.
   [[nodiscard]] std::optional<Language> language_of_settings() {
-    auto const settings = settings_.find(words_.named.front());
-    return settings ? settings->language : std::nullopt;
+    auto const* const settings = settings_.find(inputs_.first);
+    return settings == nullptr ? std::nullopt : settings->language;
   }
-  void speak(Language language) { job_.write.language = language; }
+  void speak(Language language) { form_.write.language = language; }
 
-  [[nodiscard]] ExitStatus print_settings(Streams& streams) {
-    for (auto const& path : expand_inputs(words_.named).paths) {
-      streams.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
-                                          job_.write.language));
+  [[nodiscard]] ExitStatus print_settings() {
+    for (auto const& path : part_.paths()) {
+      streams_.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
+                                           form_.write.language));
     }
     return ExitStatus::success;
   }
 
-  [[nodiscard]] ExitStatus run(Streams& streams) {
-    auto inputs = expand_inputs(words_.named);
-    job_.text_at_once =
-        words_.checking.format == FindingFormat::text && !words_.baseline && !words_.write_baseline;
-    auto const fixed = choice_ == FixChoice::none ? FixedInputs{} : apply_fixes(inputs.paths, streams.out);
-    auto results = check_inputs(job_, inputs.paths, thread_count(words_.checking));
-    for (auto const& checked : results) {
-      if (checked.failure) inputs.failures.push_back(*checked.failure);
+  [[nodiscard]] ExitStatus print_key() {
+    prepare();
+    Hasher hasher = run_options();
+    hasher.digest(run_);
+    if (words_.baseline) hasher.text(Baseline::read(*words_.baseline).text());
+    for (auto const& path : part_.paths()) add_files(hasher, job_, path);
+    streams_.out.write(hexadecimal(hasher.finish()) + "\n");
+    return ExitStatus::success;
+  }
+
+  [[nodiscard]] ExitStatus run() {
+    prepare();
+    auto plan = report_plan();
+    if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
+    // The patch, or what became of standard input, takes standard output.
+    bool const out_is_taken = words_.diff || fixed_standard_input_;
+    ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
+    for (std::size_t i = 0; i < inputs_.failures.size(); ++i) {
+      if (reports_names(part_)) fail(report, i, inputs_.failures[i]);
     }
-    for (auto const& failure : inputs.failures) streams.err.write(failure.line(job_.write.language));
-    sum_up_files(results);
-    auto const report = job_.text_at_once ? report_texts(results) : report_findings(results, inputs.failures);
-    bool const out_is_taken = words_.diff || (fixed.edited.contains("-") && choice_ != FixChoice::none);
-    (out_is_taken ? streams.err : streams.out).write(report.text);
-    if (!inputs.failures.empty()) return ExitStatus::failure;
-    // Nothing was written: what the patch repairs still stands in the files.
-    return would_change_ || objectionable(words_.checking, report.counts) ? ExitStatus::findings
-                                                                          : ExitStatus::success;
+    check(report);
+    auto const status = status_of(report);
+    report.finish(
+        fixes_, [this](Code code) { return is_judged(words_, job_.options, code); },
+        static_cast<int>(status));
+    if (words_.write_baseline) write_baseline(report);
+    return status;
   }
 
  private:
+  void prepare() {
+    if (needs_context(form_.format)) form_.context = report_context(inputs_.first);
+    if (words_.fleet.asks_for_digests()) run_ = run_digest(job_, form_);
+    // A settings file that makes no sense ends the run before anything is printed.
+    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
+  }
+
+  /// Options that decide about the whole run, not about its inputs.
+  [[nodiscard]] Hasher run_options() const {
+    Hasher hasher;
+    hasher.text("lint");
+    hasher.number(words_.checking.werror ? 1 : 0);
+    hasher.number(words_.statistics ? 1 : 0);
+    hasher.number(static_cast<std::uint64_t>(choice_));
+    hasher.number(words_.diff ? 1 : 0);
+    hasher.number(words_.write_baseline ? 1 : 0);
+    return hasher;
+  }
+
+  [[nodiscard]] ReportPlan report_plan() {
+    ReportPlan plan{.form = form_,
+                    .quiet = words_.checking.quiet,
+                    .statistics = words_.statistics,
+                    .counts_always = true,
+                    .baseline = {},
+                    .write_baseline = words_.write_baseline.has_value(),
+                    .shard = shard_record(part_, run_options(), run_, job_, words_.checking.werror)};
+    if (words_.baseline) plan.baseline = Baseline::read(*words_.baseline);
+    if (!plan.shard) return plan;
+    for (auto const& rule : validator::rules()) {
+      if (is_judged(words_, job_.options, rule.code)) continue;
+      plan.shard->unjudged.push_back(static_cast<unsigned>(rule.code));
+    }
+    return plan;
+  }
+
+  void fail(ReportStream& report, std::size_t order, Failure const& failure) {
+    failed_ = true;
+    streams_.err.write(failure.line(form_.write.language));
+    report.fail(order, failure);
+  }
+
+  void check(ReportStream& report) {
+    // What fixes make of a file stands nowhere yet.
+    auto cache =
+        choice_ == FixChoice::none ? open_cache(words_.fleet, streams_.err, form_.write.language) : nullptr;
+    Progress progress(progress_is_seen() && !words_.checking.quiet, form_.write.language);
+    progress.stand_aside_for(streams_.out);
+    progress.stand_aside_for(streams_.err);
+    in_order<CheckedInput>({.count = part_.chosen.size(),
+                            .work = [&](std::size_t i) { return checked(part_.path(i), cache.get()); },
+                            .take =
+                                [&](std::size_t i, CheckedInput&& input) {
+                                  auto const number = part_.chosen[i];
+                                  if (input.failure)
+                                    fail(report, inputs_.failures.size() + number, *input.failure);
+                                  report.add(number, input);
+                                  progress.show(i + 1, part_.chosen.size());
+                                },
+                            .weight = weight_of},
+                           threads_);
+    finish_cache(std::move(cache), words_.fleet, streams_.err, form_.write.language);
+  }
+
+  [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
+    if (cache == nullptr || path == "-") {
+      EditedFiles files(job_.edited, path == "-");
+      return check_input(job_, path, files, form_);
+    }
+    CachedInput cached(*cache, input_digest(run_, job_, path), path);
+    if (auto const known = cached.find()) {
+      ByteReader bytes(*known);
+      if (auto result = read_checked_input(bytes)) return *std::move(result);
+    }
+    auto result = check_input(job_, path, cached.files(), form_);
+    if (!result.failure) {
+      ByteWriter bytes;
+      write_bytes(bytes, result);
+      cached.keep(std::move(bytes).take());
+    }
+    return result;
+  }
+
+  [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
+    if (failed_) return ExitStatus::failure;
+    // Nothing was written: what the patch repairs still stands in the files.
+    return would_change_ || objectionable(words_.checking, report.counts()) ? ExitStatus::findings
+                                                                            : ExitStatus::success;
+  }
+
   /// Writes what the fixes make of the files, or shows it.
-  FixedInputs apply_fixes(std::vector<std::string> const& paths, Console& out) {
-    auto fixed = fix_inputs(job_, paths, choice_, baseline_);
+  void apply_fixes(Baseline const& baseline) {
+    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (words_.diff) {
-        out.write(unified_diff(path, before, after));
+        streams_.out.write(unified_diff(path, before, after));
         would_change_ = would_change_ || before != after;
       } else if (path == "-") {
-        out.write(after);
+        streams_.out.write(after);
       } else if (after != before) {
         OutputFile file(path);
         file.write(after);
         file.commit();
       }
     }
-    run_.fixes = fixed.facts;
-    if (words_.diff) run_.fixes->applied = 0;
-    job_.edited = fixed.edited;
-    return fixed;
+    fixes_ = fixed.facts;
+    if (words_.diff) fixes_->applied = 0;
+    job_.edited = std::move(fixed.edited);
+    fixed_standard_input_ = job_.edited.contains("-");
   }
 
-  void sum_up_files(std::vector<Checked> const& results) {
-    for (auto const& checked : results) files_.insert(checked.files.begin(), checked.files.end());
-    run_.files = files_.size();
-    run_.statistics = words_.statistics;
-  }
-
-  Report report_texts(std::vector<Checked> const& results) const {
-    Report report;
-    std::map<Code, CodeCount> codes;
-    for (auto const& checked : results) {
-      report.counts.errors += checked.counts.errors;
-      report.counts.warnings += checked.counts.warnings;
-      report.counts.notes += checked.counts.notes;
-      report.text += checked.text;
-      for (auto const& row : checked.codes) {
-        auto& sum = codes[row.code];
-        sum = {.code = row.code,
-               .name = row.name,
-               .count = sum.count + row.count,
-               .fixable = sum.fixable + row.fixable};
-      }
-    }
-    std::vector<CodeCount> rows;
-    rows.reserve(codes.size());
-    for (auto const& [code, row] : codes) rows.push_back(row);
-    most_frequent_first(rows);
-    report.text += end_of_text(rows, report.counts);
-    return report;
-  }
-
-  Report report_findings(std::vector<Checked>& results, std::vector<Failure> const& failures) {
-    auto all = collect(results);
-    if (words_.baseline || words_.write_baseline) apply_baseline(all, !failures.empty());
-    auto context = report_context(words_.named);
-    for (auto const& failure : failures) context.failures.push_back(failure.sentence(job_.write.language));
-    Report report{.text = {}, .counts = count(all.findings)};
-    report.text = document_of(words_.checking.format, all.findings, all.sources, run_, context, job_.write);
-    if (words_.checking.format == FindingFormat::text) {
-      report.text += end_of_text(count_codes(all.findings), report.counts);
-    }
-    return report;
-  }
-
-  [[nodiscard]] std::string end_of_text(std::vector<CodeCount> const& codes,
-                                        FindingCounts const& counts) const {
-    std::string text;
-    if (words_.statistics && !codes.empty()) text += write_text_statistics(codes, job_.write) + "\n";
-    if (words_.checking.quiet || run_.files == 0) return text;
-    return text + write_text_facts(run_, job_.write) + write_text_summary(run_.files, counts, job_.write);
-  }
-
-  void apply_baseline(Collected& all, bool incomplete) {
-    BaselineFacts facts;
-    if (words_.write_baseline) {
-      baseline_ = Baseline(all.findings, all.sources);
-      write_baseline();
-      facts.recorded = baseline_.size();
-    } else if (!incomplete) {
-      facts.stale = baseline_.stale(all.findings, all.sources);
-      std::erase_if(facts.stale, [this](Identity const& identity) { return !is_judged(identity.code); });
-    }
-    facts.hidden = baseline_.hide(all.findings, all.sources);
-    run_.baseline = std::move(facts);
-  }
-
-  void write_baseline() const {
-    refuse_overwriting(*words_.write_baseline, {files_.begin(), files_.end()});
+  void write_baseline(ReportStream const& report) const {
+    refuse_overwriting(*words_.write_baseline, {report.files().begin(), report.files().end()});
     OutputFile file(*words_.write_baseline);
-    file.write(baseline_.text());
+    file.write(report.found().text());
     file.commit();
   }
 
-  /// What this run does not look for cannot be missing.
-  [[nodiscard]] bool is_judged(Code code) const {
-    auto const* const rule = validator::find_rule(code);
-    if (rule == nullptr) return true;
-    bool const shown = rule->severity != Severity::note || (job_.options.pedantic && !words_.checking.quiet);
-    auto const& disabled = job_.options.disabled;
-    return shown && std::find(disabled.begin(), disabled.end(), code) == disabled.end();
-  }
-
   LintWords const& words_;
+  Streams& streams_;
   SettingsFinder settings_;
+  unsigned threads_;
+  Inputs inputs_;
+  Part part_;
   CheckJob job_;
+  ReportForm form_;
+  Digest run_;
   FixChoice choice_ = FixChoice::none;
+  std::optional<FixFacts> fixes_;
   bool would_change_ = false;
-  Baseline baseline_;
-  std::set<std::string> files_;
-  RunFacts run_;
+  bool fixed_standard_input_ = false;
+  bool failed_ = false;
 };
 
 }  // namespace
@@ -242,11 +289,12 @@ ExitStatus lint(Invocation const& invocation) {
     return ExitStatus::success;
   }
   require_sense(words);
-  Lint lint(words, invocation.language, use_color(command_line.color(), 1));
+  Lint lint(words, invocation.language, use_color(command_line.color(), 1), invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
     lint.speak(*language);
   }
-  return words.print_config ? lint.print_settings(invocation.streams) : lint.run(invocation.streams);
+  if (words.print_config) return lint.print_settings();
+  return words.fleet.print_key ? lint.print_key() : lint.run();
 }
 
 }  // namespace axisc::cli

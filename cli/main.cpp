@@ -37,6 +37,7 @@ constexpr std::array<Command, 13> commands = {{{"lint", Text::cli_lint_meaning, 
                                                {"simulate", Text::cli_simulate_meaning, simulate},
                                                {"replay", Text::cli_replay_meaning, replay},
                                                {"diff", Text::cli_diff_meaning, diff},
+                                               {"merge", Text::cli_merge_meaning, merge},
                                                {"keygen", Text::cli_keygen_meaning, keygen},
                                                {"sign", Text::cli_sign_meaning, sign},
                                                {"explain", Text::cli_explain_meaning, explain}}};

@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/unique_name.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -60,10 +61,10 @@ std::string folder_of(std::string const& path) {
   return folder.empty() ? "." : folder;
 }
 
-mode_t mode_for_new_files() {
-  auto const mask = ::umask(0);
-  ::umask(mask);
-  return 0666U & ~mask;
+/// Makes a file that was not there. A new target gets the usual mode from the system (asking for the mask would change it
+/// for all threads); in the place of an old one nobody shall read more than before.
+FileDescriptor make_file(std::string const& name, bool replaces) {
+  return FileDescriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666));
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ OutputFile::TemporaryFile::~TemporaryFile() {
   if (!path.empty()) ::unlink(path.c_str());
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path, Durability durability)
+    : path_(std::move(path)), durability_(durability) {
   if (path_ == "-") {
     file_ = FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
     if (!file_.is_open()) fail(errno);
@@ -98,17 +100,18 @@ void OutputFile::open_directly(std::string const& path) {
 void OutputFile::open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group) {
   // Renaming needs no right to write the old file, but a write protection is meant.
   if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
-  std::string name = folder_of(target_) + "/.axisc-XXXXXX";
+  std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {
     WithoutInterruption const made_and_remembered;
-    file_ = FileDescriptor(::mkostemp(name.data(), O_CLOEXEC));
+    file_ = make_file(name, exists);
     if (!file_.is_open()) fail(errno);
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());
   }
+  if (!exists) return;
   // Only root may give a file away; the others keep their own name on it.
-  [[maybe_unused]] bool const same_owner = exists && ::fchown(file_.get(), old_user, old_group) == 0;
-  if (::fchmod(file_.get(), exists ? old_mode & permission_bits : mode_for_new_files()) != 0) fail(errno);
+  [[maybe_unused]] bool const same_owner = ::fchown(file_.get(), old_user, old_group) == 0;
+  if (::fchmod(file_.get(), old_mode & permission_bits) != 0) fail(errno);
 }
 
 void OutputFile::fail(int error) const {
@@ -126,14 +129,34 @@ void OutputFile::commit() {
     if (int const error = file_.close(); error != 0) fail(error);
     return;
   }
-  if (::fsync(file_.get()) != 0) fail(errno);
+  bool const syncs = durability_ == Durability::of_content;
+  if (syncs && ::fsync(file_.get()) != 0) fail(errno);
   if (int const error = file_.close(); error != 0) fail(error);
   if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.interruption.reset();
   temporary_.path.clear();
+  if (!syncs) return;
   // The name survives a power failure only when its folder is synced too; the content is safe either way.
   FileDescriptor const folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.is_open()) static_cast<void>(::fsync(folder.get()));
+}
+
+bool is_content_of(std::string const& path, std::string_view bytes) {
+  if (path == "-") return false;
+  FileDescriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat facts {};
+  if (!file.is_open() || ::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) return false;
+  if (static_cast<std::uint64_t>(facts.st_size) != bytes.size()) return false;
+  std::string block(std::size_t{1} << 16U, '\0');
+  while (!bytes.empty()) {
+    auto const got = ::read(file.get(), block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    auto const length = static_cast<std::size_t>(got);
+    if (bytes.substr(0, length) != std::string_view(block).substr(0, length)) return false;
+    bytes.remove_prefix(length);
+  }
+  return true;
 }
 
 void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {

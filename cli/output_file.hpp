@@ -4,6 +4,7 @@
 #include "cli/file_descriptor.hpp"
 #include "cli/interruption.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,13 +12,17 @@
 
 namespace axisc::cli {
 
+/// What survives a power failure: a whole file under its name, or at least that another one is not taken for it (for what
+/// can be made again and carries a checksum, and costs far less).
+enum class Durability : std::uint8_t { of_content, of_name };
+
 /// Writes beside the target, syncs and renames, so that nobody ever sees half of it and an old file stays untouched
 /// when anything fails or the program is interrupted. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
 /// device, a pipe) is opened and written directly, never renamed over; "-" is standard output.
 /// Every function may throw a Failure (AX9002).
 class OutputFile {
  public:
-  explicit OutputFile(std::string path);
+  explicit OutputFile(std::string path, Durability durability = Durability::of_content);
   OutputFile(OutputFile const&) = delete;
   OutputFile& operator=(OutputFile const&) = delete;
   ~OutputFile() = default;
@@ -41,11 +46,15 @@ class OutputFile {
   void open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group);
   [[noreturn]] void fail(int error) const;
 
-  std::string path_;    ///< as the user wrote it
+  std::string path_;  ///< as the user wrote it
+  Durability durability_;
   std::string target_;  ///< behind symbolic links; empty when written directly
   TemporaryFile temporary_;
   FileDescriptor file_;
 };
+
+/// `path` is a regular file that holds just these bytes: writing it again would only make it look new.
+[[nodiscard]] bool is_content_of(std::string const& path, std::string_view bytes);
 
 /// Failure where `output` is one of the files that were read, under whatever name.
 void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources);

@@ -1,8 +1,8 @@
 #include "cli/path_machine.hpp"
 
-#include "cli/finding_report.hpp"
 #include "cli/machine_outline.hpp"
 #include "cli/quantities.hpp"
+#include "cli/report_form.hpp"
 #include "cli/settings.hpp"
 #include "codegen/image_writer.hpp"
 #include "validator/check.hpp"
@@ -32,8 +32,8 @@ std::optional<CheckedMachine> checked_machine(std::string const& path,
     }
   }
   SettingsFinder finder;
-  auto const settings = finder.find(path);
-  if (settings) options = with_settings(options, *settings, path);
+  auto const* const settings = finder.find(path);
+  if (settings != nullptr) options = with_settings(options, *settings, path);
   auto disk = std::make_unique<DiskFiles>(path == "-");
   SourceSet sources;
   auto result = validator::check(*disk, path, options, sources);

@@ -23,7 +23,7 @@ std::optional<fs::path> repository_of(fs::path folder) {
 
 }  // namespace
 
-ReportContext report_context(std::vector<std::string> const& inputs) {
+ReportContext report_context(std::string const& first_input) {
   ReportContext context;
   context.version = AXISC_VERSION;
   for (auto const& rule : validator::rules()) {
@@ -34,8 +34,8 @@ ReportContext report_context(std::vector<std::string> const& inputs) {
   auto const folder = fs::current_path(error);
   if (error) return context;
   auto root = repository_of(folder);
-  if (!root && !inputs.empty()) {
-    root = repository_of((folder / inputs.front()).lexically_normal().parent_path());
+  if (!root && !first_input.empty()) {
+    root = repository_of((folder / first_input).lexically_normal().parent_path());
   }
   context.paths = {.root = root.value_or(folder).string(), .folder = folder.string()};
   return context;

@@ -4,12 +4,11 @@
 #include "diagnostics/writers.hpp"
 
 #include <string>
-#include <vector>
 
 namespace axisc::cli {
 
 /// The repository is that of the working folder, else that of the first input; where there is none, paths are relative
 /// to the working folder.
-[[nodiscard]] ReportContext report_context(std::vector<std::string> const& inputs);
+[[nodiscard]] ReportContext report_context(std::string const& first_input);
 
 }  // namespace axisc::cli

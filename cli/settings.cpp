@@ -1,6 +1,7 @@
 #include "cli/settings.hpp"
 
 #include "cli/codes.hpp"
+#include "cli/disk_files.hpp"
 #include "cli/failure.hpp"
 #include "cli/finding_codes.hpp"
 #include "cli/glob.hpp"
@@ -149,9 +150,26 @@ std::string relative_to(std::string const& folder, std::string const& path) {
   return relative.empty() ? absolute.generic_string() : relative.generic_string();
 }
 
+Digest digest_of_files(std::vector<std::string> const& paths) {
+  Hasher hasher;
+  DiskFiles files;
+  for (auto const& path : paths) {
+    auto const bytes = files.read(path);
+    auto const* const text = std::get_if<std::string>(&bytes);
+    hasher.text(path);
+    hasher.text(text == nullptr ? std::string_view{} : *text);
+  }
+  return hasher.finish();
+}
+
+void require_unchanged(std::vector<std::string> const& paths, Digest const& before) {
+  if (digest_of_files(paths) != before) throw validator::SourceChanged(paths.front());
+}
+
 }  // namespace
 
 bool Settings::disables(std::string const& path, Code code) const {
+  if (paths.empty()) return false;
   auto const relative = relative_to(folder, path);
   return std::any_of(paths.begin(), paths.end(), [&](PathSettings const& rule) {
     bool const named = std::find(rule.disabled.begin(), rule.disabled.end(), code) != rule.disabled.end();
@@ -165,31 +183,73 @@ Settings read_settings(std::string const& path, std::string const& folder) {
 }
 
 schema::Catalogue SettingsFinder::catalogue(std::string const& input) {
-  auto const settings = find(input);
-  if (settings) return settings->catalogue;
+  if (auto const* const settings = find(input)) return settings->catalogue;
   std::lock_guard const lock(mutex_);
-  if (!without_settings_) without_settings_ = with_schema_files({}, schema_files_);
+  read_schema_files();
   return *without_settings_;
 }
 
-std::optional<Settings> SettingsFinder::find(std::string const& input) {
-  std::error_code error;
-  auto const start = input == "-" ? fs::current_path(error) : fs::absolute(input, error).parent_path();
-  auto const folder = fs::weakly_canonical(start, error);
+Digest SettingsFinder::digest(std::string const& input) {
+  if (auto const* const settings = find(input)) return settings->digest;
   std::lock_guard const lock(mutex_);
-  if (auto const known = known_.find(folder.string()); known != known_.end()) return known->second;
-  std::optional<Settings> found;
-  for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
-    auto const file = candidate / file_name;
-    if (fs::is_regular_file(file, error)) {
-      auto const shown = fs::proximate(file, fs::current_path(error), error);
-      found = read_settings(shown.empty() ? file.string() : shown.string(), candidate.string());
-      found->catalogue = with_schema_files(found->catalogue, schema_files_);
+  read_schema_files();
+  return schema_digest_;
+}
+
+void SettingsFinder::read_schema_files() {
+  if (without_settings_) return;
+  schema_digest_ = digest_of_files(schema_files_);
+  without_settings_ = with_schema_files({}, schema_files_);
+  require_unchanged(schema_files_, schema_digest_);
+}
+
+Settings const* SettingsFinder::find(std::string const& input) {
+  auto const slash = input.rfind('/');
+  std::string asked = slash == std::string::npos ? "." : input.substr(0, slash + 1);
+  std::lock_guard const lock(mutex_);
+  if (auto const known = asked_.find(asked); known != asked_.end()) return known->second;
+  auto const* const settings = look_for(asked);
+  asked_.emplace(std::move(asked), settings);
+  return settings;
+}
+
+Settings const* SettingsFinder::look_for(std::string const& asked) {
+  std::error_code error;
+  auto const folder = fs::weakly_canonical(fs::absolute(asked, error), error);
+  auto known = known_.find(folder.string());
+  if (known == known_.end()) {
+    std::optional<Settings> found;
+    for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
+      auto const file = candidate / file_name;
+      if (fs::is_regular_file(file, error)) {
+        auto const shown = fs::proximate(file, fs::current_path(error), error);
+        found = read_digested(shown.empty() ? file.string() : shown.string(), candidate.string());
+      }
+      if (candidate == candidate.parent_path()) break;
     }
-    if (candidate == candidate.parent_path()) break;
+    known = known_.emplace(folder.string(), std::move(found)).first;
   }
-  known_.emplace(folder.string(), found);
-  return found;
+  return known->second ? &*known->second : nullptr;
+}
+
+Settings SettingsFinder::read_digested(std::string const& file, std::string const& folder) const {
+  auto const own = digest_of_files({file});
+  auto settings = read_settings(file, folder);
+  settings.catalogue = with_schema_files(settings.catalogue, schema_files_);
+  auto files = settings.schema_files;
+  files.insert(files.end(), schema_files_.begin(), schema_files_.end());
+  Hasher hasher;
+  hasher.digest(own);
+  hasher.digest(digest_of_files(files));
+  if (!settings.paths.empty()) {
+    // Patterns are compared with names below the folder, which depend on where the program runs.
+    std::error_code error;
+    hasher.text(folder);
+    hasher.text(fs::current_path(error).string());
+  }
+  settings.digest = hasher.finish();
+  require_unchanged({file}, own);
+  return settings;
 }
 
 validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,

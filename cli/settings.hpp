@@ -14,6 +14,7 @@
 // command line says wins.
 #pragma once
 
+#include "cli/digest.hpp"
 #include "diagnostics/finding.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/check.hpp"
@@ -22,6 +23,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,7 @@ struct Settings {
   std::vector<PathSettings> paths;
   std::vector<std::string> schema_files;
   schema::Catalogue catalogue;  ///< with these and those of the command line
+  Digest digest;                ///< of everything above
 
   /// Some pattern fits `path` and names `code`.
   [[nodiscard]] bool disables(std::string const& path, Code code) const;
@@ -59,17 +62,25 @@ class SettingsFinder {
       : schema_files_(std::move(schema_files)) {}
 
   /// Those that apply to an input; none where no axisc.json stands beside or above it, and for standard input that of the
-  /// working folder.
-  [[nodiscard]] std::optional<Settings> find(std::string const& input);
+  /// working folder. Lives as long as the finder. Cost: system calls once per folder.
+  [[nodiscard]] Settings const* find(std::string const& input);
   /// What the lists of an input may set.
   [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
+  /// Of all that the two say: names and contents of settings and schema files.
+  [[nodiscard]] Digest digest(std::string const& input);
   [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }
 
  private:
+  void read_schema_files();
+  [[nodiscard]] Settings read_digested(std::string const& file, std::string const& folder) const;
+  [[nodiscard]] Settings const* look_for(std::string const& asked);
+
   std::vector<std::string> schema_files_;
   std::mutex mutex_;
-  std::map<std::string, std::optional<Settings>> known_;  ///< by folder
-  std::optional<schema::Catalogue> without_settings_;     ///< with the command line's files alone
+  std::map<std::string, std::optional<Settings>> known_;    ///< by folder
+  std::unordered_map<std::string, Settings const*> asked_;  ///< by folder as inputs write it
+  std::optional<schema::Catalogue> without_settings_;       ///< with the command line's files alone
+  Digest schema_digest_;                                    ///< of the command line's files
 };
 
 /// `options` of the command line, filled up with what the settings say.
@@ -83,6 +94,6 @@ void apply_settings(Settings const& settings, SourceSet const& sources, std::vec
 [[nodiscard]] std::string describe_settings(std::string const& input,
                                             validator::CheckOptions const& command_line,
                                             std::vector<std::string> const& schema_files,
-                                            std::optional<Settings> const& settings, Language language);
+                                            Settings const* settings, Language language);
 
 }  // namespace axisc::cli

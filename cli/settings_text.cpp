@@ -20,8 +20,8 @@ std::string joined(std::vector<Code> const& codes) {
 }  // namespace
 
 std::string describe_settings(std::string const& input, validator::CheckOptions const& command_line,
-                              std::vector<std::string> const& schema_files,
-                              std::optional<Settings> const& settings, Language language) {
+                              std::vector<std::string> const& schema_files, Settings const* settings,
+                              Language language) {
   auto const from_command_line = say(Text::settings_from_command_line, language);
   auto const from_default = say(Text::settings_from_default, language);
   auto const from_file = settings ? settings->file : std::string();

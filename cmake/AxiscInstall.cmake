@@ -14,6 +14,15 @@ install(FILES "${CMAKE_CURRENT_BINARY_DIR}/axisrtConfig.cmake" "${CMAKE_CURRENT_
 file(RELATIVE_PATH prefix_from_pkgconfig "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/axisrt.pc.in" "${CMAKE_CURRENT_BINARY_DIR}/axisrt.pc" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/axisrt.pc" DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT axisrt)
+# find_package(axisc) gives the program and axisc_add_image(); `--component axisc` installs it alone.
 if(AXISC_BUILD_TOOL)
-  install(TARGETS axisc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  set(tool_package "${CMAKE_INSTALL_LIBDIR}/cmake/axisc")
+  install(TARGETS axisc EXPORT axiscTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT axisc)
+  install(EXPORT axiscTargets NAMESPACE axisc:: DESTINATION ${tool_package} COMPONENT axisc)
+  configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/axiscConfig.cmake.in"
+    "${CMAKE_CURRENT_BINARY_DIR}/axiscConfig.cmake" INSTALL_DESTINATION ${tool_package})
+  write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/axiscConfigVersion.cmake"
+    COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
+  install(FILES "${CMAKE_CURRENT_BINARY_DIR}/axiscConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/axiscConfigVersion.cmake"
+    "${PROJECT_SOURCE_DIR}/cmake/AxiscAddImage.cmake" DESTINATION ${tool_package} COMPONENT axisc)
 endif()

@@ -1,5 +1,6 @@
 #include "diagnostics/fingerprint.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/report_elements.hpp"
 #include "diagnostics/writers.hpp"
 
 #include <string>
@@ -31,7 +32,7 @@ Json as_json(Finding const& finding, SourceSet const& sources, ReportContext con
   Location const location = finding.place ? locate(*finding.place, sources) : Location{};
   return {{"description", code_text(finding.code) + ": " + render(finding.message, language)},
           {"check_name", code_text(finding.code)},
-          {"fingerprint", fingerprint(finding, sources)},
+          {"fingerprint", fingerprint(identity_of(finding, sources), 0)},
           {"severity", severity_of(finding.severity)},
           {"location",
            {{"path", shown_path(context.paths, file_of(finding, sources))},
@@ -40,13 +41,20 @@ Json as_json(Finding const& finding, SourceSet const& sources, ReportContext con
 
 }  // namespace
 
+std::string gitlab_element(Finding const& finding, SourceSet const& sources, ReportContext const& context,
+                           Language language) {
+  std::string const element =
+      as_json(finding, sources, context, language).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return "\n  " + with_occurrence_hole(element, fingerprint(identity_of(finding, sources), 0));
+}
+
 std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,
                          ReportContext const& context, WriteOptions const& options) {
   std::string text = "[";
   for (Finding const& finding : findings) {
-    text += &finding == &findings.front() ? "\n  " : ",\n  ";
-    text += as_json(finding, sources, context, options.language)
-                .dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (&finding != &findings.front()) text += ',';
+    text += fill_holes(gitlab_element(finding, sources, context, options.language),
+                       {.occurrence = finding.occurrence});
   }
   return text + (findings.empty() ? "]\n" : "\n]\n");
 }

@@ -1,5 +1,6 @@
 #include "diagnostics/json_layout.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/report_elements.hpp"
 #include "diagnostics/writers.hpp"
 
 #include <optional>
@@ -83,8 +84,7 @@ Json as_json(Identity const& identity) {
   return {{"code", code_text(identity.code)}, {"axis", identity.axis}, {"parameter", identity.parameter}};
 }
 
-Json summary(std::vector<Finding> const& findings, RunFacts const& run) {
-  FindingCounts const counts = count(findings);
+Json summary(FindingCounts const& counts, RunFacts const& run) {
   Json summary = {{"files", run.files},
                   {"errors", counts.errors},
                   {"warnings", counts.warnings},
@@ -98,9 +98,9 @@ Json summary(std::vector<Finding> const& findings, RunFacts const& run) {
   return summary;
 }
 
-Json statistics(std::vector<Finding> const& findings) {
+Json statistics(std::vector<CodeCount> const& codes) {
   Json rows = Json::array();
-  for (CodeCount const& row : count_codes(findings)) {
+  for (CodeCount const& row : codes) {
     rows.push_back(
         {{"code", code_text(row.code)}, {"name", row.name}, {"count", row.count}, {"fixable", row.fixable}});
   }
@@ -109,20 +109,36 @@ Json statistics(std::vector<Finding> const& findings) {
 
 }  // namespace
 
-std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, RunFacts const& run,
-                       WriteOptions const& options) {
-  std::string text = "{\n  \"version\": 1,\n  \"diagnostics\": [";
-  for (Finding const& finding : findings) {
-    text += &finding == &findings.front() ? "\n    " : ",\n    ";
-    append_indented(text, as_json(finding, sources, options.language), "    ");
-  }
-  text += findings.empty() ? "],\n  \"summary\": " : "\n  ],\n  \"summary\": ";
-  append_indented(text, summary(findings, run), "  ");
+std::string json_head() {
+  return "{\n  \"version\": 1,\n  \"diagnostics\": [";
+}
+
+std::string json_element(Finding const& finding, SourceSet const& sources, Language language) {
+  std::string text = "\n    ";
+  append_indented(text, as_json(finding, sources, language), "    ");
+  return text;
+}
+
+std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,
+                      std::vector<CodeCount> const& codes, std::string_view shard) {
+  std::string text = has_elements ? "\n  ],\n  \"summary\": " : "],\n  \"summary\": ";
+  append_indented(text, summary(counts, run), "  ");
   if (run.statistics) {
     text += ",\n  \"statistics\": ";
-    append_indented(text, statistics(findings), "  ");
+    append_indented(text, statistics(codes), "  ");
   }
+  if (!shard.empty()) text += ",\n  \"shard\": " + std::string(shard);
   return text + "\n}\n";
+}
+
+std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, RunFacts const& run,
+                       WriteOptions const& options) {
+  std::string text = json_head();
+  for (Finding const& finding : findings) {
+    if (&finding != &findings.front()) text += ',';
+    text += json_element(finding, sources, options.language);
+  }
+  return text + json_tail(!findings.empty(), run, count(findings), count_codes(findings));
 }
 
 }  // namespace axisc

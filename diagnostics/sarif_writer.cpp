@@ -2,6 +2,7 @@
 #include "diagnostics/json_layout.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/pages.hpp"
+#include "diagnostics/report_elements.hpp"
 #include "diagnostics/writers.hpp"
 
 #include <algorithm>
@@ -32,13 +33,20 @@ std::string_view first_sentence(std::string_view paragraph) {
   return sentence.ends_with(':') ? sentence.substr(0, end - 1) : sentence;
 }
 
-class SarifWriter {
- public:
-  SarifWriter(std::vector<Finding> const& findings, SourceSet const& sources, ReportContext const& context,
-              Language language)
-      : findings_(findings), sources_(sources), context_(context), language_(language) {
-    for (Finding const& finding : findings) codes_.insert(finding.code);
+Json artifact_location(RepositoryPaths const& paths, std::string_view file) {
+  if (auto const path = path_in_repository(paths, file)) {
+    return {{"uri", as_uri(*path)}, {"uriBaseId", root_name}};
   }
+  bool const is_absolute = file.substr(0, 1) == "/";
+  return {{"uri", (is_absolute ? "file://" : "") + as_uri(file)}};
+}
+
+/// What stands in front of the results.
+class SarifHead {
+ public:
+  SarifHead(std::set<Code> const& codes, std::vector<Artifact> const& artifacts, ReportContext const& context,
+            Language language)
+      : codes_(codes), artifacts_(artifacts), context_(context), language_(language) {}
 
   [[nodiscard]] std::string write() const {
     std::string text = "{\n  \"$schema\": \"" + std::string(schema) +
@@ -50,13 +58,7 @@ class SarifWriter {
                   {{root_name, {{"description", {{"text", "The root of the repository."}}}}}});
     append_member(text, "invocations", Json::array({invocation()}));
     append_member(text, "artifacts", artifacts());
-    text += ",\n      \"results\": [";
-    for (Finding const& finding : findings_) {
-      text += &finding == &findings_.front() ? "\n        " : ",\n        ";
-      append_indented(text, result(finding), "        ");
-    }
-    text += findings_.empty() ? "]\n    }\n  ]\n}\n" : "\n      ]\n    }\n  ]\n}\n";
-    return text;
+    return text + ",\n      \"results\": [";
   }
 
  private:
@@ -64,8 +66,6 @@ class SarifWriter {
     text += ",\n      \"" + std::string(name) + "\": ";
     append_indented(text, value, "      ");
   }
-
-  [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
 
   /// Only the rules that the results name: the pages of all of them would outweigh the findings.
   [[nodiscard]] Json tool() const {
@@ -105,30 +105,42 @@ class SarifWriter {
   }
 
   [[nodiscard]] Json artifacts() const {
-    std::set<SourceId> used;
-    for (Finding const& finding : findings_) {
-      if (finding.place) used.insert(finding.place->source);
-      for (Related const& related : finding.related) used.insert(related.place.source);
-    }
-    // Sources that several inputs share have one name.
-    std::set<std::string_view> named;
     Json artifacts = Json::array();
-    for (SourceId const id : used) {
-      SourceText const& source = sources_[id];
-      if (!named.insert(source.name()).second) continue;
+    for (Artifact const& artifact : artifacts_) {
       artifacts.push_back(
-          {{"location", artifact_location(source.name())},
-           {"encoding", source.encoding() == Encoding::windows_1252 ? "windows-1252" : "UTF-8"}});
+          {{"location", artifact_location(context_.paths, artifact.name)},
+           {"encoding", artifact.encoding == Encoding::windows_1252 ? "windows-1252" : "UTF-8"}});
     }
     return artifacts;
   }
 
+  std::set<Code> const& codes_;
+  std::vector<Artifact> const& artifacts_;
+  ReportContext const& context_;
+  Language language_;
+};
+
+/// One of the results, with holes.
+class SarifResult {
+ public:
+  SarifResult(SourceSet const& sources, ReportContext const& context, Language language)
+      : sources_(sources), context_(context), language_(language) {}
+
+  [[nodiscard]] std::string write(Finding const& finding) const {
+    std::string const zeroth = fingerprint(identity_of(finding, sources_), 0);
+    std::string text = "\n        ";
+    append_indented(text, result(finding, zeroth), "        ");
+    // The second member: nothing in front of it can look like it.
+    constexpr std::string_view index = "\"ruleIndex\": 0";
+    text[text.find(index) + index.size() - 1] = rule_index_hole;
+    return with_occurrence_hole(text, zeroth);
+  }
+
+ private:
+  [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
+
   [[nodiscard]] Json artifact_location(std::string_view file) const {
-    if (auto const path = path_in_repository(context_.paths, file)) {
-      return {{"uri", as_uri(*path)}, {"uriBaseId", root_name}};
-    }
-    bool const is_absolute = file.substr(0, 1) == "/";
-    return {{"uri", (is_absolute ? "file://" : "") + as_uri(file)}};
+    return axisc::artifact_location(context_.paths, file);
   }
 
   [[nodiscard]] static Json region(Location const& location) {
@@ -204,42 +216,80 @@ class SarifWriter {
     return properties;
   }
 
-  [[nodiscard]] std::size_t rule_index(Code code) const {
-    std::size_t index = 0;
-    for (RuleFacts const& rule : context_.rules) {
-      if (rule.code == code) break;
-      if (codes_.contains(rule.code)) ++index;
-    }
-    return index;
-  }
-
-  [[nodiscard]] Json result(Finding const& finding) const {
+  [[nodiscard]] Json result(Finding const& finding, std::string const& identity) const {
     Json result = {{"ruleId", code_text(finding.code)},
-                   {"ruleIndex", rule_index(finding.code)},
+                   {"ruleIndex", 0},
                    {"level", severity_name(finding.severity)},
                    {"message", {{"text", whole_message(finding, language_)}}}};
     if (Json place = location(finding); !place.empty()) result["locations"] = Json::array({std::move(place)});
     if (!finding.related.empty()) result["relatedLocations"] = related(finding);
     // Code hosts compare the second name only; without it they would hash the line.
-    std::string const identity = fingerprint(finding, sources_);
     result["partialFingerprints"] = {{"axiscIdentity/v1", identity}, {"primaryLocationLineHash", identity}};
     if (finding.fix) result["fixes"] = Json::array({fix(*finding.fix)});
     if (Json bag = properties(finding); !bag.empty()) result["properties"] = std::move(bag);
     return result;
   }
 
-  std::vector<Finding> const& findings_;
   SourceSet const& sources_;
   ReportContext const& context_;
   Language language_;
-  std::set<Code> codes_;
 };
+
+/// Those of all findings; sources that several inputs share are one.
+std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceSet const& sources,
+                                   RepositoryPaths const& paths) {
+  std::set<SourceId> used;
+  for (Finding const& finding : findings) used.merge(sources_of(finding));
+  std::set<std::string> named;
+  std::vector<Artifact> artifacts;
+  for (SourceId const id : used) {
+    SourceText const& source = sources[id];
+    if (named.insert(shown_path(paths, source.name())).second)
+      artifacts.push_back({source.name(), source.encoding()});
+  }
+  return artifacts;
+}
 
 }  // namespace
 
+std::string sarif_head(std::set<Code> const& codes, std::vector<Artifact> const& artifacts,
+                       ReportContext const& context, Language language) {
+  return SarifHead(codes, artifacts, context, language).write();
+}
+
+std::string sarif_element(Finding const& finding, SourceSet const& sources, ReportContext const& context,
+                          Language language) {
+  return SarifResult(sources, context, language).write(finding);
+}
+
+std::string sarif_tail(bool has_elements, std::string_view shard) {
+  std::string text = has_elements ? "\n      ]" : "]";
+  if (!shard.empty()) text += ",\n      \"properties\": {\"axiscShard\": " + std::string(shard) + "}";
+  return text + "\n    }\n  ]\n}\n";
+}
+
+std::size_t rule_index(std::set<Code> const& codes, Code code, ReportContext const& context) {
+  std::size_t index = 0;
+  for (RuleFacts const& rule : context.rules) {
+    if (rule.code == code) break;
+    if (codes.contains(rule.code)) ++index;
+  }
+  return index;
+}
+
 std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& sources,
                         ReportContext const& context, WriteOptions const& options) {
-  return SarifWriter(findings, sources, context, options.language).write();
+  std::set<Code> codes;
+  for (Finding const& finding : findings) codes.insert(finding.code);
+  std::string text =
+      sarif_head(codes, artifacts_of(findings, sources, context.paths), context, options.language);
+  for (Finding const& finding : findings) {
+    if (&finding != &findings.front()) text += ',';
+    text += fill_holes(
+        sarif_element(finding, sources, context, options.language),
+        {.occurrence = finding.occurrence, .rule_index = rule_index(codes, finding.code, context)});
+  }
+  return text + sarif_tail(!findings.empty());
 }
 
 }  // namespace axisc

@@ -113,7 +113,7 @@ TEST_CASE("what cannot be read or written is one line") {
   check({"compile", machine, "-o", "/dev/full"}, "no space is left");
   check({"compile", machine}, "-o is missing");
   check({"compile", "-o", folder / "x.axim"}, "INPUT is missing");
-  check({"compile", machine, list, "-o", folder / "x.axim"}, "one argument too many");
+  check({"compile", machine, list, "-o", folder / "x.axim"}, "need --output-folder");
   check({"compile", folder.path(), "-o", folder / "x.axim"}, "it is a folder");
   check({"compile", folder / "missing.lis", "-o", folder / "x.axim"}, "AX9001]");
   check({"compile", copy, "-o", copy, "--cycle-time", "1ms"}, "is one of the inputs");

@@ -1,0 +1,31 @@
+// One input of many: checked with the settings that apply to it.
+#pragma once
+
+#include "cli/checked_input.hpp"
+#include "cli/edited_files.hpp"
+#include "cli/settings.hpp"
+#include "validator/check.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct CheckJob {
+  validator::CheckOptions options;
+  bool quiet = false;  ///< without notes
+  EditedBytes edited;  ///< read instead of the files
+  SettingsFinder* settings = nullptr;
+};
+
+/// The job's options with the settings that apply to `path`.
+[[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
+/// What the settings that apply to `path` and --quiet make of the findings there.
+void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,
+                       std::vector<Finding>& findings);
+
+/// May be called by several threads. Throws what has to end the whole run.
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                                       ReportForm const& form);
+
+}  // namespace axisc::cli

@@ -1,0 +1,45 @@
+// What is left of an input when it was checked: its findings as they will be printed, and what the whole run needs to
+// know of them. No source text stays in memory, and the same bytes can be kept in a cache.
+#pragma once
+
+#include "cli/byte_stream.hpp"
+#include "cli/failure.hpp"
+#include "cli/report_form.hpp"
+#include "diagnostics/report_elements.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+struct WrittenFinding {
+  Severity severity = Severity::error;
+  bool fixable = false;
+  Identity identity;
+  std::vector<std::uint32_t> artifacts;  ///< into CheckedInput::artifacts; only for SARIF
+  std::string text;                      ///< with holes
+};
+
+struct CheckedInput {
+  std::vector<WrittenFinding> findings;
+  std::optional<WrittenFinding> assumption;  ///< AX9006, which is said once per run; not among `findings`
+  std::vector<Artifact> artifacts;           ///< that findings point into, in the order of the sources
+  std::vector<std::string> files;            ///< that were read
+  std::optional<Failure> failure;            ///< then there is nothing else
+};
+
+/// Writes the findings of one input.
+[[nodiscard]] CheckedInput write_findings(std::vector<Finding> const& findings, SourceSet const& sources,
+                                          ReportForm const& form);
+
+// As a cache keeps it; an input with a failure is not kept.
+void write_bytes(ByteWriter& bytes, CheckedInput const& checked);
+/// None where the bytes make no sense.
+[[nodiscard]] std::optional<CheckedInput> read_checked_input(ByteReader& bytes);
+
+[[nodiscard]] std::size_t weight_of(CheckedInput const& checked);
+
+}  // namespace axisc::cli

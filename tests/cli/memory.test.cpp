@@ -1,0 +1,29 @@
+// Memory does not grow with the number of inputs.
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+using namespace axisc::test;
+
+TEST_CASE("findings of many inputs do not stay in memory") {
+  TemporaryFolder const folder;
+  std::string list = "kopf.achs_nr 1\n";
+  for (int i = 0; i < 1000; ++i) list += "= 5\n";
+  list += "Ende\n";
+  auto const first = folder.write("lists/0.lis", list);
+  constexpr int inputs = 80;
+  for (int i = 1; i < inputs; ++i) {
+    std::filesystem::create_hard_link(first, folder / ("lists/" + std::to_string(i) + ".lis"));
+  }
+  for (std::string const format : {"json", "sarif"}) {
+    auto const few = run_axisc({"lint", "lists/0.lis", "--format", format}, in_folder(folder.path()));
+    auto const many = run_axisc({"lint", "lists", "--format", format}, in_folder(folder.path()));
+    CHECK(many.status == few.status);
+    INFO(format << ": " << many.out.size() << " bytes of findings");
+    CHECK(many.out.size() > std::size_t{35} << 20U);
+    // Sanitizers keep what is freed.
+    if (many.peak_memory < std::size_t{1} << 30U) {
+      CHECK(many.peak_memory < few.peak_memory + (std::size_t{32} << 20U));
+    }
+  }
+}
