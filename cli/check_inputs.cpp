@@ -32,7 +32,9 @@ Result check_input(CheckJob const& job, std::string const& path) {
   Result result;
   auto& checked = result.checked;
   EditedFiles files(job.edited, path == "-");
-  auto outcome = validator::check(files, path, options_for(job, path), checked.sources);
+  auto options = options_for(job, path);
+  options.machine = false;
+  auto outcome = validator::check(files, path, options, checked.sources);
   if (outcome.unreadable) {
     checked.failure = unreadable(path, *outcome.unreadable);
     return result;

@@ -81,21 +81,39 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 }
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
+  bool const is_new = entry_of_slot_[static_cast<std::size_t>(slot)] == 0;
+  EffectiveValue& entry = replace(slot);
+  if (is_new) entry.value = internal_default(slot).value;
+  return entry;
+}
+
+EffectiveValue& EffectiveValues::replace(schema::Slot slot) {
   std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
   if (entry == 0) {
-    entries_.push_back(internal_default(slot));
+    EffectiveValue& added = entries_.emplace_back();
+    added.slot = slot;
+    added.row = &catalogue_.parameter_of(slot);
     entry = static_cast<std::uint32_t>(entries_.size());
     set_slots_.push_back(slot);
   }
   return entries_[entry - 1];
 }
 
+void EffectiveValues::expect(std::size_t count) {
+  std::size_t const most = entries_.size() + std::min(count, catalogue_.slot_count());
+  entries_.reserve(most);
+  set_slots_.reserve(most);
+}
+
 void EffectiveValues::order_set_slots() {
-  std::sort(set_slots_.begin(), set_slots_.end(), [this](schema::Slot left, schema::Slot right) {
+  auto const before = [this](schema::Slot left, schema::Slot right) {
     EffectiveValue const& a = (*this)[left];
     EffectiveValue const& b = (*this)[right];
     return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
-  });
+  };
+  // One list without repetitions leaves nothing to do.
+  if (std::is_sorted(set_slots_.begin(), set_slots_.end(), before)) return;
+  std::sort(set_slots_.begin(), set_slots_.end(), before);
 }
 
 schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {

@@ -21,6 +21,10 @@
 #include <string_view>
 #include <vector>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace axisc::bench {
 namespace {
 
@@ -53,6 +57,7 @@ std::size_t size_of(Texts const& texts) {
 validator::CheckOptions all_rules() {
   validator::CheckOptions options;
   options.cycle_time = design::CycleTime{};
+  options.machine = false;
   return options;
 }
 
@@ -132,6 +137,11 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
       {"scanner by hand", size_of(texts), fleet.pairs,
        each(texts, [&table](std::string const& text) { read_by_hand(text, table); })},
       {"axisc, grammar alone", size_of(texts), fleet.pairs,
+       each(texts,
+            [](std::string const& text) {
+              findings += grammar::parse_axis_list(text, 0, false, grammar::Way::by_grammar).lines;
+            })},
+      {"axisc, regular lines without it", size_of(texts), fleet.pairs,
        each(texts, [](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false).lines; })},
       {"axisc, single parameters", size_of(texts), fleet.pairs, [&] { check_all(texts, ranges); }},
       {"axisc, all rules", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
@@ -177,6 +187,11 @@ void write_fleet(std::filesystem::path const& folder, std::size_t count) {
 
 int main(int argc, char** argv) {
   using namespace axisc::bench;
+#if defined(__GLIBC__)
+  // As the program does: memory that one list needed waits for the next one.
+  mallopt(M_TRIM_THRESHOLD, 1 << 26);
+  mallopt(M_MMAP_THRESHOLD, 1 << 26);
+#endif
   std::size_t lists = 200, rounds = 9;
   char const* folder = nullptr;
   std::string_view only;
