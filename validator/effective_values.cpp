@@ -1,7 +1,9 @@
 #include "validator/effective_values.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,17 +11,46 @@
 namespace axisc::validator {
 namespace {
 
+EffectiveValue make_default(schema::Catalogue const& catalogue, schema::Slot slot) {
+  EffectiveValue value;
+  value.slot = slot;
+  value.row = &catalogue.parameter_of(slot);
+  value.value = default_value(*value.row).value_or(Value{});
+  return value;
+}
+
 std::vector<EffectiveValue> internal_defaults(schema::Catalogue const& catalogue) {
-  std::vector<EffectiveValue> defaults(catalogue.slot_count());
-  for (std::size_t i = 0; i < defaults.size(); ++i) {
-    auto const slot = static_cast<schema::Slot>(i);
-    schema::Parameter const& parameter = catalogue.parameter_of(slot);
-    defaults[i].slot = slot;
-    defaults[i].row = &parameter;
-    defaults[i].value = default_value(parameter).value_or(Value{});
+  std::vector<EffectiveValue> defaults;
+  defaults.reserve(catalogue.slot_count());
+  for (std::size_t i = 0; i < catalogue.slot_count(); ++i) {
+    defaults.push_back(make_default(catalogue, static_cast<schema::Slot>(i)));
   }
   return defaults;
 }
+
+/// The defaults of the built-in catalogue, each made when it is first asked for: rules look at a hundred of them, and to
+/// make them all would take as long as to read a list. Threads may make the same one, of which the first stays.
+class BuiltInDefaults {
+ public:
+  BuiltInDefaults() : places_(schema::slot_count()) {}
+  BuiltInDefaults(BuiltInDefaults const&) = delete;
+  BuiltInDefaults& operator=(BuiltInDefaults const&) = delete;
+  ~BuiltInDefaults() {
+    for (auto const& place : places_) delete place.load();
+  }
+
+  EffectiveValue const& operator[](schema::Slot slot) {
+    std::atomic<EffectiveValue const*>& place = places_[static_cast<std::size_t>(slot)];
+    EffectiveValue const* known = place.load(std::memory_order_acquire);
+    if (known != nullptr) return *known;
+    auto made = std::make_unique<EffectiveValue const>(make_default({}, slot));
+    if (place.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();
+    return *known;
+  }
+
+ private:
+  std::vector<std::atomic<EffectiveValue const*>> places_;
+};
 
 /// Looks for the name with its indices.
 template <typename Find>
@@ -64,8 +95,8 @@ EffectiveValues::EffectiveValues(schema::Catalogue catalogue)
 }
 
 EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const {
-  static std::vector<EffectiveValue> const built_in = internal_defaults({});
-  return (own_defaults_.empty() ? built_in : own_defaults_)[static_cast<std::size_t>(slot)];
+  static BuiltInDefaults built_in;
+  return own_defaults_.empty() ? built_in[slot] : own_defaults_[static_cast<std::size_t>(slot)];
 }
 
 EffectiveValue const& EffectiveValues::operator[](schema::Slot slot) const {
