@@ -23,7 +23,9 @@ void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet c
 CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                          ReportForm const& form) {
   SourceSet sources;
-  auto outcome = validator::check(files, path, options_for(job, path), sources);
+  auto options = options_for(job, path);
+  options.machine = false;
+  auto outcome = validator::check(files, path, options, sources);
   if (outcome.unreadable) {
     CheckedInput checked;
     checked.failure = unreadable(path, *outcome.unreadable);

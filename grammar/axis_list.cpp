@@ -6,6 +6,8 @@
 #include "grammar/invalid_character.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/must.hpp"
+#include "grammar/regular_line.hpp"
+#include "grammar/text_block.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -55,8 +57,11 @@ class Reader {
     list_.assignments.reserve(std::min(bytes.size() / typical_line, largest_reservation));
   }
 
-  AxisList read() && {
-    for (std::string_view line; splitter_.next(line);) {
+  AxisList read(Way way) && {
+    std::string_view line;
+    while (true) {
+      if (way == Way::quick && read_regular()) continue;
+      if (!splitter_.next(line)) break;
       std::string_view const text = without_blanks(line);
       if (text.empty()) continue;
       if (list_.end_marker) {
@@ -70,6 +75,23 @@ class Reader {
   }
 
  private:
+  /// Reads the next line where that needs no grammar.
+  bool read_regular() {
+    if (list_.end_marker || splitter_.remaining() < TextBlock::size) return false;
+    RegularLine regular =
+        read_regular_line(bytes_.data(), splitter_.position(), splitter_.end(), windows_1252_);
+    if (regular.shape == RegularLine::Shape::irregular) return false;
+    splitter_.skip_line(regular.next);
+    if (regular.shape == RegularLine::Shape::blank) return true;
+    bool const is_comment = regular.shape == RegularLine::Shape::comment;
+    if (!is_comment) {
+      regular.assignment.line = splitter_.number();
+      list_.assignments.push_back(regular.assignment);
+    }
+    keep_directive(regular.assignment.trailer, is_comment);
+    return true;
+  }
+
   void read_line(std::string_view line) {
     bool const invalid = report_invalid_character(line);
     if (line.front() == '#') {
@@ -153,10 +175,11 @@ class Reader {
     return line.substr(opener);
   }
 
-  void keep_directive(std::string_view comment, bool whole_line) {
-    if (!directives_.within(span(comment))) return;
-    list_.directives.push_back(
-        {.comment = span(comment), .whole_line = whole_line, .line = splitter_.number()});
+  void keep_directive(std::string_view comment, bool whole_line) { keep_directive(span(comment), whole_line); }
+
+  void keep_directive(Span comment, bool whole_line) {
+    if (!directives_.within(comment)) return;
+    list_.directives.push_back({.comment = comment, .whole_line = whole_line, .line = splitter_.number()});
   }
 
   void problem(ProblemKind kind, std::string_view text) {
@@ -182,8 +205,8 @@ class Reader {
 
 }  // namespace
 
-AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252) {
-  return Reader(bytes, text_begin, windows_1252).read();
+AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252, Way way) {
+  return Reader(bytes, text_begin, windows_1252).read(way);
 }
 
 std::size_t longest_line_in(std::string_view bytes) {

@@ -41,6 +41,8 @@ struct Assignment {
   ValueKind kind = ValueKind::word;
   TrailerKind trailer_kind = TrailerKind::none;
   std::uint32_t line = 0;  ///< from 1
+
+  friend bool operator==(Assignment const&, Assignment const&) = default;
 };
 
 enum class ProblemKind : std::uint8_t {
@@ -57,6 +59,8 @@ struct Problem {
   ProblemKind kind{};
   Span span;
   std::uint32_t line = 0;
+
+  friend bool operator==(Problem const&, Problem const&) = default;
 };
 
 struct AxisList {
@@ -65,15 +69,21 @@ struct AxisList {
   std::vector<Directive> directives;
   std::optional<Span> end_marker;  ///< the word `Ende`, in whatever letter case it was written
   std::uint32_t lines = 0;         ///< a line end closes its line and opens no further one
+
+  friend bool operator==(AxisList const&, AxisList const&) = default;
 };
 
 /// Longest line that is read, in bytes (a longer one is AX9003 for the file).
 inline constexpr std::size_t longest_line = 1U << 20U;
 
+/// Regular lines need no grammar to be read; tests read them both ways and get the same.
+enum class Way : std::uint8_t { quick, by_grammar };
+
 /// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
 /// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has
 /// checked that no line is longer than `longest_line` (see `longest_line_in`).
-[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
+[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252,
+                                       Way way = Way::quick);
 
 /// Length of the longest line of `bytes`.
 [[nodiscard]] std::size_t longest_line_in(std::string_view bytes);

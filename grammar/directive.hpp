@@ -17,6 +17,8 @@ struct Directive {
   Span comment;
   bool whole_line = false;  ///< the line holds nothing else, so it speaks for the next line
   std::uint32_t line = 0;
+
+  friend bool operator==(Directive const&, Directive const&) = default;
 };
 
 }  // namespace axisc::grammar

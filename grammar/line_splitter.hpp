@@ -2,6 +2,7 @@
 // any grammar looks at the text.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -26,6 +27,16 @@ class LineSplitter {
     position_ = line_feed != nullptr ? line_feed + 1 : end_;
     ++number_;
     return true;
+  }
+
+  /// Where next() goes on, and how many bytes there are.
+  [[nodiscard]] char const* position() const { return position_; }
+  [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
+  [[nodiscard]] char const* end() const { return end_; }
+  /// Counts the line that somebody else has read; `next_line` is behind its line end.
+  void skip_line(char const* next_line) {
+    position_ = next_line;
+    ++number_;
   }
 
   /// Number of the line that next() returned last, from 1.

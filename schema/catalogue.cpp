@@ -157,14 +157,19 @@ Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_
 }
 
 std::string slot_name(Parameter const& parameter, Slot slot) {
+  if (parameter.index_count() == 0) return std::string(parameter.name);
   auto const indices = indices_of(parameter, slot);
+  constexpr std::size_t digits = 5;
   std::string name;
-  std::size_t position = 0;
-  for (char const byte : parameter.name) {
-    name += byte;
-    if (byte == '[') name += std::to_string(indices.at(position++));
+  name.reserve(parameter.name.size() + indices.size() * digits);
+  std::string_view rest = parameter.name;
+  for (std::uint32_t const index : indices) {
+    std::size_t const bracket = rest.find('[');
+    if (bracket == std::string_view::npos) break;
+    name.append(rest.substr(0, bracket + 1)).append(std::to_string(index));
+    rest.remove_prefix(bracket + 1);
   }
-  return name;
+  return name.append(rest);
 }
 
 bool is_symbol_of_any_parameter(std::string_view word) {

@@ -1,26 +1,43 @@
 // The hash of the perfect hash table over all concrete names; the generator and the look-up must agree on it.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
+#include <type_traits>
 
 namespace axisc::schema {
+
+/// Up to eight bytes, the first one lowest, on every host.
+constexpr std::uint64_t word_of(char const* bytes, std::size_t size) {
+  std::uint64_t word = 0;
+  if (size == 8 && !std::is_constant_evaluated() && std::endian::native == std::endian::little) {
+    std::memcpy(&word, bytes, sizeof word);
+    return word;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    word |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes[i])) << (8 * i);
+  }
+  return word;
+}
 
 /// Multiply and fold, eight bytes at a time. The bytes are combined by value, so every host computes the same hash.
 constexpr std::uint64_t hash_name(std::string_view name) {
   constexpr std::uint64_t multiplier = 0x9E3779B97F4A7C15;
   std::uint64_t hash = name.size() * multiplier;
-  while (!name.empty()) {
-    std::size_t const size = name.size() < 8 ? name.size() : 8;
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      word |= static_cast<std::uint64_t>(static_cast<unsigned char>(name[i])) << (8 * i);
-    }
+  char const* at = name.data();
+  std::size_t left = name.size();
+  auto const fold = [&hash](std::uint64_t word) {
     hash = (hash ^ word) * multiplier;
     hash ^= hash >> 32U;
-    name.remove_prefix(size);
-  }
+  };
+  for (; left >= 8; at += 8, left -= 8) fold(word_of(at, 8));
+  if (left == 0) return hash;
+  // The last eight bytes at once, of which those that were folded already drop out.
+  bool const long_enough = name.size() >= 8;
+  fold(long_enough ? word_of(at + left - 8, 8) >> (8 * (8 - left)) : word_of(at, left));
   return hash;
 }
 

@@ -52,22 +52,19 @@ bool has_more_than(std::size_t limit, Letters letters) {
   return letters != 0;
 }
 
-bool is_certainly_beyond(Word const& a, Word const& b, std::size_t limit) {
-  std::size_t const longer = std::max(a.text.size(), b.text.size());
-  if (longer - std::min(a.text.size(), b.text.size()) > limit) return true;
-  return has_more_than(limit, a.letters & ~b.letters) || has_more_than(limit, b.letters & ~a.letters);
-}
-
-std::size_t slips_between(Word const& a, Word const& b, std::size_t limit) {
-  return is_certainly_beyond(a, b, limit) ? limit + 1 : edit_distance(a.text, b.text, limit);
+bool is_certainly_beyond(Outline const& a, Outline const& b, std::size_t limit) {
+  std::size_t const difference = a.size > b.size ? a.size - b.size : b.size - a.size;
+  return difference > limit || has_more_than(limit, a.letters & ~b.letters) ||
+         has_more_than(limit, b.letters & ~a.letters);
 }
 
 /// What one part of the given name has to do with the known parts, found out when it is asked for.
 class PartComparison {
  public:
-  PartComparison(std::span<Word const> words, std::string_view given)
+  PartComparison(Words const& words, std::string_view given)
       : words_(words),
         given_(given),
+        outline_(given),
         limit_(tolerable_distance(given.size())),
         costs_(words_.size(), not_compared) {}
 
@@ -76,9 +73,11 @@ class PartComparison {
     std::optional<std::size_t> cost;  ///< none where nothing is alike
   };
 
+  /// with(part) has a cost.
+  bool is_like(std::size_t part) { return cost_of(part) != unlike; }
+
   Result with(std::size_t part) {
-    std::uint8_t& cost = costs_[part];
-    if (cost == not_compared) cost = compare(words_[part]);
+    std::uint8_t const cost = cost_of(part);
     if (cost == unlike) return {.agrees = false, .cost = std::nullopt};
     if (cost == resembling) return {.agrees = false, .cost = resembling_part};
     return {.agrees = true, .cost = cost};
@@ -89,16 +88,26 @@ class PartComparison {
   static constexpr std::uint8_t unlike = 254;
   static constexpr std::uint8_t resembling = 253;
 
-  std::uint8_t compare(Word const& wanted) const {
-    std::size_t const slips = slips_between(given_, wanted, limit_);
-    if (slips <= limit_) return static_cast<std::uint8_t>(slips);
-    // A whole word of the other brings no letter that the other has not.
-    bool const contained = (given_.letters & ~wanted.letters) == 0 || (wanted.letters & ~given_.letters) == 0;
-    return contained && resembles(given_.text, wanted.text) ? resembling : unlike;
+  std::uint8_t cost_of(std::size_t part) {
+    std::uint8_t& cost = costs_[part];
+    if (cost == not_compared) cost = compare(part);
+    return cost;
   }
 
-  std::span<Word const> words_;
-  Word given_;
+  [[nodiscard]] std::uint8_t compare(std::size_t part) const {
+    Outline const& wanted = words_.outlines[part];
+    if (!is_certainly_beyond(outline_, wanted, limit_)) {
+      std::size_t const slips = edit_distance(given_, words_.texts[part], limit_);
+      if (slips <= limit_) return static_cast<std::uint8_t>(slips);
+    }
+    // A whole word of the other brings no letter that the other has not.
+    bool const contained = (outline_.letters & ~wanted.letters) == 0 || (wanted.letters & ~outline_.letters) == 0;
+    return contained && resembles(given_, words_.texts[part]) ? resembling : unlike;
+  }
+
+  Words const& words_;
+  std::string_view given_;
+  Outline outline_;
   std::size_t limit_;
   std::vector<std::uint8_t> costs_;
 };
@@ -140,26 +149,56 @@ std::vector<std::uint32_t> given_indices(IndexedName const& name) {
   return indices;
 }
 
+/// A name that may be meant: for its quantity, for its letters as a whole, or for both.
+struct Resemblance {
+  std::size_t name = 0;
+  bool is_this_quantity = false;
+  bool is_far_off = true;
+};
+
+/// Each name once that is worth a comparison. The last part says which quantity is meant.
+std::vector<Resemblance> resemblances(Vocabulary const& vocabulary, PartComparison& last_part,
+                                      Outline const& outline, std::size_t slip_limit) {
+  std::vector<Resemblance> found;
+  std::vector<std::uint32_t> place(vocabulary.names.size(), 0);  // index + 1 into `found`
+  for (std::size_t const part : vocabulary.last_parts) {
+    if (!last_part.is_like(part)) continue;
+    for (std::size_t const name : vocabulary.names_with[part]) {
+      found.push_back({.name = name, .is_this_quantity = true});
+      place[name] = static_cast<std::uint32_t>(found.size());
+    }
+  }
+  std::size_t const shortest = outline.size - std::min(outline.size, slip_limit);
+  std::size_t const end = std::min(outline.size + slip_limit + 1, vocabulary.names_of_size.size());
+  for (std::size_t size = shortest; size < end; ++size) {
+    for (std::size_t const name : vocabulary.names_of_size[size]) {
+      if (is_certainly_beyond(outline, vocabulary.names.outlines[name], slip_limit)) continue;
+      if (place[name] == 0) {
+        found.push_back({.name = name, .is_far_off = false});
+      } else {
+        found[place[name] - 1].is_far_off = false;
+      }
+    }
+  }
+  return found;
+}
+
 /// The candidates that are not much worse than the best, the best first.
 std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name) {
-  Word const bare(bare_name(name));
-  std::size_t const slip_limit = tolerable_distance(bare.text.size());
+  std::string const bare = bare_name(name);
+  Outline const outline(bare);
+  std::size_t const slip_limit = tolerable_distance(bare.size());
   std::vector<PartComparison> parts;
   parts.reserve(name.parts.size());
   for (NamePart const& part : name.parts) parts.emplace_back(vocabulary.parts, part.name);
 
   std::vector<Candidate> candidates;
-  std::vector<KnownName> const& known_names = vocabulary.names;
+  Words const& known = vocabulary.names;
   std::size_t best = std::numeric_limits<std::size_t>::max() - tolerance_to_best;
-  for (std::size_t i = 0; i < known_names.size(); ++i) {
-    KnownName const& known = known_names[i];
-    // The last part says which quantity is meant.
-    bool const is_this_quantity = parts.back().with(known.last_part).cost.has_value();
-    bool const is_far_off = is_certainly_beyond(bare, known.bare, slip_limit);
-    if (!is_this_quantity && is_far_off) continue;
-    auto cost = is_this_quantity ? part_distance(parts, known.parts) : std::nullopt;
+  for (Resemblance const& alike : resemblances(vocabulary, parts.back(), outline, slip_limit)) {
+    auto cost = alike.is_this_quantity ? part_distance(parts, vocabulary.parts_of[alike.name]) : std::nullopt;
     std::size_t const slips =
-        is_far_off ? slip_limit + 1 : edit_distance(bare.text, known.bare.text, slip_limit);
+        alike.is_far_off ? slip_limit + 1 : edit_distance(bare, known.texts[alike.name], slip_limit);
     if (slips <= slip_limit) {
       std::size_t const whole_cost = slips <= few_slips ? slips : slips + another_word;
       cost = std::min(cost.value_or(whole_cost), whole_cost);
@@ -167,7 +206,7 @@ std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName 
     if (!cost) continue;
     best = std::min(best, *cost);
     if (*cost > best + tolerance_to_best) continue;
-    candidates.push_back({.cost = *cost, .text_distance = slips, .parameter = &vocabulary.rows[i]});
+    candidates.push_back({.cost = *cost, .text_distance = slips, .parameter = &vocabulary.rows[alike.name]});
   }
   std::erase_if(candidates,
                 [best](Candidate const& candidate) { return candidate.cost > best + tolerance_to_best; });
@@ -178,8 +217,8 @@ std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName 
     candidate.index_difference = wanted > indices ? wanted - indices : indices - wanted;
     if (candidate.text_distance <= slip_limit) continue;
     auto const row = static_cast<std::size_t>(candidate.parameter - vocabulary.rows.data());
-    std::string_view const known = known_names[row].bare.text;
-    candidate.text_distance = edit_distance(bare.text, known, bare.text.size() + known.size());
+    std::string const& text = known.texts[row];
+    candidate.text_distance = edit_distance(bare, text, bare.size() + text.size());
   }
   std::sort(candidates.begin(), candidates.end(), is_better);
   return candidates;

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <map>
-#include <utility>
 
 namespace axisc::schema {
 
@@ -21,20 +20,26 @@ Letters letters_of(std::string_view text) {
 }
 
 Vocabulary take_apart(std::span<Parameter const> rows) {
-  Vocabulary vocabulary{.rows = rows, .parts = {}, .names = {}};
+  Vocabulary vocabulary{.rows = rows, .parts = {}, .names = {}, .parts_of = {}, .last_parts = {}, .names_with = {}, .names_of_size = {}};
   std::map<std::string, std::size_t, std::less<>> places;
   for (Parameter const& parameter : rows) {
     std::string bare(parameter.name);
     std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
-    KnownName name{.bare = Word(bare), .parts = {}};
+    vocabulary.names.add(bare);
+    std::vector<std::size_t>& parts = vocabulary.parts_of.emplace_back();
     for (std::string_view rest = bare; !rest.empty();) {
       std::string_view const part = take_part(rest);
       auto const [place, is_new] = places.try_emplace(std::string(part), vocabulary.parts.size());
-      if (is_new) vocabulary.parts.emplace_back(part);
-      name.parts.push_back(place->second);
-      name.last_part = place->second;
+      if (is_new) vocabulary.parts.add(part);
+      parts.push_back(place->second);
     }
-    vocabulary.names.push_back(std::move(name));
+    std::size_t const number = vocabulary.names.size() - 1;
+    vocabulary.names_with.resize(vocabulary.parts.size());
+    std::vector<std::size_t>& with_part = vocabulary.names_with[parts.back()];
+    if (with_part.empty()) vocabulary.last_parts.push_back(parts.back());
+    with_part.push_back(number);
+    if (vocabulary.names_of_size.size() <= bare.size()) vocabulary.names_of_size.resize(bare.size() + 1);
+    vocabulary.names_of_size[bare.size()].push_back(number);
   }
   return vocabulary;
 }

@@ -17,23 +17,34 @@ namespace axisc::schema {
 using Letters = std::uint64_t;
 [[nodiscard]] Letters letters_of(std::string_view text);
 
-struct Word {
-  explicit Word(std::string_view word) : text(word), letters(letters_of(word)) {}
+/// What rules a word out before its letters are compared one by one.
+struct Outline {
+  explicit Outline(std::string_view word) : letters(letters_of(word)), size(word.size()) {}
 
-  std::string text;
   Letters letters;
+  std::size_t size;
 };
 
-struct KnownName {
-  Word bare;
-  std::size_t last_part = 0;       ///< index into Vocabulary::parts
-  std::vector<std::size_t> parts;  ///< the same for all parts
+/// Words, and beside them their outlines in a row: of nearly all words nothing else is looked at.
+struct Words {
+  std::vector<std::string> texts;
+  std::vector<Outline> outlines;
+
+  void add(std::string_view word) {
+    texts.emplace_back(word);
+    outlines.emplace_back(word);
+  }
+  [[nodiscard]] std::size_t size() const { return texts.size(); }
 };
 
 struct Vocabulary {
   std::span<Parameter const> rows;
-  std::vector<Word> parts;       ///< each different one
-  std::vector<KnownName> names;  ///< in the order of `rows`
+  Words parts;                                       ///< each different one
+  Words names;                                       ///< without brackets, in the order of `rows`
+  std::vector<std::vector<std::size_t>> parts_of;    ///< of each name: indices into `parts`
+  std::vector<std::size_t> last_parts;               ///< each that is the last one of a name
+  std::vector<std::vector<std::size_t>> names_with;  ///< of each part: the names that end with it
+  std::vector<std::vector<std::size_t>> names_of_size;
 };
 
 [[nodiscard]] Vocabulary take_apart(std::span<Parameter const> rows);

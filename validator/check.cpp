@@ -47,7 +47,7 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
   if (result.cycle_time_assumed && !is_disabled(options, Code{9006})) {
     result.findings.insert(result.findings.begin(), assumed_cycle_time(path));
   }
-  if (!has_error && machine.complete && !machine.axes.empty()) {
+  if (options.machine && !has_error && machine.complete && !machine.axes.empty()) {
     BuiltMachine built = build_machine(machine, sources, files);
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);

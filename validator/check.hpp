@@ -23,6 +23,7 @@ struct CheckOptions {
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
   bool whole_programs = false;  ///< keep all of an NC program, so that fixes can be applied to it
+  bool machine = true;          ///< make the machine; who only wants findings need not pay for it
   schema::Catalogue catalogue;  ///< of the parameters that the lists may set
 };
 
@@ -34,7 +35,7 @@ struct NotCompiled {
 
 struct CheckResult {
   std::vector<Finding> findings;          ///< in output order
-  std::optional<Machine> machine;         ///< only without errors, and not of an NC program
+  std::optional<Machine> machine;         ///< only where it is wanted, without errors, and not of an NC program
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it

@@ -1,7 +1,9 @@
 #include "validator/effective_values.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,17 +11,46 @@
 namespace axisc::validator {
 namespace {
 
+EffectiveValue make_default(schema::Catalogue const& catalogue, schema::Slot slot) {
+  EffectiveValue value;
+  value.slot = slot;
+  value.row = &catalogue.parameter_of(slot);
+  value.value = default_value(*value.row).value_or(Value{});
+  return value;
+}
+
 std::vector<EffectiveValue> internal_defaults(schema::Catalogue const& catalogue) {
-  std::vector<EffectiveValue> defaults(catalogue.slot_count());
-  for (std::size_t i = 0; i < defaults.size(); ++i) {
-    auto const slot = static_cast<schema::Slot>(i);
-    schema::Parameter const& parameter = catalogue.parameter_of(slot);
-    defaults[i].slot = slot;
-    defaults[i].row = &parameter;
-    defaults[i].value = default_value(parameter).value_or(Value{});
+  std::vector<EffectiveValue> defaults;
+  defaults.reserve(catalogue.slot_count());
+  for (std::size_t i = 0; i < catalogue.slot_count(); ++i) {
+    defaults.push_back(make_default(catalogue, static_cast<schema::Slot>(i)));
   }
   return defaults;
 }
+
+/// The defaults of the built-in catalogue, each made when it is first asked for: rules look at a hundred of them, and to
+/// make them all would take as long as to read a list. Threads may make the same one, of which the first stays.
+class BuiltInDefaults {
+ public:
+  BuiltInDefaults() : places_(schema::slot_count()) {}
+  BuiltInDefaults(BuiltInDefaults const&) = delete;
+  BuiltInDefaults& operator=(BuiltInDefaults const&) = delete;
+  ~BuiltInDefaults() {
+    for (auto const& place : places_) delete place.load();
+  }
+
+  EffectiveValue const& operator[](schema::Slot slot) {
+    std::atomic<EffectiveValue const*>& place = places_[static_cast<std::size_t>(slot)];
+    EffectiveValue const* known = place.load(std::memory_order_acquire);
+    if (known != nullptr) return *known;
+    auto made = std::make_unique<EffectiveValue const>(make_default({}, slot));
+    if (place.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();
+    return *known;
+  }
+
+ private:
+  std::vector<std::atomic<EffectiveValue const*>> places_;
+};
 
 /// Looks for the name with its indices.
 template <typename Find>
@@ -64,8 +95,8 @@ EffectiveValues::EffectiveValues(schema::Catalogue catalogue)
 }
 
 EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const {
-  static std::vector<EffectiveValue> const built_in = internal_defaults({});
-  return (own_defaults_.empty() ? built_in : own_defaults_)[static_cast<std::size_t>(slot)];
+  static BuiltInDefaults built_in;
+  return own_defaults_.empty() ? built_in[slot] : own_defaults_[static_cast<std::size_t>(slot)];
 }
 
 EffectiveValue const& EffectiveValues::operator[](schema::Slot slot) const {
@@ -81,21 +112,39 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 }
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
+  bool const is_new = entry_of_slot_[static_cast<std::size_t>(slot)] == 0;
+  EffectiveValue& entry = replace(slot);
+  if (is_new) entry.value = internal_default(slot).value;
+  return entry;
+}
+
+EffectiveValue& EffectiveValues::replace(schema::Slot slot) {
   std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
   if (entry == 0) {
-    entries_.push_back(internal_default(slot));
+    EffectiveValue& added = entries_.emplace_back();
+    added.slot = slot;
+    added.row = &catalogue_.parameter_of(slot);
     entry = static_cast<std::uint32_t>(entries_.size());
     set_slots_.push_back(slot);
   }
   return entries_[entry - 1];
 }
 
+void EffectiveValues::expect(std::size_t count) {
+  std::size_t const most = entries_.size() + std::min(count, catalogue_.slot_count());
+  entries_.reserve(most);
+  set_slots_.reserve(most);
+}
+
 void EffectiveValues::order_set_slots() {
-  std::sort(set_slots_.begin(), set_slots_.end(), [this](schema::Slot left, schema::Slot right) {
+  auto const before = [this](schema::Slot left, schema::Slot right) {
     EffectiveValue const& a = (*this)[left];
     EffectiveValue const& b = (*this)[right];
     return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
-  });
+  };
+  // One list without repetitions leaves nothing to do.
+  if (std::is_sorted(set_slots_.begin(), set_slots_.end(), before)) return;
+  std::sort(set_slots_.begin(), set_slots_.end(), before);
 }
 
 schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {

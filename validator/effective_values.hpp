@@ -23,6 +23,7 @@ struct LoadedList {
   grammar::AxisList tree;
   bool is_default_list = false;
   std::vector<Reading> readings;  ///< one per assignment of the tree
+  std::vector<std::uint32_t> doubtful;  ///< see doubtful_readings()
   std::vector<LostAssignment> lost;
 };
 
@@ -67,6 +68,10 @@ class EffectiveValues {
   /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
   /// references.
   EffectiveValue& edit(schema::Slot slot);
+  /// The same for who gives it a value in any case: a new entry has none yet.
+  EffectiveValue& replace(schema::Slot slot);
+  /// Makes room for so many more entries. Ends the validity of references.
+  void expect(std::size_t count);
   /// Brings set_slots() into the order of the lines; call it after the last edit().
   void order_set_slots();
 

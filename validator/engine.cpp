@@ -25,9 +25,15 @@ class Engine {
  public:
   Engine(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources)
       : machine_(machine),
-        options_(options),
         sources_(sources),
-        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {}
+        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
+    for (Rule const& rule : rules()) {
+      bool const shown = options.pedantic || rule.severity != Severity::note;
+      bool const is_disabled =
+          std::find(options.disabled.begin(), options.disabled.end(), rule.code) != options.disabled.end();
+      enabled_.push_back(shown && !is_disabled);
+    }
+  }
 
   EngineResult run() {
     for (Finding const& finding : machine_.findings) {
@@ -46,10 +52,9 @@ class Engine {
   }
 
  private:
+  /// `rule` is one of the table.
   [[nodiscard]] bool enabled(Rule const& rule) const {
-    bool const shown = options_.pedantic || rule.severity != Severity::note;
-    return shown && std::find(options_.disabled.begin(), options_.disabled.end(), rule.code) ==
-                        options_.disabled.end();
+    return enabled_[static_cast<std::size_t>(&rule - rules().data())];
   }
 
   /// Calls a check and keeps what it reports.
@@ -275,7 +280,7 @@ class Engine {
   }
 
   LoadedMachine const& machine_;
-  CheckOptions const& options_;
+  std::vector<bool> enabled_;  ///< of each rule of the table
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
   std::vector<RawFinding> raw_;

@@ -59,6 +59,7 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   list.tree =
       grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
   list.readings = read_assignments(text, list.tree, catalogue);
+  list.doubtful = doubtful_readings(list.tree, list.readings);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }

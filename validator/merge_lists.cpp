@@ -14,6 +14,7 @@ class Merger {
   void add(LoadedList const& list) {
     list_ = &list;
     origin_ = list.is_default_list ? Origin::default_list : Origin::axis_list;
+    values_.expect(list.readings.size());
     for (std::size_t i = 0; i < list.readings.size(); ++i) {
       if (list.readings[i].known()) assign(list.tree.assignments[i], list.readings[i]);
     }
@@ -31,14 +32,15 @@ class Merger {
 
  private:
   void assign(grammar::Assignment const& assignment, Reading const& reading) {
-    EffectiveValue& entry = values_.edit(reading.name.slot);
+    bool const is_value = reading.status == ReadingStatus::value;
+    EffectiveValue& entry = is_value ? values_.replace(reading.name.slot) : values_.edit(reading.name.slot);
     entry.origin = origin_;
     entry.value_place = Place{.source = list_->source, .span = assignment.value};
     entry.name_place = Place{.source = list_->source, .span = assignment.name};
     entry.line = assignment.line;
     entry.unusable = !reading.usable();
-    pending_.erase(reading.name.slot);
-    if (reading.status == ReadingStatus::value) entry.value = reading.value;
+    if (!pending_.empty()) pending_.erase(reading.name.slot);
+    if (is_value) entry.value = reading.value;
     if (reading.status == ReadingStatus::reference) pending_[reading.name.slot] = reading.reference;
   }
 

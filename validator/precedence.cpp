@@ -1,7 +1,9 @@
 #include "validator/precedence.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -48,6 +50,18 @@ auto order(Finding const& finding) {
   return std::make_tuple(finding.severity, rank(finding.code), finding.code);
 }
 
+/// Their numbers by place and code, else as they came: a finding is large to move.
+std::vector<std::uint32_t> in_order(std::vector<RawFinding> const& findings) {
+  std::vector<std::uint32_t> numbers(findings.size());
+  std::iota(numbers.begin(), numbers.end(), std::uint32_t{0});
+  std::sort(numbers.begin(), numbers.end(), [&findings](std::uint32_t left, std::uint32_t right) {
+    Finding const& a = findings[left].finding;
+    Finding const& b = findings[right].finding;
+    return std::tie(a.place, a.code, left) < std::tie(b.place, b.code, right);
+  });
+  return numbers;
+}
+
 }  // namespace
 
 void drop_replaced(std::vector<RawFinding>& findings) {
@@ -66,49 +80,53 @@ void drop_replaced(std::vector<RawFinding>& findings) {
 }
 
 void merge_shared(std::vector<RawFinding>& findings) {
-  std::map<std::pair<Code, Place>, std::size_t> first_at;
-  std::vector<RawFinding> merged;
-  merged.reserve(findings.size());
-  for (RawFinding& raw : findings) {
-    if (raw.finding.place) {
-      auto const [first, is_new] =
-          first_at.try_emplace({raw.finding.code, *raw.finding.place}, merged.size());
-      if (!is_new) {
-        // It belongs to the list then, not to one of its axes.
-        Finding& kept = merged[first->second].finding;
-        if (kept.axis != raw.finding.axis) kept.axis.clear();
-        continue;
-      }
+  std::vector<bool> merged(findings.size(), false);
+  bool any = false;
+  Finding* first = nullptr;
+  for (std::uint32_t const number : in_order(findings)) {
+    Finding& finding = findings[number].finding;
+    bool const is_same =
+        first != nullptr && finding.place && finding.place == first->place && finding.code == first->code;
+    if (!is_same) {
+      first = &finding;
+      continue;
     }
-    merged.push_back(std::move(raw));
+    // It belongs to the list then, not to one of its axes.
+    if (first->axis != finding.axis) first->axis.clear();
+    merged[number] = true;
+    any = true;
   }
-  findings = std::move(merged);
+  if (!any) return;
+  std::size_t next = 0;
+  std::erase_if(findings, [&](RawFinding const&) { return merged[next++]; });
 }
 
 void keep_highest_per_token(std::vector<RawFinding>& findings) {
-  std::stable_sort(findings.begin(), findings.end(), [](RawFinding const& a, RawFinding const& b) {
-    return std::tie(a.finding.place, a.finding.code) < std::tie(b.finding.place, b.finding.code);
-  });
-  std::vector<RawFinding> kept;
-  kept.reserve(findings.size());
+  std::vector<std::uint32_t> chosen;
+  chosen.reserve(findings.size());
   SourceId source{};
   std::uint32_t token_end = 0;
-  for (RawFinding& raw : findings) {
+  for (std::uint32_t const number : in_order(findings)) {
+    Finding const& finding = findings[number].finding;
     bool overlaps = false;
-    if (raw.finding.place) {
-      Place const& place = *raw.finding.place;
-      bool const had_place = !kept.empty() && kept.back().finding.place.has_value();
+    if (finding.place) {
+      Place const& place = *finding.place;
+      auto const* const last = chosen.empty() ? nullptr : &findings[chosen.back()].finding.place;
+      bool const had_place = last != nullptr && last->has_value();
       overlaps = had_place && place.source == source &&
-                 (place.span.begin < token_end || place.span == kept.back().finding.place->span);
+                 (place.span.begin < token_end || place.span == (*last)->span);
       token_end = overlaps ? std::max(token_end, place.span.end) : place.span.end;
       source = place.source;
     }
     if (!overlaps) {
-      kept.push_back(std::move(raw));
-    } else if (order(raw.finding) < order(kept.back().finding)) {
-      kept.back() = std::move(raw);
+      chosen.push_back(number);
+    } else if (order(finding) < order(findings[chosen.back()].finding)) {
+      chosen.back() = number;
     }
   }
+  std::vector<RawFinding> kept;
+  kept.reserve(chosen.size());
+  for (std::uint32_t const number : chosen) kept.push_back(std::move(findings[number]));
   findings = std::move(kept);
 }
 

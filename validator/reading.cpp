@@ -230,10 +230,10 @@ std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisLis
                                       schema::Catalogue const& catalogue) {
   constexpr std::size_t most_suggestions = 1000;
   std::size_t unknown_names = 0;
-  std::vector<Reading> readings(list.assignments.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    grammar::Assignment const& assignment = list.assignments[i];
-    Reading& reading = readings[i];
+  std::vector<Reading> readings;
+  readings.reserve(list.assignments.size());
+  for (grammar::Assignment const& assignment : list.assignments) {
+    Reading& reading = readings.emplace_back();
     reading.name = catalogue.find(source.slice(assignment.name));
     Judge judge(source, assignment, reading);
     if (reading.row_known()) {

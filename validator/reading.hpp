@@ -60,6 +60,12 @@ struct Reading {
 [[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list,
                                                     schema::Catalogue const& catalogue = {});
 
+/// Indices of the readings that a check of single lines may object to: everything but a value (or a reference) of a known
+/// name, spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of
+/// nearly all lists are beyond doubt, and no check looks at them again.
+[[nodiscard]] std::vector<std::uint32_t> doubtful_readings(grammar::AxisList const& list,
+                                                           std::vector<Reading> const& readings);
+
 /// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
 /// parameter is meant to be is unknown then, so rules that need it have to stay silent.
 struct LostAssignment {

@@ -1,5 +1,6 @@
 // Any bytes as an axis list, in both encodings: every span lies inside the text, every line that is not blank says
-// something at most once, and every number token converts or is beyond its type.
+// something at most once, every number token converts or is beyond its type, and what regular lines give without the
+// grammar is what the grammar gives.
 #include "grammar/axis_list.hpp"
 
 #include "grammar/number.hpp"
@@ -71,7 +72,9 @@ void check_list(AxisList const& list, std::string_view bytes) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
   for (bool const windows_1252 : {false, true}) {
-    check_list(axisc::grammar::parse_axis_list(bytes, 0, windows_1252), bytes);
+    AxisList const list = axisc::grammar::parse_axis_list(bytes, 0, windows_1252);
+    check_list(list, bytes);
+    require(list == axisc::grammar::parse_axis_list(bytes, 0, windows_1252, axisc::grammar::Way::by_grammar));
   }
   return 0;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
+#include <utility>
 
 namespace axisc::test {
 namespace {
@@ -102,6 +102,7 @@ class Scanner {
   Scanner(std::string_view bytes, bool windows_1252) : bytes_(bytes), windows_1252_(windows_1252) {}
 
   AxisList scan() {
+    list_.assignments.reserve(bytes_.size() / 40);
     std::size_t begin = 0;
     while (begin < bytes_.size()) {
       ++list_.lines;
@@ -114,7 +115,7 @@ class Scanner {
       if (end > begin) scan_line(begin, end);
       begin = next;
     }
-    return list_;
+    return std::move(list_);
   }
 
  private:
@@ -138,14 +139,14 @@ class Scanner {
   }
 
   static bool is_end(std::string_view word) {
-    std::string folded;
-    for (char const c : word) folded += static_cast<char>('A' <= c && c <= 'Z' ? c - 'A' + 'a' : c);
-    return folded == "ende";
+    auto const is = [](char c, char small) { return c == small || c == small - 'a' + 'A'; };
+    return word.size() == 4 && is(word[0], 'e') && is(word[1], 'n') && is(word[2], 'd') && is(word[3], 'e');
   }
 
   bool invalid_character(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
       auto const byte = static_cast<unsigned char>(text[i]);
+      if (0x20 <= byte && byte < 0x7F) continue;
       auto const following = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
       bool const undefined =
           windows_1252_ && std::string_view("\x81\x8D\x8F\x90\x9D").find(text[i]) != std::string_view::npos;
@@ -292,6 +293,7 @@ class Scanner {
   }
 
   void directive(Line const& line, std::size_t begin, bool whole_line) {
+    if (begin == line.text.size()) return;
     if (line.text.find("axisc:", begin) == std::string_view::npos) return;
     list_.directives.push_back(
         {.comment = span(begin, line.text.size()), .whole_line = whole_line, .line = list_.lines});

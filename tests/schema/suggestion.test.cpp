@@ -1,8 +1,10 @@
 #include "schema/catalogue.hpp"
+#include "schema/plain_suggestion.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -94,6 +96,35 @@ TEST_CASE("a name with one letter lost leads back to itself") {
     INFO(wrong);
     // Rows that differ in one letter only (a number at the end) may crowd it out.
     if (names.size() < 3) REQUIRE(std::find(names.begin(), names.end(), right) != names.end());
+  }
+}
+
+TEST_CASE("what is ruled out early would not have been suggested") {
+  std::uint32_t state = 20240229;
+  auto const below = [&state](std::size_t count) {
+    state = state * 1664525U + 1013904223U;
+    return static_cast<std::size_t>(state >> 8U) % count;
+  };
+  constexpr std::string_view letters = "abcdefghiklmnoprstuvwxyz_.[]019";
+  for (int round = 0; round < 1000; ++round) {
+    Parameter const& known = parameters()[below(parameters().size())];
+    std::string name = slot_name(known, slot_of(known));
+    // A few slips; or the quantity of one name in the family of another.
+    for (std::size_t slips = below(6); slips > 0; --slips) {
+      std::size_t const at = below(name.size());
+      std::size_t const what = below(4);
+      if (what == 0) name.insert(at, 1, letters[below(letters.size())]);
+      if (what == 1 && name.size() > 1) name.erase(at, 1);
+      if (what == 2) name[at] = letters[below(letters.size())];
+      if (what == 3 && at > 0) std::swap(name[at - 1], name[at]);
+    }
+    if (below(4) == 0) {
+      Parameter const& other = parameters()[below(parameters().size())];
+      std::string const family(other.name.substr(0, other.name.find('.')));
+      name = family + name.substr(std::min(name.find('.'), name.size()));
+    }
+    INFO(name);
+    REQUIRE(suggest_names(name) == axisc::test::suggest_names_plainly(name));
   }
 }
 

@@ -37,6 +37,7 @@ class Lists {
     SourceText const& source = sources_[list.source];
     list.tree = grammar::parse_axis_list(source.bytes(), source.text_begin(), false);
     list.readings = read_assignments(source, list.tree);
+    list.doubtful = doubtful_readings(list.tree, list.readings);
     list.lost = lost_assignments(source, list.tree, list.readings);
     return list;
   }

@@ -4,7 +4,7 @@
 namespace axisc::validator {
 
 void checks::comment_in_string(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.trouble.empty()) return;
     bool const symbol = !reading.name.row->symbols.empty();
     Finding& finding = add_at(context, report, assignment, reading, reading.trouble,

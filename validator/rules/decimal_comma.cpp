@@ -20,7 +20,7 @@ std::string repaired(std::string value, Reading const& reading) {
 }  // namespace
 
 void checks::decimal_comma(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.status != ReadingStatus::decimal_comma) return;
     std::string const value = context.source.utf8(assignment.value);
     Finding& finding = add_at(context, report, assignment, reading, assignment.value,

@@ -1,21 +1,25 @@
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 
-#include <unordered_map>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace axisc::validator {
 
 void checks::duplicate_parameter(ListContext const& context, Report& report) {
-  std::unordered_map<schema::Slot, std::size_t> last;
+  std::vector<std::uint32_t> last(context.list.catalogue.slot_count(), 0);  // index + 1; 0: not set yet
   std::vector<Reading> const& readings = context.list.readings;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
     if (!readings[i].usable()) continue;
-    auto const [earlier, first] = last.try_emplace(readings[i].name.slot, i);
-    if (first) continue;
-    grammar::Assignment const& assignment = context.list.tree.assignments[earlier->second];
+    std::uint32_t const before =
+        std::exchange(last[static_cast<std::size_t>(readings[i].name.slot)], static_cast<std::uint32_t>(i + 1));
+    if (before == 0) continue;
+    std::size_t const earlier = before - 1;
+    grammar::Assignment const& assignment = context.list.tree.assignments[earlier];
     grammar::Assignment const& later = context.list.tree.assignments[i];
-    Finding& finding = add_at(context, report, assignment, readings[earlier->second], assignment.value,
+    Finding& finding = add_at(context, report, assignment, readings[earlier], assignment.value,
                               message(Text::ax2006, {{"parameter", written_name(context, assignment)},
                                                      {"line", std::to_string(later.line)}}));
     finding.related.push_back(
@@ -23,10 +27,9 @@ void checks::duplicate_parameter(ListContext const& context, Report& report) {
     // The last one wins, so the earlier line is ignored. One that carries a directive would speak for the next line.
     std::string_view const line = context.source.slice(context.source.line_span(assignment.line));
     if (line.find("axisc:") == std::string_view::npos) {
-      Span const before{.begin = assignment.name.begin, .end = assignment.name.begin};
-      finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax2006_fix), FixSafety::safe);
+      Span const at_name{.begin = assignment.name.begin, .end = assignment.name.begin};
+      finding.fix = replace_by(place_of(context, at_name), "# ", message(Text::ax2006_fix), FixSafety::safe);
     }
-    earlier->second = i;
   }
 }
 

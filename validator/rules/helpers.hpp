@@ -4,6 +4,7 @@
 #include "validator/rule.hpp"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +47,12 @@ void add_physical(Finding& finding, schema::Parameter const& row, AxisType type,
 template <typename Visit>
 void for_each_reading(LoadedList const& list, Visit visit) {
   for (std::size_t i = 0; i < list.readings.size(); ++i) visit(list.tree.assignments[i], list.readings[i]);
+}
+
+/// The same for those that alone may be wrong, for checks of single lines.
+template <typename Visit>
+void for_each_doubtful(LoadedList const& list, Visit visit) {
+  for (std::uint32_t const i : list.doubtful) visit(list.tree.assignments[i], list.readings[i]);
 }
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.

@@ -5,7 +5,7 @@ namespace axisc::validator {
 
 void checks::index_out_of_range(ListContext const& context, Report& report) {
   using Status = schema::NameLookup::Status;
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || reading.known()) return;
     schema::NameLookup const& name = reading.name;
     std::string const pattern(name.row->name);

@@ -27,7 +27,7 @@ std::string upper_case(std::string text) {
 }  // namespace
 
 void checks::letter_case(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.known() && reading.name.case_folded) {
       std::string const expected = schema::slot_name(*reading.name.row, reading.name.slot);
       describe(add_at(context, report, assignment, reading, assignment.name,

@@ -103,7 +103,9 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
 void checks::limit_by_parameter(AxisContext const& context, Report& report) {
   for (Slot const slot : context.values.set_slots()) {
     EffectiveValue const& value = context.values[slot];
-    if (value.unusable || !value.value_place) continue;
+    bool const is_limited = value.row->minimum.kind == Limit::Kind::parameter ||
+                            value.row->maximum.kind == Limit::Kind::parameter;
+    if (!is_limited || value.unusable || !value.value_place) continue;
     for (Side const side : {Side::minimum, Side::maximum}) {
       std::optional<Violation> const violation = violation_at(context.values, slot, side);
       if (!violation || is_reported_at_limit(context.values, slot, *violation)) continue;

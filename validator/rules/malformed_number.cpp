@@ -16,7 +16,7 @@ std::string without_leading_zeros(std::string const& value) {
 }  // namespace
 
 void checks::malformed_number(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.status != ReadingStatus::malformed_number) return;
     std::string const value = context.source.utf8(assignment.value);
     auto const add = [&](Text text, std::string control, Text reaction, std::string result) -> Finding& {

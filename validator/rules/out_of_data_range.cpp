@@ -33,7 +33,7 @@ void checks::out_of_data_range(AxisContext const& context, Report& report) {
   for (LoadedList const* const list : lists_of(context)) {
     if (list == nullptr) continue;
     SourceText const& source = context.sources[list->source];
-    for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+    for_each_doubtful(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (reading.status != ReadingStatus::out_of_data_range || !reading.known()) return;
       Place const place{.source = list->source, .span = assignment.value};
       add(context, report, place, *reading.name.row, reading.name.slot, source.utf8(assignment.value),

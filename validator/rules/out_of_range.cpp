@@ -47,7 +47,7 @@ bool is_number(schema::Parameter const& parameter) {
 void checks::out_of_range(AxisContext const& context, Report& report) {
   for (LoadedList const* const list : lists_of(context)) {
     if (list == nullptr) continue;
-    for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+    for_each_doubtful(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (!reading.known() || reading.status != ReadingStatus::value) return;
       schema::Parameter const& parameter = *reading.name.row;
       if (!is_number(parameter) || is_number_of_default_list(*list, parameter, reading.value.number)) return;

@@ -14,11 +14,12 @@ std::size_t characters(std::string const& utf8) {
 }  // namespace
 
 void checks::string_too_long(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || reading.status != ReadingStatus::value) return;
     schema::Parameter const& parameter = *reading.name.row;
+    if (parameter.max_length == 0 || reading.value.text.size() <= parameter.max_length) return;
     std::size_t const length = characters(reading.value.text);
-    if (parameter.max_length == 0 || length <= parameter.max_length) return;
+    if (length <= parameter.max_length) return;
     Finding& finding = add_at(context, report, assignment, reading, reading.text,
                               message(Text::ax2008, {{"length", std::to_string(length)},
                                                      {"parameter", written_name(context, assignment)},

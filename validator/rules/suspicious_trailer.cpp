@@ -50,7 +50,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
 }  // namespace
 
 void checks::suspicious_trailer(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (assignment.trailer_kind != grammar::TrailerKind::text || !ends_at_blank(assignment, reading)) return;
     std::string_view const trailer = context.source.slice(assignment.trailer);
     std::string_view const word = trailer.substr(0, trailer.find_first_of(" \t("));

@@ -4,7 +4,7 @@
 namespace axisc::validator {
 
 void checks::unknown_parameter(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.row_known()) return;
     std::string const name = written_name(context, assignment);
     Finding& finding = add_at(context, report, assignment, reading, assignment.name,

@@ -18,7 +18,7 @@ std::string allowed_values(schema::Parameter const& parameter) {
 }  // namespace
 
 void checks::unknown_symbol(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.status != ReadingStatus::unknown_symbol) return;
     schema::Parameter const& parameter = *reading.name.row;
     std::string const value = context.source.utf8(reading.text);

@@ -16,7 +16,7 @@ Text headline(schema::Parameter const& parameter) {
 }  // namespace
 
 void checks::wrong_type(ListContext const& context, Report& report) {
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.status != ReadingStatus::wrong_type) return;
     schema::Parameter const& parameter = *reading.name.row;
     std::string const value = context.source.utf8(reading.text);

@@ -1,0 +1,211 @@
+// Reading and judging lists, in one thread and without any file: bench/README.md.
+//
+//   bench_lists [--lists N] [--rounds N]         the comparison
+//   bench_lists --only WORDS                     those whose name contains the words, for a profiler
+//   bench_lists --write FOLDER --lists N         the lists as files, for bench/process.py
+#include "grammar/axis_list.hpp"
+#include "lists/generator.hpp"
+#include "lists/memory_files.hpp"
+#include "lists/readers.hpp"
+#include "lists/rounds.hpp"
+#include "validator/check.hpp"
+#include "validator/rule.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace axisc::bench {
+namespace {
+
+struct Fleet {
+  std::vector<GeneratedList> lists;
+  std::vector<std::string> json, ini, mistakes;
+  std::size_t pairs = 0;
+};
+
+Fleet make_fleet(std::size_t count) {
+  Fleet fleet{.lists = generate_lists(count), .json = {}, .ini = {}, .mistakes = {}, .pairs = 0};
+  for (GeneratedList const& list : fleet.lists) {
+    // With room behind it, as simdjson wants it.
+    std::string& json = fleet.json.emplace_back(as_json(list));
+    json.reserve(json.size() + 64);
+    fleet.ini.push_back(as_ini(list));
+    fleet.mistakes.push_back(with_mistakes(list));
+    fleet.pairs += list.entries.size();
+  }
+  return fleet;
+}
+
+template <class Texts>
+std::size_t size_of(Texts const& texts) {
+  std::size_t size = 0;
+  for (std::string const& text : texts) size += text.size();
+  return size;
+}
+
+validator::CheckOptions all_rules() {
+  validator::CheckOptions options;
+  options.cycle_time = design::CycleTime{};
+  options.machine = false;
+  return options;
+}
+
+/// Text, syntax and single parameters: what the other readers do as well.
+validator::CheckOptions single_parameters() {
+  validator::CheckOptions options = all_rules();
+  for (validator::Rule const& rule : validator::rules()) {
+    if (static_cast<std::uint16_t>(rule.code) >= 3000) options.disabled.push_back(rule.code);
+  }
+  return options;
+}
+
+std::vector<Finding> check(std::string const& text, validator::CheckOptions const& options) {
+  static std::string const path("x.lis");
+  SourceSet sources;
+  MemoryFiles files;
+  files.put(path, text);
+  return validator::check(files, path, options, sources).findings;
+}
+
+std::size_t findings = 0;  ///< so that nothing is optimised away
+
+void check_all(std::vector<std::string> const& texts, validator::CheckOptions const& options) {
+  for (std::string const& text : texts) findings += check(text, options).size();
+}
+
+/// How often each code is found: a made-up fleet should be sound.
+void print_codes(char const* title, std::vector<std::string> const& texts) {
+  std::map<Code, std::size_t> counts;
+  for (std::string const& text : texts) {
+    for (Finding const& finding : check(text, all_rules())) ++counts[finding.code];
+  }
+  std::printf("%s:", title);
+  for (auto const& [code, count] : counts) std::printf(" %s %zu", code_text(code).c_str(), count);
+  std::printf("\n");
+}
+
+/// The readers agree about every pair.
+bool agree(Fleet const& fleet, std::vector<std::string> const& texts) {
+  EntryTable by_hand, other;
+  Simdjson simdjson;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    read_by_hand(texts[i], by_hand);
+    for (CheckedEntry const& entry : by_hand.entries()) {
+      if (entry.verdict != Verdict::good) return false;
+    }
+    simdjson.read_on_demand(fleet.json[i], other);
+    auto const same = [](CheckedEntry const& a, CheckedEntry const& b) {
+      return a.slot == b.slot && a.number == b.number && a.verdict == b.verdict;
+    };
+    if (!std::equal(by_hand.entries().begin(), by_hand.entries().end(), other.entries().begin(),
+                    other.entries().end(), same)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void compare(std::size_t count, std::size_t rounds, std::string_view only) {
+  Fleet const fleet = make_fleet(count);
+  std::vector<std::string> texts;
+  for (GeneratedList const& list : fleet.lists) texts.push_back(list.text);
+  std::printf("%zu lists, %zu bytes, %zu pairs\n", count, size_of(texts), fleet.pairs);
+  if (only.empty()) print_codes("sound lists", texts);
+  if (!agree(fleet, texts)) std::printf("the readers do not agree\n");
+
+  EntryTable table;
+  Simdjson simdjson;
+  auto const ranges = single_parameters();
+  auto const all = all_rules();
+  auto const each = [](std::vector<std::string> const& inputs, auto read) {
+    return [&inputs, read] {
+      for (std::string const& input : inputs) read(input);
+    };
+  };
+  std::vector<Contender> contenders = {
+      {"scanner by hand", size_of(texts), fleet.pairs,
+       each(texts, [&table](std::string const& text) { read_by_hand(text, table); })},
+      {"axisc, grammar alone", size_of(texts), fleet.pairs,
+       each(texts,
+            [](std::string const& text) {
+              findings += grammar::parse_axis_list(text, 0, false, grammar::Way::by_grammar).lines;
+            })},
+      {"axisc, regular lines without it", size_of(texts), fleet.pairs,
+       each(texts, [](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false).lines; })},
+      {"axisc, single parameters", size_of(texts), fleet.pairs, [&] { check_all(texts, ranges); }},
+      {"axisc, all rules", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
+      {"inih", size_of(fleet.ini), fleet.pairs,
+       each(fleet.ini, [&table](std::string const& text) { read_with_inih(text, table); })},
+      {"nlohmann-json", size_of(fleet.json), fleet.pairs,
+       each(fleet.json, [&table](std::string const& text) { read_with_nlohmann(text, table); })},
+      {"simdjson, document", size_of(fleet.json), fleet.pairs,
+       each(fleet.json, [&](std::string const& text) { simdjson.read_document(text, table); })},
+      {"simdjson, on demand", size_of(fleet.json), fleet.pairs,
+       each(fleet.json, [&](std::string const& text) { simdjson.read_on_demand(text, table); })},
+  };
+  std::erase_if(contenders, [only](Contender const& contender) {
+    return std::string_view(contender.name).find(only) == std::string_view::npos;
+  });
+  if (!contenders.empty()) measure(contenders, 0, rounds, "pairs/s");
+
+  if (only.empty() || only == "mistakes") print_codes("a mistake in every line", fleet.mistakes);
+  std::vector<Contender> storm = {
+      {"axisc, all rules, sound", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
+      {"axisc, all rules, mistakes", size_of(fleet.mistakes), fleet.pairs, [&] { check_all(fleet.mistakes, all); }},
+  };
+  if (only.empty() || only == "mistakes") measure(storm, 0, rounds, "lines/s");
+}
+
+void write_file(std::filesystem::path const& path, std::string const& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+void write_fleet(std::filesystem::path const& folder, std::size_t count) {
+  std::filesystem::create_directories(folder / "lists");
+  std::filesystem::create_directories(folder / "trees");
+  for (std::size_t number = 0; number < count; ++number) {
+    GeneratedList const list = generate_list(number);
+    std::string const name = std::to_string(number);
+    write_file((folder / "lists" / name) += ".lis", list.text);
+    write_file((folder / "trees" / name) += ".dts", as_device_tree(list));
+  }
+}
+
+}  // namespace
+}  // namespace axisc::bench
+
+int main(int argc, char** argv) {
+  using namespace axisc::bench;
+#if defined(__GLIBC__)
+  // As the program does: memory that one list needed waits for the next one.
+  mallopt(M_TRIM_THRESHOLD, 1 << 26);
+  mallopt(M_MMAP_THRESHOLD, 1 << 26);
+#endif
+  std::size_t lists = 200, rounds = 9;
+  char const* folder = nullptr;
+  std::string_view only;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    std::string_view const option = argv[i];
+    if (option == "--lists") lists = std::strtoul(argv[i + 1], nullptr, 10);
+    if (option == "--rounds") rounds = std::strtoul(argv[i + 1], nullptr, 10);
+    if (option == "--only") only = argv[i + 1];
+    if (option == "--write") folder = argv[i + 1];
+  }
+  if (folder == nullptr) {
+    compare(lists, rounds, only);
+  } else {
+    write_fleet(folder, lists);
+  }
+  return 0;
+}

@@ -1,0 +1,99 @@
+// Lines that are read without the grammar read the same with it.
+#include "grammar/axis_list.hpp"
+#include "support/catch.hpp"
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <rapidcheck.h>
+
+namespace {
+
+using axisc::grammar::parse_axis_list;
+using axisc::grammar::Way;
+
+/// Only where a block of text follows a line is it read without the grammar.
+std::string with_room(std::string const& text) {
+  return text + "\n" + std::string(70, '#') + "\n";
+}
+
+bool reads_alike(std::string const& text) {
+  std::string const long_enough = with_room(text);
+  for (bool const windows_1252 : {false, true}) {
+    bool const alike = parse_axis_list(long_enough, 0, windows_1252, Way::quick) ==
+                       parse_axis_list(long_enough, 0, windows_1252, Way::by_grammar);
+    if (!alike) return false;
+  }
+  return true;
+}
+
+rc::Gen<std::string> one_of(std::vector<std::string> const& texts) {
+  return rc::gen::elementOf(texts);
+}
+
+/// Names, right and wrong in every bracket and point.
+rc::Gen<std::string> name() {
+  auto const piece = one_of({"a", "b7", "_", "filter", "[", "]", "[0]", "[12]", ".", ".x", "9", "-", "P-", "\xE4"});
+  auto const usual = one_of({"filter[0].order", "kopf.achs_nr", "a[1].b[22].c", "ende", "Ende", "a[1[2]].b", "a[1]2].c",
+                             "a1].b[0", "antr.sercos.mdt[3].a_name_that_is_longer_than_usual_by_a_good_deal_of_letters"});
+  auto const joined = rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
+    std::string text;
+    for (std::string const& each : pieces) text += each;
+    return text;
+  });
+  return rc::gen::oneOf(usual, joined);
+}
+
+rc::Gen<std::string> value() {
+  auto const usual = one_of({"1", "0", "007", "-5", "+5", "+", "-", "0x1F", "0x", "-0x1", "0xG", "1.5", ".5", "5.", ".", "-.5",
+                             "00.5", "1e5", "1e+5", "1e", "1.e5", "e5", "1.5e-3", "1e5x", "1.2.3", "1,8", "LOWPASS", "TRUE",
+                             "P-AXIS-00212", "P-AXIS-00212.0", "P_1", "\"quoted text\"", "\"open", "wo(rt", "w\xC3\xA4", "a\"b",
+                             "%x", "/path", "/*", "(", "#", "12abc", "0X7f", "1E5"});
+  auto const piece = one_of({"1", "0", "7", ".", "e", "E", "x", "+", "-", "a", "F", "(", "\"", "\xC3\xA4", "/"});
+  auto const joined = rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
+    std::string text;
+    for (std::string const& each : pieces) text += each;
+    return text;
+  });
+  return rc::gen::oneOf(usual, joined);
+}
+
+rc::Gen<std::string> trailer() {
+  return one_of({"", "", "( Kommentar", "(geschlossen) mehr", "# Zahl", "/* Stern */", "/ Strich", "5", "text \"mit\" (Quote",
+                 "( l\xE4nger", "( l\xC3\xA4nger", "( \xC2\x85", "( \x81", "( axisc: allow AX3005", "\x01",
+                 "( so lang, dass der Kommentar gewiss bis weit hinter das Ende eines Blocks reicht \xC3\xBC \"",
+                 "ohne Klammer, aber so lang, dass er gewiss bis weit hinter das Ende eines Blocks reicht (jetzt"});
+}
+
+rc::Gen<std::string> line() {
+  auto const blanks = one_of({" ", "\t", "  ", "          ", std::string(40, ' '), std::string(60, ' '), ""});
+  auto const line_end = one_of({"\n", "\r\n", " \n", "\t \r\n", "\r\r\n", "\r", ""});
+  return rc::gen::map(rc::gen::tuple(one_of({"", "", "", " ", "\t", "#", "( "}), name(), blanks, value(), blanks, trailer(), line_end),
+                      [](auto const& parts) {
+                        return std::apply([](auto const&... part) { return (std::string() + ... + part); }, parts);
+                      });
+}
+
+TEST_CASE("regular lines read as the grammar reads them") {
+  REQUIRE(rc::check("lines of all kinds", [] {
+    std::string text;
+    for (std::string const& each : *rc::gen::container<std::vector<std::string>>(line())) text += each;
+    RC_ASSERT(reads_alike(text));
+  }));
+  REQUIRE(rc::check("any bytes", [](std::string const& text) { RC_ASSERT(reads_alike(text)); }));
+}
+
+TEST_CASE("every place of a token in its block reads alike") {
+  for (std::size_t room = 0; room < 80; ++room) {
+    std::string const blanks(room, ' ');
+    CHECK(reads_alike("a" + blanks + " 1 ( b"));
+    CHECK(reads_alike(blanks + "filter[0].order 1.5 text (b"));
+    CHECK(reads_alike(blanks + "filter[0].order 0x1F" + blanks + "\"q\" # b"));
+    CHECK(reads_alike("filter[0].order 1e5" + blanks + "\r\nx 1\n" + blanks + "\r\n" + blanks + "# b"));
+    CHECK(reads_alike(std::string(room + 1, 'a') + " WORD(b"));
+    CHECK(reads_alike("a " + std::string(room + 1, '1')));
+  }
+}
+
+}  // namespace
