@@ -37,7 +37,9 @@ double half_ulp(double value) {
 
 double step(RuntimeHost& runtime, double x) {
   std::array<double, 1> value = {x};
-  if (runtime.step(value, value) != AXISRT_OK) FAIL("a step was refused");
+  axisrt_status const status = runtime.step(value, value);
+  // These moves are faster than an axis may be.
+  if (status != AXISRT_OK && status != AXISRT_IMPLAUSIBLE) FAIL("a step was refused");
   return value[0];
 }
 

@@ -69,15 +69,19 @@ namespace {
 /// The levels that this processor and this build have.
 std::vector<std::uint32_t> levels(Bytes const& image) {
   AlignedMemory const bytes(image);
+  AlignedMemory memory(1 << 16);
   axisrt_config config{};
   config.size = sizeof config;
   config.image = bytes.data();
   config.image_size = bytes.size();
+  config.cycle_time_ns = 1'000'000;
+  config.memory = memory.data();
+  config.memory_size = memory.size();
   std::vector<std::uint32_t> found;
   for (std::uint32_t level = AXISRT_LEVEL_AUTOMATIC; level <= AXISRT_LEVEL_NEON; ++level) {
     config.level = level;
-    std::size_t size = 0;
-    if (axisrt_memory_size(&config, &size, &size) == AXISRT_OK) found.push_back(level);
+    axisrt* runtime = nullptr;
+    if (axisrt_create(&config, &runtime) == AXISRT_OK) found.push_back(level);
   }
   return found;
 }
@@ -105,10 +109,19 @@ TEST_CASE("no function of the runtime allocates, at any level") {
   double out[2] = {};
   std::uint8_t status[2] = {};
   std::size_t size = 0;
+  AlignedMemory recorder_memory(1 << 18);
+  AlignedMemory dump(1 << 18);
+  axisrt_config recorder_config = config;
+  recorder_config.memory = recorder_memory.data();
+  recorder_config.memory_size = recorder_memory.size();
+  axisrt_recorder* recorder = nullptr;
+  axisrt_status dumped = AXISRT_BAD_ARGUMENT;
+  double bound = 0;
 
   unsigned const before = allocations;
   axisrt_memory_size(&config, &size, &size);
   axisrt_create(&config, &runtime);
+  axisrt_recorder_start(runtime, &recorder_config, 100, &recorder);
   for (std::uint32_t axis = 0; axis < 2; ++axis) axisrt_reset(runtime, axis, 10);
   axisrt_reset_interface(runtime, 1, 10);
   for (int i = 0; i < 1000; ++i) {
@@ -118,11 +131,16 @@ TEST_CASE("no function of the runtime allocates, at any level") {
     axisrt_get_axis_state(runtime, 0, &state);
   }
   axisrt_rebase(runtime, 0, -100);
+  axisrt_axis_error_bound(runtime, 1, 1000, &bound);
+  axisrt_recorder_stop(recorder);
+  dumped = axisrt_recorder_dump(recorder, dump.data(), dump.size(), &size);
   unsigned const after = allocations;
 
   CHECK(after == before);
   CHECK(runtime != nullptr);
   CHECK(state.reset_done == 1);
+  CHECK(dumped == AXISRT_OK);
+  CHECK(bound > 0);
 }
 
 TEST_CASE("commands, fades and position control do not allocate, at any level") {
