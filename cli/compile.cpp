@@ -43,7 +43,9 @@ class Compile {
     job_.form.format = words.checking.format;
     job_.form.write = {.language = language, .color = color};
     choose_inputs();
-    if (needs_context(job_.form.format)) job_.form.context = report_context(part_.all.front());
+    if (needs_context(job_.form.format)) {
+      job_.form.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
+    }
     if (words.fleet.asks_for_digests()) run_ = image_digest();
   }
 
@@ -69,9 +71,7 @@ class Compile {
       if (reports_names(part_)) fail(report, i, name_failures_[i]);
     }
     compile_all(report);
-    auto const status = failed_                                                    ? ExitStatus::failure
-                        : fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
-                                                                                   : ExitStatus::success;
+    auto const status = exit_status();
     report.finish(
         {}, [](Code) { return true; }, static_cast<int>(status));
     streams_.err.write(failure_lines_);
@@ -82,9 +82,12 @@ class Compile {
  private:
   void choose_inputs() {
     if (!words_.is_batch()) {
-      auto const& input = words_.inputs.front();
-      bool const is_file = input.substr(0, 1) != "@" || input.size() == 1;
-      auto named = is_file ? words_.inputs : expand_inputs(words_.inputs).paths;
+      auto named = words_.inputs;
+      if (named.front().starts_with('@')) {
+        auto inputs = expand_inputs(named);
+        if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+        named = std::move(inputs.paths);
+      }
       if (named.size() > 1) throw Failure({.text = Text::cli_one_output, .arguments = {}});
       part_ = choose_part({}, std::move(named));
       refuse_programs();
@@ -110,6 +113,12 @@ class Compile {
         throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", path}}});
       }
     }
+  }
+
+  [[nodiscard]] ExitStatus exit_status() const {
+    if (failed_) return ExitStatus::failure;
+    return fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
+                                                                    : ExitStatus::success;
   }
 
   /// Everything but the input that decides about an image and what is printed with it.
