@@ -27,7 +27,8 @@ std::string seen_on_terminal(std::string const& folder) {
     if (::dup2(::open("/dev/null", O_WRONLY), 1) < 0) ::_exit(126);
     if (::dup2(::open(name, O_RDWR | O_NOCTTY), 2) < 0) ::_exit(126);
     ::close(terminal);
-    ::execl(AXISC_PROGRAM, AXISC_PROGRAM, "lint", folder.c_str(), "--format", "sarif", "-j", "1", nullptr);
+    ::execl(AXISC_PROGRAM, AXISC_PROGRAM, "lint", folder.c_str(), "--format", "sarif", "-j", "1", "--lang",
+            "en", nullptr);
     ::_exit(127);
   }
   std::string text;
