@@ -101,7 +101,8 @@ class PartComparison {
       if (slips <= limit_) return static_cast<std::uint8_t>(slips);
     }
     // A whole word of the other brings no letter that the other has not.
-    bool const contained = (outline_.letters & ~wanted.letters) == 0 || (wanted.letters & ~outline_.letters) == 0;
+    bool const contained =
+        (outline_.letters & ~wanted.letters) == 0 || (wanted.letters & ~outline_.letters) == 0;
     return contained && resembles(given_, words_.texts[part]) ? resembling : unlike;
   }
 
