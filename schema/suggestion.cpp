@@ -52,7 +52,7 @@ bool has_more_than(std::size_t limit, Letters letters) {
   return letters != 0;
 }
 
-bool is_certainly_beyond(Outline const& a, Outline const& b, std::size_t limit) {
+inline bool is_certainly_beyond(Outline const& a, Outline const& b, std::size_t limit) {
   std::size_t const difference = a.size > b.size ? a.size - b.size : b.size - a.size;
   return difference > limit || has_more_than(limit, a.letters & ~b.letters) ||
          has_more_than(limit, b.letters & ~a.letters);
