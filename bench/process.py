@@ -4,8 +4,8 @@
     build/bench/bin/bench_lists --write FOLDER --lists 2000
     bench/process.py --axisc build/static/bin/axisc --fleet FOLDER [--rounds 21] [--many 40000]
 
-Every contender runs once per round; printed are the median of its times, the largest resident memory and the median of the
-ratios within the rounds. Nothing stands between the clock and the program but posix_spawn and wait4.
+Every contender runs once per round; printed are the median of its times and the median of the ratios within the rounds.
+Nothing stands between the clock and the program but posix_spawn and waitpid.
 """
 import argparse
 import os
@@ -19,35 +19,29 @@ SILENCE = [(os.POSIX_SPAWN_OPEN, 1, "/dev/null", os.O_WRONLY, 0), (os.POSIX_SPAW
 
 
 def run(command):
-    """Seconds and KiB of one process."""
+    """Seconds of one process."""
     begin = time.perf_counter()
     process = os.posix_spawnp(command[0], command, os.environ, file_actions=SILENCE)
-    _, _, usage = os.wait4(process, 0)
-    return time.perf_counter() - begin, usage.ru_maxrss
+    os.waitpid(process, 0)
+    return time.perf_counter() - begin
 
 
 def run_each(commands):
-    begin = time.perf_counter()
-    memory = max(run(command)[1] for command in commands)
-    return time.perf_counter() - begin, memory
+    return sum(run(command) for command in commands)
 
 
 def compare(title, contenders, rounds):
     """`contenders` is a list of (name, function, files); the first one is what the others are divided by."""
     times = {name: [] for name, _, _ in contenders}
-    memory = {}
     for _ in range(rounds):
         for name, function, _ in contenders:
-            seconds, kilobytes = function()
-            times[name].append(seconds)
-            memory[name] = max(memory.get(name, 0), kilobytes)
+            times[name].append(function())
     first = contenders[0][0]
     print(title)
     for name, _, files in contenders:
         ratios = [own / base for own, base in zip(times[name], times[first])]
         middle = statistics.median(times[name])
-        print(f"  {name:34} {1e3 * middle:10.2f} ms {1e6 * middle / files:10.1f} us/file "
-              f"{memory[name]:8} KiB  x {statistics.median(ratios):.3f}")
+        print(f"  {name:34} {1e3 * middle:10.2f} ms {1e6 * middle / files:10.1f} us/file  x {statistics.median(ratios):.3f}")
 
 
 def empty_program(folder):

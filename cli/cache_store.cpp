@@ -73,14 +73,21 @@ std::optional<std::string> CacheStore::find(Digest const& key) {
 
 void CacheStore::add(Digest const& key, std::string_view content) {
   std::lock_guard const lock(mutex_);
-  if (!writer_) writer_ = std::make_unique<PackWriter>(folder_);
-  writer_->add(key, content, seconds_now());
-  if (writer_->size() < largest_pack) return;
-  writer_->commit();
+  if (broken_) return;
+  try {
+    if (!writer_) writer_ = std::make_unique<PackWriter>(folder_);
+    writer_->add(key, content, seconds_now());
+    if (writer_->size() < largest_pack) return;
+    writer_->commit();
+  } catch (Failure const& failure) {
+    // The results are right all the same.
+    broken_ = failure;
+  }
   writer_.reset();
 }
 
 void CacheStore::finish() {
+  if (broken_) throw Failure(*broken_);
   if (writer_) writer_->commit();
   writer_.reset();
   auto const now = seconds_now();

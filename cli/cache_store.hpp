@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/cache_pack.hpp"
+#include "cli/failure.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -21,9 +22,9 @@ class CacheStore {
 
   /// May be called by several threads, as add(). A damaged entry is none.
   [[nodiscard]] std::optional<std::string> find(Digest const& key);
-  /// Failure (AX9002) where the folder cannot be written, here and below.
+  /// Where the folder cannot be written nothing is kept any more, and finish() says why.
   void add(Digest const& key, std::string_view content);
-  /// Puts what was added in its place, notes what was used, and removes what was used longest ago where the folder is
+  /// Failure (AX9002) where the folder cannot be written. Puts what was added in its place, notes what was used, and removes what was used longest ago where the folder is
   /// larger than its limit.
   void finish();
 
@@ -43,10 +44,11 @@ class CacheStore {
   std::mutex mutex_;
   std::vector<std::vector<std::uint32_t>> used_;  ///< rows, by pack
   std::unique_ptr<PackWriter> writer_;
+  std::optional<Failure> broken_;
 };
 
-/// Brings the packs of `folder` below `limit`, down to three quarters of it so that this is rare: what was used longest
-/// ago is removed. Many small packs become one. One process does this at a time; another one leaves it to that. Packs
+/// Brings the packs of `folder` that are larger than `limit` down to three quarters of it, so that this is rare: what was
+/// used longest ago is removed. Many small packs become one. One process does this at a time; another one leaves it to that. Packs
 /// that are no whole ones are removed, and files that killed processes left, when they are a day old.
 void tidy_cache(std::string const& folder, std::uint64_t limit);
 

@@ -99,7 +99,9 @@ void tidy_cache(std::string const& folder, std::uint64_t limit) {
   if (!lock.is_open() || ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return;
   auto const packs = open_packs(folder);
   remove_rubbish(folder, packs);
-  rewrite(folder, packs, choose(packs, limit / 4 * 3));
+  std::uint64_t size = 0;
+  for (auto const& pack : packs) size += pack.file_size();
+  rewrite(folder, packs, choose(packs, size > limit ? limit / 4 * 3 : limit));
 }
 
 }  // namespace axisc::cli

@@ -1,17 +1,14 @@
 #include "cli/commands.hpp"
+#include "cli/compile_inputs.hpp"
 #include "cli/compile_words.hpp"
 #include "cli/depfile.hpp"
-#include "cli/image_names.hpp"
-#include "cli/machine_outline.hpp"
 #include "cli/ordered_work.hpp"
 #include "cli/output_file.hpp"
 #include "cli/report_context.hpp"
 #include "cli/report_stream.hpp"
 #include "cli/written_image.hpp"
 
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <utility>
 
 namespace axisc::cli {
@@ -42,8 +39,13 @@ class Compile {
     job_.check.settings = &settings_;
     job_.form.format = words.checking.format;
     job_.form.write = {.language = language, .color = color};
-    choose_inputs();
-    if (needs_context(job_.form.format)) job_.form.context = report_context(part_.all.front());
+    auto inputs = choose_inputs(words);
+    part_ = std::move(inputs.part);
+    names_ = std::move(inputs.images);
+    name_failures_ = std::move(inputs.failures);
+    if (needs_context(job_.form.format)) {
+      job_.form.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
+    }
     if (words.fleet.asks_for_digests()) run_ = image_digest();
   }
 
@@ -69,9 +71,7 @@ class Compile {
       if (reports_names(part_)) fail(report, i, name_failures_[i]);
     }
     compile_all(report);
-    auto const status = failed_                                                    ? ExitStatus::failure
-                        : fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
-                                                                                   : ExitStatus::success;
+    auto const status = exit_status();
     report.finish(
         {}, [](Code) { return true; }, static_cast<int>(status));
     streams_.err.write(failure_lines_);
@@ -80,36 +80,10 @@ class Compile {
   }
 
  private:
-  void choose_inputs() {
-    if (!words_.is_batch()) {
-      auto const& input = words_.inputs.front();
-      bool const is_file = input.substr(0, 1) != "@" || input.size() == 1;
-      auto named = is_file ? words_.inputs : expand_inputs(words_.inputs).paths;
-      if (named.size() > 1) throw Failure({.text = Text::cli_one_output, .arguments = {}});
-      part_ = choose_part({}, std::move(named));
-      refuse_programs();
-      if (words_.output) names_ = {*words_.output};
-      return;
-    }
-    auto inputs = expand_inputs(words_.inputs);
-    name_failures_ = std::move(inputs.failures);
-    // In folders NC programs lie beside lists; named by hand they are a misunderstanding.
-    std::erase_if(inputs.paths, [this](std::string const& path) {
-      bool const is_named =
-          std::find(words_.inputs.begin(), words_.inputs.end(), path) != words_.inputs.end();
-      return has_extension(path, ".nc") && !is_named;
-    });
-    names_ = image_names(inputs.paths, words_.input_folder.value_or(""), *words_.output_folder);
-    part_ = choose_part(words_.fleet, std::move(inputs.paths));
-    refuse_programs();
-  }
-
-  void refuse_programs() const {
-    for (auto const& path : part_.all) {
-      if (has_extension(path, ".nc")) {
-        throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", path}}});
-      }
-    }
+  [[nodiscard]] ExitStatus exit_status() const {
+    if (failed_) return ExitStatus::failure;
+    return fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
+                                                                    : ExitStatus::success;
   }
 
   /// Everything but the input that decides about an image and what is printed with it.
@@ -154,13 +128,9 @@ class Compile {
 
   [[nodiscard]] WrittenImage compile_one(std::size_t index, ResultCache* cache) {
     auto const& path = part_.path(index);
-    ImageTarget target{.path = names_[part_.chosen[index]], .depfile = {}};
-    if (words_.is_batch()) {
-      std::error_code error;  // what it means shows when the image is written
-      std::filesystem::create_directories(std::filesystem::path(target.path).parent_path(), error);
-    } else {
-      target.depfile = words_.depfile;
-    }
+    ImageTarget target{.path = names_[part_.chosen[index]], .depfile = {}, .makes_folder = words_.is_batch()};
+    // A batch has one file for the rules of all images.
+    if (!words_.is_batch()) target.depfile = words_.depfile;
     return write_image(compiled(path, cache), target, more_sources(path));
   }
 

@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/file_descriptor.hpp"
+#include "cli/output_file.hpp"
 
 #include <cerrno>
 #include <unistd.h>
@@ -36,6 +37,11 @@ void Console::write(std::string_view text) {
 void Console::flush() {
   if (buffer_.empty()) return;
   if (before_printing_) before_printing_();
+  if (file_ != nullptr) {
+    file_->write(buffer_);
+    buffer_.clear();
+    return;
+  }
   int const error = write_all(descriptor_, buffer_);
   buffer_.clear();
   if (error != 0 && descriptor_ == STDOUT_FILENO) {

@@ -8,11 +8,15 @@
 
 namespace axisc::cli {
 
+class OutputFile;
+
 /// Collects text and writes it in large pieces. A closed pipe or a full disk is a Failure.
 class Console {
  public:
   /// For standard output (1): a failure is reported. For standard error (2) there is nobody left to tell.
   explicit Console(int descriptor) : descriptor_(descriptor) {}
+  /// For a file that is to be whole or not there; it is committed by its owner.
+  explicit Console(OutputFile& file) : file_(&file) {}
   Console(Console const&) = delete;
   Console& operator=(Console const&) = delete;
   ~Console() = default;
@@ -26,7 +30,8 @@ class Console {
   void discard() { buffer_.clear(); }
 
  private:
-  int descriptor_;
+  int descriptor_ = -1;
+  OutputFile* file_ = nullptr;
   std::function<void()> before_printing_;
   std::string buffer_;
 };

@@ -20,6 +20,7 @@ namespace {
 struct MergeWords {
   std::vector<std::string> files;
   std::optional<std::string> baseline;
+  std::optional<std::string> output;
 };
 
 using Documents = std::deque<ShardDocument>;
@@ -116,6 +117,18 @@ ExitStatus status_of(Documents const& documents, FindingCounts const& counts) {
   return static_cast<ExitStatus>(worst);
 }
 
+ExitStatus print(Documents& documents, MergeWords const& words, Console& out) {
+  ReportStream report(plan_of(documents, words), out);
+  add_inputs(documents, report);
+  auto const status = status_of(documents, report.counts());
+  auto const& unjudged = documents.front().record().unjudged;
+  auto const judged = [&unjudged](Code code) {
+    return std::find(unjudged.begin(), unjudged.end(), static_cast<unsigned>(code)) == unjudged.end();
+  };
+  report.finish({}, judged, static_cast<int>(status));
+  return status;
+}
+
 }  // namespace
 
 ExitStatus merge(Invocation const& invocation) {
@@ -123,6 +136,7 @@ ExitStatus merge(Invocation const& invocation) {
   CommandLine command_line("merge", Text::cli_merge_purpose, Text::cli_merge_examples, invocation.language);
   command_line.arguments("FILE...", words.files, Text::cli_arg_shards);
   command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
+  command_line.value("-o,--output", "FILE", words.output, Text::cli_opt_merge_output);
   if (auto const text = command_line.read(invocation.arguments)) {
     invocation.streams.out.write(*text);
     return ExitStatus::success;
@@ -135,14 +149,12 @@ ExitStatus merge(Invocation const& invocation) {
   for (auto const& file : read_response_files(words.files)) documents.emplace_back(file.path);
   require_whole_run(documents);
   for (auto const& failure : failures_of(documents)) invocation.streams.err.write(failure.line);
-  ReportStream report(plan_of(documents, words), invocation.streams.out);
-  add_inputs(documents, report);
-  auto const status = status_of(documents, report.counts());
-  auto const& unjudged = documents.front().record().unjudged;
-  auto const judged = [&unjudged](Code code) {
-    return std::find(unjudged.begin(), unjudged.end(), static_cast<unsigned>(code)) == unjudged.end();
-  };
-  report.finish({}, judged, static_cast<int>(status));
+  if (!words.output) return print(documents, words, invocation.streams.out);
+  OutputFile file(*words.output);
+  Console out(file);
+  auto const status = print(documents, words, out);
+  out.flush();
+  file.commit();
   return status;
 }
 

@@ -69,7 +69,8 @@ std::size_t ReportStream::number_of(Artifact const& artifact) {
 }
 
 bool ReportStream::add(WrittenFinding const& finding) {
-  std::uint32_t const occurrence = numbers_ ? ++occurrences_[fingerprint(finding.identity, 0)] : 1;
+  std::uint32_t const occurrence =
+      numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
   if (is_hidden(finding, occurrence)) return false;
   count(counts_, finding.severity);
   auto const code = finding.identity.code;

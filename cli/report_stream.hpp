@@ -67,7 +67,8 @@ class ReportStream {
   std::unordered_set<std::string> files_;
   FindingCounts counts_;
   std::map<Code, CodeCount> codes_;
-  std::unordered_map<std::string, std::uint32_t> occurrences_;  ///< by fingerprint
+  /// By a digest of the identity: a fleet has millions of them.
+  std::unordered_map<std::uint64_t, std::uint32_t> occurrences_;
   Baseline found_;
   Baseline missing_;  ///< entries that nothing has answered to so far
   std::size_t hidden_ = 0;

@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/interruption.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -35,6 +36,7 @@ std::string temporary_folder() {
 FileDescriptor open_nameless() {
   auto const folder = temporary_folder();
   auto name = folder + "/axisc-XXXXXX";
+  WithoutInterruption const made_and_removed;
   FileDescriptor file(::mkstemp(name.data()));
   if (!file.is_open()) fail(folder, errno);
   ::unlink(name.c_str());

@@ -3,11 +3,14 @@
 #include "cli/depfile.hpp"
 #include "cli/output_file.hpp"
 
+#include <filesystem>
 #include <utility>
 
 namespace axisc::cli {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 void write_depfile(ImageTarget const& target, std::vector<std::string> const& sources) {
   if (!target.depfile) return;
@@ -22,6 +25,8 @@ ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<s
     write_depfile(target, sources);
     return ImageFate::unchanged;
   }
+  std::error_code error;  // what it means shows when the file is made
+  if (target.makes_folder) fs::create_directories(fs::path(target.path).parent_path(), error);
   OutputFile output(target.path);
   output.write(bytes);
   // The rule comes first: an image without it would never be made again.

@@ -13,6 +13,7 @@ enum class ImageFate : std::uint8_t { missing, unchanged, written };
 struct ImageTarget {
   std::string path;
   std::optional<std::string> depfile;  ///< written with the image
+  bool makes_folder = false;           ///< where there is none yet
 };
 
 struct WrittenImage {

@@ -175,7 +175,9 @@ class Reader {
     return line.substr(opener);
   }
 
-  void keep_directive(std::string_view comment, bool whole_line) { keep_directive(span(comment), whole_line); }
+  void keep_directive(std::string_view comment, bool whole_line) {
+    keep_directive(span(comment), whole_line);
+  }
 
   void keep_directive(Span comment, bool whole_line) {
     if (!directives_.within(comment)) return;

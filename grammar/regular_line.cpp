@@ -175,7 +175,8 @@ class LineReader {
     unsigned const value = first_of(behind_name);
     Bits const blank_behind_value = block_.blank & inside_ & ~below(value);
     if (blank_behind_value == 0 && end_ - line_ >= static_cast<std::ptrdiff_t>(TextBlock::size)) return false;
-    unsigned const value_end = blank_behind_value == 0 ? static_cast<unsigned>(end_ - line_) : first_of(blank_behind_value);
+    unsigned const value_end =
+        blank_behind_value == 0 ? static_cast<unsigned>(end_ - line_) : first_of(blank_behind_value);
     auto const kind = value_kind(block_, line_, below(value_end) & ~below(value));
     if (!kind || !is_clean_from(value_end)) return false;
 
@@ -211,12 +212,14 @@ class LineReader {
       return line_ + TextBlock::size - std::countl_zero(content & below(mark));
     }
     if (!is_long()) return end_;
-    std::string_view const rest(line_ + TextBlock::size, static_cast<std::size_t>(end_ - line_) - TextBlock::size);
+    std::string_view const rest(line_ + TextBlock::size,
+                                static_cast<std::size_t>(end_ - line_) - TextBlock::size);
     return rest.find_first_of("\"(") == std::string_view::npos ? end_ : nullptr;
   }
 
   [[nodiscard]] Span span(char const* begin, char const* end) const {
-    return {.begin = static_cast<std::uint32_t>(begin - text_), .end = static_cast<std::uint32_t>(end - text_)};
+    return {.begin = static_cast<std::uint32_t>(begin - text_),
+            .end = static_cast<std::uint32_t>(end - text_)};
   }
 
   char const* text_;

@@ -23,6 +23,7 @@ struct RegularLine {
 
 /// Reads the line that begins at `line` in the text from `text` to `end`; spans count from `text`. At least
 /// TextBlock::size bytes follow `line`. `Ende` and everything behind it are irregular.
-[[nodiscard]] RegularLine read_regular_line(char const* text, char const* line, char const* end, bool windows_1252);
+[[nodiscard]] RegularLine read_regular_line(char const* text, char const* line, char const* end,
+                                            bool windows_1252);
 
 }  // namespace axisc::grammar

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -20,6 +21,41 @@ void drop_common_ends(std::string_view& a, std::string_view& b) {
   }
 }
 
+constexpr std::size_t word_bits = 64;
+
+/// A column of the table as bits, one for each letter of `a`, which has at most 64: Myers' algorithm in the form of Hyyrö
+/// (2003), which knows swaps. `rise` and `fall` say where the column goes up and down by one, `diagonal` where it repeats
+/// the value up and left of it.
+std::size_t distance_in_words(std::string_view a, std::string_view b, std::size_t limit) {
+  std::array<std::uint64_t, 256> places{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    places[static_cast<unsigned char>(a[i])] |= std::uint64_t{1} << i;
+  }
+  std::uint64_t const last = std::uint64_t{1} << (a.size() - 1);
+  std::uint64_t rise = ~std::uint64_t{0};
+  std::uint64_t fall = 0;
+  std::uint64_t diagonal = 0;
+  std::uint64_t matches_before = 0;
+  std::size_t distance = a.size();
+  for (std::size_t j = 0; j < b.size(); ++j) {
+    std::uint64_t const matches = places[static_cast<unsigned char>(b[j])];
+    std::uint64_t const swaps = ((~diagonal & matches) << 1U) & matches_before;
+    diagonal = (((matches & rise) + rise) ^ rise) | matches | fall | swaps;
+    std::uint64_t right_up = fall | ~(diagonal | rise);
+    std::uint64_t right_down = diagonal & rise;
+    if ((right_up & last) != 0) ++distance;
+    if ((right_down & last) != 0) --distance;
+    // Every letter of `b` that is left takes away one at most.
+    if (distance > limit + (b.size() - 1 - j)) return limit + 1;
+    right_up = (right_up << 1U) | 1U;
+    right_down <<= 1U;
+    rise = right_down | ~(diagonal | right_up);
+    fall = diagonal & right_up;
+    matches_before = matches;
+  }
+  return distance;
+}
+
 }  // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t limit) {
@@ -28,6 +64,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t li
   drop_common_ends(a, b);
   if (a.size() > b.size()) std::swap(a, b);
   if (b.size() - a.size() > limit) return beyond;
+  if (a.empty()) return b.size();
+  if (a.size() <= word_bits) return std::min(distance_in_words(a, b, limit), beyond);
 
   // The usual table, of which three rows are kept. Only cells within `limit` of the diagonal can count; the cells beside
   // that band hold a value that is never the smallest.

@@ -52,7 +52,7 @@ bool has_more_than(std::size_t limit, Letters letters) {
   return letters != 0;
 }
 
-bool is_certainly_beyond(Outline const& a, Outline const& b, std::size_t limit) {
+inline bool is_certainly_beyond(Outline const& a, Outline const& b, std::size_t limit) {
   std::size_t const difference = a.size > b.size ? a.size - b.size : b.size - a.size;
   return difference > limit || has_more_than(limit, a.letters & ~b.letters) ||
          has_more_than(limit, b.letters & ~a.letters);
@@ -101,7 +101,8 @@ class PartComparison {
       if (slips <= limit_) return static_cast<std::uint8_t>(slips);
     }
     // A whole word of the other brings no letter that the other has not.
-    bool const contained = (outline_.letters & ~wanted.letters) == 0 || (wanted.letters & ~outline_.letters) == 0;
+    bool const contained =
+        (outline_.letters & ~wanted.letters) == 0 || (wanted.letters & ~outline_.letters) == 0;
     return contained && resembles(given_, words_.texts[part]) ? resembling : unlike;
   }
 

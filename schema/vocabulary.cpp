@@ -20,7 +20,13 @@ Letters letters_of(std::string_view text) {
 }
 
 Vocabulary take_apart(std::span<Parameter const> rows) {
-  Vocabulary vocabulary{.rows = rows, .parts = {}, .names = {}, .parts_of = {}, .last_parts = {}, .names_with = {}, .names_of_size = {}};
+  Vocabulary vocabulary{.rows = rows,
+                        .parts = {},
+                        .names = {},
+                        .parts_of = {},
+                        .last_parts = {},
+                        .names_with = {},
+                        .names_of_size = {}};
   std::map<std::string, std::size_t, std::less<>> places;
   for (Parameter const& parameter : rows) {
     std::string bare(parameter.name);

@@ -34,8 +34,8 @@ struct NotCompiled {
 };
 
 struct CheckResult {
-  std::vector<Finding> findings;          ///< in output order
-  std::optional<Machine> machine;         ///< only where it is wanted, without errors, and not of an NC program
+  std::vector<Finding> findings;   ///< in output order
+  std::optional<Machine> machine;  ///< only where it is wanted, without errors, and not of an NC program
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it

@@ -121,9 +121,10 @@ EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
 EffectiveValue& EffectiveValues::replace(schema::Slot slot) {
   std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
   if (entry == 0) {
-    EffectiveValue& added = entries_.emplace_back();
+    EffectiveValue added;
     added.slot = slot;
     added.row = &catalogue_.parameter_of(slot);
+    entries_.push_back(std::move(added));
     entry = static_cast<std::uint32_t>(entries_.size());
     set_slots_.push_back(slot);
   }

@@ -22,7 +22,7 @@ struct LoadedList {
   schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;
-  std::vector<Reading> readings;  ///< one per assignment of the tree
+  std::vector<Reading> readings;        ///< one per assignment of the tree
   std::vector<std::uint32_t> doubtful;  ///< see doubtful_readings()
   std::vector<LostAssignment> lost;
 };

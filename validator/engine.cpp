@@ -24,9 +24,7 @@ bool uses_cycle_time(EffectiveValues const& values) {
 class Engine {
  public:
   Engine(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources)
-      : machine_(machine),
-        sources_(sources),
-        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
+      : machine_(machine), sources_(sources), cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
     for (Rule const& rule : rules()) {
       bool const shown = options.pedantic || rule.severity != Severity::note;
       bool const is_disabled =

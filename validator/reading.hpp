@@ -34,6 +34,9 @@ struct Reference {
 [[nodiscard]] Reference read_reference(std::string_view text);
 
 struct Reading {
+  /// Written out: before a defaulted one, containers clear all the bytes, which takes as long as a look-up.
+  Reading() noexcept {}  // NOLINT(modernize-use-equals-default)
+
   schema::NameLookup name;
   ReadingStatus status = ReadingStatus::not_judged;
   NumberStatus number = NumberStatus::good;

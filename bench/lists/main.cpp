@@ -142,7 +142,8 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
               findings += grammar::parse_axis_list(text, 0, false, grammar::Way::by_grammar).lines;
             })},
       {"axisc, regular lines without it", size_of(texts), fleet.pairs,
-       each(texts, [](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false).lines; })},
+       each(texts,
+            [](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false).lines; })},
       {"axisc, single parameters", size_of(texts), fleet.pairs, [&] { check_all(texts, ranges); }},
       {"axisc, all rules", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
       {"inih", size_of(fleet.ini), fleet.pairs,
@@ -162,7 +163,8 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
   if (only.empty() || only == "mistakes") print_codes("a mistake in every line", fleet.mistakes);
   std::vector<Contender> storm = {
       {"axisc, all rules, sound", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
-      {"axisc, all rules, mistakes", size_of(fleet.mistakes), fleet.pairs, [&] { check_all(fleet.mistakes, all); }},
+      {"axisc, all rules, mistakes", size_of(fleet.mistakes), fleet.pairs,
+       [&] { check_all(fleet.mistakes, all); }},
   };
   if (only.empty() || only == "mistakes") measure(storm, 0, rounds, "lines/s");
 }

@@ -1,24 +1,30 @@
-// Files that are strings in memory.
+// Files that are texts in memory, of which a reader gets a copy, as from a disk.
 #pragma once
 
 #include "validator/files.hpp"
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 namespace axisc::bench {
 
 class MemoryFiles final : public validator::Files {
  public:
-  void put(std::string path, std::string content) { contents_.insert_or_assign(std::move(path), std::move(content)); }
+  /// `content` lives longer than this.
+  void put(std::string path, std::string_view content) {
+    contents_.insert_or_assign(std::move(path), content);
+  }
   std::variant<std::string, validator::FileError> read(std::string const& path) override {
     auto const content = contents_.find(path);
     if (content == contents_.end()) return validator::FileError::not_found;
-    return content->second;
+    return std::string(content->second);
   }
 
  private:
-  std::map<std::string, std::string> contents_;
+  std::map<std::string, std::string_view> contents_;
 };
 
 }  // namespace axisc::bench

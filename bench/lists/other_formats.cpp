@@ -17,7 +17,8 @@ std::string json_value(Entry const& entry) {
       return entry.value == "TRUE" || entry.value == "1" ? "true" : "false";
     }
   }
-  if (entry.value.substr(0, 2) == "0x") return std::to_string(std::strtoull(entry.value.c_str(), nullptr, 16));
+  if (entry.value.substr(0, 2) == "0x")
+    return std::to_string(std::strtoull(entry.value.c_str(), nullptr, 16));
   return entry.value;
 }
 
@@ -29,9 +30,10 @@ struct Node {
 void write_node(Node const& node, std::string const& indent, std::string& text) {
   for (Entry const& property : node.properties) {
     bool const is_cell = property.kind == EntryKind::integer && property.value.front() != '-';
-    std::string const value = property.kind == EntryKind::boolean ? "<" + std::string(json_value(property) == "true" ? "1" : "0") + ">"
-                              : is_cell                           ? "<" + property.value + ">"
-                                                                  : '"' + property.value + '"';
+    std::string const value = property.kind == EntryKind::boolean
+                                  ? "<" + std::string(json_value(property) == "true" ? "1" : "0") + ">"
+                              : is_cell ? "<" + property.value + ">"
+                                        : '"' + property.value + '"';
     text += indent + property.name + " = " + value + ";\n";
   }
   for (auto const& [name, child] : node.children) {

@@ -1,6 +1,5 @@
-#include "lists/readers.hpp"
-
 #include "grammar/plain_scanner.hpp"
+#include "lists/readers.hpp"
 
 #include <charconv>
 

@@ -1,10 +1,9 @@
 #include "lists/readers.hpp"
 
 #include <charconv>
+#include <ini.h>
 
 #include <nlohmann/json.hpp>
-
-#include <ini.h>
 
 namespace axisc::bench {
 namespace {

@@ -24,7 +24,8 @@ void Simdjson::read_document(std::string const& json, EntryTable& table) {
     } else if (value.is_string()) {
       table.word(*parameter, value.get_string().value());
     } else {
-      table.number(*parameter, value.is_double() ? value.get_double().value() : static_cast<double>(value.get_int64().value()));
+      table.number(*parameter, value.is_double() ? value.get_double().value()
+                                                 : static_cast<double>(value.get_int64().value()));
     }
   }
 }

@@ -21,7 +21,8 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-void measure(std::vector<Contender> const& contenders, std::size_t reference, std::size_t rounds, char const* items) {
+void measure(std::vector<Contender> const& contenders, std::size_t reference, std::size_t rounds,
+             char const* items) {
   std::vector<std::vector<double>> times(contenders.size());
   for (std::size_t round = 0; round <= rounds; ++round) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {

@@ -17,6 +17,7 @@ struct Contender {
 
 /// Runs and prints: medians of time, bytes and items per second, and how many items the contender gets through in the time
 /// in which `reference` gets through one.
-void measure(std::vector<Contender> const& contenders, std::size_t reference, std::size_t rounds, char const* items);
+void measure(std::vector<Contender> const& contenders, std::size_t reference, std::size_t rounds,
+             char const* items);
 
 }  // namespace axisc::bench

@@ -80,8 +80,8 @@ std::string boolean(Random& random) {
 }
 
 std::string text(Parameter const& parameter, Random& random) {
-  constexpr std::array<std::string_view, 8> words = {"X_Achse", "S_0_0047", "ISTWERT", "Antrieb", "Geber_1",
-                                                     "P_0_0434", "Referenz", "NC"};
+  constexpr std::array<std::string_view, 8> words = {"X_Achse", "S_0_0047", "ISTWERT",  "Antrieb",
+                                                     "Geber_1", "P_0_0434", "Referenz", "NC"};
   std::string word(words[random.below(words.size())]);
   if (parameter.max_length != 0) word = word.substr(0, parameter.max_length);
   return word;
@@ -93,8 +93,8 @@ bool is_free(Parameter const& parameter) {
   bool const is_tied = std::any_of(tied.begin(), tied.end(), [&](std::string_view prefix) {
     return parameter.name.substr(0, prefix.size()) == prefix;
   });
-  bool const is_limited = parameter.minimum.kind == Limit::Kind::parameter ||
-                          parameter.maximum.kind == Limit::Kind::parameter;
+  bool const is_limited =
+      parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
   return !is_tied && !is_limited && !is_limit_of_another(parameter) && parameter.axis_types.empty();
 }
 

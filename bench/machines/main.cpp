@@ -13,9 +13,8 @@
 #include <cstdlib>
 #include <string>
 #include <string_view>
-#include <vector>
-
 #include <sys/resource.h>
+#include <vector>
 
 namespace axisc::bench {
 namespace {
@@ -30,11 +29,13 @@ struct MachineTexts {
 
 /// A kernel that no other machine has.
 std::string kernel_list(std::size_t number, Random& random) {
-  std::string text = "filter_fir.enable 1\nfilter_fir.order " + std::to_string(100 + random.below(101)) + "\n";
+  std::string text =
+      "filter_fir.enable 1\nfilter_fir.order " + std::to_string(100 + random.below(101)) + "\n";
   if (number % 2 == 0) {
     text += "filter_fir.type 2\nfilter_fir.quality 0." + std::to_string(100000 + number) + "\n";
   } else {
-    text += "filter_fir.type 3\nfilter_fir.fcut " + std::to_string(20 + number % 40) + "." + std::to_string(number) + "\n";
+    text += "filter_fir.type 3\nfilter_fir.fcut " + std::to_string(20 + number % 40) + "." +
+            std::to_string(number) + "\n";
   }
   return text + "Ende\n";
 }

@@ -296,6 +296,15 @@ TEST_CASE("a cache that is too small, or of bad size, is no obstacle") {
   CHECK_THAT(outcome.err, Contains("the cache /proc/nowhere/cache cannot be used"));
 }
 
+TEST_CASE("a cache that cannot be written any more keeps nothing, and says so at the end") {
+  TemporaryFolder const folder;
+  CacheStore store(folder / "cache", 1'000'000);
+  fs::remove_all(folder / "cache");
+  store.add({.high = 1, .low = 2}, "content");
+  store.add({.high = 1, .low = 3}, "content");
+  CHECK_THROWS_WITH(store.finish(), Contains("cannot write"));
+}
+
 TEST_CASE("many processes share a cache") {
   Plant const plant;
   for (int i = 0; i < 40; ++i) plant.folder.write("more/" + std::to_string(i) + ".lis", mistakes());

@@ -140,6 +140,17 @@ TEST_CASE("names that cannot be are usage errors, and nothing is written") {
         "--input-folder goes with --output-folder only");
 }
 
+TEST_CASE("a batch without any input that is there fails cleanly") {
+  Plant const plant;
+  plant.folder.write("names.txt", "missing.lis\n");
+  for (std::string const format : {"text", "sarif"}) {
+    auto const batch = plant.compile({"@names.txt", "--output-folder", "out", "--format", format});
+    CHECK(batch.status == 2);
+    CHECK_THAT(batch.err, Contains("cannot read missing.lis, named in names.txt:1"));
+    CHECK(plant.compile({"@names.txt", "-o", "x.axim", "--format", format}).status == 2);
+  }
+}
+
 TEST_CASE("the shards of a batch write every image once") {
   Plant const plant;
   REQUIRE(plant.compile({".", "--output-folder", "whole"}).status == 0);

@@ -198,7 +198,8 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
 }
 
 TEST_CASE("every command has its own help in both languages") {
-  for (std::string const command : {"lint", "fmt", "compile", "inspect", "run", "response", "explain"}) {
+  for (std::string const command :
+       {"lint", "fmt", "compile", "merge", "inspect", "run", "response", "explain"}) {
     auto const english = run_axisc({command, "--help"});
     auto const german = run_axisc({command, "--help", "--lang", "de"});
     CHECK(english.status == 0);

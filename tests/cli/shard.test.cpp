@@ -104,6 +104,8 @@ TEST_CASE("merged shards are the whole run, byte for byte") {
       CHECK(whole.status == 2);
       CHECK(plant.run_shards(arguments, count) == 2);
       check_same(plant.merge(count), whole);
+      CHECK(plant.merge(count, {"-o", "all"}).out.empty());
+      CHECK(plant.folder.read("all") == whole.out);
       if (format == "sarif")
         CHECK(sarif_complaints(plant.folder.read("1.result")) == std::vector<std::string>{});
     }
@@ -175,6 +177,9 @@ TEST_CASE("what is no set of shards is refused") {
   plant.folder.write("cut.result", second.substr(0, second.size() / 2));
   check({"1.result", "cut.result", "3.result"}, "cut.result is damaged");
   plant.folder.write("whole.result", plant.run({"lint", ".", "--format", "json"}).out);
+  plant.folder.write("old", "old");
+  check({"1.result", "2.result", "-o", "old"}, "shard 3/3 is missing");
+  CHECK(plant.folder.read("old") == "old");
   check({"whole.result"}, "was not written by `axisc lint --shard");
   check({"shared.lis"}, "is damaged");
   for (std::vector<std::string> const& other : std::vector<std::vector<std::string>>{

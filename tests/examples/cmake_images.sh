@@ -11,6 +11,7 @@ mv "$folder/installed" "$folder/moved"  # an install tree may lie anywhere
 cp -r "$source/samples" "$folder/lists"
 
 for generator in Ninja "Unix Makefiles"; do
+  [ "$generator" = Ninja ] || command -v make >/dev/null || continue
   tree="$folder/${generator// /_}"
   cmake -S "$source/examples/cmake" -B "$tree" -G "$generator" -DCMAKE_PREFIX_PATH="$folder/moved" \
     -DAXISC_EXAMPLE_LISTS="$folder/lists" >/dev/null

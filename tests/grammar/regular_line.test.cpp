@@ -34,44 +34,93 @@ rc::Gen<std::string> one_of(std::vector<std::string> const& texts) {
 
 /// Names, right and wrong in every bracket and point.
 rc::Gen<std::string> name() {
-  auto const piece = one_of({"a", "b7", "_", "filter", "[", "]", "[0]", "[12]", ".", ".x", "9", "-", "P-", "\xE4"});
-  auto const usual = one_of({"filter[0].order", "kopf.achs_nr", "a[1].b[22].c", "ende", "Ende", "a[1[2]].b", "a[1]2].c",
-                             "a1].b[0", "antr.sercos.mdt[3].a_name_that_is_longer_than_usual_by_a_good_deal_of_letters"});
-  auto const joined = rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
-    std::string text;
-    for (std::string const& each : pieces) text += each;
-    return text;
-  });
+  auto const piece =
+      one_of({"a", "b7", "_", "filter", "[", "]", "[0]", "[12]", ".", ".x", "9", "-", "P-", "\xE4"});
+  auto const usual =
+      one_of({"filter[0].order", "kopf.achs_nr", "a[1].b[22].c", "ende", "Ende", "a[1[2]].b", "a[1]2].c",
+              "a1].b[0", "antr.sercos.mdt[3].a_name_that_is_longer_than_usual_by_a_good_deal_of_letters"});
+  auto const joined =
+      rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
+        std::string text;
+        for (std::string const& each : pieces) text += each;
+        return text;
+      });
   return rc::gen::oneOf(usual, joined);
 }
 
 rc::Gen<std::string> value() {
-  auto const usual = one_of({"1", "0", "007", "-5", "+5", "+", "-", "0x1F", "0x", "-0x1", "0xG", "1.5", ".5", "5.", ".", "-.5",
-                             "00.5", "1e5", "1e+5", "1e", "1.e5", "e5", "1.5e-3", "1e5x", "1.2.3", "1,8", "LOWPASS", "TRUE",
-                             "P-AXIS-00212", "P-AXIS-00212.0", "P_1", "\"quoted text\"", "\"open", "wo(rt", "w\xC3\xA4", "a\"b",
-                             "%x", "/path", "/*", "(", "#", "12abc", "0X7f", "1E5"});
-  auto const piece = one_of({"1", "0", "7", ".", "e", "E", "x", "+", "-", "a", "F", "(", "\"", "\xC3\xA4", "/"});
-  auto const joined = rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
-    std::string text;
-    for (std::string const& each : pieces) text += each;
-    return text;
-  });
+  auto const usual = one_of({"1",
+                             "0",
+                             "007",
+                             "-5",
+                             "+5",
+                             "+",
+                             "-",
+                             "0x1F",
+                             "0x",
+                             "-0x1",
+                             "0xG",
+                             "1.5",
+                             ".5",
+                             "5.",
+                             ".",
+                             "-.5",
+                             "00.5",
+                             "1e5",
+                             "1e+5",
+                             "1e",
+                             "1.e5",
+                             "e5",
+                             "1.5e-3",
+                             "1e5x",
+                             "1.2.3",
+                             "1,8",
+                             "LOWPASS",
+                             "TRUE",
+                             "P-AXIS-00212",
+                             "P-AXIS-00212.0",
+                             "P_1",
+                             "\"quoted text\"",
+                             "\"open",
+                             "wo(rt",
+                             "w\xC3\xA4",
+                             "a\"b",
+                             "%x",
+                             "/path",
+                             "/*",
+                             "(",
+                             "#",
+                             "12abc",
+                             "0X7f",
+                             "1E5"});
+  auto const piece =
+      one_of({"1", "0", "7", ".", "e", "E", "x", "+", "-", "a", "F", "(", "\"", "\xC3\xA4", "/"});
+  auto const joined =
+      rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
+        std::string text;
+        for (std::string const& each : pieces) text += each;
+        return text;
+      });
   return rc::gen::oneOf(usual, joined);
 }
 
 rc::Gen<std::string> trailer() {
-  return one_of({"", "", "( Kommentar", "(geschlossen) mehr", "# Zahl", "/* Stern */", "/ Strich", "5", "text \"mit\" (Quote",
-                 "( l\xE4nger", "( l\xC3\xA4nger", "( \xC2\x85", "( \x81", "( axisc: allow AX3005", "\x01",
-                 "( so lang, dass der Kommentar gewiss bis weit hinter das Ende eines Blocks reicht \xC3\xBC \"",
-                 "ohne Klammer, aber so lang, dass er gewiss bis weit hinter das Ende eines Blocks reicht (jetzt"});
+  return one_of(
+      {"", "", "( Kommentar", "(geschlossen) mehr", "# Zahl", "/* Stern */", "/ Strich", "5",
+       "text \"mit\" (Quote", "( l\xE4nger", "( l\xC3\xA4nger", "( \xC2\x85", "( \x81",
+       "( axisc: allow AX3005", "\x01",
+       "( so lang, dass der Kommentar gewiss bis weit hinter das Ende eines Blocks reicht \xC3\xBC \"",
+       "ohne Klammer, aber so lang, dass er gewiss bis weit hinter das Ende eines Blocks reicht (jetzt"});
 }
 
 rc::Gen<std::string> line() {
   auto const blanks = one_of({" ", "\t", "  ", "          ", std::string(40, ' '), std::string(60, ' '), ""});
   auto const line_end = one_of({"\n", "\r\n", " \n", "\t \r\n", "\r\r\n", "\r", ""});
-  return rc::gen::map(rc::gen::tuple(one_of({"", "", "", " ", "\t", "#", "( "}), name(), blanks, value(), blanks, trailer(), line_end),
+  return rc::gen::map(rc::gen::tuple(one_of({"", "", "", " ", "\t", "#", "( "}), name(), blanks, value(),
+                                     blanks, trailer(), line_end),
                       [](auto const& parts) {
-                        return std::apply([](auto const&... part) { return (std::string() + ... + part); }, parts);
+                        return std::apply([](auto const&... part) { return (std::string() + ... + part); },
+                                          parts);
                       });
 }
 

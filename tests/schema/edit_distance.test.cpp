@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -75,6 +76,34 @@ TEST_CASE("longer words tolerate more slips") {
   CHECK(tolerable_distance(5) == 1);
   CHECK(tolerable_distance(6) == 2);
   CHECK(tolerable_distance(100) == 4);
+}
+
+TEST_CASE("long words are compared like short ones") {
+  std::mt19937 random(2);
+  auto const word = [&random](std::size_t size) {
+    std::string text(size, ' ');
+    for (char& byte : text) byte = static_cast<char>('a' + random() % 4);
+    return text;
+  };
+  for (int round = 0; round < 400; ++round) {
+    // On both sides of what fits one word of the processor, ends that differ so that nothing is cut off.
+    std::string const a = 'x' + word(random() % 90) + 'x';
+    std::string b = 'y' + word(random() % 90) + 'y';
+    if (round % 2 == 0) {
+      b = 'y' + a.substr(1, a.size() - 2) + 'y';
+      for (std::size_t slips = random() % 6; slips > 0; --slips) {
+        std::size_t const at = random() % (b.size() - 1);
+        std::swap(b[at], b[at + 1]);
+        b.insert(random() % b.size(), 1, 'c');
+      }
+    }
+    std::size_t const distance = plain_distance(a, b);
+    for (std::size_t const limit :
+         {std::size_t{0}, std::size_t{2}, std::size_t{4}, distance, a.size() + b.size()}) {
+      INFO(a << ' ' << b << ' ' << limit);
+      REQUIRE(edit_distance(a, b, limit) == std::min(distance, limit + 1));
+    }
+  }
 }
 
 }  // namespace

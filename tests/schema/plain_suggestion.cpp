@@ -59,7 +59,8 @@ bool resembles(std::string_view a, std::string_view b) {
   return (at == 0 || b[at - 1] == '_') && (end == b.size() || b[end] == '_');
 }
 
-std::optional<std::size_t> cost_by_parts(std::vector<std::string> const& given, std::vector<std::string> const& known) {
+std::optional<std::size_t> cost_by_parts(std::vector<std::string> const& given,
+                                         std::vector<std::string> const& known) {
   if (!agrees(given.back(), known.back()) && !resembles(given.back(), known.back())) return std::nullopt;
   std::size_t const common = std::min(given.size(), known.size());
   std::size_t cost = missing_part * (std::max(given.size(), known.size()) - common);
@@ -111,7 +112,8 @@ std::vector<std::string> suggest_names_plainly(std::string_view name) {
     }
     if (!cost) continue;
     std::size_t const wanted = parameter.index_count();
-    std::size_t const difference = wanted > indices.size() ? wanted - indices.size() : indices.size() - wanted;
+    std::size_t const difference =
+        wanted > indices.size() ? wanted - indices.size() : indices.size() - wanted;
     meant.push_back({*cost, difference, distance, &parameter});
   }
   std::sort(meant.begin(), meant.end());
