@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -36,7 +37,15 @@ class OrderedWork {
         pieces_((tasks.count + piece_ - 1) / piece_),
         window_(std::size_t{4} * threads) {
     auto const wanted = std::min<std::size_t>(threads, pieces_);
-    for (std::size_t i = 0; i < wanted; ++i) threads_.emplace_back([this] { run(); });
+    for (std::size_t i = 0; i < wanted; ++i) {
+      try {
+        threads_.emplace_back([this] { run(); });
+      } catch (std::system_error const&) {
+        // Fewer threads than wanted do the same work.
+        if (threads_.empty()) throw;
+        break;
+      }
+    }
   }
   OrderedWork(OrderedWork const&) = delete;
   OrderedWork& operator=(OrderedWork const&) = delete;
