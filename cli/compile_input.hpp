@@ -34,6 +34,6 @@ struct CompiledInput {
 
 // As a cache keeps it; an input with a failure is not kept.
 [[nodiscard]] std::string to_bytes(CompiledInput const& compiled);
-[[nodiscard]] std::optional<CompiledInput> read_compiled_input(std::string_view bytes);
+[[nodiscard]] std::optional<CompiledInput> read_compiled_input(std::string_view text);
 
 }  // namespace axisc::cli
