@@ -138,8 +138,9 @@ class Lint {
                             .take =
                                 [&](std::size_t i, CheckedInput&& input) {
                                   auto const number = part_.chosen[i];
-                                  if (input.failure)
+                                  if (input.failure) {
                                     fail(report, inputs_.failures.size() + number, *input.failure);
+                                  }
                                   report.add(number, input);
                                   progress.show(i + 1, part_.chosen.size());
                                 },

@@ -17,6 +17,9 @@ constexpr std::size_t rounded(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
+/// With the zero behind it.
+constexpr std::string_view gnu_name{ELF_NOTE_GNU, sizeof ELF_NOTE_GNU};
+
 /// The identity among the notes of a program segment; empty where it is not there.
 std::string_view build_identity(std::string_view notes) {
   while (notes.size() >= sizeof(ElfW(Nhdr))) {
@@ -26,7 +29,7 @@ std::string_view build_identity(std::string_view notes) {
     auto const content = name + rounded(note.n_namesz);
     auto const end = content + rounded(note.n_descsz);
     if (end > notes.size()) break;
-    bool const is_gnu = notes.substr(name, note.n_namesz) == std::string_view("GNU", 4);
+    bool const is_gnu = notes.substr(name, note.n_namesz) == gnu_name;
     if (is_gnu && note.n_type == NT_GNU_BUILD_ID) return notes.substr(content, note.n_descsz);
     notes.remove_prefix(end);
   }
@@ -39,8 +42,8 @@ int find_identity(dl_phdr_info* object, std::size_t /*size*/, void* identity) {
     auto const& segment = object->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
     // The notes lie where the program was loaded.
-    auto const* const notes = reinterpret_cast<char const*>(
-        object->dlpi_addr + segment.p_vaddr);  // NOLINT(performance-no-int-to-ptr)
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    auto const* const notes = reinterpret_cast<char const*>(object->dlpi_addr + segment.p_vaddr);
     auto const found = build_identity({notes, segment.p_memsz});
     if (!found.empty()) *static_cast<std::string*>(identity) = found;
   }

@@ -30,8 +30,9 @@ void require_arguments(ReplayWords const& words) {
 }
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
-  if (status == AXISRT_NO_LEVEL)
+  if (status == AXISRT_NO_LEVEL) {
     return Failure({.text = Text::cli_replay_level, .arguments = {{"file", path}}});
+  }
   Text const text = status == AXISRT_OTHER_IMAGE ? Text::ax9004_other_image : Text::ax9004_recording;
   return Failure({.text = text, .arguments = {{"file", path}, {"status", axisrt_status_name(status)}}},
                  not_an_image);
@@ -43,8 +44,9 @@ codegen::Recording open_recording(std::string const& path, ImageFile const& imag
   if (auto const* const error = std::get_if<validator::FileError>(&read)) throw unreadable(path, *error);
   auto recording =
       codegen::Recording::open(image.bytes.bytes(), std::as_bytes(std::span(std::get<std::string>(read))));
-  if (auto const* const status = std::get_if<axisrt_status>(&recording))
+  if (auto const* const status = std::get_if<axisrt_status>(&recording)) {
     throw unusable_recording(path, *status);
+  }
   return std::get<codegen::Recording>(std::move(recording));
 }
 

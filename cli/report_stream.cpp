@@ -55,6 +55,7 @@ void ReportStream::add(std::size_t number, CheckedInput const& checked) {
   if (checked.assumption && !std::exchange(assumption_said_, true)) show(*checked.assumption);
   for (auto const& finding : checked.findings) show(finding);
   std::vector<std::size_t> artifacts;
+  artifacts.reserve(used.size());
   for (auto const index : used) artifacts.push_back(number_of(checked.artifacts[index]));
   if (!plan_.shard || shown == 0) return;
   plan_.shard->inputs.push_back({.number = number, .findings = shown, .artifacts = std::move(artifacts)});

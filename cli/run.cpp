@@ -66,15 +66,17 @@ double number(std::optional<std::string> const& word, char const* option, double
 std::uint64_t count(std::optional<std::string> const& word, char const* option, std::uint64_t otherwise) {
   if (!word) return otherwise;
   auto const value = parse_count(*word);
-  if (!value)
+  if (!value) {
     throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", option}, {"value", *word}}});
+  }
   return *value;
 }
 
 /// How many cycles shall be recorded; none without `--record`.
 std::optional<std::uint32_t> cycles_to_record(RunWords const& words) {
-  if (!words.record && words.record_cycles)
+  if (!words.record && words.record_cycles) {
     throw Failure({.text = Text::cli_record_missing, .arguments = {}});
+  }
   if (!words.record) return std::nullopt;
   auto const cycles = count(words.record_cycles, "--record-cycles", default_record_cycles);
   if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
