@@ -173,9 +173,10 @@ SelfTest make_self_test(design::KernelDesign const& kernel) {
   for (std::size_t n = 0; n < test.input.size(); ++n) {
     Number y = test.input[n];
     // From the latest one on, as the runtime adds them up.
-    for (auto increment = increments.rbegin(); increment != increments.rend(); ++increment) {
-      if (increment->cycle > n || n - increment->cycle >= tails.size()) continue;
-      y -= exact_tails[n - increment->cycle] * increment->d;
+    for (std::size_t i = increments.size(); i-- > 0;) {
+      auto const& [cycle, d] = increments[i];
+      if (cycle > n || n - cycle >= tails.size()) continue;
+      y -= exact_tails[n - cycle] * d;
     }
     test.output.push_back(static_cast<double>(y));
   }
