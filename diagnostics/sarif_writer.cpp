@@ -244,8 +244,9 @@ std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceS
   std::vector<Artifact> artifacts;
   for (SourceId const id : used) {
     SourceText const& source = sources[id];
-    if (named.insert(shown_path(paths, source.name())).second)
+    if (named.insert(shown_path(paths, source.name())).second) {
       artifacts.push_back({source.name(), source.encoding()});
+    }
   }
   return artifacts;
 }

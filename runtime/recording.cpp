@@ -241,8 +241,9 @@ axisrt_status axisrt_recorder_start(axisrt* runtime, axisrt_config const* config
   using namespace axisc::runtime;
   if (recorder == nullptr) return AXISRT_BAD_ARGUMENT;
   *recorder = nullptr;
-  if (runtime == nullptr || config == nullptr || config->size != sizeof(axisrt_config))
+  if (runtime == nullptr || config == nullptr || config->size != sizeof(axisrt_config)) {
     return AXISRT_BAD_ARGUMENT;
+  }
   if (runtime->recorder != nullptr || runtime->change->predecessor != nullptr) return AXISRT_BUSY;
   return start(*runtime, *config, cycles, *recorder);
 }
@@ -270,7 +271,8 @@ axisrt_status axisrt_restore(axisrt_config const* config, void const* dump, size
   using namespace axisc::runtime;
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   *runtime = nullptr;
-  if (config == nullptr || dump == nullptr || config->size != sizeof(axisrt_config))
+  if (config == nullptr || dump == nullptr || config->size != sizeof(axisrt_config)) {
     return AXISRT_BAD_ARGUMENT;
+  }
   return restore(*config, static_cast<uint8_t const*>(dump), size, *runtime);
 }

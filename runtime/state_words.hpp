@@ -32,8 +32,9 @@ class StateWalk {
  private:
   bool port(Port const& from, Port const& to) {
     bool good = true;
-    for (uint32_t i = 0; i < from.batch_count && good; ++i)
+    for (uint32_t i = 0; i < from.batch_count && good; ++i) {
       good = batch(from, from.batches[i], to.batches[i]);
+    }
     return good;
   }
 

@@ -64,6 +64,8 @@ axisrt_status step_setpoints_in_company(axisrt const& runtime, Call const& call)
 }  // namespace
 }  // namespace axisc::runtime
 
+// Outputs are written by way of a structure.
+// NOLINTBEGIN(readability-non-const-parameter)
 axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
@@ -80,3 +82,4 @@ axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* o
              ? step_in_company(*runtime, &axisrt::additional_interface, axrd_step_interface, call)
              : execute(*runtime, runtime->additional_interface.port, call);
 }
+// NOLINTEND(readability-non-const-parameter)

@@ -121,6 +121,8 @@ axisrt_status record_step(axisrt const& runtime, axisrt_velocities const& in, Ou
 }  // namespace
 }  // namespace axisc::runtime
 
+// Outputs are written by way of a structure.
+// NOLINTBEGIN(readability-non-const-parameter)
 axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in, double* v_add,
                                    double* increments, uint8_t* status) {
   using namespace axisc::runtime;
@@ -131,3 +133,4 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in,
   Outputs const out{.v_add = v_add, .increments = increments, .status = status};
   return runtime->recorder != nullptr ? record_step(*runtime, *in, out) : step_controls(*runtime, *in, out);
 }
+// NOLINTEND(readability-non-const-parameter)
