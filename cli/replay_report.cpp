@@ -137,8 +137,8 @@ void ReplayReport::compare(ReplayedEntry const& entry) {
   if (first_difference_) return;
   first_difference_ = ReplayDifference{.cycle = entry.cycle, .subject = "-"};
   for (std::size_t i = 0; i < entry.recorded.size(); ++i) {
-    if (std::bit_cast<std::uint64_t>(entry.recorded[i]) == std::bit_cast<std::uint64_t>(entry.computed[i]))
-      continue;
+    auto const recorded = std::bit_cast<std::uint64_t>(entry.recorded[i]);
+    if (recorded == std::bit_cast<std::uint64_t>(entry.computed[i])) continue;
     first_difference_->subject = name(entry, i % image_.axes.size());
     first_difference_->recorded = entry.recorded[i];
     first_difference_->computed = entry.computed[i];
