@@ -78,18 +78,18 @@ TEST_CASE("every path is in one shard, whatever the others are") {
     auto const path = "plant/axis" + std::to_string(i) + ".lis";
     std::size_t holders = 0;
     for (std::uint32_t shard = 1; shard <= 5; ++shard) {
-      if (!is_in_shard({.index = shard, .count = 5}, path, "/work")) continue;
+      if (!is_in_shard({.index = shard, .count = 5}, path, "/repository")) continue;
       ++holders;
       ++sizes[shard - 1];
       CHECK(is_in_shard({.index = shard, .count = 5}, "./plant/x/../axis" + std::to_string(i) + ".lis",
-                        "/work"));
-      CHECK(is_in_shard({.index = shard, .count = 5}, "/work/" + path, "/work"));
+                        "/repository"));
+      CHECK(is_in_shard({.index = shard, .count = 5}, "/repository/" + path, "/repository"));
     }
     CHECK(holders == 1);
   }
   for (auto const size : sizes) CHECK((size > 140 && size < 260));
   // The assignment is a promise: caches and reports of earlier runs rely on it.
-  CHECK(is_in_shard({.index = 4, .count = 7}, "axes/x.lis", "/work") ==
+  CHECK(is_in_shard({.index = 4, .count = 7}, "axes/x.lis", "/repository") ==
         is_in_shard({.index = 4, .count = 7}, "axes/x.lis", "/elsewhere"));
 }
 
