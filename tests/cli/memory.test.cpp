@@ -16,6 +16,7 @@ constexpr bool keeps_what_is_freed = false;
 
 }  // namespace
 
+// Some inputs wait for their turn, more of them where more threads finish early; 80 MB of findings do not.
 TEST_CASE("findings of many inputs do not stay in memory") {
   TemporaryFolder const folder;
   std::string list = "kopf.achs_nr 1\n";
@@ -32,6 +33,6 @@ TEST_CASE("findings of many inputs do not stay in memory") {
     CHECK(many.status == few.status);
     INFO(format << ": " << many.out.size() << " bytes of findings");
     CHECK(many.out.size() > std::size_t{35} << 20U);
-    if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + (std::size_t{32} << 20U));
+    if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + (std::size_t{52} << 20U));
   }
 }
