@@ -78,10 +78,7 @@ void Baseline::remove(Identity const& identity, std::uint32_t occurrence) {
 }
 
 Baseline Baseline::read(std::string const& path) {
-  DiskFiles files;
-  auto const bytes = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
-  auto const document = json_type::parse(std::get<std::string>(bytes), nullptr, false);
+  auto const document = json_type::parse(read_whole(path, Dash::is_a_name), nullptr, false);
   if (document.is_discarded() || !document.is_object()) refuse(path, Text::cli_baseline_no_json);
   auto const version = document.find("version");
   auto const findings = document.find("findings");

@@ -154,4 +154,11 @@ Failure unreadable(std::string const& path, FileError error) {
   return Failure({.text = sentence(error), .arguments = {{"file", path}}}, large ? too_large : cannot_read);
 }
 
+std::string read_whole(std::string const& path, Dash dash) {
+  DiskFiles files(dash == Dash::is_standard_input && path == "-");
+  auto bytes = files.read(path);
+  if (auto const* const error = std::get_if<FileError>(&bytes)) throw unreadable(path, *error);
+  return std::get<std::string>(std::move(bytes));
+}
+
 }  // namespace axisc::cli

@@ -4,6 +4,7 @@
 #include "cli/failure.hpp"
 #include "validator/files.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,5 +30,10 @@ class DiskFiles final : public validator::Files {
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
 [[nodiscard]] Failure unreadable(std::string const& path, validator::FileError error);
+
+enum class Dash : std::uint8_t { is_standard_input, is_a_name };
+
+/// The bytes of a file that a command needs whole. Failure where it cannot be read.
+[[nodiscard]] std::string read_whole(std::string const& path, Dash dash = Dash::is_standard_input);
 
 }  // namespace axisc::cli

@@ -40,10 +40,7 @@ Failure unusable_image(std::string const& path, axisrt_status status) {
 }
 
 ImageFile load_image(std::string const& path) {
-  DiskFiles files(path == "-");
-  auto const read = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&read)) throw unreadable(path, *error);
-  auto const& text = std::get<std::string>(read);
+  auto const text = read_whole(path);
   codegen::AlignedBytes bytes(std::as_bytes(std::span(text)));
   auto contents = codegen::read_image(bytes.bytes());
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);

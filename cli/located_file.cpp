@@ -8,19 +8,8 @@
 
 namespace axisc::cli {
 
-namespace {
-
-std::string read_whole(std::string const& path) {
-  DiskFiles files;
-  auto bytes = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
-  return std::get<std::string>(std::move(bytes));
-}
-
-}  // namespace
-
 LocatedFile::LocatedFile(std::string path, Text malformed)
-    : path_(std::move(path)), source_(path_, read_whole(path_)) {
+    : path_(std::move(path)), source_(path_, read_whole(path_, Dash::is_a_name)) {
   auto parsed = validator::parse_json(source_.bytes().substr(source_.text_begin()), source_.text_begin());
   if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
   document_ = std::get<validator::JsonDocument>(std::move(parsed));

@@ -91,12 +91,10 @@ PlantParameters parameters_of(json const& axis, std::string const& path, std::st
 }  // namespace
 
 motion::PlantParameters read_plant(std::string const& path, std::string const& axis) {
-  DiskFiles files(path == "-");
-  auto const read = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&read)) throw unreadable(path, *error);
+  auto const text = read_whole(path);
   json document;
   try {
-    document = json::parse(std::get<std::string>(read), nullptr, true, true);
+    document = json::parse(text, nullptr, true, true);
   } catch (json::parse_error const& error) {
     fail(path, {}, Text::ax9009_json, {{"reason", error.what()}});
   }

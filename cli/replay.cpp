@@ -39,11 +39,8 @@ void require_arguments(ReplayWords const& words) {
 }
 
 codegen::Recording open_recording(std::string const& path, ImageFile const& image) {
-  DiskFiles files(path == "-");
-  auto const read = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&read)) throw unreadable(path, *error);
-  auto recording =
-      codegen::Recording::open(image.bytes.bytes(), std::as_bytes(std::span(std::get<std::string>(read))));
+  auto const bytes = read_whole(path);
+  auto recording = codegen::Recording::open(image.bytes.bytes(), std::as_bytes(std::span(bytes)));
   if (auto const* const status = std::get_if<axisrt_status>(&recording)) {
     throw unusable_recording(path, *status);
   }

@@ -14,13 +14,6 @@ namespace axisc::cli {
 
 namespace {
 
-std::string read_whole(std::string const& file) {
-  DiskFiles files(file == "-");
-  auto bytes = files.read(file);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(file, *error);
-  return std::get<std::string>(std::move(bytes));
-}
-
 /// 'it'\''s' is it's, as shells read it.
 std::string without_quotes(std::string_view name) {
   if (name.size() < 2 || !name.starts_with('\'') || !name.ends_with('\'')) return std::string(name);

@@ -14,13 +14,6 @@ namespace axisc::cli {
 
 namespace {
 
-std::string read_whole(std::string const& file) {
-  DiskFiles files(file == "-");
-  auto bytes = files.read(file);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(file, *error);
-  return std::get<std::string>(std::move(bytes));
-}
-
 std::string plain(std::string_view json_string) {
   auto const value = nlohmann::json::parse(json_string);
   return value.is_string() ? value.get<std::string>() : std::string();

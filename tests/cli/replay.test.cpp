@@ -2,25 +2,8 @@
 #include "cli/compiled_machine.hpp"
 #include "support/catch.hpp"
 
-#include <fstream>
-#include <iterator>
-
 using namespace axisc::test;
 using Catch::Matchers::Contains;
-
-namespace {
-
-std::string read_file(std::string const& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_file(std::string const& path, std::string const& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-}
-
-}  // namespace
 
 TEST_CASE("a recording replays bit for bit, from its first cycle and from a later one") {
   TemporaryFolder const folder;
@@ -36,8 +19,8 @@ TEST_CASE("a recording replays bit for bit, from its first cycle and from a late
       CHECK(replayed.status == 0);
       CHECK_THAT(replayed.out, Contains("bit for bit"));
       // The outputs are those that `run` wrote: its last line holds the axes' outputs, the replay's every second number.
-      auto const run = read_file(folder.path() + "/run.csv");
-      auto const table = read_file(folder.path() + "/replay.csv");
+      auto const run = folder.read("run.csv");
+      auto const table = folder.read("replay.csv");
       std::string last = run.substr(run.rfind('\n', run.size() - 2) + 1);
       std::string const first_output = last.substr(0, last.find_first_of(",\n"));
       std::string const row = table.substr(table.rfind('\n', table.size() - 2) + 1);
@@ -49,7 +32,7 @@ TEST_CASE("a recording replays bit for bit, from its first cycle and from a late
 TEST_CASE("a replay says what happened in which cycle") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
-  write_file(folder.path() + "/in.csv", "X\n0\n0\nnan\nnan\n0\n1e9\n1e9\n1e9\n");
+  folder.write("in.csv", "X\n0\n0\nnan\nnan\n0\n1e9\n1e9\n1e9\n");
   REQUIRE(run_axisc({"run", "m.axim", "--input", "in.csv", "--record", "r.axrd", "--quiet"}, there).status ==
           0);
   auto const text = run_axisc({"replay", "m.axim", "r.axrd"}, there);
@@ -91,10 +74,10 @@ TEST_CASE("what is no recording of this image is refused in one line") {
   expect({"replay", "m.axim", "nowhere.axrd"}, "nowhere.axrd");
   expect({"replay", "m.axim"}, "RECORDING");
   expect({"replay", "m.axim", "r.axrd", "-o", "r.axrd"}, "r.axrd");
-  std::string bytes = read_file(folder.path() + "/r.axrd");
-  write_file(folder.path() + "/cut.axrd", bytes.substr(0, bytes.size() - 8));
+  std::string bytes = folder.read("r.axrd");
+  folder.write("cut.axrd", bytes.substr(0, bytes.size() - 8));
   expect({"replay", "m.axim", "cut.axrd"}, "cut.axrd");
-  write_file(folder.path() + "/empty.axrd", "");
+  folder.write("empty.axrd", "");
   expect({"replay", "m.axim", "empty.axrd"}, "empty.axrd");
   std::string const machine = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/machine/machine.json";
   REQUIRE(

@@ -3,24 +3,12 @@
 #include "support/catch.hpp"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sys/stat.h>
 
 using namespace axisc::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-std::string read_file(std::string const& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void write_file(std::string const& path, std::string const& bytes) {
-  std::ofstream file(path, std::ios::binary);
-  file << bytes;
-}
 
 unsigned mode_of(std::string const& path) {
   struct stat facts {};
@@ -44,8 +32,8 @@ TEST_CASE("a secret key is for its owner alone, is never printed and never overw
   auto const made = run_axisc({"keygen", "plant.key"}, there);
   CHECK(made.status == 0);
   std::string const path = folder.path() + "/plant.key";
-  auto const secret = read_file(path);
-  auto const open = read_file(path + ".pub");
+  auto const secret = folder.read("plant.key");
+  auto const open = folder.read("plant.key.pub");
   CHECK(mode_of(path) == 0600);
   CHECK(secret.rfind("axisc-secret-key-1 ", 0) == 0);
   CHECK(open.rfind("axisc-public-key-1 ", 0) == 0);
@@ -55,12 +43,12 @@ TEST_CASE("a secret key is for its owner alone, is never printed and never overw
   auto const again = run_axisc({"keygen", "plant.key"}, there);
   CHECK(again.status == 2);
   CHECK_THAT(again.err, Contains("exists already"));
-  CHECK(read_file(path) == secret);
-  CHECK(read_file(path + ".pub") == open);
+  CHECK(folder.read("plant.key") == secret);
+  CHECK(folder.read("plant.key.pub") == open);
 
   std::filesystem::remove(path + ".pub");
   CHECK(run_axisc({"keygen", "plant.key"}, there).status == 2);
-  CHECK(read_file(path) == secret);
+  CHECK(folder.read("plant.key") == secret);
   CHECK_FALSE(std::filesystem::exists(path + ".pub"));
 }
 
@@ -77,9 +65,9 @@ TEST_CASE("a secret key that others may read, or that is none, is refused") {
   CHECK_THAT(run_axisc({"sign", "m.axim", "--key", "a.pub"}, there).err, Contains("is no secret key"));
   CHECK_THAT(run_axisc({"sign", "m.axim", "--key", "nothing"}, there).err, Contains("no such file"));
   CHECK_THAT(run_axisc({"inspect", "s.axim", "--key", "a"}, there).err, Contains("is no public key"));
-  auto damaged = read_file(path);
+  auto damaged = folder.read("a");
   damaged[25] = damaged[25] == '0' ? '1' : '0';
-  write_file(path, damaged);
+  folder.write("a", damaged);
   CHECK_THAT(run_axisc({"sign", "m.axim", "--key", "a"}, there).err,
              Contains("is no secret key") && !Contains(damaged.substr(19, 32)));
   CHECK_THAT(run_axisc({"sign", "m.axim"}, there).err, Contains("--key is missing"));
@@ -122,30 +110,30 @@ TEST_CASE("every command reads a signed image like the unsigned one") {
 TEST_CASE("signing again replaces the signature; the image's bytes stay") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
-  auto const image = read_file(folder.path() + "/m.axim");
-  auto const once = read_file(folder.path() + "/s.axim");
+  auto const image = folder.read("m.axim");
+  auto const once = folder.read("s.axim");
   REQUIRE(once.size() == image.size() + 80);
   CHECK(once.substr(0, image.size()) == image);
   CHECK(once.substr(image.size(), 4) == "AXSG");
   CHECK(run_axisc({"sign", "s.axim", "--key", "a"}, there).status == 0);
-  CHECK(read_file(folder.path() + "/s.axim") == once);
+  CHECK(folder.read("s.axim") == once);
   CHECK(run_axisc({"sign", "s.axim", "--key", "b"}, there).status == 0);
-  CHECK(read_file(folder.path() + "/s.axim").size() == once.size());
+  CHECK(folder.read("s.axim").size() == once.size());
   CHECK(run_axisc({"inspect", "s.axim", "--key", "b.pub"}, there).status == 0);
 }
 
 TEST_CASE("a signed image that was changed or cut off is refused") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
-  auto bytes = read_file(folder.path() + "/s.axim");
+  auto bytes = folder.read("s.axim");
   auto changed = bytes;
   changed.back() = static_cast<char>(changed.back() ^ 1);
-  write_file(folder.path() + "/s.axim", changed);
+  folder.write("s.axim", changed);
   auto const outcome = run_axisc({"inspect", "s.axim", "--key", "a.pub", "--lang", "de"}, there);
   CHECK(outcome.status == 2);
   CHECK_THAT(outcome.err, Contains("AXISRT_WRONG_SIGNATURE") && Contains("verändert"));
   bytes.pop_back();
-  write_file(folder.path() + "/s.axim", bytes);
+  folder.write("s.axim", bytes);
   CHECK_THAT(run_axisc({"inspect", "s.axim"}, there).err, Contains("AXISRT_WRONG_SIZE"));
 }
 
