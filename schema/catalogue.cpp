@@ -87,6 +87,12 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 
 }  // namespace
 
+ConcreteParameter find_exact(std::string_view name) {
+  auto const slot = find_slot(name);
+  if (!slot) return {};
+  return {.row = &row(parameter_of(*slot)), .slot = *slot};
+}
+
 NameLookup find_as_written(std::string_view name) {
   if (auto const slot = find_slot(name)) return found(*slot);
   return find_row(name);
@@ -205,6 +211,12 @@ std::size_t Catalogue::slot_count() const {
 NameLookup Catalogue::find(std::string_view name) const {
   if (!extension_) return schema::find(name);
   return find_folding(name, [this](std::string_view text) { return extension_->find_as_written(text); });
+}
+
+ConcreteParameter Catalogue::find_exact_in_extension(std::string_view name) const {
+  NameLookup const lookup = extension_->find_as_written(name);
+  if (lookup.status != NameLookup::Status::found) return {};
+  return {.row = lookup.row, .slot = lookup.slot};
 }
 
 std::span<ParameterId const> Catalogue::find_number(std::uint16_t p_axis) const {

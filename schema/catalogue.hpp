@@ -139,6 +139,16 @@ struct NameLookup {
 [[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
                                                             std::string_view word);
 
+/// A concrete parameter.
+struct ConcreteParameter {
+  Parameter const* row = nullptr;
+  Slot slot{};
+
+  explicit operator bool() const { return row != nullptr; }
+};
+/// Of a name exactly as the catalogue spells it; no row for any other. Cost: one hash and one comparison.
+[[nodiscard]] ConcreteParameter find_exact(std::string_view name);
+
 class Extension;
 struct ParameterRow;
 
@@ -160,6 +170,9 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
+  [[nodiscard]] ConcreteParameter find_exact(std::string_view name) const {
+    return is_built_in() ? schema::find_exact(name) : find_exact_in_extension(name);
+  }
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;
   [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name) const;
@@ -169,6 +182,8 @@ class Catalogue {
   [[nodiscard]] std::string_view file_of(Parameter const& parameter) const;
 
  private:
+  [[nodiscard]] ConcreteParameter find_exact_in_extension(std::string_view name) const;
+
   std::shared_ptr<Extension const> extension_;
 };
 

@@ -27,7 +27,7 @@ PositionController position_controller(LoadedAxis const& axis) {
   if (axis.position_control != PositionController::unknown) return axis.position_control;
   EffectiveValue const& mode = axis.merged.values.at("antr.operation_mode");
   if (mode.unusable || is_open_loop(mode)) return PositionController::unknown;
-  std::string const& word = mode.value.text;
+  std::string_view const word = mode.value.text;
   if (word == "CNC_POSITION_CONTROL") return PositionController::cnc;
   if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") return PositionController::drive;
   DriveType const* const drive = drive_of(axis);
@@ -38,7 +38,7 @@ PositionController position_controller(LoadedAxis const& axis) {
 bool is_open_loop(EffectiveValue const& operation_mode) {
   constexpr std::string_view open = "OPEN_POSITION_LOOP";
   return !operation_mode.unusable &&
-         std::string_view(operation_mode.value.text).substr(0, open.size()) == open;
+         operation_mode.value.text.starts_with(open);
 }
 
 }  // namespace axisc::validator

@@ -99,11 +99,6 @@ EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const
   return own_defaults_.empty() ? built_in[slot] : own_defaults_[static_cast<std::size_t>(slot)];
 }
 
-EffectiveValue const& EffectiveValues::operator[](schema::Slot slot) const {
-  std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-  return entry == 0 ? internal_default(slot) : entries_[entry - 1];
-}
-
 EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_t first_index,
                                           std::uint32_t second_index) const {
   return (*this)[find_pattern(pattern, first_index, second_index, [this](std::string_view name) {
@@ -113,22 +108,24 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   bool const is_new = entry_of_slot_[static_cast<std::size_t>(slot)] == 0;
-  EffectiveValue& entry = replace(slot);
+  EffectiveValue& entry = replace(slot, catalogue_.parameter_of(slot));
   if (is_new) entry.value = internal_default(slot).value;
+  in_order_ = false;
   return entry;
 }
 
-EffectiveValue& EffectiveValues::replace(schema::Slot slot) {
+EffectiveValue& EffectiveValues::replace(schema::Slot slot, schema::Parameter const& row) {
   std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-  if (entry == 0) {
-    EffectiveValue added;
-    added.slot = slot;
-    added.row = &catalogue_.parameter_of(slot);
-    entries_.push_back(std::move(added));
-    entry = static_cast<std::uint32_t>(entries_.size());
-    set_slots_.push_back(slot);
+  if (entry != 0) {
+    in_order_ = false;
+    return entries_[entry - 1];
   }
-  return entries_[entry - 1];
+  EffectiveValue& added = entries_.emplace_back();
+  added.row = &row;
+  added.slot = slot;
+  entry = static_cast<std::uint32_t>(entries_.size());
+  set_slots_.push_back(slot);
+  return added;
 }
 
 void EffectiveValues::expect(std::size_t count) {
@@ -138,13 +135,12 @@ void EffectiveValues::expect(std::size_t count) {
 }
 
 void EffectiveValues::order_set_slots() {
+  if (in_order_) return;
   auto const before = [this](schema::Slot left, schema::Slot right) {
     EffectiveValue const& a = (*this)[left];
     EffectiveValue const& b = (*this)[right];
     return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
   };
-  // One list without repetitions leaves nothing to do.
-  if (std::is_sorted(set_slots_.begin(), set_slots_.end(), before)) return;
   std::sort(set_slots_.begin(), set_slots_.end(), before);
 }
 

@@ -22,8 +22,7 @@ struct LoadedList {
   schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;
-  std::vector<Reading> readings;        ///< one per assignment of the tree
-  std::vector<std::uint32_t> doubtful;  ///< see doubtful_readings()
+  Readings readings;  ///< one per assignment of the tree
   std::vector<LostAssignment> lost;
 };
 
@@ -31,19 +30,31 @@ enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
 
 /// One concrete parameter of one axis.
 struct EffectiveValue {
-  schema::Slot slot{};
   schema::Parameter const* row = nullptr;  ///< of the slot; never null in EffectiveValues
-  Origin origin = Origin::internal_default;
   Value value;
-  std::optional<Place> value_place;  ///< the token in the list that counts; none for the internal default
-  std::optional<Place> name_place;
+  Span name_span;  ///< in the list that counts
+  Span value_span;
+  SourceId source{};
   std::uint32_t line = 0;
+  schema::Slot slot{};
+  Origin origin = Origin::internal_default;
+  bool has_value = false;  ///< the line that counts could be read as name and value: `value_span` is one
   /// A list sets the parameter, but the line cannot be used (it has a finding of its own). Rules that need
   /// the value stay silent: one mistake, one message. `value` is then that of the earlier stage.
   bool unusable = false;
   bool referenced = false;  ///< the value came through a reference to another parameter
 
   [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
+  /// The token in the list that counts; none for the internal default.
+  [[nodiscard]] std::optional<Place> value_place() const {
+    if (!has_value) return std::nullopt;
+    return Place{.source = source, .span = value_span};
+  }
+  /// The same of the name.
+  [[nodiscard]] std::optional<Place> name_place() const {
+    if (!set()) return std::nullopt;
+    return Place{.source = source, .span = name_span};
+  }
 };
 
 /// True where a list gives the parameter a value that differs from its documented default. A value equal to the default
@@ -55,7 +66,10 @@ class EffectiveValues {
  public:
   explicit EffectiveValues(schema::Catalogue catalogue = {});
   /// Value of one slot. Cost: constant.
-  [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const;
+  [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const {
+    std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    return entry == 0 ? internal_default(slot) : entries_[entry - 1];
+  }
   /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
   /// range.
   [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0,
@@ -68,8 +82,8 @@ class EffectiveValues {
   /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
   /// references.
   EffectiveValue& edit(schema::Slot slot);
-  /// The same for who gives it a value in any case: a new entry has none yet.
-  EffectiveValue& replace(schema::Slot slot);
+  /// The same for who gives it a value in any case: a new entry has none yet. `row` is that of the slot.
+  EffectiveValue& replace(schema::Slot slot, schema::Parameter const& row);
   /// Makes room for so many more entries. Ends the validity of references.
   void expect(std::size_t count);
   /// Brings set_slots() into the order of the lines; call it after the last edit().
@@ -83,6 +97,7 @@ class EffectiveValues {
   std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
   std::vector<EffectiveValue> entries_;
   std::vector<schema::Slot> set_slots_;
+  bool in_order_ = true;  ///< set_slots_, as long as every line adds a parameter of its own
 };
 
 /// `filter[2].order`, and "P-AXIS-00140" or empty.

@@ -93,7 +93,7 @@ std::string_view FilterView::type_word() const {
   int const number = type_number();
   auto const symbol = std::find_if(symbols.begin(), symbols.end(),
                                    [number](schema::Symbol const& known) { return known.number == number; });
-  return symbol == symbols.end() ? std::string_view(type.value.text) : symbol->word;
+  return symbol == symbols.end() ? type.value.text : symbol->word;
 }
 
 std::optional<design::FilterType> FilterView::standard_type() const {

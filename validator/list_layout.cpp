@@ -36,7 +36,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
   using grammar::ValueKind;
   if (!reading.usable()) return false;
   if (reading.status == ReadingStatus::reference) return true;
-  schema::Parameter const& parameter = *reading.name.row;
+  schema::Parameter const& parameter = *reading.row;
   if (parameter.type == schema::DataType::boolean) return true;
   if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   return assignment.kind == ValueKind::integer || assignment.kind == ValueKind::hexadecimal ||
@@ -68,7 +68,7 @@ class Layout {
   }
 
   [[nodiscard]] std::vector<Row> rows() const {
-    std::vector<Reading> const readings = read_assignments(source_, list_, catalogue_);
+    Readings const readings = read_assignments(source_, list_, catalogue_);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < readings.size(); ++i) {
       grammar::Assignment const& assignment = list_.assignments[i];

@@ -59,7 +59,6 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   list.tree =
       grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
   list.readings = read_assignments(text, list.tree, catalogue);
-  list.doubtful = doubtful_readings(list.tree, list.readings);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }
@@ -138,7 +137,7 @@ class Loader {
     LoadedAxis& axis = add_axis(0, std::nullopt);
     EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
     bool const named = name.set() && !name.unusable && !name.value.text.empty();
-    axis.name = named ? name.value.text : machine_.name;
+    axis.name = named ? std::string(name.value.text) : machine_.name;
     machine_.name = axis.name;
   }
 

@@ -63,7 +63,7 @@ std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std
 }  // namespace
 
 std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::AxisList const& list,
-                                             std::vector<Reading> const& readings,
+                                             Readings const& readings,
                                              schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
@@ -80,12 +80,13 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
       lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});
     }
   }
-  for (std::size_t i = 0; i < readings.size(); ++i) {
+  for (std::uint32_t const i : readings.doubtful()) {
     Reading const& reading = readings[i];
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
     if (!reading.row_known()) {
-      if (!reading.suggestions.empty()) slot = slot_of_name(catalogue, reading.suggestions.front());
+      auto const suggestions = readings.suggestions(i);
+      if (!suggestions.empty()) slot = slot_of_name(catalogue, suggestions.front());
     } else if (!reading.known()) {
       slot = slot_of_name(catalogue, source.slice(assignment.name));
     }

@@ -47,7 +47,7 @@ class AxisBuilder {
 
   void leave_out(EffectiveValue const& value, Text text, std::vector<Argument> arguments) {
     Place const fallback{.source = machine_.lists[axis_.list].list.source, .span = {}};
-    Place const place = value.value_place ? *value.value_place : value.name_place.value_or(fallback);
+    Place const place = value.value_place() ? *value.value_place() : value.name_place().value_or(fallback);
     arguments.push_back({.name = "axis", .value = axis_.name});
     not_compiled_.push_back({.place = place, .feature = {.text = text, .arguments = std::move(arguments)}});
   }
@@ -176,10 +176,10 @@ class AxisBuilder {
   void add_values(AxisConfiguration& result) const {
     for (schema::Slot const slot : values_.set_slots()) {
       EffectiveValue const& value = values_[slot];
-      if (!value.value_place) continue;
+      if (!value.value_place()) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
       result.values.push_back({.name = parameter_name(value),
-                               .text = sources_[value.value_place->source].utf8(value.value_place->span),
+                               .text = sources_[value.value_place()->source].utf8(value.value_place()->span),
                                .list = static_cast<std::uint32_t>(list),
                                .line = value.line});
     }

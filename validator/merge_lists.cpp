@@ -33,15 +33,18 @@ class Merger {
  private:
   void assign(grammar::Assignment const& assignment, Reading const& reading) {
     bool const is_value = reading.status == ReadingStatus::value;
-    EffectiveValue& entry = is_value ? values_.replace(reading.name.slot) : values_.edit(reading.name.slot);
+    EffectiveValue& entry =
+        is_value ? values_.replace(reading.slot, *reading.row) : values_.edit(reading.slot);
     entry.origin = origin_;
-    entry.value_place = Place{.source = list_->source, .span = assignment.value};
-    entry.name_place = Place{.source = list_->source, .span = assignment.name};
+    entry.source = list_->source;
+    entry.value_span = assignment.value;
+    entry.name_span = assignment.name;
+    entry.has_value = true;
     entry.line = assignment.line;
     entry.unusable = !reading.usable();
-    if (!pending_.empty()) pending_.erase(reading.name.slot);
+    if (!pending_.empty()) pending_.erase(reading.slot);
     if (is_value) entry.value = reading.value;
-    if (reading.status == ReadingStatus::reference) pending_[reading.name.slot] = reading.reference;
+    if (reading.status == ReadingStatus::reference) pending_[reading.slot] = reading.reference;
   }
 
   void lose(LostAssignment const& lost) {
@@ -53,8 +56,9 @@ class Merger {
     entry.unusable = true;
     if (set_here) return;
     entry.origin = origin_;
-    entry.value_place = std::nullopt;
-    entry.name_place = Place{.source = list_->source, .span = lost.name};
+    entry.has_value = false;
+    entry.source = list_->source;
+    entry.name_span = lost.name;
     entry.line = lost.line;
   }
 

@@ -1,5 +1,7 @@
 #include "validator/reading.hpp"
 
+#include "validator/doubtful_reading.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -22,8 +24,9 @@ bool is_integer_kind(ValueKind kind) {
 /// One assignment on its way to a reading.
 class Judge {
  public:
-  Judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading)
-      : source_(source), assignment_(assignment), reading_(reading) {
+  Judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
+        std::forward_list<std::string>& transcoded)
+      : source_(source), assignment_(assignment), reading_(reading), transcoded_(transcoded) {
     reading_.text = assignment.value;
     reading_.quoted = assignment.kind == ValueKind::quoted;
   }
@@ -54,6 +57,16 @@ class Judge {
 
  private:
   [[nodiscard]] std::string_view token() const { return source_.slice(assignment_.value); }
+
+  /// The bytes themselves where they are UTF-8 as they stand.
+  std::string_view utf8(Span span) {
+    std::string_view const bytes = source_.slice(span);
+    auto const is_ascii = [](char byte) { return (static_cast<unsigned char>(byte) & 0x80U) == 0; };
+    if (source_.encoding() != Encoding::windows_1252 || std::all_of(bytes.begin(), bytes.end(), is_ascii)) {
+      return bytes;
+    }
+    return transcoded_.emplace_front(source_.utf8(span));
+  }
 
   void fail(ReadingStatus status) { reading_.status = status; }
 
@@ -150,23 +163,23 @@ class Judge {
       if (bar == std::string_view::npos) break;
       rest.remove_prefix(bar + 1);
     }
-    accept({.number = 0, .text = source_.utf8(assignment_.free_text)});
+    accept({.number = 0, .text = utf8(assignment_.free_text)});
   }
 
   void free_string() {
     if (reading_.quoted) {
       Span const content{.begin = assignment_.value.begin + 1, .end = assignment_.value.end - 1};
-      accept({.number = 0, .text = source_.utf8(content)});
+      accept({.number = 0, .text = utf8(content)});
       return text_behind_symbol(assignment_.value.end);
     }
     reading_.text = assignment_.free_text;
     if (comment_in_text(assignment_.free_text)) return;
-    accept({.number = 0, .text = source_.utf8(assignment_.free_text)});
+    accept({.number = 0, .text = utf8(assignment_.free_text)});
   }
 
   void accept(Value value) {
     reading_.status = ReadingStatus::value;
-    reading_.value = std::move(value);
+    reading_.value = value;
   }
 
   /// What stands behind a symbol or a closing quote before a `(` opens a comment.
@@ -209,6 +222,7 @@ class Judge {
   SourceText const& source_;
   grammar::Assignment const& assignment_;
   Reading& reading_;
+  std::forward_list<std::string>& transcoded_;
 };
 
 }  // namespace
@@ -226,26 +240,77 @@ Reference read_reference(std::string_view text) {
   return reference;
 }
 
-std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list,
-                                      schema::Catalogue const& catalogue) {
-  constexpr std::size_t most_suggestions = 1000;
-  std::size_t unknown_names = 0;
-  std::vector<Reading> readings;
-  readings.reserve(list.assignments.size());
-  for (grammar::Assignment const& assignment : list.assignments) {
-    Reading& reading = readings.emplace_back();
-    reading.name = catalogue.find(source.slice(assignment.name));
-    Judge judge(source, assignment, reading);
+class ListReader {
+ public:
+  ListReader(SourceText const& source, grammar::AxisList const& list, schema::Catalogue const& catalogue)
+      : source_(source), list_(list), catalogue_(catalogue) {
+    result_.readings_.reserve(list.assignments.size());
+  }
+
+  Readings read() && {
+    for (grammar::Assignment const& assignment : list_.assignments) read(assignment);
+    return std::move(result_);
+  }
+
+ private:
+  void read(grammar::Assignment const& assignment) {
+    std::string_view const name = source_.slice(assignment.name);
+    Reading& reading = result_.readings_.emplace_back();
+    look_up(name, reading);
+    Judge judge(source_, assignment, reading, result_.transcoded_);
     if (reading.row_known()) {
-      judge.with(*reading.name.row);
+      judge.with(*reading.row);
     } else {
       judge.without_parameter();
-      if (++unknown_names <= most_suggestions) {
-        reading.suggestions = catalogue.suggest_names(source.slice(assignment.name));
-      }
+      suggest(name);
     }
+    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(last());
   }
-  return readings;
+
+  void look_up(std::string_view name, Reading& reading) const {
+    if (auto const exact = catalogue_.find_exact(name)) {
+      reading.row = exact.row;
+      reading.slot = exact.slot;
+      reading.name = schema::NameLookup::Status::found;
+      return;
+    }
+    schema::NameLookup const lookup = catalogue_.find(name);
+    reading.row = lookup.row;
+    reading.slot = lookup.slot;
+    reading.name = lookup.status;
+    reading.name_folded = lookup.case_folded;
+  }
+
+  void suggest(std::string_view name) {
+    constexpr std::size_t most_suggestions = 1000;
+    if (++unknown_names_ > most_suggestions) return;
+    std::vector<std::string> names = catalogue_.suggest_names(name);
+    if (!names.empty()) result_.suggested_.push_back({.assignment = last(), .names = std::move(names)});
+  }
+
+  [[nodiscard]] std::uint32_t last() const {
+    return static_cast<std::uint32_t>(result_.readings_.size() - 1);
+  }
+
+  SourceText const& source_;
+  grammar::AxisList const& list_;
+  schema::Catalogue const& catalogue_;
+  Readings result_;
+  std::size_t unknown_names_ = 0;
+};
+
+std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
+  auto const found = std::lower_bound(suggested_.begin(), suggested_.end(), assignment,
+                                      [](Suggested const& suggested, std::size_t wanted) {
+                                        return suggested.assignment < wanted;
+                                      });
+  if (found == suggested_.end() || found->assignment != assignment) return {};
+  return found->names;
+}
+
+Readings read_assignments(SourceText const& source, grammar::AxisList const& list,
+                          schema::Catalogue const& catalogue) {
+  return ListReader(source, list, catalogue).read();
 }
 
 }  // namespace axisc::validator

@@ -7,7 +7,10 @@
 #include "schema/catalogue.hpp"
 #include "validator/value.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <forward_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,40 +37,72 @@ struct Reference {
 [[nodiscard]] Reference read_reference(std::string_view text);
 
 struct Reading {
+  using NameStatus = schema::NameLookup::Status;
+
   /// Written out: before a defaulted one, containers clear all the bytes, which takes as long as a look-up.
   Reading() noexcept {}  // NOLINT(modernize-use-equals-default)
 
-  schema::NameLookup name;
+  schema::Parameter const* row = nullptr;  ///< null where the name is unknown; lives as long as the catalogue
+  Value value;
+  Reference reference;  ///< for ReadingStatus::reference
+  Span text;            ///< the value as the control reads it: the token, or the whole of a free string
+  Span trouble;         ///< text behind a symbol or in a string that was meant as a comment (AX1009)
+  schema::Slot slot{};  ///< where the name is found
+  NameStatus name = NameStatus::unknown;
   ReadingStatus status = ReadingStatus::not_judged;
   NumberStatus number = NumberStatus::good;
-  Value value;
-  Reference reference;         ///< for ReadingStatus::reference
-  bool symbol_folded = false;  ///< the symbol fits only after case folding (AX1010)
+  bool name_folded = false;    ///< the name fits only after case folding (AX1010)
+  bool symbol_folded = false;  ///< the same of a symbol
   bool quoted = false;         ///< the text stands in quotes
-  Span text;     ///< the value as the control reads it: the token, or the whole of a free string
-  Span trouble;  ///< text behind a symbol or in a string that was meant as a comment (AX1009)
 
-  std::vector<std::string> suggestions;  ///< for an unknown name: what may be meant, best first
-
-  [[nodiscard]] bool known() const { return name.status == schema::NameLookup::Status::found; }
+  [[nodiscard]] bool known() const { return name == NameStatus::found; }
   /// The line gives its parameter a value, directly or by reference.
   [[nodiscard]] bool usable() const {
     return known() && (status == ReadingStatus::value || status == ReadingStatus::reference);
   }
   /// The row is known, even where the index is wrong.
-  [[nodiscard]] bool row_known() const { return name.status != schema::NameLookup::Status::unknown; }
+  [[nodiscard]] bool row_known() const { return row != nullptr; }
 };
 
-/// One reading for each assignment, in the same order. Cost: one look-up and one conversion per line;
-/// suggestions are made for the first thousand unknown names only. The readings point into the catalogue.
-[[nodiscard]] std::vector<Reading> read_assignments(SourceText const& source, grammar::AxisList const& list,
-                                                    schema::Catalogue const& catalogue = {});
+/// The readings of one list, one for each assignment and in the same order. They look into the source and the catalogue,
+/// which live longer.
+class Readings {
+ public:
+  Readings() = default;
+  Readings(Readings const&) = delete;
+  Readings(Readings&&) = default;
+  Readings& operator=(Readings const&) = delete;
+  Readings& operator=(Readings&&) = default;
+  ~Readings() = default;
 
-/// Indices of the readings that a check of single lines may object to: everything but a value (or a reference) of a known
-/// name, spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of
-/// nearly all lists are beyond doubt, and no check looks at them again.
-[[nodiscard]] std::vector<std::uint32_t> doubtful_readings(grammar::AxisList const& list,
-                                                           std::vector<Reading> const& readings);
+  [[nodiscard]] std::size_t size() const { return readings_.size(); }
+  [[nodiscard]] Reading const& operator[](std::size_t assignment) const { return readings_[assignment]; }
+
+  /// The readings that a check of single lines may object to: everything but a value (or a reference) of a known name,
+  /// spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of nearly
+  /// all lists are beyond doubt, and no check looks at them again.
+  [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
+
+  /// What may be meant by the unknown name of an assignment, best first.
+  [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
+
+ private:
+  friend class ListReader;
+
+  struct Suggested {
+    std::uint32_t assignment = 0;
+    std::vector<std::string> names;
+  };
+
+  std::vector<Reading> readings_;
+  std::vector<std::uint32_t> doubtful_;
+  std::vector<Suggested> suggested_;           ///< in the order of the assignments
+  std::forward_list<std::string> transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+};
+
+/// Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown names only.
+[[nodiscard]] Readings read_assignments(SourceText const& source, grammar::AxisList const& list,
+                                        schema::Catalogue const& catalogue = {});
 
 /// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
 /// parameter is meant to be is unknown then, so rules that need it have to stay silent.
@@ -80,7 +115,7 @@ struct LostAssignment {
 };
 [[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
                                                            grammar::AxisList const& list,
-                                                           std::vector<Reading> const& readings,
+                                                           Readings const& readings,
                                                            schema::Catalogue const& catalogue = {});
 
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,

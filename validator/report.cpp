@@ -26,7 +26,7 @@ Finding& Report::add(Place place, schema::Parameter const& row, schema::Slot slo
 }
 
 Finding& Report::add(EffectiveValue const& at, Message message) {
-  Place const place = at.value_place ? *at.value_place : at.name_place.value_or(Place{});
+  Place const place = at.value_place() ? *at.value_place() : at.name_place().value_or(Place{});
   return add(place, *at.row, at.slot, std::move(message));
 }
 

@@ -157,7 +157,7 @@ schema::Symbol const* symbol_of_number(schema::Parameter const& parameter, doubl
 
 Value value_of(schema::Symbol const& symbol) {
   double const number = symbol.number ? *symbol.number : symbol.word == "TRUE" ? 1 : 0;
-  return {.number = number, .text = std::string(symbol.word)};
+  return {.number = number, .text = symbol.word};
 }
 
 bool is_bit_mask(schema::Parameter const& parameter) {
@@ -175,7 +175,7 @@ std::optional<Value> default_value(schema::Parameter const& parameter) {
     if (schema::Symbol const* const symbol = read_symbol(parameter, text).symbol) return value_of(*symbol);
   }
   if (parameter.type == schema::DataType::string && !is_bit_mask(parameter)) {
-    return Value{.number = 0, .text = std::string(text)};
+    return Value{.number = 0, .text = text};
   }
   // Catalogue defaults such as 0x0001 or 1.000000e+002 are numbers in the same forms as in a list.
   NumberReading const reading = read_real(text);

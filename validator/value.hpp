@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace axisc::validator {
@@ -14,7 +13,9 @@ namespace axisc::validator {
 /// well. Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
 struct Value {
   double number = 0;
-  std::string text;  ///< string, or the word of a symbol (also when the list wrote its number)
+  /// String, or the word of a symbol (also when the list wrote its number): UTF-8 that the catalogue, the source or the
+  /// readings of the list own.
+  std::string_view text;
 
   [[nodiscard]] bool flag() const { return number != 0; }
 };

@@ -37,7 +37,6 @@ class Lists {
     SourceText const& source = sources_[list.source];
     list.tree = grammar::parse_axis_list(source.bytes(), source.text_begin(), false);
     list.readings = read_assignments(source, list.tree);
-    list.doubtful = doubtful_readings(list.tree, list.readings);
     list.lost = lost_assignments(source, list.tree, list.readings);
     return list;
   }
@@ -56,7 +55,7 @@ TEST_CASE("the internal default counts where no list sets a value") {
   EffectiveValue const& frequency = lists.at("filter[].fg_f0", 2);
   CHECK(frequency.value.number == 30);
   CHECK_FALSE(frequency.set());
-  CHECK_FALSE(frequency.value_place.has_value());
+  CHECK_FALSE(frequency.value_place().has_value());
   CHECK(schema::slot_name(frequency.slot) == "filter[2].fg_f0");
 }
 

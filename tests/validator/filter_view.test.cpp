@@ -38,7 +38,7 @@ class Values {
     EffectiveValue& value = values_.edit(lookup.slot);
     value.origin = origin;
     value.line = ++line_;
-    value.value_place = Place{.source = SourceId{}, .span = {.begin = line_, .end = line_ + 1}};
+    value.value_place() = Place{.source = SourceId{}, .span = {.begin = line_, .end = line_ + 1}};
     return value;
   }
 

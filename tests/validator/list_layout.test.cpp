@@ -33,7 +33,7 @@ std::vector<std::string> meaning(std::string const& list) {
     std::string trailer(source.slice(assignment.trailer));
     std::erase(trailer, ' ');
     parts.push_back(trailer);
-    parts.push_back(reading.value.text + ' ' + std::to_string(reading.value.number) + ' ' +
+    parts.push_back(std::string(reading.value.text) + ' ' + std::to_string(reading.value.number) + ' ' +
                     std::to_string(static_cast<int>(reading.status)) + ' ' + std::to_string(assignment.line));
   }
   for (auto const& problem : tree.problems) {

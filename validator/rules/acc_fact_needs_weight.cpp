@@ -36,9 +36,9 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
   finding.notes.push_back(message(Text::ax5008_limit));
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(weight);
-    if (!value.value_place) continue;
+    if (!value.value_place()) continue;
     finding.related.push_back(
-        {.place = *value.value_place,
+        {.place = *value.value_place(),
          .message = message(Text::ax5008_value_here,
                             {{"axis", axis->name}, {"value", format_exact(value.value.number)}})});
   }

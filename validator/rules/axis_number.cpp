@@ -17,7 +17,7 @@ std::vector<Numbered> numbered_axes(LoadedMachine const& machine) {
   std::vector<Numbered> found;
   for (LoadedAxis const& axis : machine.axes) {
     EffectiveValue const& value = axis.merged.values.at("kopf.achs_nr");
-    bool const own = value.origin == Origin::axis_list && !value.unusable && value.value_place;
+    bool const own = value.origin == Origin::axis_list && !value.unusable && value.value_place();
     if (own) found.push_back({axis, value});
   }
   return found;
@@ -30,10 +30,10 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
   schema::Slot const slot = slot_at("kopf.achs_nr");
   for (std::size_t i = list->readings.size(); i-- > 0;) {
     Reading const& reading = list->readings[i];
-    if (!reading.known() || reading.name.slot != slot || reading.status != ReadingStatus::value) continue;
+    if (!reading.known() || reading.slot != slot || reading.status != ReadingStatus::value) continue;
     if (reading.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-    Finding& finding = report.add(place, *reading.name.row, slot,
+    Finding& finding = report.add(place, *reading.row, slot,
                                   {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
     react(finding, "110300", {Text::ax4015_reaction_aborts, {}});
     return;
@@ -58,7 +58,7 @@ void check_twice(std::vector<Numbered> const& axes, Report& report) {
     if (sharing.size() < 2) continue;
     auto const last =
         std::max_element(sharing.begin(), sharing.end(), [](Numbered const& left, Numbered const& right) {
-          return *left.value.value_place < *right.value.value_place;
+          return *left.value.value_place() < *right.value.value_place();
         });
     std::string names;
     for (Numbered const& numbered : sharing) {
@@ -68,9 +68,9 @@ void check_twice(std::vector<Numbered> const& axes, Report& report) {
     Finding& finding =
         report.add(last->value, {Text::ax4015_twice, {{"number", number(value)}, {"axes", names}}});
     for (Numbered const& numbered : sharing) {
-      if (*numbered.value.value_place == *last->value.value_place) continue;
+      if (*numbered.value.value_place() == *last->value.value_place()) continue;
       finding.related.push_back(
-          {*numbered.value.value_place, {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
+          {*numbered.value.value_place(), {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
     }
     react(finding, "1001121", {Text::ax4015_reaction_twice, {}});
   }

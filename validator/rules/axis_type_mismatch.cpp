@@ -22,7 +22,7 @@ void checks::axis_type_mismatch(AxisContext const& context, Report& report) {
     std::string_view const types = context.values.row(slot).axis_types;
     if (types.empty() || types.find(letter(context.type)) != std::string_view::npos) continue;
     // A default list serves axes of every type.
-    if (value.origin != Origin::axis_list || !value.value_place) continue;
+    if (value.origin != Origin::axis_list || !value.value_place()) continue;
     Finding& finding =
         report.add(value, message(headline(context.type), {{"parameter", parameter_name(value)}}));
     std::string listed;

@@ -6,7 +6,7 @@ namespace axisc::validator {
 void checks::comment_in_string(ListContext const& context, Report& report) {
   for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.trouble.empty()) return;
-    bool const symbol = !reading.name.row->symbols.empty();
+    bool const symbol = !reading.row->symbols.empty();
     Finding& finding = add_at(context, report, assignment, reading, reading.trouble,
                               message(symbol ? Text::ax1009 : Text::ax1009_string));
     Span const read{.begin = assignment.value.begin, .end = reading.trouble.end};

@@ -32,9 +32,10 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
 }  // namespace
 
 void checks::comment_names_other_parameter(ListContext const& context, Report& report) {
+  if (context.source.bytes().find(prefix) == std::string_view::npos) return;
   for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || assignment.trailer.empty()) return;
-    std::uint16_t const own = reading.name.row->p_axis;
+    std::uint16_t const own = reading.row->p_axis;
     std::string_view const trailer = context.source.slice(assignment.trailer);
     std::optional<Mention> const first = next_mention(trailer, 0);
     if (own == 0 || !first) return;

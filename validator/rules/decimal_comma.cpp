@@ -10,7 +10,7 @@ namespace {
 std::string repaired(std::string value, Reading const& reading) {
   std::replace(value.begin(), value.end(), ',', '.');
   if (!is_complete_number(value)) return {};
-  bool const is_real = !reading.row_known() || reading.name.row->type == schema::DataType::real64;
+  bool const is_real = !reading.row_known() || reading.row->type == schema::DataType::real64;
   if (is_real) return value;
   std::size_t const point = value.find('.');
   bool const is_whole = value.find_first_not_of('0', point + 1) == std::string::npos;

@@ -19,9 +19,9 @@ void delay_not_last(FilterContext const& context, Report& report) {
                  {Text::ax4004, {{"filter", filter_name(delay)}, {"next", filter_name(*next)}}});
   finding.notes.push_back({Text::ax4004_limit, {}});
   react(finding, "110583", {Text::ax4004_reaction, {}});
-  if (next->enable.value_place) {
+  if (next->enable.value_place()) {
     finding.related.push_back(
-        {*next->enable.value_place, {Text::ax4004_next_here, {{"filter", filter_name(*next)}}}});
+        {*next->enable.value_place(), {Text::ax4004_next_here, {{"filter", filter_name(*next)}}}});
   }
 }
 

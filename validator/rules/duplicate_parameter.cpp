@@ -9,11 +9,11 @@ namespace axisc::validator {
 
 void checks::duplicate_parameter(ListContext const& context, Report& report) {
   std::vector<std::uint32_t> last(context.list.catalogue.slot_count(), 0);  // index + 1; 0: not set yet
-  std::vector<Reading> const& readings = context.list.readings;
+  Readings const& readings = context.list.readings;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
     if (!readings[i].usable()) continue;
-    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(readings[i].name.slot)],
+    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(readings[i].slot)],
                                                static_cast<std::uint32_t>(i + 1));
     if (before == 0) continue;
     std::size_t const earlier = before - 1;

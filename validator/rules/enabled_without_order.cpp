@@ -8,9 +8,9 @@ void enabled_without_order(FilterContext const& context, Report& report) {
   if (filter.unusable() || !filter.standard_type()) return;
   if (!filter.enable.value.flag() || filter.order.value.number > 0) return;
   Finding& finding = report.add(filter.enable, {Text::ax3007, {{"filter", filter_name(filter)}}});
-  if (filter.order.value_place) {
+  if (filter.order.value_place()) {
     finding.label = Message{Text::ax3007_label, {}};
-    finding.related.push_back({*filter.order.value_place, {Text::ax3007_order_here, {}}});
+    finding.related.push_back({*filter.order.value_place(), {Text::ax3007_order_here, {}}});
   } else {
     finding.label = Message{Text::ax3007_label_default, {{"parameter", parameter_name(filter.order)}}};
   }

@@ -69,9 +69,9 @@ Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::st
   } else {
     react(finding, "50553", {Text::filter_reaction_refused, {}});
   }
-  if (order.value_place && !order.referenced) {
+  if (order.value_place() && !order.referenced) {
     finding.fix = Fix{.title = {Text::ax3001_fix, {{"limit", limit}}},
-                      .edits = {{*order.value_place, limit}},
+                      .edits = {{*order.value_place(), limit}},
                       .safety = FixSafety::changes_behaviour};
   }
   return &finding;

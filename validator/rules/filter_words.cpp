@@ -16,7 +16,7 @@ std::string filter_name(FilterView const& filter) {
 }
 
 std::string symbol_word(EffectiveValue const& value) {
-  if (!value.value.text.empty()) return value.value.text;
+  if (!value.value.text.empty()) return std::string(value.value.text);
   schema::Symbol const* const symbol = symbol_of_number(*value.row, value.value.number);
   return symbol != nullptr ? std::string(symbol->word) : number(value.value.number);
 }
@@ -46,14 +46,15 @@ void react(Finding& finding, std::string_view messages, Message reaction, std::s
 
 void note_default(Finding& finding, EffectiveValue const& value) {
   if (value.set()) return;
-  std::string const standard = value.value.text.empty() ? number(value.value.number) : value.value.text;
+  std::string const standard =
+      value.value.text.empty() ? number(value.value.number) : std::string(value.value.text);
   finding.notes.push_back(
       {Text::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
 }
 
 void relate_type(Finding& finding, FilterView const& filter) {
-  if (filter.type.value_place) {
-    finding.related.push_back({*filter.type.value_place, {Text::filter_type_here, {}}});
+  if (filter.type.value_place()) {
+    finding.related.push_back({*filter.type.value_place(), {Text::filter_type_here, {}}});
     return;
   }
   finding.notes.push_back(

@@ -21,9 +21,9 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
   bool const is_fir = fir.configured();
   Finding& finding = report.add(is_fir ? fir.type : guard, {is_fir ? Text::ax4005 : Text::ax4005_guard, {}});
   for (FilterView const& filter : hsc) {
-    if (!filter.prototype.value_place) continue;
+    if (!filter.prototype.value_place()) continue;
     finding.related.push_back(
-        {*filter.prototype.value_place, {Text::ax4002_filter_here, {{"filter", filter_name(filter)}}}});
+        {*filter.prototype.value_place(), {Text::ax4002_filter_here, {{"filter", filter_name(filter)}}}});
   }
   react(finding, "110628", {Text::ax4005_reaction, {}});
   finding.help.push_back({Text::ax4005_help, {}});
@@ -34,8 +34,8 @@ void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (!fir.configured() || !guards(guard)) return;
   Finding& finding = report.add(fir.type, {Text::ax4006, {}});
-  if (guard.value_place) {
-    finding.related.push_back({*guard.value_place, {Text::ax4006_guard_here, {}}});
+  if (guard.value_place()) {
+    finding.related.push_back({*guard.value_place(), {Text::ax4006_guard_here, {}}});
   }
   react(finding, "110630", {Text::ax4006_reaction, {}});
 }

@@ -11,8 +11,8 @@ void fir_delay_share(AxisContext const& axis, Report& report) {
   if (share == 0 || share == 100) return;
   Finding& finding = report.add(fir.anchor(fir.share), {Text::ax3025, {{"share", number(share)}}});
   finding.label = Message{Text::ax3025_label, {{"share", number(share)}, {"rest", number(100 - share)}}};
-  if (fir.type.value_place) {
-    finding.related.push_back({*fir.type.value_place, {Text::filter_type_here, {}}});
+  if (fir.type.value_place()) {
+    finding.related.push_back({*fir.type.value_place(), {Text::filter_type_here, {}}});
   }
   finding.help.push_back({Text::ax3025_help, {}});
 }

@@ -61,8 +61,8 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
   if (!(fir.order.value.number > 0) || !(fir.order_time.value.number > 0)) return;
   Finding& finding = report.add(fir.order_time, {Text::ax3023, {{"order", number(fir.order.value.number)}}});
   finding.label = Message{Text::ax3023_label, {{"time", microseconds(fir.order_time.value.number)}}};
-  if (fir.order.value_place) {
-    finding.related.push_back({*fir.order.value_place, {Text::ax3023_order_here, {}}});
+  if (fir.order.value_place()) {
+    finding.related.push_back({*fir.order.value_place(), {Text::ax3023_order_here, {}}});
   }
   react(finding, "", {Text::ax3009_reaction, {}}, "filter_fir.order " + number(fir.order.value.number));
 }

@@ -77,14 +77,14 @@ class GantryJudge {
     GantryView const other(values(master));
     bool const added = other.open() && master_claim(machine_, master) != nullptr;
     if (other.is_master() || added || other.mode.unusable) return;
-    bool const at_master = other.mode.value_place && view.master_number.value_place &&
-                           *view.master_number.value_place < *other.mode.value_place;
+    bool const at_master = other.mode.value_place() && view.master_number.value_place() &&
+                           *view.master_number.value_place() < *other.mode.value_place();
     Finding& finding =
         at_master ? add(master, other.mode, Text::ax4014_no_master_bit)
                   : add(slave, view.master_number, Text::ax4014_names_no_master, {{"master", name(master)}});
     EffectiveValue const& rest = at_master ? view.master_number : other.mode;
-    if (rest.value_place) {
-      finding.related.push_back({*rest.value_place,
+    if (rest.value_place()) {
+      finding.related.push_back({*rest.value_place(),
                                  {at_master ? Text::ax4014_named_here : Text::ax4014_mode_here,
                                   {{"axis", name(at_master ? slave : master)}}}});
     }

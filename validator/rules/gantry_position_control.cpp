@@ -31,11 +31,11 @@ std::vector<EffectiveValue const*> places_of(std::vector<Scaling> const& differi
   std::vector<EffectiveValue const*> places;
   for (Scaling const& pair : differing) {
     for (EffectiveValue const* const value : {&pair.slave, &pair.master}) {
-      if (value->value_place) places.push_back(value);
+      if (value->value_place()) places.push_back(value);
     }
   }
   std::sort(places.begin(), places.end(), [](EffectiveValue const* left, EffectiveValue const* right) {
-    return *left->value_place < *right->value_place;
+    return *left->value_place() < *right->value_place();
   });
   return places;
 }
@@ -59,7 +59,7 @@ void check_slave(LoadedAxis const& slave, LoadedAxis const& master, Report& repo
   for (EffectiveValue const* const value : places) {
     if (value == places.back()) continue;
     finding.related.push_back(
-        {*value->value_place, {Text::ax4013_also_here, {{"parameter", parameter_name(*value)}}}});
+        {*value->value_place(), {Text::ax4013_also_here, {{"parameter", parameter_name(*value)}}}});
   }
 }
 
@@ -71,8 +71,8 @@ void gantry_slave_ipc(AxisContext const& axis, Report& report) {
   bool const is_slave = gantry.is_slave() || master_of(axis.machine, axis.index).has_value();
   if (!view.enabled() || !is_slave) return;
   Finding& finding = report.add(view.enable, {Text::ax4012, {{"axis", axis.name}}});
-  if (gantry.is_slave() && gantry.mode.value_place) {
-    finding.related.push_back({*gantry.mode.value_place, {Text::ax4012_slave_here, {}}});
+  if (gantry.is_slave() && gantry.mode.value_place()) {
+    finding.related.push_back({*gantry.mode.value_place(), {Text::ax4012_slave_here, {}}});
   } else if (GantryClaim const* const claim = slave_claim(axis.machine, axis.index)) {
     finding.related.push_back({claim->place, {Text::ax4012_slave_here, {}}});
   }

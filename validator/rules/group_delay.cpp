@@ -51,8 +51,8 @@ std::optional<std::size_t> last_cause(Delays const& delays) {
   std::optional<std::size_t> last;
   for (std::size_t i = 0; i < delays.size(); ++i) {
     EffectiveValue const* const cause = delays[i].delay.cause;
-    if (cause == nullptr || !cause->value_place) continue;
-    if (!last || *delays[*last].delay.cause->value_place < *cause->value_place) last = i;
+    if (cause == nullptr || !cause->value_place()) continue;
+    if (!last || *delays[*last].delay.cause->value_place() < *cause->value_place()) last = i;
   }
   return last;
 }
@@ -70,9 +70,9 @@ void relate_others(Finding& finding, Delays const& delays, std::size_t reported,
   std::set<Place> known{*finding.place};
   for (std::size_t i = 0; i < delays.size(); ++i) {
     EffectiveValue const* const cause = delays[i].delay.cause;
-    if (i == reported || cause == nullptr || !cause->value_place) continue;
-    if (known.insert(*cause->value_place).second) {
-      finding.related.push_back({*cause->value_place, delay_of(delays[i], text)});
+    if (i == reported || cause == nullptr || !cause->value_place()) continue;
+    if (known.insert(*cause->value_place()).second) {
+      finding.related.push_back({*cause->value_place(), delay_of(delays[i], text)});
     }
   }
 }
@@ -106,8 +106,8 @@ class DelayWriter {
       EffectiveValue const& value = axis.merged.values.at(line.name);
       if (value.value.number == line.value && !value.unusable) continue;
       std::string const text = number(line.value);
-      if (value.origin == Origin::axis_list && value.value_place) {
-        edits.push_back({*value.value_place, text});
+      if (value.origin == Origin::axis_list && value.value_place()) {
+        edits.push_back({*value.value_place(), text});
       } else {
         added.append(line.name).append(" ").append(text).append(line_end);
       }

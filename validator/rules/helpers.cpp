@@ -10,13 +10,13 @@ std::string written_name(ListContext const& context, grammar::Assignment const& 
 }
 
 std::string p_axis_of(Reading const& reading) {
-  return reading.row_known() ? schema::p_axis_text(reading.name.row->p_axis) : std::string{};
+  return reading.row_known() ? schema::p_axis_text(reading.row->p_axis) : std::string{};
 }
 
 Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
                 Reading const& reading, Span span, Message text) {
   Place const place = place_of(context, span);
-  if (reading.known()) return report.add(place, *reading.name.row, reading.name.slot, std::move(text));
+  if (reading.known()) return report.add(place, *reading.row, reading.slot, std::move(text));
   Finding& finding = report.add(place, std::move(text));
   finding.parameter = written_name(context, assignment);
   finding.p_axis = p_axis_of(reading);

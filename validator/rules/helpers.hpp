@@ -52,7 +52,7 @@ void for_each_reading(LoadedList const& list, Visit visit) {
 /// The same for those that alone may be wrong, for checks of single lines.
 template <typename Visit>
 void for_each_doubtful(LoadedList const& list, Visit visit) {
-  for (std::uint32_t const i : list.doubtful) visit(list.tree.assignments[i], list.readings[i]);
+  for (std::uint32_t const i : list.readings.doubtful()) visit(list.tree.assignments[i], list.readings[i]);
 }
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.

@@ -34,9 +34,9 @@ void hsc_more_than_one(FilterContext const& context, Report& report) {
       report.add(last->prototype, {Text::ax4002, {{"count", number(static_cast<double>(filters.size()))}}});
   finding.label = Message{Text::ax4002_label, {}};
   for (FilterView const& filter : filters) {
-    if (filter.index == last->index || !filter.prototype.value_place) continue;
+    if (filter.index == last->index || !filter.prototype.value_place()) continue;
     finding.related.push_back(
-        {*filter.prototype.value_place, {Text::ax4002_filter_here, {{"filter", filter_name(filter)}}}});
+        {*filter.prototype.value_place(), {Text::ax4002_filter_here, {{"filter", filter_name(filter)}}}});
   }
   react(finding, "110500", {Text::filter_reaction_off, {}});
 }

@@ -21,8 +21,8 @@ void hsc_prototype_and_type(FilterContext const& context, Report& report) {
       report.add(place, {type_is_hsc ? Text::ax3010_type : Text::ax3010_prototype, {{"type", type}}});
   finding.label = Message{Text::ax3010_label, {{"prototype", symbol_word(filter.prototype)}}};
   finding.notes.push_back({Text::ax3010_limit, {{"p_axis", parameter_number(filter.type)}}});
-  if (place.slot == filter.type.slot && filter.prototype.value_place) {
-    finding.related.push_back({*filter.prototype.value_place, {Text::ax3010_prototype_here, {}}});
+  if (place.slot == filter.type.slot && filter.prototype.value_place()) {
+    finding.related.push_back({*filter.prototype.value_place(), {Text::ax3010_prototype_here, {}}});
   }
   note_default(finding, filter.prototype);
   if (type_is_hsc && filter.port == FilterPort::setpoint) {

@@ -7,7 +7,7 @@ void checks::index_out_of_range(ListContext const& context, Report& report) {
   using Status = schema::NameLookup::Status;
   for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (!reading.row_known() || reading.known()) return;
-    schema::NameLookup const& name = reading.name;
+    schema::NameLookup const name = context.list.catalogue.find(context.source.slice(assignment.name));
     std::string const pattern(name.row->name);
     Message text =
         message(name.status == Status::index_missing ? Text::ax2002_missing : Text::ax2002_superfluous,

@@ -17,9 +17,9 @@ void interface_disabled(FilterContext const& context, Report& report) {
   EffectiveValue const& first = filter_last ? interface : filter.enable;
   Finding& finding = report.add(last, {Text::ax3041, {{"filter", filter_name(filter)}}});
   finding.label = Message{filter_last ? Text::ax3041_filter_here : Text::ax3041_interface_here, {}};
-  if (first.value_place) {
+  if (first.value_place()) {
     finding.related.push_back(
-        {*first.value_place, {filter_last ? Text::ax3041_interface_here : Text::ax3041_filter_here, {}}});
+        {*first.value_place(), {filter_last ? Text::ax3041_interface_here : Text::ax3041_filter_here, {}}});
   }
   finding.help.push_back({Text::ax3041_help, {{"interface", parameter_name(interface)}}});
   react(finding, "", {Text::ax3041_reaction, {}});

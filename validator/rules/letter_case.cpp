@@ -28,8 +28,8 @@ std::string upper_case(std::string text) {
 
 void checks::letter_case(ListContext const& context, Report& report) {
   for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-    if (reading.known() && reading.name.case_folded) {
-      std::string const expected = schema::slot_name(*reading.name.row, reading.name.slot);
+    if (reading.known() && reading.name_folded) {
+      std::string const expected = schema::slot_name(*reading.row, reading.slot);
       describe(add_at(context, report, assignment, reading, assignment.name,
                       headline(written_name(context, assignment), expected)),
                expected);

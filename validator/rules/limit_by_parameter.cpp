@@ -88,9 +88,9 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
                      {{"parameter", parameter_name(value)}, {"relation", sign}, {"limit", limit_name}}));
   finding.label =
       message(Text::ax2015_label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
-  if (limit.value_place) {
+  if (limit.value_place()) {
     finding.related.push_back(
-        {.place = *limit.value_place, .message = message(Text::ax2015_related, {{"limit", limit_value}})});
+        {.place = *limit.value_place(), .message = message(Text::ax2015_related, {{"limit", limit_value}})});
   } else {
     finding.notes.push_back(
         message(Text::ax2015_default,
@@ -105,7 +105,7 @@ void checks::limit_by_parameter(AxisContext const& context, Report& report) {
     EffectiveValue const& value = context.values[slot];
     bool const is_limited = value.row->minimum.kind == Limit::Kind::parameter ||
                             value.row->maximum.kind == Limit::Kind::parameter;
-    if (!is_limited || value.unusable || !value.value_place) continue;
+    if (!is_limited || value.unusable || !value.value_place()) continue;
     for (Side const side : {Side::minimum, Side::maximum}) {
       std::optional<Violation> const violation = violation_at(context.values, slot, side);
       if (!violation || is_reported_at_limit(context.values, slot, *violation)) continue;

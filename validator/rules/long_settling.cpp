@@ -74,8 +74,8 @@ void long_settling(AxisContext const& axis, Report& report) {
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
   finding.notes.push_back({by_frequency ? Text::ax6003_frequency : Text::ax6003_time,
                            {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});
-  if (cause.value_place) {
-    finding.related.push_back({*cause.value_place, {Text::ax6003_cause_here, {}}});
+  if (cause.value_place()) {
+    finding.related.push_back({*cause.value_place(), {Text::ax6003_cause_here, {}}});
   }
 }
 

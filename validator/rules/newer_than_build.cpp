@@ -73,13 +73,13 @@ void checks::newer_than_build(AxisContext const& context, Report& report) {
     if (list == nullptr) continue;
     for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (!reading.usable()) return;
-      schema::Parameter const& parameter = *reading.name.row;
+      schema::Parameter const& parameter = *reading.row;
       std::string const needed = missing_build(parameter, reading, build);
       if (needed.empty()) return;
       Place const place{.source = list->source, .span = assignment.value};
-      report.add(place, parameter, reading.name.slot,
+      report.add(place, parameter, reading.slot,
                  message(headline(parameter, reading, build),
-                         {{"parameter", schema::slot_name(parameter, reading.name.slot)},
+                         {{"parameter", schema::slot_name(parameter, reading.slot)},
                           {"needed", needed},
                           {"build", to_text(build)}}));
     });

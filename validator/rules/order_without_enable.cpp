@@ -11,8 +11,8 @@ void order_without_enable(FilterContext const& context, Report& report) {
       filter.order,
       {Text::ax3008, {{"filter", filter_name(filter)}, {"order", number(filter.order.value.number)}}});
   finding.label = Message{Text::ax3008_label, {{"enable", parameter_name(filter.enable)}}};
-  if (filter.enable.value_place) {
-    finding.related.push_back({*filter.enable.value_place, {Text::ax3008_enable_here, {}}});
+  if (filter.enable.value_place()) {
+    finding.related.push_back({*filter.enable.value_place(), {Text::ax3008_enable_here, {}}});
   }
   finding.help.push_back({Text::ax3008_help, {{"enable", parameter_name(filter.enable)}}});
   react(finding, "", {Text::filter_reaction_inactive, {}});

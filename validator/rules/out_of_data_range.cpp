@@ -36,14 +36,14 @@ void checks::out_of_data_range(AxisContext const& context, Report& report) {
     for_each_doubtful(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (reading.status != ReadingStatus::out_of_data_range || !reading.known()) return;
       Place const place{.source = list->source, .span = assignment.value};
-      add(context, report, place, *reading.name.row, reading.name.slot, source.utf8(assignment.value),
+      add(context, report, place, *reading.row, reading.slot, source.utf8(assignment.value),
           reading.value.number > 0);
     });
   }
   for (ReferenceProblem const& problem : context.reference_problems) {
     if (problem.trouble != ReferenceTrouble::out_of_data_range) continue;
     EffectiveValue const& value = context.values[problem.slot];
-    add(context, report, *value.value_place, *value.row, problem.slot, format_exact(problem.number),
+    add(context, report, *value.value_place(), *value.row, problem.slot, format_exact(problem.number),
         problem.number > 0);
   }
 }

@@ -49,9 +49,9 @@ void checks::out_of_range(AxisContext const& context, Report& report) {
     if (list == nullptr) continue;
     for_each_doubtful(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
       if (!reading.known() || reading.status != ReadingStatus::value) return;
-      schema::Parameter const& parameter = *reading.name.row;
+      schema::Parameter const& parameter = *reading.row;
       if (!is_number(parameter) || is_number_of_default_list(*list, parameter, reading.value.number)) return;
-      judge(context, report, {.source = list->source, .span = assignment.value}, reading.name.slot,
+      judge(context, report, {.source = list->source, .span = assignment.value}, reading.slot,
             reading.value.number);
     });
   }
@@ -59,7 +59,7 @@ void checks::out_of_range(AxisContext const& context, Report& report) {
     EffectiveValue const& value = context.values[slot];
     if (!value.referenced || value.unusable) continue;
     if (!is_number(context.values.row(slot))) continue;
-    judge(context, report, *value.value_place, slot, value.value.number);
+    judge(context, report, *value.value_place(), slot, value.value.number);
   }
 }
 

@@ -28,8 +28,8 @@ void peak_gain(AxisContext const& axis, Report& report) {
   finding.label = Message{Text::ax6005_label, {{"gain", format_rounded(gain, 3)}}};
   finding.notes.push_back({Text::ax6005_note, {}});
   for (ChainLink const& link : chain) {
-    if (link.filter.index == last.index || !link.filter.enable.value_place) continue;
-    finding.related.push_back({*link.filter.enable.value_place,
+    if (link.filter.index == last.index || !link.filter.enable.value_place()) continue;
+    finding.related.push_back({*link.filter.enable.value_place(),
                                {Text::ax6005_filter_here, {{"filter", filter_name(link.filter)}}}});
   }
 }

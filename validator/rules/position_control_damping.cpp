@@ -26,9 +26,9 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
     finding.label = Message{Text::ax3031_label, {}};
     finding.notes.push_back({Text::ax3031_limit, {{"p_axis", parameter_number(damping)}}});
     react(finding, "70599", {Text::ax3031_reaction, {}});
-    if (stage.mode.value_place) {
+    if (stage.mode.value_place()) {
       finding.related.push_back(
-          {*stage.mode.value_place, {Text::ipc_mode_here, {{"mode", symbol_word(stage.mode)}}}});
+          {*stage.mode.value_place(), {Text::ipc_mode_here, {{"mode", symbol_word(stage.mode)}}}});
     }
   });
 }

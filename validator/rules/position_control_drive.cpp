@@ -15,8 +15,8 @@ LoadedAxis const& loaded(AxisContext const& axis) {
 }
 
 void relate_enable(Finding& finding, PositionControlView const& view) {
-  if (view.enable.value_place) {
-    finding.related.push_back({*view.enable.value_place, {Text::ipc_enabled_here, {}}});
+  if (view.enable.value_place()) {
+    finding.related.push_back({*view.enable.value_place(), {Text::ipc_enabled_here, {}}});
   }
 }
 
@@ -41,7 +41,7 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
   PositionControlView const view(axis.values);
   EffectiveValue const& mode = axis.values.at("antr.operation_mode");
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
-  Finding& finding = report.add(mode, {Text::ax3043, {{"mode", mode.value.text}}});
+  Finding& finding = report.add(mode, {Text::ax3043, {{"mode", std::string(mode.value.text)}}});
   finding.notes.push_back({Text::ax3043_limit, {{"p_axis", parameter_number(mode)}}});
   react(finding, "70602", {Text::ax3043_reaction, {}});
   relate_enable(finding, view);
@@ -58,7 +58,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   if (given) return;
   EffectiveValue const* last = nullptr;
   for (EffectiveValue const* const value : scaling) {
-    if (value->set() && (last == nullptr || last->value_place < value->value_place)) last = value;
+    if (value->set() && (last == nullptr || last->value_place() < value->value_place())) last = value;
   }
   Finding& finding = report.add(last != nullptr ? *last : view.enable, {Text::ax4016, {}});
   finding.notes.push_back(

@@ -28,8 +28,8 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
                              {{"numerator", parameter_number(numerator)},
                               {"denominator", parameter_number(denominator)},
                               {"limit", number(largest_weight)}}});
-    if (denominator.value_place) {
-      finding.related.push_back({*denominator.value_place, {Text::ax3032_denominator_here, {}}});
+    if (denominator.value_place()) {
+      finding.related.push_back({*denominator.value_place(), {Text::ax3032_denominator_here, {}}});
     }
     react(finding, "70605", {Text::ax3032_reaction, {}}, number(largest_weight));
   }

@@ -24,7 +24,7 @@ std::vector<Band> bands_of(AxisContext const& axis) {
     if (!filter || !configured(filter->frequency) || !configured(filter->quality)) continue;
     double const centre = filter->frequency.value.number;
     double const quality = filter->quality.value.number;
-    if (!(centre > 0) || !(quality > 0) || !filter->frequency.value_place) continue;
+    if (!(centre > 0) || !(quality > 0) || !filter->frequency.value_place()) continue;
     bands.push_back({stage, filter->frequency, centre, centre / (2 * quality)});
   }
   return bands;
@@ -55,11 +55,11 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
     std::vector<Related> earlier;
     std::string frequencies;
     for (Band const& other : bands) {
-      bool const is_earlier = *other.frequency.value_place < *band.frequency.value_place;
+      bool const is_earlier = *other.frequency.value_place() < *band.frequency.value_place();
       if (!is_earlier || !disturb(other, band)) continue;
       std::string const frequency = number(other.centre);
       frequencies.append(frequencies.empty() ? "" : ", ").append(frequency).append(" Hz");
-      earlier.push_back({*other.frequency.value_place,
+      earlier.push_back({*other.frequency.value_place(),
                          {Text::ax3034_other,
                           {{"frequency", frequency}, {"width", format_rounded(2 * other.half_width, 4)}}}});
     }
@@ -92,8 +92,8 @@ void ipc_phase_lag(AxisContext const& axis, Report& report) {
                              {{"p_axis", parameter_number(filter->frequency)},
                               {"limit", format_rounded(limit, 6)},
                               {"cycle", microseconds(axis.cycle_time.microseconds())}}});
-    if (stage.mode.value_place) {
-      finding.related.push_back({*stage.mode.value_place, {Text::ipc_mode_here, {{"mode", mode}}}});
+    if (stage.mode.value_place()) {
+      finding.related.push_back({*stage.mode.value_place(), {Text::ipc_mode_here, {{"mode", mode}}}});
     }
     finding.help.push_back({cycles == 2 ? Text::ax3036_help_indirect : Text::ax3036_help_set_point, {}});
   }

@@ -12,13 +12,13 @@ using Values = std::vector<EffectiveValue const*>;
 
 void add_configured(Values& values, std::initializer_list<EffectiveValue const*> candidates) {
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(values),
-               [](EffectiveValue const* value) { return configured(*value) && value->value_place; });
+               [](EffectiveValue const* value) { return configured(*value) && value->value_place(); });
 }
 
 EffectiveValue const* last_of(Values const& values) {
   auto const last = std::max_element(values.begin(), values.end(),
                                      [](EffectiveValue const* left, EffectiveValue const* right) {
-                                       return *left->value_place < *right->value_place;
+                                       return *left->value_place() < *right->value_place();
                                      });
   return last == values.end() ? nullptr : *last;
 }
@@ -35,7 +35,7 @@ Mixture mixture_of(StageView const& stage) {
   add_configured(filters.older,
                  {&stage.older.order, &stage.older.frequency, &stage.older.quality, &stage.older_damping});
   for (StageFilterView const& filter : stage.newer) {
-    if (filter.type->set() && filter.type->value_place) filters.newer.push_back(filter.type);
+    if (filter.type->set() && filter.type->value_place()) filters.newer.push_back(filter.type);
     add_configured(filters.newer, {&filter.order, &filter.frequency, &filter.quality});
   }
   Mixture damping;
@@ -54,13 +54,13 @@ void ipc_mixed_generations(AxisContext const& axis, Report& report) {
     if (!mixture.mixed()) continue;
     EffectiveValue const& older = *last_of(mixture.older);
     EffectiveValue const& newer = *last_of(mixture.newer);
-    bool const newer_last = *older.value_place < *newer.value_place;
+    bool const newer_last = *older.value_place() < *newer.value_place();
     EffectiveValue const& last = newer_last ? newer : older;
     EffectiveValue const& first = newer_last ? older : newer;
     Finding& finding = report.add(last, {Text::ax3039, {{"stage", number(stage.index)}}});
     finding.label = Message{newer_last ? Text::ax3039_newer : Text::ax3039_older, {}};
     finding.related.push_back(
-        {*first.value_place, {newer_last ? Text::ax3039_older : Text::ax3039_newer, {}}});
+        {*first.value_place(), {newer_last ? Text::ax3039_older : Text::ax3039_newer, {}}});
     finding.help.push_back({Text::ax3039_help, {}});
   }
 }
@@ -71,14 +71,14 @@ void ipc_no_bandpass(AxisContext const& axis, Report& report) {
     bool unknown = false;
     for (StageFilterView const& filter : stage.newer) {
       unknown = unknown || filter.type->unusable;
-      if (filter.type->set() && filter.type->value_place) types.push_back(filter.type);
+      if (filter.type->set() && filter.type->value_place()) types.push_back(filter.type);
     }
     if (unknown || types.empty() || stage.bandpass()) continue;
     Finding& finding = report.add(*last_of(types), {Text::ax3042, {{"stage", number(stage.index)}}});
     finding.notes.push_back({Text::ax3042_limit, {{"p_axis", parameter_number(*types.front())}}});
     for (EffectiveValue const* const type : types) {
       if (type == last_of(types)) continue;
-      finding.related.push_back({*type->value_place, {Text::filter_type_here, {}}});
+      finding.related.push_back({*type->value_place(), {Text::filter_type_here, {}}});
     }
   }
 }

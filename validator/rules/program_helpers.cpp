@@ -45,9 +45,9 @@ void relate_values(Finding& finding, std::vector<LoadedAxis const*> const& axes,
                    Text text) {
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(pattern);
-    if (!value.value_place) continue;
+    if (!value.value_place()) continue;
     finding.related.push_back(
-        {.place = *value.value_place, .message = {.text = text, .arguments = {{"axis", axis->name}}}});
+        {.place = *value.value_place(), .message = {.text = text, .arguments = {{"axis", axis->name}}}});
   }
 }
 

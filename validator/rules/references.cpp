@@ -18,7 +18,7 @@ std::string named(ReferenceProblem const& problem) {
 
 /// The index as the list writes it: a number of any length.
 std::string written_index(AxisContext const& context, EffectiveValue const& value) {
-  std::string const reference = context.sources[value.value_place->source].utf8(value.value_place->span);
+  std::string const reference = context.sources[value.value_place()->source].utf8(value.value_place()->span);
   return reference.substr(reference.find_last_of('.') + 1);
 }
 
@@ -35,7 +35,7 @@ std::string name_of(AxisContext const& context, schema::Slot slot) {
 
 /// The value of the default list, or the documented default; none where that is not known either.
 void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value) {
-  std::string earlier = value.value.text;
+  std::string earlier(value.value.text);
   if (earlier.empty() && default_value(*value.row)) earlier = format_exact(value.value.number);
   bool const is_number = value.value.text.empty() && !earlier.empty();
   set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
@@ -46,7 +46,7 @@ void add_target(AxisContext const& context, Finding& finding, ReferenceProblem c
   if (!problem.target) return;
   std::string const name = name_of(context, *problem.target);
   finding.notes.push_back(message(Text::reference_target, {{"p_axis", named(problem)}, {"name", name}}));
-  if (auto const& place = context.values[*problem.target].value_place) {
+  if (auto const& place = context.values[*problem.target].value_place()) {
     finding.related.push_back(
         {.place = *place, .message = message(Text::reference_target_here, {{"name", name}})});
   }
@@ -74,7 +74,7 @@ void checks::reference_circular(AxisContext const& context, Report& report) {
         keep_earlier(context, finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
-              {.place = *context.values[member].value_place,
+              {.place = *context.values[member].value_place(),
                .message = message(Text::ax2011_member, {{"parameter", name_of(context, member)}})});
         }
       });
@@ -92,7 +92,7 @@ void checks::reference_type(AxisContext const& context, Report& report) {
                                               {"other", std::string(schema::data_type_name(other))}});
         if (type == other) {
           text = message(Text::ax2012_symbol, {{"parameter", name_of(context, problem.slot)},
-                                               {"value", context.values[*problem.target].value.text},
+                                               {"value", std::string(context.values[*problem.target].value.text)},
                                                {"p_axis", named(problem)}});
         }
         Finding& finding = report.add(value, std::move(text));

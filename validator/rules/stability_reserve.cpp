@@ -23,9 +23,9 @@ void stability_reserve(FilterContext const& context, Report& report) {
                  {Text::ax6001, {{"filter", filter_name(filter)}, {"reserve", format_rounded(reserve, 2)}}});
   finding.label = Message{Text::ax6001_label, {{"reserve", format_rounded(reserve, 2)}}};
   finding.notes.push_back({Text::ax6001_limit, {}});
-  if (cause.value_place) {
+  if (cause.value_place()) {
     finding.related.push_back(
-        {*cause.value_place, {by_frequency ? Text::ax6001_frequency_here : Text::ax6001_time_here, {}}});
+        {*cause.value_place(), {by_frequency ? Text::ax6001_frequency_here : Text::ax6001_time_here, {}}});
   }
   finding.help.push_back({by_frequency ? Text::ax6001_help_frequency : Text::ax6001_help_time,
                           {{"parameter", parameter_name(cause)}}});

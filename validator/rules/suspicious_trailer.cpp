@@ -39,7 +39,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
                       reading.status == ReadingStatus::out_of_data_range;
   if (!usable) return false;
   if (reading.row_known()) {
-    schema::Parameter const& parameter = *reading.name.row;
+    schema::Parameter const& parameter = *reading.row;
     if (parameter.type == schema::DataType::boolean) return true;
     if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   }

@@ -41,7 +41,7 @@ Finding* check(EffectiveValue const& parameter, bool used, std::string const& ty
   Finding& finding =
       report.add(parameter, {Text::ax3009, {{"type", type}, {"parameter", parameter_name(parameter)}}});
   std::string const value =
-      parameter.value.text.empty() ? number(parameter.value.number) : parameter.value.text;
+      parameter.value.text.empty() ? number(parameter.value.number) : std::string(parameter.value.text);
   finding.label = Message{Text::ax3009_label, {{"value", value}}};
   finding.notes.push_back({users, {{"p_axis", parameter_number(parameter)}}});
   react(finding, "", {Text::ax3009_reaction, {}});
@@ -80,8 +80,8 @@ void check_fir(FirView const& fir, Report& report) {
   };
   for (Candidate const& candidate : candidates) {
     Finding* const finding = check(candidate.parameter, candidate.used, name, candidate.users, report);
-    if (finding != nullptr && fir.type.value_place) {
-      finding->related.push_back({*fir.type.value_place, {Text::filter_type_here, {}}});
+    if (finding != nullptr && fir.type.value_place()) {
+      finding->related.push_back({*fir.type.value_place(), {Text::filter_type_here, {}}});
     }
   }
 }

@@ -18,7 +18,7 @@ Text headline(schema::Parameter const& parameter) {
 void checks::wrong_type(ListContext const& context, Report& report) {
   for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
     if (reading.status != ReadingStatus::wrong_type) return;
-    schema::Parameter const& parameter = *reading.name.row;
+    schema::Parameter const& parameter = *reading.row;
     std::string const value = context.source.utf8(reading.text);
     Finding& finding = add_at(
         context, report, assignment, reading, reading.text,
