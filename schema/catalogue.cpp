@@ -41,16 +41,34 @@ static_assert(std::size(slot_table) == std::size(slot_name_table));
 static_assert(std::size(displacement_table) == hash_geometry.buckets);
 static_assert(std::size(place_table) == hash_geometry.places);
 
+/// All that a look-up needs, side by side; an empty name where the place is free.
+struct Place {
+  std::string_view name;
+  Slot slot{};
+  ParameterId parameter{};
+};
+
+constexpr auto places = [] {
+  std::array<Place, hash_geometry.places> filled{};
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    std::uint16_t const entry = place_table[i];
+    if (entry == 0) continue;
+    filled[i] = {.name = slot_name_table[entry - 1],
+                 .slot = static_cast<Slot>(entry - 1),
+                 .parameter = slot_table[entry - 1].parameter};
+  }
+  return filled;
+}();
+
 Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
 }
 
-std::optional<Slot> find_slot(std::string_view name) {
+/// The only place where `name` can stand.
+Place const& place_of_name(std::string_view name) {
   std::uint64_t const hash = hash_name(name);
   std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
-  std::uint16_t const entry = place_table[place_of(hash, displacement, hash_geometry)];
-  if (entry == 0 || slot_name_table[entry - 1] != name) return std::nullopt;
-  return static_cast<Slot>(entry - 1);
+  return places[place_of(hash, displacement, hash_geometry)];
 }
 
 NameLookup found(Slot slot) {
@@ -88,13 +106,13 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 }  // namespace
 
 ConcreteParameter find_exact(std::string_view name) {
-  auto const slot = find_slot(name);
-  if (!slot) return {};
-  return {.row = &row(parameter_of(*slot)), .slot = *slot};
+  Place const& place = place_of_name(name);
+  if (!same_bytes(place.name, name)) return {};
+  return {.row = &row(place.parameter), .slot = place.slot};
 }
 
 NameLookup find_as_written(std::string_view name) {
-  if (auto const slot = find_slot(name)) return found(*slot);
+  if (auto const exact = find_exact(name)) return found(exact.slot);
   return find_row(name);
 }
 

@@ -41,6 +41,17 @@ constexpr std::uint64_t hash_name(std::string_view name) {
   return hash;
 }
 
+/// `a == b`, eight bytes at a time: names are too short for a call to pay.
+constexpr bool same_bytes(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  std::size_t const size = a.size();
+  if (size < 8) return word_of(a.data(), size) == word_of(b.data(), size);
+  for (std::size_t at = 0; at + 8 < size; at += 8) {
+    if (word_of(a.data() + at, 8) != word_of(b.data() + at, 8)) return false;
+  }
+  return word_of(a.data() + size - 8, 8) == word_of(b.data() + size - 8, 8);
+}
+
 /// Two-level hashing (hash, displace): names fall into buckets, and every bucket has a displacement that sends its
 /// names to free places of the table.
 struct HashGeometry {

@@ -247,27 +247,30 @@ class ListReader {
     result_.readings_.reserve(list.assignments.size());
   }
 
+  /// Names first: a processor works at several look-ups at a time when nothing stands between them.
   Readings read() && {
-    for (grammar::Assignment const& assignment : list_.assignments) read(assignment);
+    for (grammar::Assignment const& assignment : list_.assignments) look_up(assignment);
+    for (std::uint32_t i = 0; i < list_.assignments.size(); ++i) judge(i);
     return std::move(result_);
   }
 
  private:
-  void read(grammar::Assignment const& assignment) {
-    std::string_view const name = source_.slice(assignment.name);
-    Reading& reading = result_.readings_.emplace_back();
-    look_up(name, reading);
+  void judge(std::uint32_t number) {
+    grammar::Assignment const& assignment = list_.assignments[number];
+    Reading& reading = result_.readings_[number];
     Judge judge(source_, assignment, reading, result_.transcoded_);
     if (reading.row_known()) {
       judge.with(*reading.row);
     } else {
       judge.without_parameter();
-      suggest(name);
+      suggest(number);
     }
-    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(last());
+    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
   }
 
-  void look_up(std::string_view name, Reading& reading) const {
+  void look_up(grammar::Assignment const& assignment) {
+    std::string_view const name = source_.slice(assignment.name);
+    Reading& reading = result_.readings_.emplace_back();
     if (auto const exact = catalogue_.find_exact(name)) {
       reading.row = exact.row;
       reading.slot = exact.slot;
@@ -281,15 +284,12 @@ class ListReader {
     reading.name_folded = lookup.case_folded;
   }
 
-  void suggest(std::string_view name) {
+  void suggest(std::uint32_t number) {
     constexpr std::size_t most_suggestions = 1000;
     if (++unknown_names_ > most_suggestions) return;
-    std::vector<std::string> names = catalogue_.suggest_names(name);
-    if (!names.empty()) result_.suggested_.push_back({.assignment = last(), .names = std::move(names)});
-  }
-
-  [[nodiscard]] std::uint32_t last() const {
-    return static_cast<std::uint32_t>(result_.readings_.size() - 1);
+    std::vector<std::string> names =
+        catalogue_.suggest_names(source_.slice(list_.assignments[number].name));
+    if (!names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
   }
 
   SourceText const& source_;
