@@ -49,33 +49,34 @@ enum class Slot : std::uint16_t {};
 
 struct Limit {
   enum class Kind : std::uint8_t { none, number, parameter };
-  Kind kind = Kind::none;
-  bool open = false;         ///< the limit itself is not allowed
   double number = 0;         ///< for Kind::number; limits of the data type are written out as numbers
   std::uint16_t p_axis = 0;  ///< for Kind::parameter: the number of the limiting parameter
+  Kind kind = Kind::none;
+  bool open = false;  ///< the limit itself is not allowed
 };
 
-struct Parameter {
-  std::string_view name;     ///< pattern: `filter[].order`
-  std::uint16_t p_axis = 0;  ///< 140 for P-AXIS-00140; 0 where no number is documented
-  DataType type{};
-  std::string_view default_text;  ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
-  bool has_default = false;
-  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
-  std::string_view
-      unit_translatory;          ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
-  std::string_view unit_rotary;  ///< the same for rotary axes and spindles
+/// What judging a value needs comes first, in one cache line.
+struct alignas(64) Parameter {
   Limit minimum;
   Limit maximum;
   std::span<Symbol const>
       symbols;  ///< words of an enumeration; for booleans FALSE, TRUE and further words for 0 and 1
-  std::span<Symbol const>
-      number_names;              ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
+  DataType type{};
+  bool has_default = false;
+  std::uint16_t p_axis = 0;      ///< 140 for P-AXIS-00140; 0 where no number is documented
   std::uint16_t max_length = 0;  ///< of a string, in characters; 0 where none is documented
-  std::string_view axis_types;   ///< "TR" where the parameter is not for every type; empty means all
-  std::string_view since;        ///< build that introduced it; empty where it is as old as the catalogue
   Slot first_slot{};
   std::uint16_t slots = 1;
+  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
+  std::string_view name;                 ///< pattern: `filter[].order`
+  std::string_view default_text;         ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
+  std::string_view
+      unit_translatory;          ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
+  std::string_view unit_rotary;  ///< the same for rotary axes and spindles
+  std::span<Symbol const>
+      number_names;             ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
+  std::string_view axis_types;  ///< "TR" where the parameter is not for every type; empty means all
+  std::string_view since;       ///< build that introduced it; empty where it is as old as the catalogue
 
   [[nodiscard]] std::size_t index_count() const { return array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U; }
   [[nodiscard]] bool is_enumeration() const { return !symbols.empty() && type != DataType::boolean; }

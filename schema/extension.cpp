@@ -54,23 +54,23 @@ ParameterRow ParameterRow::from(Parameter const& parameter) {
 }
 
 Parameter ParameterRow::view() const {
-  return {.name = name,
-          .p_axis = p_axis,
-          .type = type,
-          .default_text = default_text ? std::string_view(*default_text) : std::string_view(),
-          .has_default = default_text.has_value(),
-          .array = array,
-          .unit_translatory = unit_translatory,
-          .unit_rotary = unit_rotary,
-          .minimum = minimum,
+  return {.minimum = minimum,
           .maximum = maximum,
           .symbols = {},
-          .number_names = {},
+          .type = type,
+          .has_default = default_text.has_value(),
+          .p_axis = p_axis,
           .max_length = max_length,
-          .axis_types = axis_types,
-          .since = since,
           .first_slot = {},
-          .slots = static_cast<std::uint16_t>(slots_of(array))};
+          .slots = static_cast<std::uint16_t>(slots_of(array)),
+          .array = array,
+          .name = name,
+          .default_text = default_text ? std::string_view(*default_text) : std::string_view(),
+          .unit_translatory = unit_translatory,
+          .unit_rotary = unit_rotary,
+          .number_names = {},
+          .axis_types = axis_types,
+          .since = since};
 }
 
 Extension::Extension(std::vector<ParameterRow> rows)

@@ -37,8 +37,7 @@ PositionController position_controller(LoadedAxis const& axis) {
 
 bool is_open_loop(EffectiveValue const& operation_mode) {
   constexpr std::string_view open = "OPEN_POSITION_LOOP";
-  return !operation_mode.unusable &&
-         operation_mode.value.text.starts_with(open);
+  return !operation_mode.unusable && operation_mode.value.text.starts_with(open);
 }
 
 }  // namespace axisc::validator

@@ -13,12 +13,11 @@ namespace {
 
 /// Whether a rule that needs T has anything to look at: an active standard filter, a configured FIR or HSC filter, an
 /// enabled Improved Position Control.
-bool uses_cycle_time(EffectiveValues const& values) {
-  for (FilterView const& filter : touched_filters(values)) {
+bool uses_cycle_time(AxisContext const& axis, std::vector<FilterView> const& filters) {
+  for (FilterView const& filter : filters) {
     if (filter.active() || (filter.port == FilterPort::setpoint && filter.is_hsc())) return true;
   }
-  return values.at("filter_fir.type").value.number != 0 ||
-         values.at("lr_param.improved_position_control.enable").value.flag();
+  return axis.fir.type.value.number != 0 || axis.position_control.enable.value.flag();
 }
 
 class Engine {
@@ -99,6 +98,8 @@ class Engine {
   void run_axis(std::size_t index) {
     LoadedAxis const& axis = machine_.axes[index];
     EffectiveValues const& values = axis.merged.values;
+    FirView const fir(values);
+    PositionControlView const position_control(values);
     AxisContext const context{.machine = machine_,
                               .index = index,
                               .name = axis.name,
@@ -108,9 +109,11 @@ class Engine {
                               .sources = sources_,
                               .default_list = machine_.list_of_defaults(),
                               .axis_list = machine_.lists[axis.list].list,
-                              .reference_problems = axis.merged.reference_problems};
+                              .reference_problems = axis.merged.reference_problems,
+                              .fir = fir,
+                              .position_control = position_control};
     std::vector<FilterView> const filters = touched_filters(values);
-    result_.cycle_time_needed = result_.cycle_time_needed || uses_cycle_time(values);
+    result_.cycle_time_needed = result_.cycle_time_needed || uses_cycle_time(context, filters);
     for (Rule const& rule : rules()) {
       if (!enabled(rule)) continue;
       if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {

@@ -63,8 +63,7 @@ std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std
 }  // namespace
 
 std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::AxisList const& list,
-                                             Readings const& readings,
-                                             schema::Catalogue const& catalogue) {
+                                             Readings const& readings, schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
   for (grammar::Problem const& problem : list.problems) {

@@ -247,7 +247,7 @@ class ListReader {
     result_.readings_.reserve(list.assignments.size());
   }
 
-  /// Names first: a processor works at several look-ups at a time when nothing stands between them.
+  /// Names first: a processor works at several look-ups at once when nothing stands between them.
   Readings read() && {
     for (grammar::Assignment const& assignment : list_.assignments) look_up(assignment);
     for (std::uint32_t i = 0; i < list_.assignments.size(); ++i) judge(i);
@@ -287,8 +287,7 @@ class ListReader {
   void suggest(std::uint32_t number) {
     constexpr std::size_t most_suggestions = 1000;
     if (++unknown_names_ > most_suggestions) return;
-    std::vector<std::string> names =
-        catalogue_.suggest_names(source_.slice(list_.assignments[number].name));
+    std::vector<std::string> names = catalogue_.suggest_names(source_.slice(list_.assignments[number].name));
     if (!names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
   }
 
@@ -300,10 +299,9 @@ class ListReader {
 };
 
 std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
-  auto const found = std::lower_bound(suggested_.begin(), suggested_.end(), assignment,
-                                      [](Suggested const& suggested, std::size_t wanted) {
-                                        return suggested.assignment < wanted;
-                                      });
+  auto const found = std::lower_bound(
+      suggested_.begin(), suggested_.end(), assignment,
+      [](Suggested const& suggested, std::size_t wanted) { return suggested.assignment < wanted; });
   if (found == suggested_.end() || found->assignment != assignment) return {};
   return found->names;
 }

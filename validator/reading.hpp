@@ -96,8 +96,9 @@ class Readings {
 
   std::vector<Reading> readings_;
   std::vector<std::uint32_t> doubtful_;
-  std::vector<Suggested> suggested_;           ///< in the order of the assignments
-  std::forward_list<std::string> transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+  std::vector<Suggested> suggested_;  ///< in the order of the assignments
+  std::forward_list<std::string>
+      transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
 };
 
 /// Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown names only.

@@ -12,8 +12,10 @@
 #include "validator/command_check.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/filter_view.hpp"
+#include "validator/fir_view.hpp"
 #include "validator/loading.hpp"
 #include "validator/machine.hpp"
+#include "validator/position_control_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -98,6 +100,8 @@ struct AxisContext {
   LoadedList const* default_list;  ///< may be null
   LoadedList const& axis_list;
   std::vector<ReferenceProblem> const& reference_problems;
+  FirView const& fir;
+  PositionControlView const& position_control;
 };
 
 /// What a rule about one standard filter sees; every filter that a list touches is shown once.

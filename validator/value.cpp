@@ -51,32 +51,44 @@ struct ExactRange {
   std::uint64_t highest = 0;
 };
 
-ExactRange exact_range(schema::DataType type) {
-  using schema::DataType;
-  switch (type) {
-    case DataType::boolean:
-      return {.lowest = 0, .highest = 1};
-    case DataType::uns08:
-      return {.lowest = 0, .highest = std::numeric_limits<std::uint8_t>::max()};
-    case DataType::uns16:
-      return {.lowest = 0, .highest = std::numeric_limits<std::uint16_t>::max()};
-    case DataType::uns32:
-      return {.lowest = 0, .highest = std::numeric_limits<std::uint32_t>::max()};
-    case DataType::uns64:
-      return {.lowest = 0, .highest = std::numeric_limits<std::uint64_t>::max()};
-    case DataType::sgn08:
-      return {.lowest = -128, .highest = 127};
-    case DataType::sgn16:
-      return {.lowest = -32768, .highest = 32767};
-    case DataType::sgn32:
-      return {.lowest = -2147483648LL, .highest = 2147483647};
-    case DataType::sgn64:
-    case DataType::real64:
-    case DataType::string:
-      break;
+/// In the order of schema::DataType; reals and strings, which have no such range, hold what 64 bits hold.
+constexpr std::array<ExactRange, 11> exact_ranges = [] {
+  using Wide = std::numeric_limits<std::int64_t>;
+  constexpr ExactRange widest{.lowest = Wide::min(), .highest = static_cast<std::uint64_t>(Wide::max())};
+  return std::array<ExactRange, 11>{{{.lowest = 0, .highest = 1},
+                                     {.lowest = 0, .highest = std::numeric_limits<std::uint8_t>::max()},
+                                     {.lowest = 0, .highest = std::numeric_limits<std::uint16_t>::max()},
+                                     {.lowest = 0, .highest = std::numeric_limits<std::uint32_t>::max()},
+                                     {.lowest = 0, .highest = std::numeric_limits<std::uint64_t>::max()},
+                                     {.lowest = -128, .highest = 127},
+                                     {.lowest = -32768, .highest = 32767},
+                                     {.lowest = -2147483648LL, .highest = 2147483647},
+                                     widest,
+                                     widest,
+                                     widest}};
+}();
+static_assert(static_cast<std::size_t>(schema::DataType::boolean) == 0 &&
+              static_cast<std::size_t>(schema::DataType::sgn08) == 5 &&
+              static_cast<std::size_t>(schema::DataType::string) + 1 == exact_ranges.size());
+
+ExactRange const& exact_range(schema::DataType type) {
+  return exact_ranges[static_cast<std::size_t>(type)];
+}
+
+/// What cannot overflow, as nearly all integers of a list.
+struct ShortInteger {
+  static constexpr std::size_t most_digits = 19;
+  bool good = true;
+  std::uint64_t magnitude = 0;
+};
+
+ShortInteger read_short_integer(std::string_view digits) {
+  ShortInteger result;
+  for (char const digit : digits) {
+    result.good = result.good && is_digit(digit);
+    result.magnitude = result.magnitude * 10 + static_cast<std::uint64_t>(digit - '0');
   }
-  return {.lowest = std::numeric_limits<std::int64_t>::min(),
-          .highest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())};
+  return result;
 }
 
 bool fits(std::uint64_t magnitude, bool negative, ExactRange const& range) {
@@ -92,12 +104,19 @@ NumberReading read_integer(std::string_view text, schema::DataType type) {
   Digits const digits = split_integer(text);
   if (has_leading_zero(digits)) return {.status = NumberStatus::leading_zero, .number = 0};
   std::uint64_t magnitude = 0;
-  char const* const end = digits.text.data() + digits.text.size();
-  auto const [stop, error] = std::from_chars(digits.text.data(), end, magnitude, digits.base);
-  if (stop != end || error == std::errc::invalid_argument) return {};
-  bool const good = error == std::errc{} && fits(magnitude, digits.negative, exact_range(type));
-  double const size =
-      error == std::errc{} ? static_cast<double>(magnitude) : std::numeric_limits<double>::infinity();
+  bool overflow = false;
+  if (digits.base == 10 && !digits.text.empty() && digits.text.size() <= ShortInteger::most_digits) {
+    ShortInteger const read = read_short_integer(digits.text);
+    if (!read.good) return {};
+    magnitude = read.magnitude;
+  } else {
+    char const* const end = digits.text.data() + digits.text.size();
+    auto const [stop, error] = std::from_chars(digits.text.data(), end, magnitude, digits.base);
+    if (stop != end || error == std::errc::invalid_argument) return {};
+    overflow = error != std::errc{};
+  }
+  bool const good = !overflow && fits(magnitude, digits.negative, exact_range(type));
+  double const size = overflow ? std::numeric_limits<double>::infinity() : static_cast<double>(magnitude);
   return {.status = good ? NumberStatus::good : NumberStatus::out_of_data_range,
           .number = digits.negative ? -size : size};
 }

@@ -122,14 +122,14 @@ class TableWriter {
   }
 
   void write_limit(char const* member, std::optional<LimitData> const& limit) {
-    out_ << ", ." << member << " = ";
+    out_ << "." << member << " = ";
     if (!limit) {
-      out_ << "{}";
+      out_ << "{}, ";
       return;
     }
-    out_ << "{.kind = Limit::Kind::" << (limit->number ? "number" : "parameter")
-         << ", .open = " << (limit->open ? "true" : "false") << ", .number = " << limit->number.value_or(0)
-         << ", .p_axis = " << limit->p_axis << "}";
+    out_ << "{.number = " << limit->number.value_or(0) << ", .p_axis = " << limit->p_axis
+         << ", .kind = Limit::Kind::" << (limit->number ? "number" : "parameter")
+         << ", .open = " << (limit->open ? "true" : "false") << "}, ";
   }
 
   void write_text(char const* member, std::string const& text) {
@@ -150,20 +150,22 @@ class TableWriter {
     std::size_t const slots =
         std::accumulate(array.begin(), array.end(), std::size_t{1}, std::multiplies<>());
     array.resize(2);
-    out_ << "    {.name = " << quoted(parameter.name) << ", .p_axis = " << parameter.p_axis
-         << ", .type = DataType::" << lower_case(parameter.type);
-    write_text("default_text", parameter.default_text.value_or(""));
-    out_ << ", .has_default = " << (parameter.default_text ? "true" : "false");
-    out_ << ", .array = {" << array[0] << ", " << array[1] << "}";
-    write_text("unit_translatory", parameter.unit_translatory);
-    write_text("unit_rotary", parameter.unit_rotary);
+    out_ << "    {";
     write_limit("minimum", parameter.minimum);
     write_limit("maximum", parameter.maximum);
-    out_ << ", .symbols = " << set_names_[2 * row] << ", .number_names = " << set_names_[2 * row + 1];
-    out_ << ", .max_length = " << parameter.max_length;
+    out_ << ".symbols = " << set_names_[2 * row] << ", .type = DataType::" << lower_case(parameter.type)
+         << ", .has_default = " << (parameter.default_text ? "true" : "false")
+         << ", .p_axis = " << parameter.p_axis << ", .max_length = " << parameter.max_length
+         << ", .first_slot = Slot{" << first_slot << "}, .slots = " << slots << ", .array = {" << array[0]
+         << ", " << array[1] << "}";
+    write_text("name", parameter.name);
+    write_text("default_text", parameter.default_text.value_or(""));
+    write_text("unit_translatory", parameter.unit_translatory);
+    write_text("unit_rotary", parameter.unit_rotary);
+    out_ << ", .number_names = " << set_names_[2 * row + 1];
     write_text("axis_types", parameter.axis_types);
     write_text("since", parameter.since);
-    out_ << ", .first_slot = Slot{" << first_slot << "}, .slots = " << slots << "},\n";
+    out_ << "},\n";
     return slots;
   }
 

@@ -78,7 +78,7 @@ TEST_CASE("limits and references reach what a schema file adds") {
   schema::ParameterRow limited = limit;
   limited.name = "kopf.new_value";
   limited.p_axis = 901;
-  limited.maximum = {.kind = schema::Limit::Kind::parameter, .open = false, .number = 0, .p_axis = 900};
+  limited.maximum = {.number = 0, .p_axis = 900, .kind = schema::Limit::Kind::parameter, .open = false};
   auto const options = with_rows({limit, limited});
   CHECK(Checked("kopf.new_value 11\n", options).found() == Lines{"1:16 AX2015"});
   CHECK(Checked("kopf.new_value 11\nkopf.new_limit 12\n", options).found().empty());

@@ -26,15 +26,14 @@ void add_standard_filters(EffectiveValues const& values, Frequencies& found) {
   }
 }
 
-void add_windowed_sinc(EffectiveValues const& values, Frequencies& found) {
-  FirView const fir(values);
+void add_windowed_sinc(FirView const& fir, Frequencies& found) {
   if (fir.frequency.unusable || fir.configured_type() != FirType::windowed_sinc) return;
   found.push_back({fir.frequency, fir.anchor(fir.frequency), "filter_fir.type 3", path_message});
 }
 
 // The documented default, -1, means that no frequency is configured.
-void add_stages(EffectiveValues const& values, Frequencies& found) {
-  for (StageView const& stage : PositionControlView(values).active_stages()) {
+void add_stages(PositionControlView const& position_control, Frequencies& found) {
+  for (StageView const& stage : position_control.active_stages()) {
     for (StageFilterView const& filter : stage.filters()) {
       if (!configured(filter.frequency)) continue;
       found.push_back(
@@ -45,11 +44,11 @@ void add_stages(EffectiveValues const& values, Frequencies& found) {
 
 }  // namespace
 
-std::vector<CharacteristicFrequency> characteristic_frequencies(EffectiveValues const& values) {
+std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis) {
   Frequencies found;
-  add_standard_filters(values, found);
-  add_windowed_sinc(values, found);
-  add_stages(values, found);
+  add_standard_filters(axis.values, found);
+  add_windowed_sinc(axis.fir, found);
+  add_stages(axis.position_control, found);
   return found;
 }
 

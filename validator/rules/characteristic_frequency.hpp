@@ -19,6 +19,6 @@ struct CharacteristicFrequency {
 
 /// Of the active standard filters, a configured HSC NoVib or windowed sinc, and the active stages of the
 /// Improved Position Control, where a list or a meaningful default gives one.
-[[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(EffectiveValues const& values);
+[[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis);
 
 }  // namespace axisc::validator::checks

@@ -13,8 +13,8 @@ void checks::duplicate_parameter(ListContext const& context, Report& report) {
   for (std::size_t i = 0; i < readings.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
     if (!readings[i].usable()) continue;
-    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(readings[i].slot)],
-                                               static_cast<std::uint32_t>(i + 1));
+    std::uint32_t const before =
+        std::exchange(last[static_cast<std::size_t>(readings[i].slot)], static_cast<std::uint32_t>(i + 1));
     if (before == 0) continue;
     std::size_t const earlier = before - 1;
     grammar::Assignment const& assignment = context.list.tree.assignments[earlier];

@@ -87,7 +87,7 @@ void filter_order_for_type(AxisContext const& axis, Report& report) {
     Finding* const finding = check(filter.order, *allowed, std::string(filter.type_word()), report);
     if (finding != nullptr) relate_type(*finding, filter);
   }
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (fir.type.unusable) return;
   bool const delay = fir.configured_type() == FirType::time_delay;
   check(fir.order, {.highest = delay ? longest_fir_delay : longest_kernel, .reaction = Reaction::clipped},

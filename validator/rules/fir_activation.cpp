@@ -6,7 +6,7 @@
 namespace axisc::validator::checks {
 
 void fir_without_type(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (fir.enable.unusable || fir.type.unusable) return;
   if (!fir.enable.value.flag() || fir.type.value.number != 0) return;
   Finding& finding = report.add(fir.anchor(fir.type), {Text::ax3020, {}});
@@ -17,7 +17,7 @@ void fir_without_type(AxisContext const& axis, Report& report) {
 }
 
 void fir_without_order(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (!fir.configured() || fir.order.unusable || fir.order_time.unusable) return;
   if (fir.order.value.number > 0 || fir.order_time.value.number > 0) return;
   if (program_gives_order(axis.machine, axis.index)) return;

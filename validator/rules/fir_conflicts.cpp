@@ -15,7 +15,7 @@ bool guards(EffectiveValue const& active) {
 
 void fir_with_hsc(AxisContext const& axis, Report& report) {
   std::vector<FilterView> const hsc = configured_hsc(axis.values);
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (hsc.empty() || (!fir.configured() && !guards(guard))) return;
   bool const is_fir = fir.configured();
@@ -30,7 +30,7 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
 }
 
 void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (!fir.configured() || !guards(guard)) return;
   Finding& finding = report.add(fir.type, {Text::ax4006, {}});

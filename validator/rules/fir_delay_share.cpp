@@ -5,7 +5,7 @@
 namespace axisc::validator::checks {
 
 void fir_delay_share(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (fir.configured_type() != FirType::time_delay || fir.share.unusable) return;
   double const share = fir.share.value.number;
   if (share == 0 || share == 100) return;

@@ -34,7 +34,7 @@ Message in_cycles(FirView const& fir, design::CycleTime cycle_time) {
 }  // namespace
 
 void fir_order_time_range(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (!uses_order_time(fir)) return;
   bool const short_one = is_too_short(fir, axis.cycle_time);
   if (!short_one && !is_too_long(fir, axis.cycle_time)) return;
@@ -56,7 +56,7 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
 }
 
 void fir_order_time_unused(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (!fir.configured() || fir.order.unusable || fir.order_time.unusable) return;
   if (!(fir.order.value.number > 0) || !(fir.order_time.value.number > 0)) return;
   Finding& finding = report.add(fir.order_time, {Text::ax3023, {{"order", number(fir.order.value.number)}}});
@@ -68,7 +68,7 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
 }
 
 void fir_order_time_rounded(AxisContext const& axis, Report& report) {
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (!uses_order_time(fir) || is_too_short(fir, axis.cycle_time) || is_too_long(fir, axis.cycle_time)) {
     return;
   }

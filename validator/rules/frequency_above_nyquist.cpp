@@ -6,7 +6,7 @@ namespace axisc::validator::checks {
 
 void frequency_above_nyquist(AxisContext const& axis, Report& report) {
   double const nyquist = axis.cycle_time.nyquist().value;
-  for (CharacteristicFrequency const& found : characteristic_frequencies(axis.values)) {
+  for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
     if (found.frequency.value.number < nyquist) continue;
     std::string const limit = number(nyquist);
     Finding& finding =

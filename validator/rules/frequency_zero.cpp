@@ -5,7 +5,7 @@
 namespace axisc::validator::checks {
 
 void frequency_zero(AxisContext const& axis, Report& report) {
-  for (CharacteristicFrequency const& found : characteristic_frequencies(axis.values)) {
+  for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
     if (found.frequency.value.number > 0) continue;
     Finding& finding = report.add(
         found.anchor,

@@ -66,7 +66,7 @@ void check_slave(LoadedAxis const& slave, LoadedAxis const& master, Report& repo
 }  // namespace
 
 void gantry_slave_ipc(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   GantryView const gantry(axis.values);
   bool const is_slave = gantry.is_slave() || master_of(axis.machine, axis.index).has_value();
   if (!view.enabled() || !is_slave) return;

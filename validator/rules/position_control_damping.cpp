@@ -10,7 +10,7 @@ constexpr double lowest_calm_damping = 0.05;
 
 template <typename Visit>
 void for_each_damping(AxisContext const& axis, Visit visit) {
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     // Without one, the stage has AX3030.
     if (stage.simulates() && configured(stage.damping())) visit(stage, stage.damping());
   }

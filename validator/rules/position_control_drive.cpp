@@ -23,7 +23,7 @@ void relate_enable(Finding& finding, PositionControlView const& view) {
 }  // namespace
 
 void ipc_drive_type(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   EffectiveValue const& type = axis.values.at("kenngr.antr_typ");
   auto const& named = loaded(axis).drive;
   bool const stated = named || (type.set() && !type.unusable);
@@ -38,7 +38,7 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
 }
 
 void ipc_operation_mode(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   EffectiveValue const& mode = axis.values.at("antr.operation_mode");
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
   Finding& finding = report.add(mode, {Text::ax3043, {{"mode", std::string(mode.value.text)}}});
@@ -48,7 +48,7 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
 }
 
 void ipc_scaling_missing(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   if (!view.enabled() || position_controller(loaded(axis)) != PositionController::drive) return;
   std::array const scaling{&axis.values.at("antr.v_reso_num"), &axis.values.at("antr.v_reso_denom"),
                            &axis.values.at("antr.v_time_base")};

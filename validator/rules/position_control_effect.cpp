@@ -13,7 +13,7 @@ constexpr double largest_weight = 7;
 }  // namespace
 
 void ipc_weight_limited(AxisContext const& axis, Report& report) {
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     EffectiveValue const& numerator = stage.weight_numerator;
     EffectiveValue const& denominator = stage.weight_denominator;
     if (numerator.unusable || denominator.unusable || !(denominator.value.number > 0)) continue;
@@ -36,7 +36,7 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
 }
 
 void ipc_without_limit(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   if (!view.enabled() || view.limit.unusable || view.limit.value.number != 0) return;
   Finding& finding = report.add(view.limit.set() ? view.limit : view.enable, {Text::ax3033, {}});
   finding.notes.push_back({Text::ax3033_limit, {{"p_axis", parameter_number(view.limit)}}});
@@ -46,7 +46,7 @@ void ipc_without_limit(AxisContext const& axis, Report& report) {
 }
 
 void ipc_no_active_stage(AxisContext const& axis, Report& report) {
-  PositionControlView const view(axis.values);
+  PositionControlView const& view = axis.position_control;
   bool const unknown = std::any_of(view.stages.begin(), view.stages.end(),
                                    [](StageView const& stage) { return stage.mode.unusable; });
   if (!view.enabled() || unknown || !view.active_stages().empty()) return;

@@ -19,7 +19,7 @@ struct Band {
 
 std::vector<Band> bands_of(AxisContext const& axis) {
   std::vector<Band> bands;
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     auto const filter = stage.bandpass();
     if (!filter || !configured(filter->frequency) || !configured(filter->quality)) continue;
     double const centre = filter->frequency.value.number;
@@ -76,7 +76,7 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
 
 void ipc_phase_lag(AxisContext const& axis, Report& report) {
   constexpr double cycles_per_eighth_of_a_period = 8;
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     double const cycles = dead_cycles(*stage.active_mode());
     auto const filter = stage.bandpass();
     if (cycles == 0 || !filter || !configured(filter->frequency)) continue;

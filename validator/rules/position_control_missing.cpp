@@ -60,7 +60,7 @@ Missing missing_in(StageView const& stage) {
 }  // namespace
 
 void ipc_parameter_missing(AxisContext const& axis, Report& report) {
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     Missing const missing = missing_in(stage);
     if (missing.empty()) continue;
     Finding& finding = report.add(

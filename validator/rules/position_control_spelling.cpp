@@ -49,7 +49,7 @@ Mixture mixture_of(StageView const& stage) {
 }  // namespace
 
 void ipc_mixed_generations(AxisContext const& axis, Report& report) {
-  for (StageView const& stage : PositionControlView(axis.values).stages) {
+  for (StageView const& stage : axis.position_control.stages) {
     Mixture const mixture = mixture_of(stage);
     if (!mixture.mixed()) continue;
     EffectiveValue const& older = *last_of(mixture.older);
@@ -66,7 +66,7 @@ void ipc_mixed_generations(AxisContext const& axis, Report& report) {
 }
 
 void ipc_no_bandpass(AxisContext const& axis, Report& report) {
-  for (StageView const& stage : PositionControlView(axis.values).active_stages()) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
     Values types;
     bool unknown = false;
     for (StageFilterView const& filter : stage.newer) {

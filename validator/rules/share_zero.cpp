@@ -26,7 +26,7 @@ void share_zero(AxisContext const& axis, Report& report) {
   for (FilterView const& filter : touched_filters(axis.values)) {
     if (works(filter)) check(filter.share, filter_name(filter), filter.enable, report);
   }
-  FirView const fir(axis.values);
+  FirView const& fir = axis.fir;
   if (fir.configured()) check(fir.share, "filter_fir", fir.enable, report);
 }
 

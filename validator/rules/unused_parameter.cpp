@@ -90,7 +90,7 @@ void check_fir(FirView const& fir, Report& report) {
 
 void unused_parameter(AxisContext const& axis, Report& report) {
   for (FilterView const& filter : touched_filters(axis.values)) check_filter(filter, report);
-  check_fir(FirView(axis.values), report);
+  check_fir(axis.fir, report);
 }
 
 }  // namespace axisc::validator::checks
