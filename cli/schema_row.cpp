@@ -203,18 +203,18 @@ class EntryReader {
 
   schema::Limit limit(JsonValue const& value, bool open) {
     using Kind = schema::Limit::Kind;
-    if (value.kind == JsonKind::number) return {.kind = Kind::number, .open = open, .number = value.number};
+    if (value.kind == JsonKind::number) return {.number = value.number, .kind = Kind::number, .open = open};
     if (value.kind == JsonKind::string) {
       std::string_view const text = value.string;
       if (auto const number = parse_p_axis(text)) {
         named_.push_back({.span = value.span, .p_axis = *number});
-        return {.kind = Kind::parameter, .open = open, .p_axis = *number};
+        return {.p_axis = *number, .kind = Kind::parameter, .open = open};
       }
       bool const highest = text.starts_with("MAX(");
       if ((highest || text.starts_with("MIN(")) && text.ends_with(")")) {
         auto const type = parse_data_type(text.substr(4, text.size() - 5));
         if (type && is_number(*type)) {
-          return {.kind = Kind::number, .open = open, .number = data_type_limit(*type, highest)};
+          return {.number = data_type_limit(*type, highest), .kind = Kind::number, .open = open};
         }
       }
     }
