@@ -33,7 +33,11 @@ class Compile {
         streams_(streams),
         settings_(words.checking.schema_files),
         threads_(thread_count(words.checking.threads)),
-        job_{.check = {}, .words = words.checking, .image = image_options(words), .form = {}} {
+        job_{.check = {},
+             .words = words.checking,
+             .image = image_options(words),
+             .form = {},
+             .designs = designs_} {
     job_.check.options = check_options(words.checking);
     job_.check.quiet = words.checking.quiet;
     job_.check.settings = &settings_;
@@ -196,6 +200,7 @@ class Compile {
   Streams& streams_;
   SettingsFinder settings_;
   unsigned threads_;
+  codegen::KnownDesigns designs_;
   CompileJob job_;
   Part part_;
   std::vector<std::string> names_;  ///< of the images, by input

@@ -29,14 +29,14 @@ void require_complete(validator::CheckResult const& result, SourceSet const& sou
                                {"feature", render(first.feature, language)}}});
 }
 
-CompiledImage image_of(validator::Machine const& machine, codegen::ImageOptions const& options) {
+CompiledImage image_of(validator::Machine const& machine, CompileJob const& job) {
   CompiledImage image;
   for (auto const& axis : machine.axes) {
     image.filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
     if (axis.position_control) image.filters += axis.position_control->stages.size();
   }
   image.axes = machine.axes.size();
-  auto const bytes = codegen::write_image(machine, options);
+  auto const bytes = codegen::write_image(machine, job.image, job.designs);
   image.bytes.assign(reinterpret_cast<char const*>(bytes.data()), bytes.size());
   return image;
 }
@@ -52,7 +52,7 @@ void compile(CompileJob const& job, std::string const& path, validator::Files& f
   compiled.checked.files = result.files;
   if (!result.machine || objectionable(job.words, count(result.findings))) return;
   require_complete(result, sources, job.form.write.language);
-  compiled.image = image_of(*result.machine, job.image);
+  compiled.image = image_of(*result.machine, job);
 }
 
 }  // namespace

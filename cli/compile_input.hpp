@@ -15,6 +15,7 @@ struct CompileJob {
   CheckingWords const& words;
   codegen::ImageOptions image;
   ReportForm form;
+  codegen::KnownDesigns& designs;  ///< of all inputs of the run
 };
 
 struct CompiledImage {

@@ -1,9 +1,7 @@
-// Every distinct linear-phase kernel of a machine is designed, proved and given its self-test once, however many axes
-// and banks use it.
+// The distinct linear-phase kernels of a machine, however many axes and banks use them.
 #pragma once
 
-#include "codegen/self_test.hpp"
-#include "design/kernel_design.hpp"
+#include "codegen/known_designs.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -13,31 +11,28 @@ namespace axisc::codegen {
 /// Index of no kernel: the setpoint passes unchanged.
 inline constexpr std::uint32_t no_kernel = 0xFFFFFFFF;
 
-struct KernelProof {
-  double peak_gain = 1;  ///< Σ|b|
-  double overshoot = 0;  ///< of the step response
-  double tail_gain = 0;  ///< Σ|S|
-};
-
-struct CompiledKernel {
+struct MachineKernel {
   design::KernelSpecification specification;  ///< what its type ignores stands at its default
-  design::KernelDesign design;
-  KernelProof proof;
-  SelfTest self_test;
+  KnownDesigns::Kernel compiled;              ///< never null
 };
 
 class CompiledKernels {
  public:
-  explicit CompiledKernels(design::CycleTime cycle_time) : cycle_time_(cycle_time) {}
+  /// `designs` lives longer.
+  CompiledKernels(KnownDesigns& designs, design::CycleTime cycle_time)
+      : designs_(designs), cycle_time_(cycle_time) {}
 
-  /// Index of the kernel, designed now if it is new; no_kernel where it would let the signal pass.
+  /// Index of the kernel, which is new or not; no_kernel where it would let the signal pass.
   [[nodiscard]] std::uint32_t index_of(design::KernelSpecification const& specification);
-  [[nodiscard]] CompiledKernel const& operator[](std::uint32_t index) const { return kernels_[index]; }
-  [[nodiscard]] std::vector<CompiledKernel> const& all() const { return kernels_; }
+  [[nodiscard]] CompiledKernel const& operator[](std::uint32_t index) const {
+    return *kernels_[index].compiled;
+  }
+  [[nodiscard]] std::vector<MachineKernel> const& all() const { return kernels_; }
 
  private:
+  KnownDesigns& designs_;
   design::CycleTime cycle_time_;
-  std::vector<CompiledKernel> kernels_;
+  std::vector<MachineKernel> kernels_;
 };
 
 }  // namespace axisc::codegen

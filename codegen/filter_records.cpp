@@ -29,16 +29,16 @@ Range FilterRecords::add(std::uint32_t axis, std::uint32_t port,
   if (configured.empty()) return {};
   Range const range{.first = tables_.filters.count(), .count = static_cast<std::uint32_t>(configured.size())};
   for (validator::ConfiguredFilter const& filter : configured) {
-    CompiledFilter const& compiled = compiled_.filter(filter.specification);
-    Record<records::filter> record = append({.axis = axis, .port = port, .index = filter.index}, compiled);
+    auto const compiled = designs_.filter(filter.specification, cycle_time_);
+    Record<records::filter> record = append({.axis = axis, .port = port, .index = filter.index}, *compiled);
     set_specification(record, filter.specification);
   }
   return range;
 }
 
 void FilterRecords::add(std::uint32_t axis, design::OscillatorSpecification const& oscillator) {
-  CompiledFilter const compiled = compiled_.oscillator(oscillator);
-  Record<records::filter> record = append({.axis = axis, .port = axim_port_velocity, .index = 0}, compiled);
+  auto const compiled = designs_.oscillator(oscillator, cycle_time_);
+  Record<records::filter> record = append({.axis = axis, .port = axim_port_velocity, .index = 0}, *compiled);
   record.set(fields::filter::prototype, std::uint32_t{1});
   record.set(fields::filter::order, std::uint32_t{2});
   record.set(fields::filter::frequency, oscillator.frequency.value);

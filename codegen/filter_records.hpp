@@ -1,9 +1,9 @@
 // Records of standard filters, with their sections and self-tests.
 #pragma once
 
-#include "codegen/compiled_filters.hpp"
 #include "codegen/image_tables.hpp"
-#include "design/oscillator.hpp"
+#include "codegen/known_designs.hpp"
+#include "validator/machine.hpp"
 
 #include <cstdint>
 #include <span>
@@ -13,8 +13,8 @@ namespace axisc::codegen {
 
 class FilterRecords {
  public:
-  FilterRecords(ImageTables& tables, CompiledFilters& compiled, bool strip)
-      : tables_(tables), compiled_(compiled), strip_(strip) {}
+  FilterRecords(ImageTables& tables, KnownDesigns& designs, design::CycleTime cycle_time, bool strip)
+      : tables_(tables), designs_(designs), cycle_time_(cycle_time), strip_(strip) {}
 
   /// The filters of one chain, in their order.
   Range add(std::uint32_t axis, std::uint32_t port, std::span<validator::ConfiguredFilter const> configured);
@@ -29,7 +29,8 @@ class FilterRecords {
   [[nodiscard]] Range place_sections(std::vector<design::IncrementSection> const& sections);
 
   ImageTables& tables_;
-  CompiledFilters& compiled_;
+  KnownDesigns& designs_;
+  design::CycleTime cycle_time_;
   bool strip_;
   SharedRuns<std::vector<design::IncrementSection>> section_runs_;
 };

@@ -1,6 +1,5 @@
 #include "codegen/image_writer.hpp"
 
-#include "codegen/compiled_filters.hpp"
 #include "codegen/control_records.hpp"
 #include "codegen/filter_records.hpp"
 #include "codegen/image_tables.hpp"
@@ -15,16 +14,16 @@ namespace {
 
 class ImageBuilder {
  public:
-  ImageBuilder(validator::Machine const& machine, ImageOptions const& options)
+  ImageBuilder(validator::Machine const& machine, ImageOptions const& options, KnownDesigns& designs)
       : machine_(machine),
         options_(options),
-        compiled_(machine.cycle_time),
-        kernels_(machine.cycle_time),
-        filter_records_(tables_, compiled_, options.strip) {}
+        designs_(designs),
+        kernels_(designs, machine.cycle_time),
+        filter_records_(tables_, designs, machine.cycle_time, options.strip) {}
 
   std::vector<std::byte> build() {
     KernelPlan const plan = plan_kernels(machine_, kernels_, [this](std::size_t axis) {
-      return compiled_.chain(machine_.axes[axis].filters).peak_gain;
+      return chain(machine_.axes[axis].filters).peak_gain;
     });
     for (validator::AxisConfiguration const& axis : machine_.axes) add_axis(axis);
     add_control_records(machine_, filter_records_, tables_);
@@ -69,9 +68,18 @@ class ImageBuilder {
     record.set(fields::axis::delay_cycles, proof.delay_cycles);
   }
 
+  /// {1, 0} for none.
+  [[nodiscard]] ChainProof chain(std::span<validator::ConfiguredFilter const> filters) {
+    if (filters.empty()) return {};
+    std::vector<design::FilterSpecification> specifications;
+    specifications.reserve(filters.size());
+    for (validator::ConfiguredFilter const& filter : filters) specifications.push_back(filter.specification);
+    return designs_.chain(specifications, machine_.cycle_time);
+  }
+
   /// The standard filters, and the kernel that works from start-up.
   [[nodiscard]] ChainProof as_it_starts(validator::AxisConfiguration const& axis) {
-    ChainProof proof = compiled_.chain(axis.filters);
+    ChainProof proof = chain(axis.filters);
     if (!axis.kernel || !axis.kernel->on_at_start) return proof;
     std::uint32_t const kernel = kernels_.index_of(axis.kernel->specification);
     if (kernel == no_kernel) return proof;
@@ -106,7 +114,7 @@ class ImageBuilder {
 
   validator::Machine const& machine_;
   ImageOptions const& options_;
-  CompiledFilters compiled_;
+  KnownDesigns& designs_;
   CompiledKernels kernels_;
   ImageTables tables_;
   FilterRecords filter_records_;
@@ -115,7 +123,13 @@ class ImageBuilder {
 }  // namespace
 
 std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options) {
-  return ImageBuilder(machine, options).build();
+  KnownDesigns designs;
+  return write_image(machine, options, designs);
+}
+
+std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options,
+                                   KnownDesigns& designs) {
+  return ImageBuilder(machine, options, designs).build();
 }
 
 }  // namespace axisc::codegen

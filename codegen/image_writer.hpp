@@ -1,6 +1,7 @@
 // From the checked machine to the bytes of an image.
 #pragma once
 
+#include "codegen/known_designs.hpp"
 #include "validator/machine.hpp"
 
 #include <cstddef>
@@ -17,5 +18,8 @@ struct ImageOptions {
 /// Byte-identical for equal machines and options, on every host and at every optimisation level.
 [[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine,
                                                  ImageOptions const& options);
+/// The same for one of many machines: what another one has already had designed is taken from there.
+[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine,
+                                                 ImageOptions const& options, KnownDesigns& designs);
 
 }  // namespace axisc::codegen

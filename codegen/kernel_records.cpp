@@ -3,8 +3,8 @@
 namespace axisc::codegen {
 namespace {
 
-void add_kernel(CompiledKernel const& kernel, bool strip, ImageTables& tables) {
-  design::KernelSpecification const& specification = kernel.specification;
+void add_kernel(design::KernelSpecification const& specification, CompiledKernel const& kernel, bool strip,
+                ImageTables& tables) {
   std::uint32_t const first_tail = tables.tails.count();
   for (double const tail : kernel.design.tail_sums) tables.tails.append().set(fields::tail::value, tail);
   Range const samples = strip ? Range{} : tables.place_samples(kernel.self_test);
@@ -89,7 +89,9 @@ std::uint32_t add_group(PlannedGroup const& group, bool strip, ImageTables& tabl
 
 void add_kernel_records(KernelPlan const& plan, CompiledKernels const& kernels, bool strip,
                         ImageTables& tables) {
-  for (CompiledKernel const& kernel : kernels.all()) add_kernel(kernel, strip, tables);
+  for (MachineKernel const& kernel : kernels.all()) {
+    add_kernel(kernel.specification, *kernel.compiled, strip, tables);
+  }
   std::vector<std::uint32_t> first_members;
   for (PlannedGroup const& group : plan.groups) first_members.push_back(add_group(group, strip, tables));
   for (PlannedSlot const& slot : plan.slots) {

@@ -27,8 +27,10 @@ struct MachineTexts {
   std::vector<std::string> lists;
 };
 
-/// A kernel that no other machine has.
-std::string kernel_list(std::size_t number, Random& random) {
+/// A kernel that no other machine has, or one of sixteen.
+std::string kernel_list(std::size_t number, bool shared) {
+  if (shared) number %= 16;
+  Random random(number + 1);
   std::string text =
       "filter_fir.enable 1\nfilter_fir.order " + std::to_string(100 + random.below(101)) + "\n";
   if (number % 2 == 0) {
@@ -51,10 +53,9 @@ std::string axis_list(std::size_t number, std::size_t axis, std::size_t lines) {
   return text + "Ende\n";
 }
 
-MachineTexts make_machine(std::size_t number, std::size_t lines) {
-  Random random(number + 1);
+MachineTexts make_machine(std::size_t number, std::size_t lines, bool shared) {
   MachineTexts texts;
-  texts.default_list = kernel_list(number, random);
+  texts.default_list = kernel_list(number, shared);
   texts.machine = R"({"machine": "M)" + std::to_string(number) +
                   R"(", "cycle_time_us": 1000, "default_list": "default.lis", "axes": [)";
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
@@ -69,7 +70,7 @@ MachineTexts make_machine(std::size_t number, std::size_t lines) {
 std::size_t bytes_written = 0;
 std::size_t refused = 0;
 
-void compile(MachineTexts const& texts) {
+void compile(MachineTexts const& texts, codegen::KnownDesigns& designs) {
   static std::string const machine_path("m/machine.json"), default_path("m/default.lis");
   MemoryFiles files;
   files.put(machine_path, texts.machine);
@@ -89,7 +90,7 @@ void compile(MachineTexts const& texts) {
     }
     return;
   }
-  bytes_written += codegen::write_image(*result.machine, {}).size();
+  bytes_written += codegen::write_image(*result.machine, {}, designs).size();
 }
 
 }  // namespace
@@ -105,13 +106,23 @@ int main(int argc, char** argv) {
     if (option == "--rounds") rounds = value;
     if (option == "--lines") lines = value;
   }
-  std::vector<MachineTexts> machines;
-  for (std::size_t number = 0; number < count; ++number) machines.push_back(make_machine(number, lines));
-  std::vector<Contender> const contenders = {{"compile", 0, count, [&machines] {
-                                                for (MachineTexts const& texts : machines) compile(texts);
-                                              }}};
+  auto const make_fleet = [=](bool shared) {
+    std::vector<MachineTexts> machines;
+    for (std::size_t number = 0; number < count; ++number) {
+      machines.push_back(make_machine(number, lines, shared));
+    }
+    return machines;
+  };
+  std::vector<MachineTexts> const own = make_fleet(false), shared = make_fleet(true);
+  auto const compile_all = [](std::vector<MachineTexts> const& machines) {
+    axisc::codegen::KnownDesigns designs;
+    for (MachineTexts const& texts : machines) compile(texts, designs);
+  };
+  std::vector<Contender> const contenders = {
+      {"each with a filter of its own", 0, count, [&] { compile_all(own); }},
+      {"sixteen filters among all", 0, count, [&] { compile_all(shared); }}};
   measure(contenders, 0, rounds, "machines/s");
-  std::printf("%zu bytes per image, %zu refused\n", bytes_written / (rounds + 1) / count, refused);
+  std::printf("%zu bytes per image, %zu refused\n", bytes_written / (rounds + 1) / (2 * count), refused);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   std::printf("%ld KiB resident at most\n", usage.ru_maxrss);

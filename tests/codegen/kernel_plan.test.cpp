@@ -23,7 +23,8 @@ constexpr design::CycleTime cycle_time{1'000'000};
 
 TEST_CASE("the plan of the sample: slots, members, banks", "[kernel-plan]") {
   validator::Machine const machine = test::kernel_machine();
-  CompiledKernels kernels(machine.cycle_time);
+  KnownDesigns designs;
+  CompiledKernels kernels(designs, machine.cycle_time);
   KernelPlan const plan = plan_of(machine, kernels);
   REQUIRE(plan.slots.size() == 4);
   CHECK(plan.slots[0].axis == 0);
@@ -53,7 +54,8 @@ TEST_CASE("the plan of the sample: slots, members, banks", "[kernel-plan]") {
 }
 
 TEST_CASE("equal kernels are designed once", "[kernel-plan]") {
-  CompiledKernels kernels(cycle_time);
+  KnownDesigns designs;
+  CompiledKernels kernels(designs, cycle_time);
   KernelSpecification const average{.type = KernelType::moving_average, .order = 20};
   KernelSpecification other = average;
   other.frequency = {99};
@@ -95,7 +97,8 @@ TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-p
   machine.axes[0].kernel = test::fir({.type = KernelType::moving_average, .order = 20}, true);
   machine.axes[1].kernel = test::fir({.type = KernelType::time_delay, .order = 30}, true);
   machine.groups = {{.name = "c", .axes = {0, 1}, .filter_sets = {test::filter_set(2)}}};
-  CompiledKernels kernels(cycle_time);
+  KnownDesigns designs;
+  CompiledKernels kernels(designs, cycle_time);
   KernelPlan const plan = plan_of(machine, kernels, 1.5);
   MotionLimits const limits = motion_limits(100'000, 1000, cycle_time);
   // Sums of tails: 10 and 1 for the averages, 30 and 2 for the delays.
@@ -104,7 +107,7 @@ TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-p
   CHECK(plan.groups[0].banks[1].fade_cycles == fade_cycles(28 * 1.5, limits));
 
   machine.axes[0].acceleration_limit = 0;  // this axis only changes at standstill, and all with it
-  CompiledKernels others(cycle_time);
+  CompiledKernels others(designs, cycle_time);
   KernelPlan const standing = plan_of(machine, others);
   for (PlannedBank const& bank : standing.groups[0].banks) CHECK(bank.fade_cycles == 0);
 }
@@ -112,7 +115,8 @@ TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-p
 TEST_CASE("HSC banks fade as HSC filters need it, FIR banks as FIR filters do", "[kernel-plan]") {
   validator::Machine machine = test::kernel_machine();
   machine.axes[2].acceleration_limit = 0;
-  CompiledKernels kernels(machine.cycle_time);
+  KnownDesigns designs;
+  CompiledKernels kernels(designs, machine.cycle_time);
   KernelPlan const plan = plan_of(machine, kernels);
   CHECK(plan.groups[0].banks[0].fade_cycles > 0);
   CHECK(plan.groups[0].banks.back().fade_cycles == 0);

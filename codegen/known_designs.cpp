@@ -1,0 +1,90 @@
+#include "codegen/known_designs.hpp"
+
+#include "design/kernel_analysis.hpp"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace axisc::codegen {
+namespace {
+
+using Key = std::vector<std::uint64_t>;
+
+std::uint64_t bits(double number) {
+  return std::bit_cast<std::uint64_t>(number);
+}
+
+void append(Key& key, design::FilterSpecification const& s) {
+  key.insert(key.end(),
+             {static_cast<std::uint64_t>(s.type), static_cast<std::uint64_t>(s.prototype), s.order,
+              bits(s.frequency.value), bits(s.quality), bits(s.time_constant.value), bits(s.share_percent)});
+}
+
+CompiledFilter completed(design::FilterDesign design) {
+  CompiledFilter compiled{.design = std::move(design), .proof = {}, .self_test = {}};
+  compiled.proof = prove_filter(compiled.design);
+  compiled.self_test = make_self_test(compiled.design);
+  return compiled;
+}
+
+KernelProof prove(design::KernelDesign const& design) {
+  constexpr double settled_within = 1e-9;
+  design::StepFigures const step = design::step_figures(design, settled_within);
+  KernelProof proof{.peak_gain = step.peak_gain, .overshoot = step.overshoot, .tail_gain = 0};
+  for (double const tail : design.tail_sums) proof.tail_gain += std::abs(tail);
+  return proof;
+}
+
+}  // namespace
+
+KnownDesigns::Filter KnownDesigns::filter(design::FilterSpecification const& specification,
+                                          design::CycleTime cycle_time) {
+  Key key{cycle_time.nanoseconds};
+  append(key, specification);
+  return filters_.get(key, [&] {
+    return completed(design::design_filter(specification, cycle_time, design::Precision::exact));
+  });
+}
+
+KnownDesigns::Filter KnownDesigns::oscillator(design::OscillatorSpecification const& specification,
+                                              design::CycleTime cycle_time) {
+  Key const key{cycle_time.nanoseconds, bits(specification.frequency.value), bits(specification.damping)};
+  return oscillators_.get(key, [&] {
+    return completed(design::design_oscillator(specification, cycle_time, design::Precision::exact));
+  });
+}
+
+KnownDesigns::Kernel KnownDesigns::kernel(design::KernelSpecification const& specification,
+                                          design::CycleTime cycle_time) {
+  Key const key{cycle_time.nanoseconds,      static_cast<std::uint64_t>(specification.type),
+                specification.order,         bits(specification.frequency.value),
+                bits(specification.quality), bits(specification.share_percent)};
+  return kernels_.get(key, [&] {
+    CompiledKernel compiled{
+        .design = design::design_kernel(specification, cycle_time), .proof = {}, .self_test = {}};
+    compiled.proof = prove(compiled.design);
+    compiled.self_test = make_self_test(compiled.design);
+    return compiled;
+  });
+}
+
+ChainProof KnownDesigns::chain(std::span<design::FilterSpecification const> specifications,
+                               design::CycleTime cycle_time) {
+  if (specifications.size() == 1) {
+    FilterProof const proof = filter(specifications.front(), cycle_time)->proof;
+    return {.peak_gain = proof.peak_gain, .delay_cycles = proof.group_delay};
+  }
+  Key key{cycle_time.nanoseconds};
+  for (design::FilterSpecification const& specification : specifications) append(key, specification);
+  return *chains_.get(key, [&] {
+    std::vector<design::FilterDesign> designs;
+    designs.reserve(specifications.size());
+    for (design::FilterSpecification const& specification : specifications) {
+      designs.push_back(filter(specification, cycle_time)->design);
+    }
+    return prove_chain(designs);
+  });
+}
+
+}  // namespace axisc::codegen
