@@ -6,10 +6,10 @@
 #include "grammar/invalid_character.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/must.hpp"
-#include "grammar/regular_line.hpp"
-#include "grammar/text_block.hpp"
+#include "grammar/regular_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t typical_line = 40;
 constexpr std::size_t largest_reservation = 1U << 14U;
+constexpr std::ptrdiff_t regular_assignments = 32;
 
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is(character::blank, text.front())) text.remove_prefix(1);
@@ -58,9 +59,10 @@ class Reader {
   }
 
   AxisList read(Way way) && {
+    RegularLineReader const regular_reader = find_regular_line_reader(way);
     std::string_view line;
     while (true) {
-      if (way == Way::quick && read_regular()) continue;
+      if (regular_reader != nullptr) read_regular(regular_reader);
       if (!splitter_.next(line)) break;
       std::string_view const text = without_blanks(line);
       if (text.empty()) continue;
@@ -75,21 +77,38 @@ class Reader {
   }
 
  private:
-  /// Reads the next line where that needs no grammar.
-  bool read_regular() {
-    if (list_.end_marker || splitter_.remaining() < TextBlock::size) return false;
-    RegularLine regular =
-        read_regular_line(bytes_.data(), splitter_.position(), splitter_.end(), windows_1252_);
-    if (regular.shape == RegularLine::Shape::irregular) return false;
-    splitter_.skip_line(regular.next);
-    if (regular.shape == RegularLine::Shape::blank) return true;
-    bool const is_comment = regular.shape == RegularLine::Shape::comment;
-    if (!is_comment) {
-      regular.assignment.line = splitter_.number();
-      list_.assignments.push_back(regular.assignment);
+  /// Reads on up to the first line that needs the grammar.
+  void read_regular(RegularLineReader reader) {
+    if (list_.end_marker || splitter_.remaining() <= room_behind_line) return;
+    RegularLines lines{.text = bytes_.data(),
+                       .line = splitter_.position(),
+                       .stop = find_stop(),
+                       .end = splitter_.end(),
+                       .number = splitter_.number(),
+                       .windows_1252 = windows_1252_};
+    std::array<Assignment, regular_assignments> assignments;
+    std::size_t count = 0;
+    do {
+      count = reader(lines, assignments.data(), assignments.size());
+      list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.begin() + count);
+    } while (count == assignments.size());
+    splitter_.go_on_at(lines.line, lines.number);
+  }
+
+  /// A line with a directive is left to the grammar, and so are those with little room behind them.
+  [[nodiscard]] char const* find_stop() {
+    auto const position = static_cast<std::size_t>(splitter_.position() - bytes_.data());
+    std::size_t const directive = directives_.next(position);
+    if (directive != next_directive_) {
+      next_directive_ = directive;
+      directive_line_ = directive == std::string_view::npos ? bytes_.size() : line_begin(directive);
     }
-    keep_directive(regular.assignment.trailer, is_comment);
-    return true;
+    return bytes_.data() + std::min(directive_line_, bytes_.size() - room_behind_line);
+  }
+
+  [[nodiscard]] std::size_t line_begin(std::size_t place) const {
+    std::size_t const line_feed = bytes_.rfind('\n', place);
+    return line_feed == std::string_view::npos ? 0 : line_feed + 1;
   }
 
   void read_line(std::string_view line) {
@@ -201,6 +220,8 @@ class Reader {
   bool windows_1252_;
   LineSplitter splitter_;
   DirectiveFinder directives_;
+  std::size_t next_directive_ = 0;
+  std::size_t directive_line_ = 0;  ///< where its line begins
   AxisList list_;
   bool text_behind_end_reported_ = false;
 };

@@ -76,8 +76,13 @@ struct AxisList {
 /// Longest line that is read, in bytes (a longer one is AX9003 for the file).
 inline constexpr std::size_t longest_line = 1U << 20U;
 
-/// Regular lines need no grammar to be read; tests read them both ways and get the same.
-enum class Way : std::uint8_t { quick, by_grammar };
+/// Regular lines need no grammar to be read; tests read them in all ways and get the same.
+enum class Way : std::uint8_t {
+  quick,       ///< the best of those below that the processor has
+  by_grammar,  ///< every line
+  portable,    ///< regular lines without the grammar, in what every processor has
+  avx2,        ///< the same with wider vectors; by the grammar on a processor without
+};
 
 /// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
 /// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has

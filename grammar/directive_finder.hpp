@@ -15,11 +15,17 @@ class DirectiveFinder {
  public:
   explicit DirectiveFinder(std::string_view bytes) : bytes_(bytes) { advance(0); }
 
+  /// Where "axisc:" stands next at or behind `from`, which grows from one question to the next; npos if nowhere.
+  [[nodiscard]] std::size_t next(std::size_t from) {
+    if (next_ < from) advance(from);
+    return next_;
+  }
+
   /// True if "axisc:" stands inside `comment`. Comments are asked for in the order of the text; all questions
   /// together cost one search through it.
   [[nodiscard]] bool within(Span comment) {
-    if (next_ < comment.begin) advance(comment.begin);
-    return next_ != std::string_view::npos && next_ + directive_introducer.size() <= comment.end;
+    std::size_t const begin = next(comment.begin);
+    return begin != std::string_view::npos && begin + directive_introducer.size() <= comment.end;
   }
 
  private:

@@ -58,4 +58,8 @@ std::optional<Span> find_invalid_character(std::string_view line, bool windows_1
   return std::nullopt;
 }
 
+bool is_allowed(char const* begin, char const* end, bool windows_1252) {
+  return !find_invalid_character({begin, static_cast<std::size_t>(end - begin)}, windows_1252);
+}
+
 }  // namespace axisc::grammar

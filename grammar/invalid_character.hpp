@@ -13,4 +13,7 @@ namespace axisc::grammar {
 /// 8D, 8F, 90, 9D hex). Cost: one pass, eight bytes at a time where they are plain text.
 [[nodiscard]] std::optional<Span> find_invalid_character(std::string_view line, bool windows_1252);
 
+/// There is none from `begin` to `end`.
+[[nodiscard]] bool is_allowed(char const* begin, char const* end, bool windows_1252);
+
 }  // namespace axisc::grammar

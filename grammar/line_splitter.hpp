@@ -33,10 +33,10 @@ class LineSplitter {
   [[nodiscard]] char const* position() const { return position_; }
   [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
   [[nodiscard]] char const* end() const { return end_; }
-  /// Counts the line that somebody else has read; `next_line` is behind its line end.
-  void skip_line(char const* next_line) {
-    position_ = next_line;
-    ++number_;
+  /// Somebody else has read the lines before `position`, `number` is that of the last one.
+  void go_on_at(char const* position, std::uint32_t number) {
+    position_ = position;
+    number_ = number;
   }
 
   /// Number of the line that next() returned last, from 1.

@@ -133,17 +133,17 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
       for (std::string const& input : inputs) read(input);
     };
   };
+  auto const parse = [](grammar::Way way) {
+    return
+        [way](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false, way).lines; };
+  };
   std::vector<Contender> contenders = {
       {"scanner by hand", size_of(texts), fleet.pairs,
        each(texts, [&table](std::string const& text) { read_by_hand(text, table); })},
-      {"axisc, grammar alone", size_of(texts), fleet.pairs,
-       each(texts,
-            [](std::string const& text) {
-              findings += grammar::parse_axis_list(text, 0, false, grammar::Way::by_grammar).lines;
-            })},
-      {"axisc, regular lines without it", size_of(texts), fleet.pairs,
-       each(texts,
-            [](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false).lines; })},
+      {"axisc, grammar alone", size_of(texts), fleet.pairs, each(texts, parse(grammar::Way::by_grammar))},
+      {"axisc, regular lines, portable", size_of(texts), fleet.pairs,
+       each(texts, parse(grammar::Way::portable))},
+      {"axisc, regular lines, AVX2", size_of(texts), fleet.pairs, each(texts, parse(grammar::Way::avx2))},
       {"axisc, single parameters", size_of(texts), fleet.pairs, [&] { check_all(texts, ranges); }},
       {"axisc, all rules", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
       {"inih", size_of(fleet.ini), fleet.pairs,

@@ -17,6 +17,7 @@ using axisc::grammar::Assignment;
 using axisc::grammar::AxisList;
 using axisc::grammar::TrailerKind;
 using axisc::grammar::ValueKind;
+using axisc::grammar::Way;
 
 void require(bool condition) {
   if (!condition) std::abort();
@@ -74,7 +75,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   for (bool const windows_1252 : {false, true}) {
     AxisList const list = axisc::grammar::parse_axis_list(bytes, 0, windows_1252);
     check_list(list, bytes);
-    require(list == axisc::grammar::parse_axis_list(bytes, 0, windows_1252, axisc::grammar::Way::by_grammar));
+    for (Way const way : {Way::by_grammar, Way::portable, Way::avx2}) {
+      require(list == axisc::grammar::parse_axis_list(bytes, 0, windows_1252, way));
+    }
   }
   return 0;
 }

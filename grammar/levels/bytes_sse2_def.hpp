@@ -1,0 +1,35 @@
+// 16 bytes in a vector: SSE2.
+#pragma once
+
+#include <cstdint>
+#include <emmintrin.h>
+
+namespace axisc::grammar::AXISC_LEVEL {
+
+using Vector = __m128i;
+using Class = __m128i;  ///< of the bytes that belong to it all bits are set
+
+inline Vector load(char const* bytes) {
+  return _mm_loadu_si128(reinterpret_cast<Vector const*>(bytes));  // NOLINT: how vectors are loaded
+}
+inline Vector in_small_letters(Vector bytes) {
+  return _mm_or_si128(bytes, _mm_set1_epi8(0x20));
+}
+inline Class equal(Vector bytes, char byte) {
+  return _mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte));
+}
+/// Bytes above 0x7F are less than all others.
+inline Class less(Vector bytes, char byte) {
+  return _mm_cmplt_epi8(bytes, _mm_set1_epi8(byte));
+}
+inline Class either(Class a, Class b) {
+  return _mm_or_si128(a, b);
+}
+inline Class between(Vector bytes, char first, char last) {
+  return _mm_andnot_si128(less(bytes, first), less(bytes, static_cast<char>(last + 1)));
+}
+inline std::uint64_t bits_of(Class a) {
+  return static_cast<std::uint32_t>(_mm_movemask_epi8(a));
+}
+
+}  // namespace axisc::grammar::AXISC_LEVEL
