@@ -1,4 +1,5 @@
 #include "diagnostics/json_layout.hpp"
+#include "diagnostics/json_stream.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/report_elements.hpp"
 #include "diagnostics/writers.hpp"
@@ -6,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -15,70 +17,124 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json string_or_null(std::string_view text) {
-  return text.empty() ? Json() : Json(text);
-}
+/// One of the diagnostics.
+class JsonElement {
+ public:
+  JsonElement(SourceSet const& sources, Language language) : sources_(sources), language_(language) {}
 
-Json as_json(Related const& related, SourceSet const& sources, Language language) {
-  Location const location = locate(related.place, sources);
-  return {{"file", location.file},
-          {"line", location.begin.line},
-          {"column", location.begin.column},
-          {"message", render(related.message, language)}};
-}
+  [[nodiscard]] std::string write(Finding const& finding) && {
+    out_.begin_object();
+    out_.member("code", code_text(finding.code));
+    out_.member("name", finding.name);
+    out_.member("severity", severity_name(finding.severity));
+    say("message", finding.message);
+    optional_member("file", file_of(finding, sources_));
+    std::optional<Location> location;
+    if (finding.place) location = locate(*finding.place, sources_);
+    optional_member("line", location ? &location->begin.line : nullptr);
+    optional_member("column", location ? &location->begin.column : nullptr);
+    optional_member("end_line", location ? &location->end.line : nullptr);
+    optional_member("end_column", location ? &location->end.column : nullptr);
+    optional_member("parameter", finding.parameter);
+    optional_member("p_axis", finding.p_axis);
+    optional_member("axis", finding.axis);
+    write_control(finding.control);
+    write_notes(finding);
+    write_related(finding.related);
+    write_fix(finding.fix);
+    out_.end_object();
+    return std::move(text_);
+  }
 
-Json as_json(Edit const& edit, SourceSet const& sources) {
-  Location const location = locate(edit.place, sources);
-  return {
-      {"file", location.file},         {"line", location.begin.line},       {"column", location.begin.column},
-      {"end_line", location.end.line}, {"end_column", location.end.column}, {"text", edit.text}};
-}
+ private:
+  void say(Message const& message) {
+    sentence_.clear();
+    append_rendered(sentence_, message, language_);
+    out_.string(sentence_);
+  }
+  void say(std::string_view name, Message const& message) {
+    out_.key(name);
+    say(message);
+  }
 
-Json as_json(std::optional<Fix> const& fix, SourceSet const& sources, Language language) {
-  if (!fix) return {};
-  Json edits = Json::array();
-  for (Edit const& edit : fix->edits) edits.push_back(as_json(edit, sources));
-  return {{"title", render(fix->title, language)}, {"edits", std::move(edits)}};
-}
+  void optional_member(std::string_view name, std::string_view text) {
+    out_.key(name);
+    out_.string_or_null(text);
+  }
+  void optional_member(std::string_view name, std::uint32_t const* number) {
+    out_.key(name);
+    if (number == nullptr) return out_.null();
+    out_.number(*number);
+  }
 
-Json as_json(std::optional<ControlReaction> const& control, Language language) {
-  if (!control) return {};
-  return {{"message", string_or_null(control->message)},
-          {"reaction", control->reaction ? Json(render(*control->reaction, language)) : Json()},
-          {"value", string_or_null(control->value)}};
-}
+  void write_control(std::optional<ControlReaction> const& control) {
+    out_.key("control");
+    if (!control) return out_.null();
+    out_.begin_object();
+    optional_member("message", control->message);
+    if (control->reaction) {
+      say("reaction", *control->reaction);
+    } else {
+      optional_member("reaction", std::string_view());
+    }
+    optional_member("value", control->value);
+    out_.end_object();
+  }
 
-// The label is a note whose place is the finding's own; help is a note that advises.
-Json notes_of(Finding const& finding, Language language) {
-  Json notes = Json::array();
-  if (finding.label) notes.push_back(render(*finding.label, language));
-  for (Message const& note : finding.notes) notes.push_back(render(note, language));
-  for (Message const& help : finding.help) notes.push_back(render(help, language));
-  return notes;
-}
+  // The label is a note whose place is the finding's own; help is a note that advises.
+  void write_notes(Finding const& finding) {
+    out_.key("notes");
+    out_.begin_array();
+    if (finding.label) say(*finding.label);
+    for (Message const& note : finding.notes) say(note);
+    for (Message const& help : finding.help) say(help);
+    out_.end_array();
+  }
 
-Json as_json(Finding const& finding, SourceSet const& sources, Language language) {
-  std::optional<Location> location;
-  if (finding.place) location = locate(*finding.place, sources);
-  Json related = Json::array();
-  for (Related const& place : finding.related) related.push_back(as_json(place, sources, language));
-  return {{"code", code_text(finding.code)},
-          {"name", finding.name},
-          {"severity", severity_name(finding.severity)},
-          {"message", render(finding.message, language)},
-          {"file", string_or_null(file_of(finding, sources))},
-          {"line", location ? Json(location->begin.line) : Json()},
-          {"column", location ? Json(location->begin.column) : Json()},
-          {"end_line", location ? Json(location->end.line) : Json()},
-          {"end_column", location ? Json(location->end.column) : Json()},
-          {"parameter", string_or_null(finding.parameter)},
-          {"p_axis", string_or_null(finding.p_axis)},
-          {"axis", string_or_null(finding.axis)},
-          {"control", as_json(finding.control, language)},
-          {"notes", notes_of(finding, language)},
-          {"related", std::move(related)},
-          {"fix", as_json(finding.fix, sources, language)}};
-}
+  void write_begin(Location const& location) {
+    out_.member("file", location.file);
+    out_.member("line", location.begin.line);
+    out_.member("column", location.begin.column);
+  }
+
+  void write_related(std::vector<Related> const& related) {
+    out_.key("related");
+    out_.begin_array();
+    for (Related const& each : related) {
+      out_.begin_object();
+      write_begin(locate(each.place, sources_));
+      say("message", each.message);
+      out_.end_object();
+    }
+    out_.end_array();
+  }
+
+  void write_fix(std::optional<Fix> const& fix) {
+    out_.key("fix");
+    if (!fix) return out_.null();
+    out_.begin_object();
+    say("title", fix->title);
+    out_.key("edits");
+    out_.begin_array();
+    for (Edit const& edit : fix->edits) {
+      Location const location = locate(edit.place, sources_);
+      out_.begin_object();
+      write_begin(location);
+      out_.member("end_line", location.end.line);
+      out_.member("end_column", location.end.column);
+      out_.member("text", edit.text);
+      out_.end_object();
+    }
+    out_.end_array();
+    out_.end_object();
+  }
+
+  SourceSet const& sources_;
+  Language language_;
+  std::string text_ = "\n    ";
+  JsonStream out_{text_, 4};
+  std::string sentence_;
+};
 
 Json as_json(Identity const& identity) {
   return {{"code", code_text(identity.code)}, {"axis", identity.axis}, {"parameter", identity.parameter}};
@@ -114,9 +170,7 @@ std::string json_head() {
 }
 
 std::string json_element(Finding const& finding, SourceSet const& sources, Language language) {
-  std::string text = "\n    ";
-  append_indented(text, as_json(finding, sources, language), "    ");
-  return text;
+  return JsonElement(sources, language).write(finding);
 }
 
 std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,

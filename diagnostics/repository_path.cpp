@@ -1,13 +1,14 @@
 #include "diagnostics/repository_path.hpp"
 
-#include <filesystem>
+#include <algorithm>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axisc {
 namespace {
-
-namespace fs = std::filesystem;
 
 bool may_stand_in_uri(char character) {
   bool const is_letter = (character >= 'A' && character <= 'Z') || (character >= 'a' && character <= 'z');
@@ -15,15 +16,38 @@ bool may_stand_in_uri(char character) {
   return is_letter || is_digit || std::string_view("-._~/").find(character) != std::string_view::npos;
 }
 
+/// The names of a path behind `names`, as one goes from folder to folder.
+void add_names(std::string_view path, std::vector<std::string_view>& names) {
+  while (!path.empty()) {
+    std::size_t const end = std::min(path.find('/'), path.size());
+    std::string_view const name = path.substr(0, end);
+    path.remove_prefix(std::min(end + 1, path.size()));
+    if (name.empty() || name == ".") continue;
+    if (name != "..") {
+      names.push_back(name);
+    } else if (!names.empty()) {
+      names.pop_back();
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> path_in_repository(RepositoryPaths const& paths, std::string_view file) {
   if (file == "-" || file.empty() || paths.root.empty()) return std::nullopt;
-  fs::path const whole = (fs::path(paths.folder) / fs::path(file)).lexically_normal();
-  std::string const relative =
-      whole.lexically_relative(fs::path(paths.root).lexically_normal()).generic_string();
-  bool const outside = relative.empty() || relative == ".." || relative.substr(0, 3) == "../";
-  return outside ? std::nullopt : std::optional(relative);
+  std::vector<std::string_view> whole;
+  if (!file.starts_with('/')) add_names(paths.folder, whole);
+  add_names(file, whole);
+  std::vector<std::string_view> root;
+  add_names(paths.root, root);
+  if (whole.size() < root.size() || !std::equal(root.begin(), root.end(), whole.begin())) return std::nullopt;
+  if (whole.size() == root.size()) return ".";
+  std::string relative;
+  for (std::string_view const name : std::span(whole).subspan(root.size())) {
+    if (!relative.empty()) relative += '/';
+    relative += name;
+  }
+  return relative;
 }
 
 std::string shown_path(RepositoryPaths const& paths, std::string_view file) {

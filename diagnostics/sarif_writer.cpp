@@ -1,5 +1,6 @@
 #include "diagnostics/fingerprint.hpp"
 #include "diagnostics/json_layout.hpp"
+#include "diagnostics/json_stream.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/pages.hpp"
 #include "diagnostics/report_elements.hpp"
@@ -33,12 +34,23 @@ std::string_view first_sentence(std::string_view paragraph) {
   return sentence.ends_with(':') ? sentence.substr(0, end - 1) : sentence;
 }
 
-Json artifact_location(RepositoryPaths const& paths, std::string_view file) {
-  if (auto const path = path_in_repository(paths, file)) {
-    return {{"uri", as_uri(*path)}, {"uriBaseId", root_name}};
-  }
+/// A file as SARIF names it.
+struct ArtifactName {
+  std::string uri;
+  bool in_repository = false;  ///< `uri` counts from the root
+};
+
+ArtifactName artifact_name(RepositoryPaths const& paths, std::string_view file) {
+  if (auto const path = path_in_repository(paths, file)) return {.uri = as_uri(*path), .in_repository = true};
   bool const is_absolute = file.substr(0, 1) == "/";
-  return {{"uri", (is_absolute ? "file://" : "") + as_uri(file)}};
+  return {.uri = (is_absolute ? "file://" : "") + as_uri(file), .in_repository = false};
+}
+
+Json artifact_location(RepositoryPaths const& paths, std::string_view file) {
+  ArtifactName const name = artifact_name(paths, file);
+  Json location = {{"uri", name.uri}};
+  if (name.in_repository) location["uriBaseId"] = root_name;
+  return location;
 }
 
 /// What stands in front of the results.
@@ -126,84 +138,160 @@ class SarifResult {
   SarifResult(SourceSet const& sources, ReportContext const& context, Language language)
       : sources_(sources), context_(context), language_(language) {}
 
-  [[nodiscard]] std::string write(Finding const& finding) const {
-    std::string const zeroth = fingerprint(identity_of(finding, sources_), 0);
-    std::string text = "\n        ";
-    append_indented(text, result(finding, zeroth), "        ");
-    // The second member: nothing in front of it can look like it.
-    constexpr std::string_view index = "\"ruleIndex\": 0";
-    text[text.find(index) + index.size() - 1] = rule_index_hole;
-    return with_occurrence_hole(text, zeroth);
+  [[nodiscard]] std::string write(Finding const& finding) && {
+    constexpr std::string_view rule_index{&rule_index_hole, 1};
+    out_.begin_object();
+    out_.member("ruleId", code_text(finding.code));
+    out_.key("ruleIndex");
+    out_.raw(rule_index);
+    out_.member("level", severity_name(finding.severity));
+    write_text("message", whole_message(finding, language_));
+    write_location(finding);
+    write_related(finding.related);
+    write_fingerprints(finding);
+    if (finding.fix) write_fix(*finding.fix);
+    write_properties(finding);
+    out_.end_object();
+    return std::move(text_);
   }
 
  private:
   [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
 
-  [[nodiscard]] Json artifact_location(std::string_view file) const {
-    return axisc::artifact_location(context_.paths, file);
+  void begin_object(std::string_view name) {
+    out_.key(name);
+    out_.begin_object();
+  }
+  void begin_array(std::string_view name) {
+    out_.key(name);
+    out_.begin_array();
   }
 
-  [[nodiscard]] static Json region(Location const& location) {
-    return {{"startLine", location.begin.line},
-            {"startColumn", location.begin.column},
-            {"endLine", location.end.line},
-            {"endColumn", location.end.column}};
+  void write_text(std::string_view name, std::string_view text) {
+    begin_object(name);
+    out_.member("text", text);
+    out_.end_object();
   }
 
-  [[nodiscard]] Json physical_location(Place const& place) const {
+  void write_artifact_location(std::string_view file) {
+    ArtifactName const name = artifact_name(context_.paths, file);
+    begin_object("artifactLocation");
+    out_.member("uri", name.uri);
+    if (name.in_repository) out_.member("uriBaseId", root_name);
+    out_.end_object();
+  }
+
+  void write_region(std::string_view name, Location const& location) {
+    begin_object(name);
+    out_.member("startLine", location.begin.line);
+    out_.member("startColumn", location.begin.column);
+    out_.member("endLine", location.end.line);
+    out_.member("endColumn", location.end.column);
+    out_.end_object();
+  }
+
+  void write_physical_location(Place const& place) {
     Location const location = locate(place, sources_);
-    return {{"artifactLocation", artifact_location(location.file)}, {"region", region(location)}};
+    begin_object("physicalLocation");
+    write_artifact_location(location.file);
+    write_region("region", location);
+    out_.end_object();
   }
 
-  [[nodiscard]] Json location(Finding const& finding) const {
-    Json location = Json::object();
+  void write_location(Finding const& finding) {
+    if (!finding.place && finding.file.empty() && finding.parameter.empty()) return;
+    begin_array("locations");
+    out_.begin_object();
     if (finding.place) {
-      location["physicalLocation"] = physical_location(*finding.place);
+      write_physical_location(*finding.place);
     } else if (!finding.file.empty()) {
-      location["physicalLocation"] = {{"artifactLocation", artifact_location(finding.file)}};
+      begin_object("physicalLocation");
+      write_artifact_location(finding.file);
+      out_.end_object();
     }
     if (!finding.parameter.empty()) {
+      begin_array("logicalLocations");
+      out_.begin_object();
+      out_.member("name", finding.parameter);
       std::string const axis = finding.axis.empty() ? "" : finding.axis + "/";
-      location["logicalLocations"] = Json::array({{{"name", finding.parameter},
-                                                   {"fullyQualifiedName", axis + finding.parameter},
-                                                   {"kind", "parameter"}}});
+      out_.member("fullyQualifiedName", axis + finding.parameter);
+      out_.member("kind", "parameter");
+      out_.end_object();
+      out_.end_array();
     }
-    return location;
+    out_.end_object();
+    out_.end_array();
   }
 
-  [[nodiscard]] Json related(Finding const& finding) const {
-    Json locations = Json::array();
-    for (Related const& place : finding.related) {
-      locations.push_back({{"id", locations.size() + 1},
-                           {"physicalLocation", physical_location(place.place)},
-                           {"message", {{"text", say(place.message)}}}});
+  void write_related(std::vector<Related> const& related) {
+    if (related.empty()) return;
+    begin_array("relatedLocations");
+    for (std::size_t i = 0; i < related.size(); ++i) {
+      out_.begin_object();
+      out_.member("id", i + 1);
+      write_physical_location(related[i].place);
+      write_text("message", say(related[i].message));
+      out_.end_object();
     }
-    return locations;
+    out_.end_array();
   }
 
-  [[nodiscard]] Json fix(Fix const& fix) const {
-    Json changes = Json::array();
+  void write_fingerprints(Finding const& finding) {
+    std::string identity = fingerprint(identity_of(finding, sources_), 0);
+    identity.back() = occurrence_hole;
+    std::string const quoted = '"' + identity + '"';
+    begin_object("partialFingerprints");
+    // Code hosts compare the second name only; without it they would hash the line.
+    for (std::string_view const name : {"axiscIdentity/v1", "primaryLocationLineHash"}) {
+      out_.key(name);
+      out_.raw(quoted);
+    }
+    out_.end_object();
+  }
+
+  void write_fix(Fix const& fix) {
+    begin_array("fixes");
+    out_.begin_object();
+    write_text("description", say(fix.title));
+    begin_array("artifactChanges");
     std::vector<SourceId> changed;
     for (Edit const& edit : fix.edits) {
-      auto const found = std::find(changed.begin(), changed.end(), edit.place.source);
-      auto const index = static_cast<std::size_t>(found - changed.begin());
-      if (found == changed.end()) {
-        changed.push_back(edit.place.source);
-        changes.push_back({{"artifactLocation", artifact_location(sources_[edit.place.source].name())},
-                           {"replacements", Json::array()}});
-      }
-      changes[index]["replacements"].push_back({{"deletedRegion", region(locate(edit.place, sources_))},
-                                                {"insertedContent", {{"text", edit.text}}}});
+      SourceId const source = edit.place.source;
+      if (std::find(changed.begin(), changed.end(), source) != changed.end()) continue;
+      changed.push_back(source);
+      write_change(fix, source);
     }
-    return {{"description", {{"text", say(fix.title)}}},
-            {"artifactChanges", std::move(changes)},
-            {"properties", {{"safe", fix.safety == FixSafety::safe}}}};
+    out_.end_array();
+    begin_object("properties");
+    out_.key("safe");
+    out_.boolean(fix.safety == FixSafety::safe);
+    out_.end_object();
+    out_.end_object();
+    out_.end_array();
   }
 
-  [[nodiscard]] Json properties(Finding const& finding) const {
-    Json properties = Json::object();
-    auto const add = [&properties](std::string_view name, std::string_view value) {
-      if (!value.empty()) properties[std::string(name)] = value;
+  /// All edits of one source.
+  void write_change(Fix const& fix, SourceId source) {
+    out_.begin_object();
+    write_artifact_location(sources_[source].name());
+    begin_array("replacements");
+    for (Edit const& edit : fix.edits) {
+      if (edit.place.source != source) continue;
+      out_.begin_object();
+      write_region("deletedRegion", locate(edit.place, sources_));
+      write_text("insertedContent", edit.text);
+      out_.end_object();
+    }
+    out_.end_array();
+    out_.end_object();
+  }
+
+  void write_properties(Finding const& finding) {
+    bool any = false;
+    auto const add = [&](std::string_view name, std::string_view value) {
+      if (value.empty()) return;
+      if (!std::exchange(any, true)) begin_object("properties");
+      out_.member(name, value);
     };
     add("axis", finding.axis);
     add("parameter", finding.parameter);
@@ -213,26 +301,14 @@ class SarifResult {
       if (finding.control->reaction) add("controlReaction", say(*finding.control->reaction));
       add("controlValue", finding.control->value);
     }
-    return properties;
-  }
-
-  [[nodiscard]] Json result(Finding const& finding, std::string const& identity) const {
-    Json result = {{"ruleId", code_text(finding.code)},
-                   {"ruleIndex", 0},
-                   {"level", severity_name(finding.severity)},
-                   {"message", {{"text", whole_message(finding, language_)}}}};
-    if (Json place = location(finding); !place.empty()) result["locations"] = Json::array({std::move(place)});
-    if (!finding.related.empty()) result["relatedLocations"] = related(finding);
-    // Code hosts compare the second name only; without it they would hash the line.
-    result["partialFingerprints"] = {{"axiscIdentity/v1", identity}, {"primaryLocationLineHash", identity}};
-    if (finding.fix) result["fixes"] = Json::array({fix(*finding.fix)});
-    if (Json bag = properties(finding); !bag.empty()) result["properties"] = std::move(bag);
-    return result;
+    if (any) out_.end_object();
   }
 
   SourceSet const& sources_;
   ReportContext const& context_;
   Language language_;
+  std::string text_ = "\n        ";
+  JsonStream out_{text_, 8};
 };
 
 /// Those of all findings; sources that several inputs share are one.

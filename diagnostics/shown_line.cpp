@@ -32,18 +32,8 @@ std::size_t count_characters(std::string_view line) {
   return count;
 }
 
-}  // namespace
-
-ShownLine show_line(std::string_view line, MarkedPart marked) {
-  std::size_t const length = count_characters(line);
-  std::size_t const mark = std::min(marked.begin, length);
-  Window const window = window_around({.begin = mark, .end = marked.end}, length);
-
-  ShownLine shown;
-  if (window.begin > 0) {
-    shown.text += ellipsis;
-    shown.indent += ' ';
-  }
+/// The characters of a line that stand in the window, and the indent of the mark.
+void append_window(ShownLine& shown, std::string_view line, Window window, std::size_t mark) {
   for (std::size_t at = 0; at < window.end; ++at) {
     DecodedCharacter const character = decode_utf8(line);
     line.remove_prefix(character.size);
@@ -55,6 +45,32 @@ ShownLine show_line(std::string_view line, MarkedPart marked) {
       append_printable(shown.text, character.value);
     }
     if (at < mark) shown.indent += is_tab ? '\t' : ' ';
+  }
+}
+
+/// The same for a line of which every byte is a character that stays as it is.
+void append_plain_window(ShownLine& shown, std::string_view line, Window window, std::size_t mark) {
+  shown.text += line.substr(window.begin, window.end - window.begin);
+  for (std::size_t at = window.begin; at < mark; ++at) shown.indent += line[at] == '\t' ? '\t' : ' ';
+}
+
+}  // namespace
+
+ShownLine show_line(std::string_view line, MarkedPart marked) {
+  bool const plain = std::all_of(line.begin(), line.end(), [](char c) { return is_plain(c) || c == '\t'; });
+  std::size_t const length = plain ? line.size() : count_characters(line);
+  std::size_t const mark = std::min(marked.begin, length);
+  Window const window = window_around({.begin = mark, .end = marked.end}, length);
+
+  ShownLine shown;
+  if (window.begin > 0) {
+    shown.text += ellipsis;
+    shown.indent += ' ';
+  }
+  if (plain) {
+    append_plain_window(shown, line, window, mark);
+  } else {
+    append_window(shown, line, window, mark);
   }
   if (window.end < length) shown.text += ellipsis;
 

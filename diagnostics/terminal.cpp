@@ -2,6 +2,7 @@
 
 #include "diagnostics/utf8.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -41,34 +42,52 @@ std::string_view escape_of(Style style) {
 
 }  // namespace
 
-void append_printable(std::string& text, char32_t character) {
+void append_printable(std::string& shown, char32_t character) {
   constexpr char32_t picture_of_null = 0x2400;
   constexpr char32_t picture_of_delete = 0x2421;
   if (character < 0x20) {
-    append_utf8(text, picture_of_null + character);
+    append_utf8(shown, picture_of_null + character);
   } else if (character == 0x7F) {
-    append_utf8(text, picture_of_delete);
+    append_utf8(shown, picture_of_delete);
   } else if (is_control(character) || turns_direction(character)) {
-    append_utf8(text, replacement_character);
+    append_utf8(shown, replacement_character);
   } else {
-    append_utf8(text, character);
+    append_utf8(shown, character);
+  }
+}
+
+void append_printable(std::string& shown, std::string_view text) {
+  while (!text.empty()) {
+    auto const* const special = std::find_if_not(text.begin(), text.end(), is_plain);
+    auto const plain = static_cast<std::size_t>(special - text.begin());
+    shown.append(text.substr(0, plain));
+    text.remove_prefix(plain);
+    if (text.empty()) return;
+    DecodedCharacter const character = decode_utf8(text);
+    append_printable(shown, character.value);
+    text.remove_prefix(character.size);
   }
 }
 
 std::string printable(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
-  while (!text.empty()) {
-    DecodedCharacter const character = decode_utf8(text);
-    append_printable(shown, character.value);
-    text.remove_prefix(character.size);
-  }
+  append_printable(shown, text);
   return shown;
 }
 
 std::string Painter::operator()(Style style, std::string_view text) const {
-  if (!color_ || text.empty()) return std::string(text);
-  return std::string(escape_of(style)).append(text).append("\x1b[0m");
+  std::string painted;
+  append(painted, style, text);
+  return painted;
+}
+
+void Painter::append(std::string& out, Style style, std::string_view text) const {
+  if (!color_ || text.empty()) {
+    out.append(text);
+  } else {
+    out.append(escape_of(style)).append(text).append("\x1b[0m");
+  }
 }
 
 }  // namespace axisc

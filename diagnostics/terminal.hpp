@@ -11,8 +11,14 @@ namespace axisc {
 /// that turn the direction of writing and bytes that cannot be decoded become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same for one character, appended.
-void append_printable(std::string& text, char32_t character);
+/// The same, appended; and for one character.
+void append_printable(std::string& shown, std::string_view text);
+void append_printable(std::string& shown, char32_t character);
+
+/// ASCII that printable() leaves as it is: neither a control character nor part of a longer one.
+[[nodiscard]] constexpr bool is_plain(char byte) {
+  return byte >= 0x20 && byte < 0x7F;
+}
 
 enum class Style : std::uint8_t { error, warning, note, gutter, strong, added, removed };
 
@@ -21,6 +27,8 @@ class Painter {
  public:
   explicit Painter(bool color) : color_(color) {}
   [[nodiscard]] std::string operator()(Style style, std::string_view text) const;
+  /// The same behind `out`.
+  void append(std::string& out, Style style, std::string_view text) const;
 
  private:
   bool color_;

@@ -48,19 +48,31 @@ std::string_view text_key(Text text) {
   return entries.at(static_cast<std::size_t>(text)).key;
 }
 
+void append_filled(std::string& text, std::string_view sentence, std::vector<Argument> const& arguments) {
+  while (!sentence.empty()) {
+    auto const* const brace =
+        std::find_if(sentence.begin(), sentence.end(), [](char byte) { return byte == '{' || byte == '}'; });
+    auto const plain = static_cast<std::size_t>(brace - sentence.begin());
+    text += sentence.substr(0, plain);
+    sentence.remove_prefix(plain);
+    if (!sentence.empty()) fill_brace(sentence, arguments, text);
+  }
+}
+
 std::string fill(std::string_view sentence, std::vector<Argument> const& arguments) {
   std::string filled;
-  while (!sentence.empty()) {
-    std::size_t const plain = std::min(sentence.find_first_of("{}"), sentence.size());
-    filled += sentence.substr(0, plain);
-    sentence.remove_prefix(plain);
-    if (!sentence.empty()) fill_brace(sentence, arguments, filled);
-  }
+  append_filled(filled, sentence, arguments);
   return filled;
 }
 
+void append_rendered(std::string& text, Message const& message, Language language) {
+  append_filled(text, text_template(message.text, language), message.arguments);
+}
+
 std::string render(Message const& message, Language language) {
-  return fill(text_template(message.text, language), message.arguments);
+  std::string text;
+  append_rendered(text, message, language);
+  return text;
 }
 
 }  // namespace axisc

@@ -43,6 +43,8 @@ struct Message {
 [[nodiscard]] std::string_view text_key(Text text);
 /// The sentence with its values. A placeholder without a value stays as `{name}` (tests look for it).
 [[nodiscard]] std::string render(Message const& message, Language language);
+/// The same behind `text`.
+void append_rendered(std::string& text, Message const& message, Language language);
 /// The same for a template that stands elsewhere.
 [[nodiscard]] std::string fill(std::string_view sentence, std::vector<Argument> const& arguments);
 

@@ -59,13 +59,15 @@ class TextWriter {
     write_headline();
     if (finding_.place) {
       Pointer const pointer{.arrow = "-->", .mark = '^', .style = style_of(finding_.severity)};
-      write_place(*finding_.place, pointer, finding_.label ? sentence(*finding_.label) : std::string());
+      write_place(*finding_.place, pointer, finding_.label ? &*finding_.label : nullptr);
     } else if (!finding_.file.empty()) {
-      write_arrow("-->", printable(finding_.file));
+      begin_arrow("-->");
+      append_printable(out_, finding_.file);
+      out_ += '\n';
     }
     for (Related const& related : finding_.related) {
       write_empty_gutter();
-      write_place(related.place, related_pointer, sentence(related.message));
+      write_place(related.place, related_pointer, &related.message);
     }
     write_below();
     return std::move(out_);
@@ -85,34 +87,50 @@ class TextWriter {
     return largest;
   }
 
-  [[nodiscard]] std::string sentence(Message const& message) const {
-    return printable(render(message, language_));
+  /// As a view that the next call makes invalid.
+  [[nodiscard]] std::string_view sentence(Message const& message) {
+    rendered_.clear();
+    append_rendered(rendered_, message, language_);
+    return printed(rendered_);
   }
-  [[nodiscard]] std::string word(Text text) const {
-    return render({.text = text, .arguments = {}}, language_);
+  [[nodiscard]] std::string_view printed(std::string_view text) {
+    printed_.clear();
+    append_printable(printed_, text);
+    return printed_;
   }
+  [[nodiscard]] std::string_view word(Text text) const { return text_template(text, language_); }
+
+  void paint(Style style, std::string_view text) { paint_.append(out_, style, text); }
 
   void write_headline() {
-    std::string const head = word(word_of(finding_.severity)) + '[' + code_text(finding_.code) + ']';
-    out_ += paint_(style_of(finding_.severity), head);
-    out_ += paint_(Style::strong, ": " + sentence(finding_.message));
+    std::string head(word(word_of(finding_.severity)));
+    head.append("[").append(code_text(finding_.code)).append("]");
+    paint(style_of(finding_.severity), head);
+    paint(Style::strong, std::string(": ").append(sentence(finding_.message)));
     out_ += '\n';
   }
 
-  void write_arrow(std::string_view arrow, std::string const& target) {
-    out_ += std::string(gutter_width_, ' ');
-    out_ += paint_(Style::gutter, arrow);
-    out_ += ' ' + target + '\n';
+  void begin_arrow(std::string_view arrow) {
+    out_.append(gutter_width_, ' ');
+    paint(Style::gutter, arrow);
+    out_ += ' ';
   }
 
   void write_arrow(std::string_view arrow, std::string_view file, Position position) {
-    write_arrow(
-        arrow, printable(file) + ':' + std::to_string(position.line) + ':' + std::to_string(position.column));
+    begin_arrow(arrow);
+    append_printable(out_, file);
+    (out_ += ':') += std::to_string(position.line);
+    (out_ += ':') += std::to_string(position.column);
+    out_ += '\n';
+  }
+
+  void begin_gutter(std::string_view mark) {
+    out_.append(gutter_width_ + 1, ' ');
+    paint(Style::gutter, mark);
   }
 
   void write_empty_gutter() {
-    out_ += std::string(gutter_width_ + 1, ' ');
-    out_ += paint_(Style::gutter, "|");
+    begin_gutter("|");
     out_ += '\n';
   }
 
@@ -121,7 +139,8 @@ class TextWriter {
     return std::string(gutter_width_ - number.size(), ' ') + number + ' ';
   }
 
-  void write_place(Place const& place, Pointer const& pointer, std::string const& label) {
+  /// `label` may be null.
+  void write_place(Place const& place, Pointer const& pointer, Message const* label) {
     Location const location = locate(place, sources_);
     write_arrow(pointer.arrow, location.file, location.begin);
     write_empty_gutter();
@@ -132,41 +151,39 @@ class TextWriter {
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
     std::string const line = source.utf8(source.line_span(location.begin.line));
     ShownLine const shown = show_line(line, {.begin = begin, .end = end});
-    out_ += paint_(Style::gutter, numbered(location.begin.line) + '|');
-    out_ += ' ' + shown.text + '\n';
+    paint(Style::gutter, numbered(location.begin.line) + '|');
+    ((out_ += ' ') += shown.text) += '\n';
 
     std::string marks(shown.width, pointer.mark);
-    if (!label.empty()) marks += ' ' + label;
-    out_ += std::string(gutter_width_ + 1, ' ');
-    out_ += paint_(Style::gutter, "|");
-    out_ += ' ' + shown.indent + paint_(pointer.style, marks) + '\n';
+    std::string_view const words = label == nullptr ? std::string_view() : sentence(*label);
+    if (!words.empty()) (marks += ' ') += words;
+    begin_gutter("|");
+    (out_ += ' ') += shown.indent;
+    paint(pointer.style, marks);
+    out_ += '\n';
   }
 
   void write_below() {
-    bool const is_empty =
-        finding_.notes.empty() && finding_.help.empty() && !finding_.fix && control_text().empty();
+    std::string const control = control_text(finding_, language_);
+    bool const is_empty = finding_.notes.empty() && finding_.help.empty() && !finding_.fix && control.empty();
     if (is_empty) return;
     if (finding_.place || !finding_.related.empty()) write_empty_gutter();
-    for (Message const& note : finding_.notes) write_line_below("", sentence(note));
-    if (std::string const control = control_text(); !control.empty()) {
-      write_line_below(word(Text::word_control) + ": ", control);
-    }
-    for (Message const& help : finding_.help) write_line_below(word(Text::word_help) + ": ", sentence(help));
+    for (Message const& note : finding_.notes) write_line_below({}, sentence(note));
+    if (!control.empty()) write_line_below(word(Text::word_control), printed(control));
+    for (Message const& help : finding_.help) write_line_below(word(Text::word_help), sentence(help));
     if (finding_.fix) write_fix();
   }
 
-  void write_line_below(std::string const& head, std::string const& text) {
-    out_ += std::string(gutter_width_ + 1, ' ');
-    out_ += paint_(Style::gutter, "=");
-    out_ += ' ' + paint_(Style::strong, head) + text + '\n';
-  }
-
-  [[nodiscard]] std::string control_text() const {
-    return printable(axisc::control_text(finding_, language_));
+  /// A colon separates `head` from the rest, where there is a head.
+  void write_line_below(std::string_view head, std::string_view text) {
+    begin_gutter("=");
+    out_ += ' ';
+    if (!head.empty()) paint(Style::strong, std::string(head).append(": "));
+    (out_ += text) += '\n';
   }
 
   void write_fix() {
-    write_line_below(word(Text::word_fix) + ": ", sentence(finding_.fix->title));
+    write_line_below(word(Text::word_fix), sentence(finding_.fix->title));
     for (PreviewBlock const& block : blocks_) {
       if (!finding_.place || finding_.place->source != block.source) {
         write_arrow(related_pointer.arrow, sources_[block.source].name(), block.begin);
@@ -189,9 +206,12 @@ class TextWriter {
   void write_preview_line(PreviewLine const& line) {
     ShownLine const shown = show_line(line.text, {.begin = line.first_change, .end = line.first_change});
     Style const style = line.added ? Style::added : Style::removed;
-    out_ += paint_(Style::gutter, numbered(line.number));
-    out_ += paint_(style, line.added ? "+" : "-");
-    if (!shown.text.empty()) out_ += ' ' + paint_(style, shown.text);
+    paint(Style::gutter, numbered(line.number));
+    paint(style, line.added ? "+" : "-");
+    if (!shown.text.empty()) {
+      out_ += ' ';
+      paint(style, shown.text);
+    }
     out_ += '\n';
   }
 
@@ -202,6 +222,8 @@ class TextWriter {
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
   std::string out_;
+  std::string rendered_;
+  std::string printed_;
 };
 
 }  // namespace

@@ -5,16 +5,23 @@
 namespace axisc {
 
 std::string whole_message(Finding const& finding, Language language) {
-  std::string text = render(finding.message, language);
-  auto const add = [&](std::string const& line) { text += '\n' + line; };
-  auto const word = [language](Text key) { return render({.text = key, .arguments = {}}, language) + ": "; };
-  if (finding.label) add(render(*finding.label, language));
-  for (Message const& note : finding.notes) add(render(note, language));
+  std::string text;
+  auto const begin = [&](Text key) { ((text += '\n') += text_template(key, language)) += ": "; };
+  append_rendered(text, finding.message, language);
+  if (finding.label) append_rendered(text += '\n', *finding.label, language);
+  for (Message const& note : finding.notes) append_rendered(text += '\n', note, language);
   if (std::string const control = control_text(finding, language); !control.empty()) {
-    add(word(Text::word_control) + control);
+    begin(Text::word_control);
+    text += control;
   }
-  for (Message const& help : finding.help) add(word(Text::word_help) + render(help, language));
-  if (finding.fix) add(word(Text::word_fix) + render(finding.fix->title, language));
+  for (Message const& help : finding.help) {
+    begin(Text::word_help);
+    append_rendered(text, help, language);
+  }
+  if (finding.fix) {
+    begin(Text::word_fix);
+    append_rendered(text, finding.fix->title, language);
+  }
   return text;
 }
 

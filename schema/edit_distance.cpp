@@ -27,7 +27,10 @@ constexpr std::size_t word_bits = 64;
 /// (2003), which knows swaps. `rise` and `fall` say where the column goes up and down by one, `diagonal` where it repeats
 /// the value up and left of it.
 std::size_t distance_in_words(std::string_view a, std::string_view b, std::size_t limit) {
-  std::array<std::uint64_t, 256> places{};
+  // Most words are short beside the alphabet: only the letters that occur get a place.
+  std::array<std::uint64_t, 256> places;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  for (char const byte : a) places[static_cast<unsigned char>(byte)] = 0;
+  for (char const byte : b) places[static_cast<unsigned char>(byte)] = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     places[static_cast<unsigned char>(a[i])] |= std::uint64_t{1} << i;
   }

@@ -134,9 +134,14 @@ ParameterId Extension::parameter_of(Slot slot) const {
   return index < built_in ? schema::parameter_of(slot) : own_slots_[index - built_in];
 }
 
-Vocabulary const& Extension::vocabulary() const {
-  std::call_once(taken_apart_, [this] { vocabulary_ = std::make_unique<Vocabulary>(take_apart(rows_)); });
-  return *vocabulary_;
+Vocabulary Extension::vocabulary() const {
+  std::call_once(taken_apart_, [this] {
+    std::vector<std::string> names;
+    names.reserve(rows_.size());
+    for (Parameter const& row : rows_) names.emplace_back(row.name);
+    vocabulary_ = std::make_unique<VocabularyTables>(std::move(names));
+  });
+  return vocabulary_->view(rows_);
 }
 
 std::string_view Extension::file_of(std::string_view name) const {

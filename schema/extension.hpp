@@ -34,7 +34,7 @@ class Extension {
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] ParameterId parameter_of(Slot slot) const;
   [[nodiscard]] bool knows_word(std::string_view word) const { return words_.contains(word); }
-  [[nodiscard]] Vocabulary const& vocabulary() const;
+  [[nodiscard]] Vocabulary vocabulary() const;
   /// The file of a row; empty for one that was built in.
   [[nodiscard]] std::string_view file_of(std::string_view name) const;
 
@@ -50,7 +50,7 @@ class Extension {
   std::vector<ParameterId> own_slots_;  ///< of the slots behind those that were built in
   std::set<std::string, std::less<>> words_;
   mutable std::once_flag taken_apart_;
-  mutable std::unique_ptr<Vocabulary> vocabulary_;  ///< made when the first name is mistyped
+  mutable std::unique_ptr<VocabularyTables> vocabulary_;  ///< made when the first name is mistyped
 };
 
 }  // namespace axisc::schema

@@ -1,4 +1,4 @@
-// axisc_schema_generator DATA SCHEMA OUTPUT: turns axis-parameters.json into constant tables while building. Exit
+// axisc_schema_generator DATA SCHEMA TABLES VOCABULARY: turns axis-parameters.json into constant tables while building. Exit
 // status 1 and one line per mistake when the data is wrong.
 #include "schema/generator/catalogue_data.hpp"
 #include "schema/generator/table_writer.hpp"
@@ -29,14 +29,15 @@ void write_file(std::string const& path, std::string const& text) {
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> const arguments(argv, argv + argc);
-  if (arguments.size() != 4) {
-    std::cerr << "usage: axisc_schema_generator DATA SCHEMA OUTPUT\n";
+  if (arguments.size() != 5) {
+    std::cerr << "usage: axisc_schema_generator DATA SCHEMA TABLES VOCABULARY\n";
     return 2;
   }
   try {
     auto const parameters =
         axisc::schema::generator::read_catalogue(read_file(arguments[1]), read_file(arguments[2]));
     write_file(arguments[3], axisc::schema::generator::write_tables(parameters));
+    write_file(arguments[4], axisc::schema::generator::write_vocabulary(parameters));
   } catch (std::exception const& error) {
     std::cerr << arguments[1] << ":\n" << error.what() << '\n';
     return 1;

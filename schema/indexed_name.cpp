@@ -44,6 +44,8 @@ std::string_view take_part(std::string_view& name) {
 
 std::optional<IndexedName> split_name(std::string_view name) {
   IndexedName result;
+  constexpr std::size_t usual_parts = 4;
+  result.parts.reserve(usual_parts);
   while (!name.empty()) {
     auto const part = split_part(take_part(name));
     if (!part) return std::nullopt;

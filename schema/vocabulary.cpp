@@ -2,10 +2,34 @@
 
 #include "schema/indexed_name.hpp"
 
-#include <functional>
-#include <map>
+#include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace axisc::schema {
+namespace {
+
+std::vector<std::string_view> split(std::string_view name) {
+  std::vector<std::string_view> parts;
+  while (!name.empty()) parts.push_back(take_part(name));
+  return parts;
+}
+
+/// `keys[i]` says to which of `count` groups number i belongs.
+VocabularyTables::OwnGroups group_by(std::vector<std::uint32_t> const& keys, std::size_t count) {
+  VocabularyTables::OwnGroups groups;
+  groups.starts.resize(count + 1);
+  for (std::uint32_t const key : keys) ++groups.starts[key + 1];
+  std::partial_sum(groups.starts.begin(), groups.starts.end(), groups.starts.begin());
+  std::vector<std::uint32_t> next = groups.starts;
+  groups.numbers.resize(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    groups.numbers[next[keys[i]]++] = static_cast<std::uint32_t>(i);
+  }
+  return groups;
+}
+
+}  // namespace
 
 Letters letters_of(std::string_view text) {
   constexpr unsigned letters = 32;
@@ -19,35 +43,52 @@ Letters letters_of(std::string_view text) {
   return once | twice << letters;
 }
 
-Vocabulary take_apart(std::span<Parameter const> rows) {
-  Vocabulary vocabulary{.rows = rows,
-                        .parts = {},
-                        .names = {},
-                        .parts_of = {},
-                        .last_parts = {},
-                        .names_with = {},
-                        .names_of_size = {}};
-  std::map<std::string, std::size_t, std::less<>> places;
-  for (Parameter const& parameter : rows) {
-    std::string bare(parameter.name);
-    std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
-    vocabulary.names.add(bare);
-    std::vector<std::size_t>& parts = vocabulary.parts_of.emplace_back();
-    for (std::string_view rest = bare; !rest.empty();) {
-      std::string_view const part = take_part(rest);
-      auto const [place, is_new] = places.try_emplace(std::string(part), vocabulary.parts.size());
-      if (is_new) vocabulary.parts.add(part);
-      parts.push_back(place->second);
-    }
-    std::size_t const number = vocabulary.names.size() - 1;
-    vocabulary.names_with.resize(vocabulary.parts.size());
-    std::vector<std::size_t>& with_part = vocabulary.names_with[parts.back()];
-    if (with_part.empty()) vocabulary.last_parts.push_back(parts.back());
-    with_part.push_back(number);
-    if (vocabulary.names_of_size.size() <= bare.size()) vocabulary.names_of_size.resize(bare.size() + 1);
-    vocabulary.names_of_size[bare.size()].push_back(number);
+VocabularyTables::VocabularyTables(std::vector<std::string> patterns) : names(std::move(patterns)) {
+  for (std::string& name : names) {
+    std::erase_if(name, [](char byte) { return byte == '[' || byte == ']'; });
   }
-  return vocabulary;
+  name_views.assign(names.begin(), names.end());
+  alphabetic.resize(names.size());
+  std::iota(alphabetic.begin(), alphabetic.end(), std::uint32_t{0});
+  std::stable_sort(alphabetic.begin(), alphabetic.end(),
+                   [this](std::uint32_t a, std::uint32_t b) { return names[a] < names[b]; });
+
+  std::vector<std::uint32_t> sizes;
+  for (std::string const& name : names) sizes.push_back(static_cast<std::uint32_t>(name.size()));
+  std::size_t const longest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
+  names_of_size = group_by(sizes, longest + 1);
+  for (std::uint32_t const name : names_of_size.numbers) letters_by_size.push_back(letters_of(names[name]));
+
+  for (std::string const& name : names) {
+    for (std::string_view const part : split(name)) parts.push_back(part);
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  for (std::string_view const part : parts) letters_of_parts.push_back(letters_of(part));
+
+  std::vector<std::uint32_t> endings;
+  parts_of.starts.push_back(0);
+  for (std::string const& name : names) {
+    for (std::string_view const part : split(name)) {
+      auto const place = std::lower_bound(parts.begin(), parts.end(), part);
+      parts_of.numbers.push_back(static_cast<std::uint32_t>(place - parts.begin()));
+    }
+    parts_of.starts.push_back(static_cast<std::uint32_t>(parts_of.numbers.size()));
+    endings.push_back(parts_of.numbers.back());
+  }
+  names_ending_in = group_by(endings, parts.size());
+}
+
+Vocabulary VocabularyTables::view(std::span<Parameter const> rows) const {
+  return {.rows = rows,
+          .names = name_views,
+          .alphabetic = alphabetic,
+          .names_of_size = names_of_size.view(),
+          .letters_by_size = letters_by_size,
+          .parts = parts,
+          .letters_of_parts = letters_of_parts,
+          .parts_of = parts_of.view(),
+          .names_ending_in = names_ending_in.view()};
 }
 
 }  // namespace axisc::schema

@@ -1,4 +1,5 @@
-// The known names taken apart, so that a mistyped one is compared with each of their words once.
+// The known names taken apart, so that a mistyped one is compared with few of them. The tables of the built-in catalogue
+// are made while building.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -17,37 +18,68 @@ namespace axisc::schema {
 using Letters = std::uint64_t;
 [[nodiscard]] Letters letters_of(std::string_view text);
 
-/// What rules a word out before its letters are compared one by one.
-struct Outline {
-  explicit Outline(std::string_view word) : letters(letters_of(word)), size(word.size()) {}
-
-  Letters letters;
-  std::size_t size;
-};
-
-/// Words, and beside them their outlines in a row: of nearly all words nothing else is looked at.
-struct Words {
-  std::vector<std::string> texts;
-  std::vector<Outline> outlines;
-
-  void add(std::string_view word) {
-    texts.emplace_back(word);
-    outlines.emplace_back(word);
+/// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one letter at most.
+[[nodiscard]] inline bool certainly_beyond(Letters a, Letters b, std::size_t limit) {
+  Letters only_a = a & ~b;
+  Letters only_b = b & ~a;
+  for (; limit > 0; --limit) {
+    only_a &= only_a - 1;
+    only_b &= only_b - 1;
   }
-  [[nodiscard]] std::size_t size() const { return texts.size(); }
+  return (only_a | only_b) != 0;
+}
+
+/// Numbers of names and parts that belong to one thing each: those of thing i stand from starts[i] to starts[i + 1].
+struct Groups {
+  std::span<std::uint32_t const> starts;
+  std::span<std::uint32_t const> numbers;
+
+  [[nodiscard]] std::span<std::uint32_t const> operator[](std::size_t i) const {
+    return numbers.subspan(starts[i], starts[i + 1] - starts[i]);
+  }
+  [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
 };
 
+/// The index of a name is that of its row. A part is what stands between two dots.
 struct Vocabulary {
   std::span<Parameter const> rows;
-  Words parts;                                       ///< each different one
-  Words names;                                       ///< without brackets, in the order of `rows`
-  std::vector<std::vector<std::size_t>> parts_of;    ///< of each name: indices into `parts`
-  std::vector<std::size_t> last_parts;               ///< each that is the last one of a name
-  std::vector<std::vector<std::size_t>> names_with;  ///< of each part: the names that end with it
-  std::vector<std::vector<std::size_t>> names_of_size;
+  std::span<std::string_view const> names;    ///< without brackets
+  std::span<std::uint32_t const> alphabetic;  ///< the names in this order
+  Groups names_of_size;                       ///< of each number of bytes
+  std::span<Letters const> letters_by_size;   ///< of the names, in the order of names_of_size.numbers
+  std::span<std::string_view const> parts;    ///< each different one, in alphabetic order
+  std::span<Letters const> letters_of_parts;
+  Groups parts_of;         ///< of each name
+  Groups names_ending_in;  ///< each part
 };
 
-[[nodiscard]] Vocabulary take_apart(std::span<Parameter const> rows);
+/// What a Vocabulary shows, where it is not built in.
+struct VocabularyTables {
+  struct OwnGroups {
+    std::vector<std::uint32_t> starts;
+    std::vector<std::uint32_t> numbers;
+    [[nodiscard]] Groups view() const { return {.starts = starts, .numbers = numbers}; }
+  };
+
+  std::vector<std::string> names;
+  std::vector<std::string_view> name_views;  ///< of `names`
+  std::vector<std::uint32_t> alphabetic;
+  OwnGroups names_of_size;
+  std::vector<Letters> letters_by_size;
+  std::vector<std::string_view> parts;  ///< pieces of `names`
+  std::vector<Letters> letters_of_parts;
+  OwnGroups parts_of;
+  OwnGroups names_ending_in;
+
+  /// `names` as patterns: `filter[].order`.
+  explicit VocabularyTables(std::vector<std::string> patterns);
+  VocabularyTables(VocabularyTables const&) = delete;
+  VocabularyTables& operator=(VocabularyTables const&) = delete;
+
+  [[nodiscard]] Vocabulary view(std::span<Parameter const> rows) const;
+};
+
+[[nodiscard]] Vocabulary const& built_in_vocabulary();
 
 /// Names of `vocabulary` that a mistyped one may have meant, see Catalogue::suggest_names.
 [[nodiscard]] std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string_view name);

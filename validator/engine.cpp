@@ -34,8 +34,10 @@ class Engine {
 
   EngineResult run() {
     for (Finding const& finding : machine_.findings) {
-      raw_.push_back({.finding = finding, .subject = std::nullopt});
+      Rule const* const rule = find_rule(finding.code);
+      if (rule == nullptr || enabled(*rule)) reported_.findings.push_back(finding);
     }
+    reported_.subjects.resize(reported_.findings.size());
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
@@ -58,15 +60,16 @@ class Engine {
   template <typename CheckFunction, typename Context>
   void call(Rule const& rule, CheckFunction check, Context const& context, std::string const& axis,
             std::optional<Subject> subject) {
-    std::vector<Finding> found;
+    std::deque<Finding>& found = reported_.findings;
+    std::size_t const before = found.size();
     Report report(found);
     report.rule = &rule;
     report.axis = axis;
     check(context, report);
-    bool const assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
-    for (Finding& finding : found) {
-      if (assumed) finding.notes.push_back({.text = Text::cycle_time_assumed_note, .arguments = {}});
-      raw_.push_back({.finding = std::move(finding), .subject = subject});
+    reported_.subjects.resize(found.size(), subject);
+    if (rule.needs != Needs::cycle_time || machine_.cycle_time) return;
+    for (std::size_t i = before; i < found.size(); ++i) {
+      found[i].notes.push_back({.text = Text::cycle_time_assumed_note, .arguments = {}});
     }
   }
 
@@ -216,14 +219,14 @@ class Engine {
     program.tree.commands.push_back(*command);
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
     ProgramContext const context{.whole = whole, .program = program, .text = set.text, .group = group};
-    std::size_t const before = raw_.size();
+    std::size_t const before = reported_.findings.size();
     for (Rule const& rule : rules()) {
       if (rule.program_check != nullptr && enabled(rule)) {
         call(rule, rule.program_check, context, {}, std::nullopt);
       }
     }
-    for (std::size_t i = before; i < raw_.size(); ++i) {
-      Span& span = raw_[i].finding.place->span;
+    for (std::size_t i = before; i < reported_.findings.size(); ++i) {
+      Span& span = reported_.findings[i].place->span;
       span = instead.value_or(Span{.begin = span.begin + offset, .end = span.end + offset});
     }
   }
@@ -244,13 +247,6 @@ class Engine {
   }
 
   void decide() {
-    std::vector<RawFinding> standing = std::move(raw_);
-    auto const is_disabled = [this](RawFinding const& raw) {
-      Rule const* const rule = find_rule(raw.finding.code);
-      return rule != nullptr && !enabled(*rule);
-    };
-    standing.erase(std::remove_if(standing.begin(), standing.end(), is_disabled), standing.end());
-
     Suppressions suppressions;
     for (NamedList const& list : machine_.lists) {
       suppressions.add(sources_, list.list.source, list.list.tree.directives);
@@ -258,33 +254,37 @@ class Engine {
     for (LoadedProgram const& program : machine_.programs) {
       suppressions.add(sources_, program.source, program.tree.directives);
     }
-    auto const is_silenced = [&](RawFinding const& raw) {
-      return suppressions.silences(raw.finding, sources_);
-    };
-    standing.erase(std::remove_if(standing.begin(), standing.end(), is_silenced), standing.end());
-
+    Standing standing;
+    standing.reserve(reported_.findings.size());
+    for (std::uint32_t number = 0; number < reported_.findings.size(); ++number) {
+      if (!suppressions.silences(reported_.findings[number], sources_)) standing.push_back(number);
+    }
     report_unused(suppressions, standing);
-    drop_replaced(standing);
-    merge_shared(standing);
-    keep_highest_per_token(standing);
-    for (RawFinding& raw : standing) result_.findings.push_back(std::move(raw.finding));
+    drop_replaced(reported_, standing);
+    put_in_order(reported_, standing);
+    merge_shared(reported_, standing);
+    keep_highest_per_token(reported_, standing);
+    result_.findings.reserve(standing.size());
+    for (std::uint32_t const number : standing) {
+      result_.findings.push_back(std::move(reported_.findings[number]));
+    }
   }
 
-  void report_unused(Suppressions& suppressions, std::vector<RawFinding>& standing) const {
+  void report_unused(Suppressions& suppressions, Standing& standing) {
     if (!enabled(*find_rule(Code{1013}))) return;
-    std::vector<Finding> unused;
     suppressions.report_unused(
-        sources_, [this](Code code) { return enabled(*find_rule(code)); }, unused);
-    for (Finding& finding : unused) {
-      standing.push_back({.finding = std::move(finding), .subject = std::nullopt});
+        sources_, [this](Code code) { return enabled(*find_rule(code)); }, reported_.findings);
+    for (std::size_t number = reported_.subjects.size(); number < reported_.findings.size(); ++number) {
+      standing.push_back(static_cast<std::uint32_t>(number));
     }
+    reported_.subjects.resize(reported_.findings.size());
   }
 
   LoadedMachine const& machine_;
   std::vector<bool> enabled_;  ///< of each rule of the table
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
-  std::vector<RawFinding> raw_;
+  ReportedFindings reported_;
   EngineResult result_;
 };
 

@@ -4,6 +4,7 @@
 #include "validator/loading.hpp"
 #include "validator/rule.hpp"
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct Subject {
   friend auto operator<=>(Subject const&, Subject const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// A finding as its rule reported it, before the engine decides.
-struct RawFinding {
-  Finding finding;
-  std::optional<Subject> subject;  ///< none for rules that look neither at one filter nor at one program
+/// Findings as their rules reported them, before the engine decides.
+struct ReportedFindings {
+  std::deque<Finding> findings;
+  std::vector<std::optional<Subject>>
+      subjects;  ///< of each; none for rules that look neither at one filter nor at one program
 };
 
 struct EngineResult {

@@ -47,7 +47,7 @@ std::string joined(Words const& list) {
 
 class MachineFileReader {
  public:
-  MachineFileReader(SourceId source, std::vector<Finding>& findings) : source_(source), report_(findings) {
+  MachineFileReader(SourceId source, std::deque<Finding>& findings) : source_(source), report_(findings) {
     report_.rule = find_rule(Code{4020});
   }
 
@@ -314,7 +314,7 @@ class MachineFileReader {
 
 }  // namespace
 
-MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::vector<Finding>& findings) {
+MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::deque<Finding>& findings) {
   SourceText const& text = sources[source];
   MachineFileReader reader(source, findings);
   auto const parsed = parse_json(text.bytes(), text.text_begin());

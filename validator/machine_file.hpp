@@ -51,7 +51,7 @@ struct MachineFile {
 /// Reads `sources[source]`; what is wrong becomes AX4020 findings and is left out of the result. Axes without name or
 /// list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
-                                            std::vector<Finding>& findings);
+                                            std::deque<Finding>& findings);
 
 /// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".
 [[nodiscard]] bool looks_like_machine_file(std::string_view bytes);

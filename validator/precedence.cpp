@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace axisc::validator {
 namespace {
@@ -50,68 +51,70 @@ auto order(Finding const& finding) {
   return std::make_tuple(finding.severity, rank(finding.code), finding.code);
 }
 
-/// Their numbers by place and code, else as they came: a finding is large to move.
-std::vector<std::uint32_t> in_order(std::vector<RawFinding> const& findings) {
-  std::vector<std::uint32_t> numbers(findings.size());
-  std::iota(numbers.begin(), numbers.end(), std::uint32_t{0});
-  std::sort(numbers.begin(), numbers.end(), [&findings](std::uint32_t left, std::uint32_t right) {
-    Finding const& a = findings[left].finding;
-    Finding const& b = findings[right].finding;
-    return std::tie(a.place, a.code, left) < std::tie(b.place, b.code, right);
-  });
-  return numbers;
-}
+/// What decides about the order, side by side: the findings themselves lie far apart.
+struct Key {
+  std::optional<Place> place;
+  Code code{};
+  std::uint32_t number = 0;
+  // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
+  friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
+};
 
 }  // namespace
 
-void drop_replaced(std::vector<RawFinding>& findings) {
-  std::set<std::pair<Subject, Code>> reported;
-  for (RawFinding const& raw : findings) {
-    if (raw.subject) reported.emplace(*raw.subject, raw.finding.code);
+void drop_replaced(ReportedFindings const& reported, Standing& standing) {
+  std::set<std::pair<Subject, Code>> present;
+  for (std::uint32_t const number : standing) {
+    auto const& subject = reported.subjects[number];
+    if (subject) present.emplace(*subject, reported.findings[number].code);
   }
-  auto const replaced = [&reported](RawFinding const& raw) {
-    Rule const* const rule = find_rule(raw.finding.code);
-    if (!raw.subject || rule == nullptr) return false;
-    return std::any_of(rule->silenced_by.begin(), rule->silenced_by.end(), [&](Code code) {
-      return reported.contains({*raw.subject, code});
-    });
-  };
-  findings.erase(std::remove_if(findings.begin(), findings.end(), replaced), findings.end());
+  std::erase_if(standing, [&](std::uint32_t number) {
+    auto const& subject = reported.subjects[number];
+    Rule const* const rule = subject ? find_rule(reported.findings[number].code) : nullptr;
+    return rule != nullptr && std::any_of(rule->silenced_by.begin(), rule->silenced_by.end(), [&](Code code) {
+             return present.contains({*subject, code});
+           });
+  });
 }
 
-void merge_shared(std::vector<RawFinding>& findings) {
-  std::vector<bool> merged(findings.size(), false);
-  bool any = false;
+void put_in_order(ReportedFindings const& reported, Standing& standing) {
+  std::vector<Key> keys;
+  keys.reserve(standing.size());
+  for (std::uint32_t const number : standing) {
+    Finding const& finding = reported.findings[number];
+    keys.push_back({.place = finding.place, .code = finding.code, .number = number});
+  }
+  std::sort(keys.begin(), keys.end());
+  std::transform(keys.begin(), keys.end(), standing.begin(), [](Key const& key) { return key.number; });
+}
+
+void merge_shared(ReportedFindings& reported, Standing& standing) {
   Finding* first = nullptr;
-  for (std::uint32_t const number : in_order(findings)) {
-    Finding& finding = findings[number].finding;
+  std::erase_if(standing, [&](std::uint32_t number) {
+    Finding& finding = reported.findings[number];
     bool const is_same =
         first != nullptr && finding.place && finding.place == first->place && finding.code == first->code;
     if (!is_same) {
       first = &finding;
-      continue;
+      return false;
     }
     // It belongs to the list then, not to one of its axes.
     if (first->axis != finding.axis) first->axis.clear();
-    merged[number] = true;
-    any = true;
-  }
-  if (!any) return;
-  std::size_t next = 0;
-  std::erase_if(findings, [&](RawFinding const&) { return merged[next++]; });
+    return true;
+  });
 }
 
-void keep_highest_per_token(std::vector<RawFinding>& findings) {
-  std::vector<std::uint32_t> chosen;
-  chosen.reserve(findings.size());
+void keep_highest_per_token(ReportedFindings const& reported, Standing& standing) {
+  Standing chosen;
+  chosen.reserve(standing.size());
   SourceId source{};
   std::uint32_t token_end = 0;
-  for (std::uint32_t const number : in_order(findings)) {
-    Finding const& finding = findings[number].finding;
+  for (std::uint32_t const number : standing) {
+    Finding const& finding = reported.findings[number];
     bool overlaps = false;
     if (finding.place) {
       Place const& place = *finding.place;
-      auto const* const last = chosen.empty() ? nullptr : &findings[chosen.back()].finding.place;
+      auto const* const last = chosen.empty() ? nullptr : &reported.findings[chosen.back()].place;
       bool const had_place = last != nullptr && last->has_value();
       overlaps = had_place && place.source == source &&
                  (place.span.begin < token_end || place.span == (*last)->span);
@@ -120,14 +123,11 @@ void keep_highest_per_token(std::vector<RawFinding>& findings) {
     }
     if (!overlaps) {
       chosen.push_back(number);
-    } else if (order(finding) < order(findings[chosen.back()].finding)) {
+    } else if (order(finding) < order(reported.findings[chosen.back()])) {
       chosen.back() = number;
     }
   }
-  std::vector<RawFinding> kept;
-  kept.reserve(chosen.size());
-  for (std::uint32_t const number : chosen) kept.push_back(std::move(findings[number]));
-  findings = std::move(kept);
+  standing = std::move(chosen);
 }
 
 }  // namespace axisc::validator

@@ -3,18 +3,25 @@
 
 #include "validator/engine.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace axisc::validator {
 
+/// The findings that stand, by their number: a finding is large to move.
+using Standing = std::vector<std::uint32_t>;
+
 /// Drops findings of rules that another finding on the same filter replaces (`silenced_by`).
-void drop_replaced(std::vector<RawFinding>& findings);
+void drop_replaced(ReportedFindings const& reported, Standing& standing);
+
+/// By place and code, else as they were reported: what the next two need.
+void put_in_order(ReportedFindings const& reported, Standing& standing);
 
 /// Findings of one rule at one place, seen from several axes that share a list, become one.
-void merge_shared(std::vector<RawFinding>& findings);
+void merge_shared(ReportedFindings& reported, Standing& standing);
 
 /// Of findings whose places overlap only the highest stays: errors before warnings before notes; then AX1, AX4, AX3
 /// (range errors before unused or rounded), AX2002/2003/2004/2007/2015, the rest of AX2, AX2005; then the lower code.
-void keep_highest_per_token(std::vector<RawFinding>& findings);
+void keep_highest_per_token(ReportedFindings const& reported, Standing& standing);
 
 }  // namespace axisc::validator

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -32,7 +33,8 @@ struct Rule;
 /// message number and axis are set already.
 class Report {
  public:
-  explicit Report(std::vector<Finding>& findings) : findings_(findings) {}
+  /// A deque: a finding is large to move.
+  explicit Report(std::deque<Finding>& findings) : findings_(findings) {}
   /// At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
@@ -43,7 +45,7 @@ class Report {
   std::string axis;            ///< set by the engine; rules about several axes set it before they report
 
  private:
-  std::vector<Finding>& findings_;
+  std::deque<Finding>& findings_;
 };
 
 /// What a rule about one list sees.

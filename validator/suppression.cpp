@@ -125,7 +125,7 @@ bool Suppressions::silences(Finding const& finding, SourceSet const& sources) {
 }
 
 Finding Suppressions::unused(Allowance const& allowance, SourceSet const& sources) {
-  std::vector<Finding> findings;
+  std::deque<Finding> findings;
   Report report(findings);
   report.rule = find_rule(Code{1013});
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);

@@ -33,7 +33,7 @@ class Suppressions {
   /// AX1013 for everything that silenced nothing. Codes for which `counts` is false are not judged: what cannot be
   /// reported in this run cannot be silenced either.
   template <typename Counts>
-  void report_unused(SourceSet const& sources, Counts counts, std::vector<Finding>& findings) {
+  void report_unused(SourceSet const& sources, Counts counts, std::deque<Finding>& findings) {
     for (auto& [source, allowances] : allowances_) {
       for (Allowance& allowance : allowances) {
         if (allowance.used || (allowance.known && !counts(allowance.code))) continue;

@@ -11,4 +11,7 @@ namespace axisc::schema::generator {
 /// The text of catalogue_tables.inc, which catalogue.cpp includes. Equal data gives equal text.
 [[nodiscard]] std::string write_tables(std::vector<ParameterData> const& parameters);
 
+/// The text of vocabulary_tables.inc, which built_in_vocabulary.cpp includes.
+[[nodiscard]] std::string write_vocabulary(std::vector<ParameterData> const& parameters);
+
 }  // namespace axisc::schema::generator

@@ -35,10 +35,10 @@ Outcome generate(std::string const& data) {
   std::ofstream(folder / "data.json", std::ios::binary) << data;
   std::filesystem::remove(folder / "tables.inc");
   std::string const quote = "\"";
-  std::string const command = quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() +
-                              "\" \"" + AXISC_SOURCE_DIR + "/schema/axis-parameters.schema.json\" \"" +
-                              (folder / "tables.inc").string() + "\" 2> \"" + (folder / "message").string() +
-                              quote;
+  std::string const command =
+      quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() + "\" \"" +
+      AXISC_SOURCE_DIR + "/schema/axis-parameters.schema.json\" \"" + (folder / "tables.inc").string() +
+      "\" \"" + (folder / "vocabulary.inc").string() + "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
   return {accepted, read(folder / "message"), read(folder / "tables.inc")};
 }

@@ -99,6 +99,18 @@ TEST_CASE("a name with one letter lost leads back to itself") {
   }
 }
 
+TEST_CASE("one slip is found the long way too") {
+  for (std::size_t i = 0; i < parameters().size(); ++i) {
+    std::string name = slot_name(parameters()[i].first_slot);
+    std::size_t const at = i % (name.size() - 1);
+    if (i % 3 == 0) name.erase(at, 1);
+    if (i % 3 == 1) std::swap(name[at], name[at + 1]);
+    if (i % 3 == 2) name.insert(at, 1, 'e');
+    INFO(name);
+    REQUIRE(suggest_names(name) == axisc::test::suggest_names_plainly(name));
+  }
+}
+
 TEST_CASE("what is ruled out early would not have been suggested") {
   std::uint32_t state = 20240229;
   auto const below = [&state](std::size_t count) {

@@ -1,0 +1,114 @@
+#include "diagnostics/json_stream.hpp"
+
+#include "diagnostics/utf8.hpp"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc {
+namespace {
+
+bool is_escaped(char byte) {
+  return static_cast<unsigned char>(byte) < 0x20 || byte == '"' || byte == '\\';
+}
+
+void append_escaped(std::string& out, char byte) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  constexpr std::string_view with_letters = "\"\\\b\f\n\r\t";
+  constexpr std::string_view letters = "\"\\bfnrt";
+  std::size_t const letter = with_letters.find(byte);
+  out += '\\';
+  if (letter != std::string_view::npos) {
+    out += letters[letter];
+    return;
+  }
+  auto const code = static_cast<unsigned char>(byte);
+  out += "u00";
+  out += digits[code >> 4U];
+  out += digits[code & 0xFU];
+}
+
+}  // namespace
+
+void JsonStream::key(std::string_view name) {
+  begin_line();
+  ((out_ += '"') += name) += "\": ";
+  has_line_ = true;
+}
+
+void JsonStream::string(std::string_view text) {
+  begin_value();
+  if (valid_utf8_prefix(text) != text.size()) {
+    // The library decides what becomes of it: other documents are written with it.
+    out_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return;
+  }
+  out_ += '"';
+  while (!text.empty()) {
+    auto const* const special = std::find_if(text.begin(), text.end(), is_escaped);
+    auto const plain = static_cast<std::size_t>(special - text.begin());
+    out_ += text.substr(0, plain);
+    text.remove_prefix(plain);
+    if (text.empty()) break;
+    append_escaped(out_, text.front());
+    text.remove_prefix(1);
+  }
+  out_ += '"';
+}
+
+void JsonStream::string_or_null(std::string_view text) {
+  if (text.empty()) {
+    null();
+  } else {
+    string(text);
+  }
+}
+
+void JsonStream::number(std::uint64_t value) {
+  raw(std::to_string(value));
+}
+
+void JsonStream::boolean(bool value) {
+  raw(value ? "true" : "false");
+}
+
+void JsonStream::null() {
+  raw("null");
+}
+
+void JsonStream::raw(std::string_view text) {
+  begin_value();
+  out_ += text;
+}
+
+void JsonStream::open(char bracket) {
+  begin_value();
+  out_ += bracket;
+  indent_ += 2;
+  is_first_ = true;
+}
+
+void JsonStream::close(char bracket) {
+  indent_ -= 2;
+  if (!is_first_) {
+    out_ += '\n';
+    out_.append(indent_, ' ');
+  }
+  out_ += bracket;
+  is_first_ = false;
+}
+
+void JsonStream::begin_value() {
+  if (!has_line_) begin_line();
+  has_line_ = false;
+}
+
+void JsonStream::begin_line() {
+  if (!is_first_) out_ += ',';
+  out_ += '\n';
+  out_.append(indent_, ' ');
+  is_first_ = false;
+}
+
+}  // namespace axisc

@@ -1,0 +1,57 @@
+// JSON that is written from front to back, without a tree of it. The text is that of nlohmann's dump() with an indentation
+// of two.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace axisc {
+
+class JsonStream {
+ public:
+  /// Appends to `out` a value whose closing bracket stands behind `indent` blanks.
+  JsonStream(std::string& out, std::size_t indent) : out_(out), indent_(indent) {}
+
+  void begin_object() { open('{'); }
+  void end_object() { close('}'); }
+  void begin_array() { open('['); }
+  void end_array() { close(']'); }
+  /// In an object: what comes next is the value.
+  void key(std::string_view name);
+
+  /// Becomes well-formed UTF-8 whatever it holds.
+  void string(std::string_view text);
+  /// null for an empty text.
+  void string_or_null(std::string_view text);
+  void number(std::uint64_t value);
+  void boolean(bool value);
+  void null();
+  /// `text` as it is.
+  void raw(std::string_view text);
+
+  /// A member of an object that is a string.
+  void member(std::string_view name, std::string_view text) {
+    key(name);
+    string(text);
+  }
+  void member(std::string_view name, std::uint64_t value) {
+    key(name);
+    number(value);
+  }
+
+ private:
+  void open(char bracket);
+  void close(char bracket);
+  /// The line break and comma before a value, where it stands in an array.
+  void begin_value();
+  void begin_line();
+
+  std::string& out_;
+  std::size_t indent_;
+  bool is_first_ = true;  ///< nothing stands in the innermost brackets so far
+  bool has_line_ = true;  ///< the value stands behind its key, or is the outermost
+};
+
+}  // namespace axisc

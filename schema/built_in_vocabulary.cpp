@@ -1,0 +1,24 @@
+#include "schema/vocabulary.hpp"
+
+namespace axisc::schema {
+namespace {
+
+#include "vocabulary_tables.inc"
+
+}  // namespace
+
+Vocabulary const& built_in_vocabulary() {
+  static Vocabulary const vocabulary{
+      .rows = parameters(),
+      .names = names,
+      .alphabetic = alphabetic,
+      .names_of_size = {.starts = names_of_size_starts, .numbers = names_of_size_numbers},
+      .letters_by_size = letters_by_size,
+      .parts = parts,
+      .letters_of_parts = letters_of_parts,
+      .parts_of = {.starts = parts_of_starts, .numbers = parts_of_numbers},
+      .names_ending_in = {.starts = names_ending_in_starts, .numbers = names_ending_in_numbers}};
+  return vocabulary;
+}
+
+}  // namespace axisc::schema

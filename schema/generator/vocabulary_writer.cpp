@@ -1,0 +1,61 @@
+#include "schema/generator/table_writer.hpp"
+#include "schema/vocabulary.hpp"
+
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::schema::generator {
+namespace {
+
+template <typename Values, typename Write>
+void write_array(std::ostream& out, std::string_view type, std::string_view name, Values const& values,
+                 Write write) {
+  constexpr std::size_t values_in_line = 10;
+  out << "\nconstexpr " << type << ' ' << name << "[] = {";
+  std::size_t count = 0;
+  for (auto const& value : values) {
+    out << (count++ % values_in_line == 0 ? "\n    " : " ");
+    write(value);
+    out << ',';
+  }
+  out << "\n};\n";
+}
+
+}  // namespace
+
+std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
+  std::vector<std::string> patterns;
+  for (ParameterData const& parameter : parameters) patterns.push_back(parameter.name);
+  VocabularyTables const tables(std::move(patterns));
+
+  std::ostringstream out;
+  out << "// Generated from axis-parameters.json. Edit that file instead.\n";
+  // Names and parts hold neither quotes nor backslashes.
+  auto const texts = [&out](std::string_view name, auto const& values) {
+    write_array(out, "std::string_view", name, values,
+                [&out](auto const& text) { out << '"' << text << '"'; });
+  };
+  auto const numbers = [&out](std::string_view name, auto const& values) {
+    write_array(out, "std::uint32_t", name, values, [&out](std::uint32_t number) { out << number; });
+  };
+  auto const letters = [&out](std::string_view name, auto const& values) {
+    write_array(out, "Letters", name, values, [&out](Letters set) { out << set << 'U'; });
+  };
+  auto const groups = [&numbers](std::string const& name, VocabularyTables::OwnGroups const& values) {
+    numbers(name + "_starts", values.starts);
+    numbers(name + "_numbers", values.numbers);
+  };
+  texts("names", tables.names);
+  numbers("alphabetic", tables.alphabetic);
+  groups("names_of_size", tables.names_of_size);
+  letters("letters_by_size", tables.letters_by_size);
+  texts("parts", tables.parts);
+  letters("letters_of_parts", tables.letters_of_parts);
+  groups("parts_of", tables.parts_of);
+  groups("names_ending_in", tables.names_ending_in);
+  return std::move(out).str();
+}
+
+}  // namespace axisc::schema::generator

@@ -1,0 +1,64 @@
+#include "diagnostics/json_stream.hpp"
+
+#include "support/catch.hpp"
+
+#include <random>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc;
+
+namespace {
+
+std::string as_the_library_writes(nlohmann::ordered_json const& value) {
+  return value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+TEST_CASE("a stream writes what the library writes") {
+  std::string text;
+  JsonStream out(text, 0);
+  out.begin_object();
+  out.member("name", "a \"b\"\n");
+  out.member("number", 18446744073709551615U);
+  out.key("empty");
+  out.begin_array();
+  out.end_array();
+  out.key("nothing");
+  out.begin_object();
+  out.end_object();
+  out.key("values");
+  out.begin_array();
+  out.string_or_null("");
+  out.boolean(true);
+  out.begin_object();
+  out.member("deep", "x");
+  out.end_object();
+  out.string("last");
+  out.end_array();
+  out.end_object();
+  nlohmann::ordered_json const same = {
+      {"name", "a \"b\"\n"},
+      {"number", 18446744073709551615U},
+      {"empty", nlohmann::ordered_json::array()},
+      {"nothing", nlohmann::ordered_json::object()},
+      {"values", {nullptr, true, {{"deep", "x"}}, "last"}},
+  };
+  CHECK(text == as_the_library_writes(same));
+}
+
+TEST_CASE("any bytes become the string that the library makes of them") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 5000; ++round) {
+    std::string bytes;
+    for (std::size_t size = random() % 12; size > 0; --size) {
+      // Every second one from where the lead and continuation bytes are.
+      bytes += static_cast<char>(random() % 2 == 0 ? random() % 128 : 0x80 + random() % 128);
+    }
+    std::string text;
+    JsonStream(text, 0).string(bytes);
+    REQUIRE(text == as_the_library_writes(bytes));
+  }
+}
