@@ -128,6 +128,13 @@ EffectiveValue& EffectiveValues::replace(schema::Slot slot, schema::Parameter co
   return added;
 }
 
+void EffectiveValues::refer(schema::Slot slot, Value value) {
+  EffectiveValue& entry = edit(slot);
+  entry.value = value;
+  entry.referenced = true;
+  referenced_slots_.push_back(slot);
+}
+
 void EffectiveValues::expect(std::size_t count) {
   std::size_t const most = entries_.size() + std::min(count, catalogue_.slot_count());
   entries_.reserve(most);

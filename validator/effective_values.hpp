@@ -78,12 +78,16 @@ class EffectiveValues {
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
   /// What lists set, in the order in which the lines that count stand (default list first).
   [[nodiscard]] std::vector<schema::Slot> const& set_slots() const { return set_slots_; }
+  /// Those whose value came through a reference.
+  [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
   /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
   /// references.
   EffectiveValue& edit(schema::Slot slot);
   /// The same for who gives it a value in any case: a new entry has none yet. `row` is that of the slot.
   EffectiveValue& replace(schema::Slot slot, schema::Parameter const& row);
+  /// The value of a reference, which was looked up.
+  void refer(schema::Slot slot, Value value);
   /// Makes room for so many more entries. Ends the validity of references.
   void expect(std::size_t count);
   /// Brings set_slots() into the order of the lines; call it after the last edit().
@@ -97,6 +101,7 @@ class EffectiveValues {
   std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
   std::vector<EffectiveValue> entries_;
   std::vector<schema::Slot> set_slots_;
+  std::vector<schema::Slot> referenced_slots_;
   bool in_order_ = true;  ///< set_slots_, as long as every line adds a parameter of its own
 };
 

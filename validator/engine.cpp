@@ -24,11 +24,10 @@ class Engine {
  public:
   Engine(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources)
       : machine_(machine), sources_(sources), cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
-    for (Rule const& rule : rules()) {
-      bool const shown = options.pedantic || rule.severity != Severity::note;
-      bool const is_disabled =
-          std::find(options.disabled.begin(), options.disabled.end(), rule.code) != options.disabled.end();
-      enabled_.push_back(shown && !is_disabled);
+    for (Rule const& rule : rules()) enabled_.push_back(options.pedantic || rule.severity != Severity::note);
+    for (Code const code : options.disabled) {
+      Rule const* const rule = find_rule(code);
+      if (rule != nullptr) enabled_[number_of(*rule)] = false;
     }
   }
 
@@ -51,10 +50,12 @@ class Engine {
   }
 
  private:
-  /// `rule` is one of the table.
-  [[nodiscard]] bool enabled(Rule const& rule) const {
-    return enabled_[static_cast<std::size_t>(&rule - rules().data())];
+  /// In the table, of which `rule` is one.
+  [[nodiscard]] static std::size_t number_of(Rule const& rule) {
+    return static_cast<std::size_t>(&rule - rules().data());
   }
+
+  [[nodiscard]] bool enabled(Rule const& rule) const { return enabled_[number_of(rule)]; }
 
   /// Calls a check and keeps what it reports.
   template <typename CheckFunction, typename Context>

@@ -118,9 +118,7 @@ class Resolver {
     std::string_view const unit = rotary_ ? to.unit_rotary : to.unit_translatory;
     std::string_view const other = rotary_ ? from.unit_rotary : from.unit_translatory;
     if (!unit.empty() && !other.empty() && unit != other) report(slot, ReferenceTrouble::other_unit);
-    EffectiveValue& entry = values_.edit(slot);
-    entry.value = *value;
-    entry.referenced = true;
+    values_.refer(slot, *value);
   }
 
   void fail(Slot slot, ReferenceTrouble trouble) {
@@ -171,6 +169,7 @@ class Resolver {
 
 std::vector<ReferenceProblem> resolve_references(EffectiveValues& values, PendingReferences const& pending,
                                                  bool rotary) {
+  if (pending.empty()) return {};
   return Resolver(values, pending, rotary).resolve_all();
 }
 

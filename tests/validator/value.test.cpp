@@ -2,7 +2,10 @@
 
 #include "support/catch.hpp"
 
+#include <cstdlib>
 #include <limits>
+#include <random>
+#include <string>
 
 using namespace axisc::validator;
 using axisc::schema::DataType;
@@ -58,7 +61,31 @@ TEST_CASE("reals are the nearest doubles") {
   CHECK(read_real("1e-999").number == 0.0);
 }
 
+TEST_CASE("decimals of every length are what the C library reads") {
+  std::mt19937_64 random(1990);
+  for (int i = 0; i < 200'000; ++i) {
+    std::size_t const digits = 1 + random() % 20;
+    std::string text(1, static_cast<char>('1' + random() % 9));
+    while (text.size() < digits) text += static_cast<char>('0' + random() % 10);
+    CAPTURE(text);
+    if (digits < 20)
+      REQUIRE(read_integer(text, DataType::uns64).number == std::strtod(text.c_str(), nullptr));
+    std::size_t const point = random() % (digits + 1);
+    bool const leads = point == 0 && random() % 2 == 0;
+    text = (leads ? "0" : "") + text.insert(point, ".");
+    CAPTURE(text);
+    REQUIRE(read_real(text).status == NumberStatus::good);
+    REQUIRE(read_real(text).number == std::strtod(text.c_str(), nullptr));
+    REQUIRE(read_real("-" + text).number == -read_real(text).number);
+  }
+}
+
 TEST_CASE("what is no number says why") {
+  for (char const* text : {"", "-", ".", "-.", "1.2.3", "1..", "12a", "1 2", "1:2", "4/2"}) {
+    CAPTURE(text);
+    CHECK(read_real(text).status == NumberStatus::not_a_number);
+    CHECK(read_integer(text, DataType::sgn32).status == NumberStatus::not_a_number);
+  }
   CHECK(read_real("1e999").status == NumberStatus::exponent_too_big);
   CHECK(read_real("007").status == NumberStatus::leading_zero);
   CHECK(read_real("-01.5").status == NumberStatus::leading_zero);

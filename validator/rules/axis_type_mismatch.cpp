@@ -14,20 +14,39 @@ Text headline(AxisType type) {
   return type == AxisType::rotary ? Text::ax2009_rotary : Text::ax2009_spindle;
 }
 
-}  // namespace
+using Rows = std::vector<schema::Parameter const*>;
 
-void checks::axis_type_mismatch(AxisContext const& context, Report& report) {
-  for (schema::Slot const slot : context.values.set_slots()) {
-    EffectiveValue const& value = context.values[slot];
-    std::string_view const types = context.values.row(slot).axis_types;
-    if (types.empty() || types.find(letter(context.type)) != std::string_view::npos) continue;
+Rows rows_for_some_types(schema::Catalogue const& catalogue) {
+  Rows rows;
+  for (schema::Parameter const& row : catalogue.parameters()) {
+    if (!row.axis_types.empty()) rows.push_back(&row);
+  }
+  return rows;
+}
+
+void check_row(AxisContext const& context, schema::Parameter const& row, Report& report) {
+  if (row.axis_types.find(letter(context.type)) != std::string_view::npos) return;
+  for (std::uint16_t i = 0; i < row.slots; ++i) {
+    EffectiveValue const& value =
+        context.values[static_cast<schema::Slot>(static_cast<unsigned>(row.first_slot) + i)];
     // A default list serves axes of every type.
     if (value.origin != Origin::axis_list || !value.value_place()) continue;
     Finding& finding =
         report.add(value, message(headline(context.type), {{"parameter", parameter_name(value)}}));
     std::string listed;
-    for (char const type : types) listed.append(listed.empty() ? "" : ", ").append(1, type);
+    for (char const type : row.axis_types) listed.append(listed.empty() ? "" : ", ").append(1, type);
     finding.notes.push_back(message(Text::ax2009_types, {{"types", listed}}));
+  }
+}
+
+}  // namespace
+
+void checks::axis_type_mismatch(AxisContext const& context, Report& report) {
+  schema::Catalogue const& catalogue = context.values.catalogue();
+  static Rows const built_in = rows_for_some_types({});
+  Rows const own = catalogue.is_built_in() ? Rows{} : rows_for_some_types(catalogue);
+  for (schema::Parameter const* const row : catalogue.is_built_in() ? built_in : own) {
+    check_row(context, *row, report);
   }
 }
 

@@ -55,10 +55,9 @@ void checks::out_of_range(AxisContext const& context, Report& report) {
             reading.value.number);
     });
   }
-  for (schema::Slot const slot : context.values.set_slots()) {
+  for (schema::Slot const slot : context.values.referenced_slots()) {
     EffectiveValue const& value = context.values[slot];
-    if (!value.referenced || value.unusable) continue;
-    if (!is_number(context.values.row(slot))) continue;
+    if (value.unusable || !is_number(*value.row)) continue;
     judge(context, report, *value.value_place(), slot, value.value.number);
   }
 }
