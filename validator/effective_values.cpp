@@ -114,20 +114,6 @@ EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   return entry;
 }
 
-EffectiveValue& EffectiveValues::replace(schema::Slot slot, schema::Parameter const& row) {
-  std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-  if (entry != 0) {
-    in_order_ = false;
-    return entries_[entry - 1];
-  }
-  EffectiveValue& added = entries_.emplace_back();
-  added.row = &row;
-  added.slot = slot;
-  entry = static_cast<std::uint32_t>(entries_.size());
-  set_slots_.push_back(slot);
-  return added;
-}
-
 void EffectiveValues::refer(schema::Slot slot, Value value) {
   EffectiveValue& entry = edit(slot);
   entry.value = value;
@@ -136,19 +122,18 @@ void EffectiveValues::refer(schema::Slot slot, Value value) {
 }
 
 void EffectiveValues::expect(std::size_t count) {
-  std::size_t const most = entries_.size() + std::min(count, catalogue_.slot_count());
-  entries_.reserve(most);
-  set_slots_.reserve(most);
+  entries_.reserve(entries_.size() + std::min(count, catalogue_.slot_count()));
 }
 
-void EffectiveValues::order_set_slots() {
+void EffectiveValues::order_set_values() {
   if (in_order_) return;
-  auto const before = [this](schema::Slot left, schema::Slot right) {
-    EffectiveValue const& a = (*this)[left];
-    EffectiveValue const& b = (*this)[right];
+  std::sort(entries_.begin(), entries_.end(), [](EffectiveValue const& a, EffectiveValue const& b) {
     return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
-  };
-  std::sort(set_slots_.begin(), set_slots_.end(), before);
+  });
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    entry_of_slot_[static_cast<std::size_t>(entries_[i].slot)] = static_cast<std::uint32_t>(i + 1);
+  }
+  in_order_ = true;
 }
 
 schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {

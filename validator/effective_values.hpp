@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,7 +78,7 @@ class EffectiveValues {
   [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const { return *(*this)[slot].row; }
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
   /// What lists set, in the order in which the lines that count stand (default list first).
-  [[nodiscard]] std::vector<schema::Slot> const& set_slots() const { return set_slots_; }
+  [[nodiscard]] std::span<EffectiveValue const> set_values() const { return entries_; }
   /// Those whose value came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
@@ -85,13 +86,24 @@ class EffectiveValues {
   /// references.
   EffectiveValue& edit(schema::Slot slot);
   /// The same for who gives it a value in any case: a new entry has none yet. `row` is that of the slot.
-  EffectiveValue& replace(schema::Slot slot, schema::Parameter const& row);
+  EffectiveValue& replace(schema::Slot slot, schema::Parameter const& row) {
+    std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    if (entry != 0) {
+      in_order_ = false;
+      return entries_[entry - 1];
+    }
+    EffectiveValue& added = entries_.emplace_back();
+    added.row = &row;
+    added.slot = slot;
+    entry = static_cast<std::uint32_t>(entries_.size());
+    return added;
+  }
   /// The value of a reference, which was looked up.
   void refer(schema::Slot slot, Value value);
   /// Makes room for so many more entries. Ends the validity of references.
   void expect(std::size_t count);
-  /// Brings set_slots() into the order of the lines; call it after the last edit().
-  void order_set_slots();
+  /// Brings set_values() into the order of the lines; call it after the last edit().
+  void order_set_values();
 
  private:
   [[nodiscard]] EffectiveValue const& internal_default(schema::Slot slot) const;
@@ -100,9 +112,8 @@ class EffectiveValues {
   std::vector<EffectiveValue> own_defaults_;  ///< with schema files; without them all share one table
   std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
   std::vector<EffectiveValue> entries_;
-  std::vector<schema::Slot> set_slots_;
   std::vector<schema::Slot> referenced_slots_;
-  bool in_order_ = true;  ///< set_slots_, as long as every line adds a parameter of its own
+  bool in_order_ = true;  ///< entries_, as long as every line adds a parameter of its own
 };
 
 /// `filter[2].order`, and "P-AXIS-00140" or empty.

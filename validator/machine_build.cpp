@@ -174,8 +174,8 @@ class AxisBuilder {
   }
 
   void add_values(AxisConfiguration& result) const {
-    for (schema::Slot const slot : values_.set_slots()) {
-      EffectiveValue const& value = values_[slot];
+    result.values.reserve(values_.set_values().size());
+    for (EffectiveValue const& value : values_.set_values()) {
       if (!value.value_place()) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
       result.values.push_back({.name = parameter_name(value),

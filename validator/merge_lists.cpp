@@ -25,7 +25,7 @@ class Merger {
     MergedValues merged;
     merged.reference_problems = resolve_references(
         values_, pending_, rotary.value_or(axis_type_of(values_) != AxisType::translatory));
-    values_.order_set_slots();
+    values_.order_set_values();
     merged.values = std::move(values_);
     return merged;
   }

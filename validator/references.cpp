@@ -64,8 +64,8 @@ class Resolver {
       : values_(values), pending_(pending), rotary_(rotary) {}
 
   std::vector<ReferenceProblem> resolve_all() {
-    for (Slot const slot : values_.set_slots()) {
-      if (pending_.contains(slot) && !states_.contains(slot)) follow(slot);
+    for (EffectiveValue const& value : values_.set_values()) {
+      if (pending_.contains(value.slot) && !states_.contains(value.slot)) follow(value.slot);
     }
     return std::move(problems_);
   }

@@ -74,7 +74,7 @@ TEST_CASE("what lists set is listed by origin and line") {
   Lists const lists("filter[0].order 1\nkopf.achs_nr 1\nfilter[0].order 2\n",
                     "kopf.achs_nr 0\nfilter[1].order 1\n");
   std::vector<std::string> names;
-  for (schema::Slot const slot : lists.merged.values.set_slots()) names.push_back(schema::slot_name(slot));
+  for (EffectiveValue const& value : lists.merged.values.set_values()) names.push_back(parameter_name(value));
   CHECK(names == std::vector<std::string>{"filter[1].order", "kopf.achs_nr", "filter[0].order"});
 }
 

@@ -101,15 +101,14 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
 }  // namespace
 
 void checks::limit_by_parameter(AxisContext const& context, Report& report) {
-  for (Slot const slot : context.values.set_slots()) {
-    EffectiveValue const& value = context.values[slot];
+  for (EffectiveValue const& value : context.values.set_values()) {
     bool const is_limited = value.row->minimum.kind == Limit::Kind::parameter ||
                             value.row->maximum.kind == Limit::Kind::parameter;
     if (!is_limited || value.unusable || !value.value_place()) continue;
     for (Side const side : {Side::minimum, Side::maximum}) {
-      std::optional<Violation> const violation = violation_at(context.values, slot, side);
-      if (!violation || is_reported_at_limit(context.values, slot, *violation)) continue;
-      add(context, report, slot, *violation);
+      std::optional<Violation> const violation = violation_at(context.values, value.slot, side);
+      if (!violation || is_reported_at_limit(context.values, value.slot, *violation)) continue;
+      add(context, report, value.slot, *violation);
       break;
     }
   }
