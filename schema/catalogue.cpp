@@ -107,7 +107,8 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 
 ConcreteParameter find_exact(std::string_view name) {
   Place const& place = place_of_name(name);
-  if (!same_bytes(place.name, name)) return {};
+  // A free place has an empty name.
+  if (name.empty() || !same_bytes(place.name, name)) return {};
   return {.row = &row(place.parameter), .slot = place.slot};
 }
 
