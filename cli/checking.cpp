@@ -94,13 +94,18 @@ validator::CheckOptions check_options(CheckingWords const& words) {
   return options;
 }
 
-unsigned thread_count(std::optional<std::string> const& threads) {
-  if (!threads) return std::max(1U, std::thread::hardware_concurrency());
+std::optional<unsigned> asked_threads(std::optional<std::string> const& threads) {
+  if (!threads) return std::nullopt;
   auto const count = parse_count(*threads);
   if (!count || *count == 0 || *count > most_threads) {
     throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
   }
   return static_cast<unsigned>(*count);
+}
+
+unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks) {
+  if (asked) return *asked;
+  return tasks <= 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
 void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings) {

@@ -38,7 +38,10 @@ void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
 
 /// Number of threads: -j, else one per core.
-[[nodiscard]] unsigned thread_count(std::optional<std::string> const& threads);
+[[nodiscard]] std::optional<unsigned> asked_threads(std::optional<std::string> const& threads);
+/// For so many tasks: as many as were asked for, otherwise one per processor. A single task needs one, and the system is
+/// not asked for its processors.
+[[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
 
 /// Takes the notes out for --quiet.
 void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings);

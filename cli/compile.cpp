@@ -32,7 +32,7 @@ class Compile {
       : words_(words),
         streams_(streams),
         settings_(words.checking.schema_files),
-        threads_(thread_count(words.checking.threads)),
+        threads_(asked_threads(words.checking.threads)),
         job_{.check = {},
              .words = words.checking,
              .image = image_options(words),
@@ -124,7 +124,7 @@ class Compile {
                                     progress.show(i + 1, part_.chosen.size());
                                   },
                               .weight = [](WrittenImage const& image) { return weight_of(image.checked); }},
-                             threads_);
+                             thread_count(threads_, part_.chosen.size()));
     }
     if (rules) rules->commit();
     finish_cache(std::move(cache), words_.fleet, streams_.err, job_.form.write.language);
@@ -199,7 +199,7 @@ class Compile {
   CompileWords const& words_;
   Streams& streams_;
   SettingsFinder settings_;
-  unsigned threads_;
+  std::optional<unsigned> threads_;
   codegen::KnownDesigns designs_;
   CompileJob job_;
   Part part_;

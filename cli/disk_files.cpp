@@ -37,22 +37,24 @@ FileError error_of(int number) {
   }
 }
 
-/// `expected` bytes at least are reserved; the end of the file decides.
-Bytes read_descriptor(int descriptor, std::size_t expected) {
+/// The end of the file decides, whatever size it is said to have. A byte more than that is asked for: whoever gives just
+/// the size has come to the end, and need not be asked again.
+Bytes read_descriptor(int descriptor, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;
-  for (std::size_t piece = expected + 1;; piece = std::clamp(filled, first_piece, largest_piece)) {
+  for (std::size_t piece = size.value_or(first_piece) + 1;;
+       piece = std::clamp(filled, first_piece, largest_piece)) {
     bytes.resize(filled + piece);
     while (filled < bytes.size()) {
       auto const got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return error_of(errno);
-      if (got == 0) {
+      filled += static_cast<std::size_t>(got);
+      if (filled > validator::largest_file) return FileError::too_large;
+      if (got == 0 || filled == size) {
         bytes.resize(filled);
         return bytes;
       }
-      filled += static_cast<std::size_t>(got);
-      if (filled > validator::largest_file) return FileError::too_large;
     }
   }
 }
@@ -77,7 +79,7 @@ std::variant<OpenFile, FileError> open_file(std::string const& path) {
 }
 
 Bytes read_file(OpenFile const& file) {
-  return read_descriptor(file.descriptor.get(), file.size.value_or(first_piece));
+  return read_descriptor(file.descriptor.get(), file.size);
 }
 
 Bytes read_path(std::string const& path) {
@@ -125,7 +127,7 @@ Text sentence(FileError error) {
 Bytes DiskFiles::read(std::string const& path) {
   if (!dash_is_standard_input_ || path != "-") return read_path(path);
   if (!standard_input_) {
-    auto bytes = read_descriptor(STDIN_FILENO, first_piece);
+    auto bytes = read_descriptor(STDIN_FILENO, std::nullopt);
     if (std::holds_alternative<FileError>(bytes)) return bytes;
     standard_input_ = std::get<std::string>(std::move(bytes));
   }

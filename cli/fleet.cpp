@@ -25,7 +25,7 @@ Part choose_part(FleetWords const& words, std::vector<std::string> paths) {
   Part part{.shard = {}, .all = std::move(paths), .chosen = {}};
   if (words.shard) part.shard = parse_shard(*words.shard);
   std::error_code error;
-  auto const folder = std::filesystem::current_path(error).generic_string();
+  auto const folder = part.shard ? std::filesystem::current_path(error).generic_string() : std::string();
   for (std::size_t i = 0; i < part.all.size(); ++i) {
     if (!part.shard || is_in_shard(*part.shard, part.all[i], folder)) part.chosen.push_back(i);
   }

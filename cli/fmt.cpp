@@ -111,7 +111,7 @@ ExitStatus fmt(Invocation const& invocation) {
     throw Failure(
         {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "fmt"}}});
   }
-  auto const threads = thread_count(words.threads);
+  auto const asked = asked_threads(words.threads);
   auto inputs = expand_inputs(words.named);
   SettingsFinder settings(words.schema_files);
   bool changed = false;
@@ -133,7 +133,7 @@ ExitStatus fmt(Invocation const& invocation) {
                        .work = format,
                        .take = take,
                        .weight = [](Formatted const& formatted) { return formatted.out.size(); }},
-                      threads);
+                      thread_count(asked, lists.size()));
   for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
   if (!inputs.failures.empty()) return ExitStatus::failure;
   return words.check && changed ? ExitStatus::findings : ExitStatus::success;

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 struct Found {
   std::string path;
-  std::string identity;            ///< the same for every way to write the path
-  std::vector<std::string> named;  ///< identities of the lists and programs of a machine file
+  bool is_link = false;
+  std::vector<std::string> named;  ///< the lists and programs of a machine file, as it writes them
 };
 
 /// What a path is behind all links. That of a folder is found once: asking for every file would cost more than reading
@@ -29,12 +29,14 @@ struct Found {
 class Identities {
  public:
   [[nodiscard]] std::string of(fs::path const& path) {
+    std::error_code error;
+    return of(path, fs::is_symlink(fs::symlink_status(path, error)));
+  }
+
+  [[nodiscard]] std::string of(fs::path const& path, bool is_link) {
     if (path == "-") return "-";
     auto const name = path.filename();
-    std::error_code error;
-    if (name.empty() || name == "." || name == ".." || fs::is_symlink(fs::symlink_status(path, error))) {
-      return canonical(path);
-    }
+    if (name.empty() || name == "." || name == ".." || is_link) return canonical(path);
     auto const [folder, is_new] = folders_.try_emplace(path.parent_path().string());
     if (is_new) folder->second = canonical(path.has_parent_path() ? path.parent_path() : ".");
     return folder->second + "/" + name.string();
@@ -86,7 +88,9 @@ class Expansion {
  public:
   void add(NamedInput const& input) {
     std::error_code error;
-    auto const type = input.path == "-" ? fs::file_type::regular : fs::status(input.path, error).type();
+    auto type = input.path == "-" ? fs::file_type::regular : fs::symlink_status(input.path, error).type();
+    bool const is_link = type == fs::file_type::symlink;
+    if (is_link) type = fs::status(input.path, error).type();
     if (type == fs::file_type::directory) {
       add_folder(input.path);
     } else if (type == fs::file_type::not_found && !input.place.empty()) {
@@ -94,40 +98,52 @@ class Expansion {
           Failure({.text = Text::ax9001_listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
     } else {
-      add_file(input.path, outline_of(input.path));
+      add_file(input.path, is_link, outline_of(input.path));
     }
   }
 
   [[nodiscard]] Inputs result() && {
     Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}};
+    if (found_.size() == 1 && found_.front().named.empty()) {
+      // Nothing it could be the same as: what it is behind all links does not matter.
+      result.paths.push_back(std::move(found_.front().path));
+      return result;
+    }
+    Identities identities;
     std::unordered_set<std::string> through_machine;
-    for (auto const& input : found_) through_machine.insert(input.named.begin(), input.named.end());
+    for (auto const& input : found_) {
+      auto const folder = fs::path(input.path).parent_path();
+      for (auto const& file : input.named) through_machine.insert(identities.of(folder / file));
+    }
     std::unordered_set<std::string> taken;
     for (auto& input : found_) {
-      bool const again = !taken.insert(input.identity).second;
-      if (!again && !through_machine.contains(input.identity)) result.paths.push_back(std::move(input.path));
+      auto const [identity, is_new] = taken.insert(identities.of(input.path, input.is_link));
+      if (is_new && !through_machine.contains(*identity)) result.paths.push_back(std::move(input.path));
     }
     return result;
   }
 
  private:
-  void add_file(std::string path, MachineOutline const& outline) {
-    Found found{.path = std::move(path), .identity = {}, .named = {}};
-    found.identity = identities_.of(found.path);
-    auto const folder = fs::path(found.path).parent_path();
-    for (auto const& file : outline.named) found.named.push_back(identities_.of(folder / file));
-    found_.push_back(std::move(found));
+  struct Entry {
+    std::string path;
+    bool is_link;
+  };
+
+  void add_file(std::string path, bool is_link, MachineOutline outline) {
+    found_.push_back({.path = std::move(path), .is_link = is_link, .named = std::move(outline.named)});
   }
 
   void add_folder(std::string const& folder) {
-    std::vector<std::string> paths;
+    std::vector<Entry> entries;
     std::error_code error;
     auto const start = fs::path(folder).lexically_normal();
     for (fs::recursive_directory_iterator entry(start, error), end; !error && entry != end;
          entry.increment(error)) {
       if (!may_be_input(*entry)) continue;
       auto const& path = entry->path().native();
-      paths.push_back(start == "." ? path.substr(2) : path);
+      std::error_code unknown;
+      entries.push_back(
+          {.path = start == "." ? path.substr(2) : path, .is_link = entry->is_symlink(unknown)});
     }
     if (error) {
       failures_.push_back(Failure(
@@ -135,11 +151,13 @@ class Expansion {
           cannot_read));
       return;
     }
-    std::sort(paths.begin(), paths.end(), is_before);
+    std::sort(entries.begin(), entries.end(),
+              [](Entry const& left, Entry const& right) { return is_before(left.path, right.path); });
     auto const before = found_.size();
-    for (auto const& path : paths) {
-      auto const outline = outline_of(path);
-      if (!has_extension(path, ".json") || outline.is_machine) add_file(path, outline);
+    for (auto& [path, is_link] : entries) {
+      auto outline = outline_of(path);
+      if (has_extension(path, ".json") && !outline.is_machine) continue;
+      add_file(std::move(path), is_link, std::move(outline));
     }
     if (found_.size() == before) {
       failures_.push_back(
@@ -147,7 +165,6 @@ class Expansion {
     }
   }
 
-  Identities identities_;
   std::vector<Found> found_;
   std::vector<Failure> failures_;
 };

@@ -28,7 +28,7 @@ class Lint {
       : words_(words),
         streams_(streams),
         settings_(words.checking.schema_files),
-        threads_(thread_count(words.checking.threads)),
+        threads_(asked_threads(words.checking.threads)),
         inputs_(expand_inputs(words.named)) {
     job_.options = check_options(words.checking);
     job_.quiet = words.checking.quiet;
@@ -130,7 +130,8 @@ class Lint {
     // What fixes make of a file stands nowhere yet.
     auto cache =
         choice_ == FixChoice::none ? open_cache(words_.fleet, streams_.err, form_.write.language) : nullptr;
-    Progress progress(progress_is_seen() && !words_.checking.quiet, form_.write.language);
+    bool const takes_time = part_.chosen.size() > 1;
+    Progress progress(takes_time && progress_is_seen() && !words_.checking.quiet, form_.write.language);
     progress.stand_aside_for(streams_.out);
     progress.stand_aside_for(streams_.err);
     in_order<CheckedInput>({.count = part_.chosen.size(),
@@ -145,7 +146,7 @@ class Lint {
                                   progress.show(i + 1, part_.chosen.size());
                                 },
                             .weight = weight_of},
-                           threads_);
+                           thread_count(threads_, part_.chosen.size()));
     finish_cache(std::move(cache), words_.fleet, streams_.err, form_.write.language);
   }
 
@@ -207,7 +208,7 @@ class Lint {
   LintWords const& words_;
   Streams& streams_;
   SettingsFinder settings_;
-  unsigned threads_;
+  std::optional<unsigned> threads_;
   Inputs inputs_;
   Part part_;
   CheckJob job_;

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 namespace axisc::cli {
 
@@ -166,6 +168,14 @@ void require_unchanged(std::vector<std::string> const& paths, Digest const& befo
   if (digest_of_files(paths) != before) throw validator::SourceChanged(paths.front());
 }
 
+/// Behind all links; as far as it exists where it does not.
+fs::path canonical_folder(std::string const& folder) {
+  std::unique_ptr<char, decltype(&std::free)> const found(::realpath(folder.c_str(), nullptr), std::free);
+  if (found) return found.get();
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(folder, error), error);
+}
+
 }  // namespace
 
 bool Settings::disables(std::string const& path, Code code) const {
@@ -205,7 +215,7 @@ void SettingsFinder::read_schema_files() {
 
 Settings const* SettingsFinder::find(std::string const& input) {
   auto const slash = input.rfind('/');
-  std::string asked = slash == std::string::npos ? "." : input.substr(0, slash + 1);
+  std::string asked = slash == std::string::npos ? "." : input.substr(0, std::max(slash, std::size_t{1}));
   std::lock_guard const lock(mutex_);
   if (auto const known = asked_.find(asked); known != asked_.end()) return known->second;
   auto const* const settings = look_for(asked);
@@ -215,7 +225,7 @@ Settings const* SettingsFinder::find(std::string const& input) {
 
 Settings const* SettingsFinder::look_for(std::string const& asked) {
   std::error_code error;
-  auto const folder = fs::weakly_canonical(fs::absolute(asked, error), error);
+  auto const folder = canonical_folder(asked);
   auto known = known_.find(folder.string());
   if (known == known_.end()) {
     std::optional<Settings> found;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "design/filter_design.hpp"
+#include "design/pi_def.hpp"
 #include "design/prototypes_def.hpp"
 #include "design/section_def.hpp"
 #include "design/thiran_def.hpp"
@@ -26,7 +27,7 @@ inline constexpr double integer_delay_tolerance = 1e-9;
 template <typename Number>
 [[nodiscard]] Number prewarped(Hertz frequency, CycleTime cycle_time) {
   using std::tan;
-  return tan(boost::math::constants::pi<Number>() * cycle_time.periods_in<Number>(frequency));
+  return tan(pi<Number>() * cycle_time.periods_in<Number>(frequency));
 }
 
 /// The same for the cut-off frequency 1/(2π τ): t = tan(T/(2 τ)).
@@ -44,7 +45,7 @@ template <typename Number>
   using std::tan;
   Number const bandwidth =
       cycle_time.periods_in<Number>(specification.frequency) / Number(specification.quality);
-  return t / ((1 + t * t) * tan(boost::math::constants::pi<Number>() * bandwidth));
+  return t / ((1 + t * t) * tan(pi<Number>() * bandwidth));
 }
 
 template <typename Number>

@@ -3,6 +3,7 @@
 
 #include "design/kernel_design.hpp"
 #include "design/kernel_shapes_def.hpp"
+#include "design/pi_def.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace axisc::design {
 /// θ = 2π f T
 template <typename Number>
 [[nodiscard]] Number angle_per_cycle(Hertz frequency, CycleTime cycle_time) {
-  return 2 * boost::math::constants::pi<Number>() * cycle_time.periods_in<Number>(frequency);
+  return 2 * pi<Number>() * cycle_time.periods_in<Number>(frequency);
 }
 
 template <typename Number>

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "design/phasor_def.hpp"
+#include "design/pi_def.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
-
-#include <boost/math/constants/constants.hpp>
 
 namespace axisc::design {
 
@@ -40,7 +39,7 @@ template <typename Number>
 template <typename Number>
 [[nodiscard]] HalfKernel<Number> windowed_sinc(std::uint32_t h, Number const& theta) {
   Phasor<Number> carrier(theta, theta);
-  Number const window_step = boost::math::constants::pi<Number>() / h;
+  Number const window_step = pi<Number>() / h;
   Phasor<Number> window(window_step, window_step);
   HalfKernel<Number> c{100 * theta};
   for (std::uint32_t k = 1; k <= h; ++k) {

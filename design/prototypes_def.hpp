@@ -4,13 +4,12 @@
 
 #include "design/complex_number.hpp"
 #include "design/filter_specification.hpp"
+#include "design/pi_def.hpp"
 #include "design/polynomial_roots_def.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <vector>
-
-#include <boost/math/constants/constants.hpp>
 
 namespace axisc::design {
 
@@ -34,7 +33,7 @@ template <typename Number>
   using std::sin;
   Poles<Number> poles;
   for (std::uint32_t i = 0; i < n / 2; ++i) {
-    Number const angle = boost::math::constants::pi<Number>() * (2 * i + 1) / (2 * n);
+    Number const angle = pi<Number>() * (2 * i + 1) / (2 * n);
     poles.push_back({-sin(angle), cos(angle)});
   }
   if (n % 2 == 1) poles.push_back({Number(-1), Number(0)});

@@ -177,9 +177,10 @@ class LineReader {
   Bits content_ = 0;            ///< the bytes of the block that belong to the line and are not blank
 };
 
+/// What each level defines for grammar/regular_lines.cpp.
 std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room);
 
-std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room) {
+inline std::size_t read_lines(RegularLines& lines, Assignment* out, std::size_t room) {
   std::size_t count = 0;
   while (lines.line < lines.stop && count < room) {
     LineReader const reader(lines, lines.line);

@@ -89,8 +89,8 @@ inline ValueKind kind_with_letters(TextBlock const& block, char const* line, Bit
   if (before == 0 || behind == 0) return ValueKind::word;
   if (*byte == 'x' || *byte == 'X') {
     bool const is_prefix = number == token && before == lowest(number) && byte[-1] == '0';
-    do ++byte;
-    while (byte != end && is_hexadecimal(*byte));
+    ++byte;
+    while (byte != end && is_hexadecimal(*byte)) ++byte;
     return is_prefix && byte == end ? ValueKind::hexadecimal : ValueKind::word;
   }
   if (is_sign(byte[1])) behind &= behind - 1;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 namespace {
