@@ -140,6 +140,7 @@ class SarifResult {
 
   [[nodiscard]] std::string write(Finding const& finding) && {
     constexpr std::string_view rule_index{&rule_index_hole, 1};
+    text_.reserve(usual_size);
     out_.begin_object();
     out_.member("ruleId", code_text(finding.code));
     out_.key("ruleIndex");
@@ -303,6 +304,8 @@ class SarifResult {
     }
     if (any) out_.end_object();
   }
+
+  static constexpr std::size_t usual_size = 2048;
 
   SourceSet const& sources_;
   ReportContext const& context_;

@@ -56,6 +56,7 @@ class TextWriter {
   }
 
   std::string write() && {
+    out_.reserve(usual_size);
     write_headline();
     if (finding_.place) {
       Pointer const pointer{.arrow = "-->", .mark = '^', .style = style_of(finding_.severity)};
@@ -74,6 +75,8 @@ class TextWriter {
   }
 
  private:
+  static constexpr std::size_t usual_size = 512;
+
   [[nodiscard]] std::uint32_t largest_line_number() const {
     std::uint32_t largest = 1;
     auto const take = [&](Place const& place) {
