@@ -33,7 +33,9 @@ void append_escaped(std::string& out, char byte) {
 
 void JsonStream::key(std::string_view name) {
   begin_line();
-  ((out_ += '"') += name) += "\": ";
+  out_ += '"';
+  out_ += name;
+  out_ += "\": ";
   has_line_ = true;
 }
 
