@@ -34,6 +34,8 @@ CheckedInput write_findings(std::vector<Finding> const& findings, SourceSet cons
                            .identity = identity_of(finding, sources),
                            .artifacts = {},
                            .text = element_of(finding, sources, form)};
+    // Many wait in memory.
+    written.text.shrink_to_fit();
     if (names_artifacts) {
       for (auto const id : sources_of(finding)) written.artifacts.push_back(numbers.at(id));
     }

@@ -60,6 +60,8 @@ std::size_t replay_entries(std::string_view bytes,
 }  // namespace
 
 void Spool::add(std::uint64_t mark, std::string_view text) {
+  // At once: memory that is not written to costs nothing, while growth by doubling copies everything again and again.
+  if (buffer_.capacity() < most_in_memory) buffer_.reserve(most_in_memory + block_size);
   Header const header{.mark = mark, .size = text.size()};
   buffer_.append(reinterpret_cast<char const*>(&header), sizeof(header)).append(text);
   if (buffer_.size() >= most_in_memory) spill();

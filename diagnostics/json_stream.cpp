@@ -33,7 +33,9 @@ void append_escaped(std::string& out, char byte) {
 
 void JsonStream::key(std::string_view name) {
   begin_line();
-  ((out_ += '"') += name) += "\": ";
+  out_ += '"';
+  out_ += name;
+  out_ += "\": ";
   has_line_ = true;
 }
 
@@ -46,7 +48,8 @@ void JsonStream::string(std::string_view text) {
   }
   out_ += '"';
   while (!text.empty()) {
-    auto const* const special = std::find_if(text.begin(), text.end(), is_escaped);
+    auto const* const special =
+        std::find_if(text.begin(), text.end(), [](char byte) { return is_escaped(byte); });
     auto const plain = static_cast<std::size_t>(special - text.begin());
     out_ += text.substr(0, plain);
     text.remove_prefix(plain);
@@ -91,10 +94,7 @@ void JsonStream::open(char bracket) {
 
 void JsonStream::close(char bracket) {
   indent_ -= 2;
-  if (!is_first_) {
-    out_ += '\n';
-    out_.append(indent_, ' ');
-  }
+  if (!is_first_) break_line();
   out_ += bracket;
   is_first_ = false;
 }
@@ -106,9 +106,15 @@ void JsonStream::begin_value() {
 
 void JsonStream::begin_line() {
   if (!is_first_) out_ += ',';
-  out_ += '\n';
-  out_.append(indent_, ' ');
+  break_line();
   is_first_ = false;
+}
+
+void JsonStream::break_line() {
+  constexpr std::string_view line = "\n                                ";
+  std::size_t const blanks = std::min(indent_, line.size() - 1);
+  out_ += line.substr(0, 1 + blanks);
+  out_.append(indent_ - blanks, ' ');
 }
 
 }  // namespace axisc

@@ -47,6 +47,7 @@ class JsonStream {
   /// The line break and comma before a value, where it stands in an array.
   void begin_value();
   void begin_line();
+  void break_line();
 
   std::string& out_;
   std::size_t indent_;

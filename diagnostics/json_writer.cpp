@@ -23,6 +23,7 @@ class JsonElement {
   JsonElement(SourceSet const& sources, Language language) : sources_(sources), language_(language) {}
 
   [[nodiscard]] std::string write(Finding const& finding) && {
+    text_.reserve(usual_size);
     out_.begin_object();
     out_.member("code", code_text(finding.code));
     out_.member("name", finding.name);
@@ -128,6 +129,8 @@ class JsonElement {
     out_.end_array();
     out_.end_object();
   }
+
+  static constexpr std::size_t usual_size = 1024;
 
   SourceSet const& sources_;
   Language language_;

@@ -58,7 +58,8 @@ void append_printable(std::string& shown, char32_t character) {
 
 void append_printable(std::string& shown, std::string_view text) {
   while (!text.empty()) {
-    auto const* const special = std::find_if_not(text.begin(), text.end(), is_plain);
+    auto const* const special =
+        std::find_if_not(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
     auto const plain = static_cast<std::size_t>(special - text.begin());
     shown.append(text.substr(0, plain));
     text.remove_prefix(plain);

@@ -51,15 +51,17 @@ class TextWriter {
  public:
   TextWriter(Finding const& finding, SourceSet const& sources, WriteOptions const& options)
       : finding_(finding), sources_(sources), language_(options.language), paint_(options.color) {
+    if (finding.place) location_ = locate(*finding.place, sources);
     if (finding.fix) blocks_ = preview(*finding.fix, sources);
     gutter_width_ = std::to_string(largest_line_number()).size();
   }
 
   std::string write() && {
+    out_.reserve(usual_size);
     write_headline();
     if (finding_.place) {
       Pointer const pointer{.arrow = "-->", .mark = '^', .style = style_of(finding_.severity)};
-      write_place(*finding_.place, pointer, finding_.label ? &*finding_.label : nullptr);
+      write_place(finding_.place->source, location_, pointer, finding_.label ? &*finding_.label : nullptr);
     } else if (!finding_.file.empty()) {
       begin_arrow("-->");
       append_printable(out_, finding_.file);
@@ -67,20 +69,20 @@ class TextWriter {
     }
     for (Related const& related : finding_.related) {
       write_empty_gutter();
-      write_place(related.place, related_pointer, &related.message);
+      write_place(related.place.source, locate(related.place, sources_), related_pointer, &related.message);
     }
     write_below();
     return std::move(out_);
   }
 
  private:
+  static constexpr std::size_t usual_size = 512;
+
   [[nodiscard]] std::uint32_t largest_line_number() const {
-    std::uint32_t largest = 1;
-    auto const take = [&](Place const& place) {
-      largest = std::max(largest, locate(place, sources_).begin.line);
-    };
-    if (finding_.place) take(*finding_.place);
-    for (Related const& related : finding_.related) take(related.place);
+    std::uint32_t largest = location_.begin.line;
+    for (Related const& related : finding_.related) {
+      largest = std::max(largest, sources_[related.place.source].position(related.place.span.begin).line);
+    }
     for (PreviewBlock const& block : blocks_) {
       for (PreviewLine const& line : block.lines) largest = std::max(largest, line.number);
     }
@@ -140,12 +142,11 @@ class TextWriter {
   }
 
   /// `label` may be null.
-  void write_place(Place const& place, Pointer const& pointer, Message const* label) {
-    Location const location = locate(place, sources_);
+  void write_place(SourceId id, Location const& location, Pointer const& pointer, Message const* label) {
     write_arrow(pointer.arrow, location.file, location.begin);
     write_empty_gutter();
 
-    SourceText const& source = sources_[place.source];
+    SourceText const& source = sources_[id];
     std::size_t const begin = location.begin.column - 1;
     std::size_t const end =
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
@@ -199,8 +200,7 @@ class TextWriter {
   }
 
   [[nodiscard]] bool is_own_line(SourceId source, std::uint32_t line) const {
-    return finding_.place && finding_.place->source == source &&
-           locate(*finding_.place, sources_).begin.line == line;
+    return finding_.place && finding_.place->source == source && location_.begin.line == line;
   }
 
   void write_preview_line(PreviewLine const& line) {
@@ -219,6 +219,7 @@ class TextWriter {
   SourceSet const& sources_;
   Language language_;
   Painter paint_;
+  Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
   std::string out_;

@@ -56,9 +56,11 @@ std::optional<std::string> with_indices(Parameter const& parameter,
                                         std::vector<std::uint32_t> const& indices) {
   std::string name;
   std::size_t position = 0;
-  for (char const byte : parameter.name) {
-    name += byte;
-    if (byte != '[') continue;
+  for (std::string_view rest = parameter.name; !rest.empty();) {
+    std::size_t const end = std::min(rest.find('['), rest.size() - 1) + 1;
+    name += rest.substr(0, end);
+    rest.remove_prefix(end);
+    if (name.back() != '[') break;
     std::uint32_t const index = position < indices.size() ? indices[position] : 0;
     if (index >= parameter.array.at(position)) return std::nullopt;
     name += std::to_string(index);

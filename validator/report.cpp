@@ -12,9 +12,7 @@ Finding& Report::add(Place place, Message message) {
   finding.place = place;
   finding.message = std::move(message);
   finding.axis = axis;
-  if (!rule->control.empty()) {
-    finding.control = ControlReaction{.message = std::string(rule->control), .reaction = {}, .value = {}};
-  }
+  if (!rule->control.empty()) finding.control.emplace().message = rule->control;
   return finding;
 }
 

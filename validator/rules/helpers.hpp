@@ -16,6 +16,15 @@ namespace axisc::validator {
   return {.text = text, .arguments = std::move(arguments)};
 }
 
+/// The same of values that are moved, for checks that many lines of one list may fail.
+template <typename... Arguments>
+[[nodiscard]] Message message_of(Text text, Arguments... arguments) {
+  Message result{.text = text, .arguments = {}};
+  result.arguments.reserve(sizeof...(arguments));
+  (result.arguments.push_back(std::move(arguments)), ...);
+  return result;
+}
+
 [[nodiscard]] inline Place place_of(ListContext const& context, Span span) {
   return {.source = context.list.source, .span = span};
 }

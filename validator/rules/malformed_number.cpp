@@ -20,8 +20,8 @@ void checks::malformed_number(ListContext const& context, Report& report) {
     if (reading.status != ReadingStatus::malformed_number) return;
     std::string const value = context.source.utf8(assignment.value);
     auto const add = [&](Text text, std::string control, Text reaction, std::string result) -> Finding& {
-      Finding& finding =
-          add_at(context, report, assignment, reading, assignment.value, message(text, {{"value", value}}));
+      Finding& finding = add_at(context, report, assignment, reading, assignment.value,
+                                message_of(text, Argument{"value", value}));
       set_reaction(finding, reaction, {}, std::move(result));
       finding.control->message = std::move(control);
       return finding;

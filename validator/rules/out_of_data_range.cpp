@@ -14,15 +14,18 @@ std::string limit_text(schema::DataType type, bool highest) {
 }
 
 void add(AxisContext const& context, Report& report, Place place, schema::Parameter const& row,
-         schema::Slot slot, std::string const& value, bool positive) {
+         schema::Slot slot, std::string value, bool positive) {
   schema::DataType const type = row.type;
-  std::string const type_name(schema::data_type_name(type));
+  std::string type_name(schema::data_type_name(type));
   Finding& finding =
-      report.add(place, row, slot, message(Text::ax2004, {{"value", value}, {"type", type_name}}));
-  finding.notes.push_back(message(
-      Text::ax2004_range,
-      {{"type", type_name}, {"lowest", limit_text(type, false)}, {"highest", limit_text(type, true)}}));
-  set_reaction(finding, Text::ax2004_reaction, {}, limit_text(type, positive));
+      report.add(place, row, slot,
+                 message_of(Text::ax2004, Argument{"value", std::move(value)}, Argument{"type", type_name}));
+  std::string lowest = limit_text(type, false);
+  std::string highest = limit_text(type, true);
+  set_reaction(finding, Text::ax2004_reaction, {}, positive ? highest : lowest);
+  finding.notes.push_back(message_of(Text::ax2004_range, Argument{"type", std::move(type_name)},
+                                     Argument{"lowest", std::move(lowest)},
+                                     Argument{"highest", std::move(highest)}));
   DataRange const range = data_range(type);
   add_physical(finding, row, context.type, positive ? range.highest : range.lowest);
 }

@@ -24,15 +24,16 @@ void judge(AxisContext const& context, Report& report, Place place, schema::Slot
   if (!out_of_range(parameter, value)) return;
   std::string_view const unit = unit_of(parameter, context.type);
   std::string const range = range_text(parameter, unit, true);
-  Finding& finding = report.add(
-      place, parameter, slot,
-      message(Text::ax2005, {{"parameter", schema::slot_name(parameter, slot)}, {"range", range}}));
+  Finding& finding =
+      report.add(place, parameter, slot,
+                 message_of(Text::ax2005, Argument{"parameter", schema::slot_name(parameter, slot)},
+                            Argument{"range", range}));
   if (!unit.empty()) {
-    finding.label = message(Text::parameter_value_in_unit, {{"value", physical(value, unit)}});
+    finding.label = message_of(Text::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }
   if (is_scaled(unit)) {
     std::string const raw = range_text(parameter, unit, false);
-    finding.notes.push_back(message(Text::ax2005_raw, {{"range", raw}}));
+    finding.notes.push_back(message_of(Text::ax2005_raw, Argument{"range", raw}));
   }
   std::string const file(context.values.catalogue().file_of(parameter));
   if (!file.empty()) finding.notes.push_back(message(Text::ax2005_file, {{"file", file}}));

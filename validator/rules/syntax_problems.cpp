@@ -86,9 +86,10 @@ void checks::expected_name(ListContext const& context, Report& report) {
 
 void checks::expected_value(ListContext const& context, Report& report) {
   for_each_problem(context, ProblemKind::expected_value, [&](Problem const& problem) {
-    std::string const name = context.source.utf8(problem.span);
-    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1003, {{"name", name}}));
-    finding.parameter = name;
+    std::string name = context.source.utf8(problem.span);
+    Finding& finding =
+        report.add(place_of(context, problem.span), message_of(Text::ax1003, Argument{"name", name}));
+    finding.parameter = std::move(name);
     finding.help.push_back(message(Text::ax1003_help));
   });
 }
@@ -96,7 +97,8 @@ void checks::expected_value(ListContext const& context, Report& report) {
 void checks::malformed_index(ListContext const& context, Report& report) {
   for_each_problem(context, ProblemKind::malformed_index, [&](Problem const& problem) {
     std::string const index = context.source.utf8(problem.span);
-    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1004, {{"index", index}}));
+    Finding& finding =
+        report.add(place_of(context, problem.span), message_of(Text::ax1004, Argument{"index", index}));
     finding.help.push_back(message(Text::ax1004_help));
     std::string const repaired = repaired_index(index);
     if (repaired.empty()) return;

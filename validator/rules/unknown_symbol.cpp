@@ -22,15 +22,15 @@ void checks::unknown_symbol(ListContext const& context, Report& report) {
     if (reading.status != ReadingStatus::unknown_symbol) return;
     schema::Parameter const& parameter = *reading.row;
     std::string const value = context.source.utf8(reading.text);
-    Finding& finding =
-        add_at(context, report, assignment, reading, reading.text,
-               message(Text::ax2007, {{"value", value}, {"parameter", written_name(context, assignment)}}));
-    finding.notes.push_back(message(Text::ax2007_allowed, {{"values", allowed_values(parameter)}}));
+    Finding& finding = add_at(context, report, assignment, reading, reading.text,
+                              message_of(Text::ax2007, Argument{"value", value},
+                                         Argument{"parameter", written_name(context, assignment)}));
+    finding.notes.push_back(message_of(Text::ax2007_allowed, Argument{"values", allowed_values(parameter)}));
     set_reaction(finding, Text::ax2007_reaction);
     std::vector<std::string_view> const suggestions = schema::suggest_symbols(parameter, value);
     for (std::string_view const suggestion : suggestions) {
       finding.help.push_back(
-          message(Text::parameter_did_you_mean, {{"suggestion", std::string(suggestion)}}));
+          message_of(Text::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
     }
     if (suggestions.empty()) return;
     std::string const best(suggestions.front());

@@ -20,9 +20,10 @@ void checks::wrong_type(ListContext const& context, Report& report) {
     if (reading.status != ReadingStatus::wrong_type) return;
     schema::Parameter const& parameter = *reading.row;
     std::string const value = context.source.utf8(reading.text);
-    Finding& finding = add_at(
-        context, report, assignment, reading, reading.text,
-        message(headline(parameter), {{"parameter", written_name(context, assignment)}, {"value", value}}));
+    Finding& finding =
+        add_at(context, report, assignment, reading, reading.text,
+               message_of(headline(parameter), Argument{"parameter", written_name(context, assignment)},
+                          Argument{"value", value}));
     bool const number = schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
     if (number && assignment.kind != grammar::ValueKind::real) {
       set_reaction(finding, Text::parameter_no_number, {}, "0");
