@@ -7,7 +7,7 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache pkg-config
-  libboost1.81-dev libfmt-dev nlohmann-json3-dev libsodium-dev libxxhash-dev libvalijson-dev
+  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libxxhash-dev libvalijson-dev
   catch2 librapidcheck-dev
 )
 if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then

@@ -8,17 +8,16 @@
 
 #include <algorithm>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 namespace axisc::cli {
 
 namespace {
 
 constexpr std::size_t meaning_column = 30;
 constexpr std::size_t line_width = 100;
-// The constructor declares them first.
-constexpr std::size_t help_option = 0;
-constexpr std::size_t version_option = 1;
-
-using Given = std::vector<std::string>;
 
 std::string joined(std::vector<std::string_view> const& words, std::string_view separator) {
   std::string text;
@@ -31,8 +30,27 @@ std::string joined(std::vector<std::string_view> const& words, std::string_view 
 
 }  // namespace
 
+struct CommandLine::Declared {
+  CLI::Option* option = nullptr;
+  std::string names;
+  std::string shown;
+  Text meaning{};
+  std::function<void(std::vector<std::string> const&)> take;
+};
+
+struct CommandLine::Parser {
+  CLI::App app;
+  std::vector<Declared> declared;
+};
+
 CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, Language language)
-    : command_(command), purpose_(purpose), examples_(examples), language_(language) {
+    : command_(command),
+      purpose_(purpose),
+      examples_(examples),
+      language_(language),
+      parser_(std::make_unique<Parser>()) {
+  parser_->app.set_help_flag();
+  parser_->app.allow_extras();
   flag("-h,--help", wants_help_, Text::cli_opt_help);
   flag("--version", wants_version_, Text::cli_opt_version);
   choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, Text::cli_opt_lang);
@@ -41,55 +59,70 @@ CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, 
          color_, Text::cli_opt_color);
 }
 
-CommandLine::Declared& CommandLine::declare(OptionKind kind, std::string_view names, std::string_view shown,
-                                            Text meaning) {
-  auto& option = options_.emplace_back();
-  option.names = names;
-  option.kind = kind;
-  auto& row = declared_.emplace_back();
+CommandLine::~CommandLine() = default;
+
+CommandLine::Declared& CommandLine::declare(std::string_view names, std::string_view shown, Text meaning) {
+  auto& row = parser_->declared.emplace_back();
+  row.names = names;
   row.shown = shown;
   row.meaning = meaning;
   return row;
 }
 
 void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, Text meaning) {
-  declare(OptionKind::argument, {}, shown, meaning).take = [&target](Given const& given) {
-    target = given.front();
-  };
+  auto& row = declare({}, shown, meaning);
+  row.option = parser_->app.add_option("argument")->expected(1);
+  row.take = [&target](std::vector<std::string> const& given) { target = given.front(); };
 }
 
 void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, Text meaning) {
-  declare(OptionKind::arguments, {}, shown, meaning).take = [&target](Given const& given) { target = given; };
+  auto& row = declare({}, shown, meaning);
+  row.option = parser_->app.add_option("arguments")
+                   ->expected(-1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  row.take = [&target](std::vector<std::string> const& given) { target = given; };
 }
 
 void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
-  declare(OptionKind::flag, names, {}, meaning).take = [&target](Given const&) { target = true; };
+  auto& row = declare(names, {}, meaning);
+  row.option = parser_->app.add_flag(std::string(names))->disable_flag_override();
+  row.take = [&target](std::vector<std::string> const&) { target = true; };
 }
 
 void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
                                  std::optional<std::string>& target, Text meaning) {
-  declare(OptionKind::flag_with_word, names, shown, meaning).take = [&target](Given const& given) {
-    target = given.back();
+  auto& row = declare(names, shown, meaning);
+  row.option =
+      parser_->app.add_flag(std::string(names))->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  // The parser's word for a flag that stands alone.
+  row.take = [&target](std::vector<std::string> const& given) {
+    target = given.back() == "true" ? std::string() : given.back();
   };
 }
 
 void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
                         Text meaning) {
-  declare(OptionKind::value, names, shown, meaning).take = [&target](Given const& given) {
-    target = given.back();
-  };
+  auto& row = declare(names, shown, meaning);
+  row.option = parser_->app.add_option(std::string(names))->take_last();
+  row.take = [&target](std::vector<std::string> const& given) { target = given.back(); };
 }
 
 void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
                          Text meaning) {
-  declare(OptionKind::value, names, shown, meaning).take = [&target](Given const& given) { target = given; };
+  auto& row = declare(names, shown, meaning);
+  row.option = parser_->app.add_option(std::string(names))
+                   ->type_size(1)
+                   ->expected(1, 1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  row.take = [&target](std::vector<std::string> const& given) { target = given; };
 }
 
 void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
                             std::function<void(std::size_t)> take, Text meaning) {
-  auto& row = declare(OptionKind::value, names, joined(words, "|"), meaning);
+  auto& row = declare(names, joined(words, "|"), meaning);
+  row.option = parser_->app.add_option(std::string(names))->take_last();
   row.take = [name = std::string(names), words = std::move(words),
-              take = std::move(take)](Given const& given) {
+              take = std::move(take)](std::vector<std::string> const& given) {
     auto const found = std::find(words.begin(), words.end(), given.back());
     if (found == words.end()) {
       throw Failure(
@@ -100,44 +133,57 @@ void CommandLine::choice_of(std::string_view names, std::vector<std::string_view
   };
 }
 
-void CommandLine::refuse(std::string const& word) const {
-  auto const unknown = word.substr(0, word.find('='));
+void CommandLine::refuse_unknown() const {
+  auto remaining = parser_->app.remaining();
+  std::erase(remaining, "--");
+  if (remaining.empty()) return;
+  auto const unknown = remaining.front().substr(0, remaining.front().find('='));
   if (unknown.substr(0, 1) != "-") {
-    throw Failure(
-        {.text = Text::cli_superfluous_argument, .arguments = {{"argument", word}, {"command", command_}}});
+    throw Failure({.text = Text::cli_superfluous_argument,
+                   .arguments = {{"argument", remaining.front()}, {"command", command_}}});
   }
   std::vector<std::string_view> known;
-  for (auto const& option : options_) {
-    auto const names = names_of(option);
-    known.insert(known.end(), names.begin(), names.end());
+  for (auto const& row : parser_->declared) {
+    for (std::string_view rest = row.names; !rest.empty();) {
+      auto const comma = std::min(rest.find(','), rest.size());
+      known.push_back(rest.substr(0, comma));
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
   }
   auto const meant = closest(unknown, known);
   throw Failure({.text = meant.empty() ? Text::cli_unknown_option : Text::cli_unknown_option_meant,
                  .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }
 
-std::vector<std::string> CommandLine::take_apart_or_refuse(std::span<std::string const> arguments) {
-  try {
-    return take_apart(arguments, options_);
-  } catch (WrongValue const& wrong) {
-    bool const takes_none = wrong.option->kind == OptionKind::flag;
-    throw Failure({.text = takes_none ? Text::cli_option_without_value : Text::cli_option_value_missing,
-                   .arguments = {{"option", std::string(full_name(*wrong.option))}, {"command", command_}}});
+void CommandLine::refuse_value(std::string_view complaint) const {
+  for (auto const& row : parser_->declared) {
+    auto const name = row.option->get_name();
+    auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    if (complaint.substr(0, name.size()) != name && complaint.substr(0, bare.size()) != bare) continue;
+    throw Failure(
+        {.text = row.shown.empty() ? Text::cli_option_without_value : Text::cli_option_value_missing,
+         .arguments = {{"option", name}, {"command", command_}}});
   }
+  throw Failure({.text = Text::cli_unexpected, .arguments = {{"reason", std::string(complaint)}}});
 }
 
 std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
-  auto const left_over = take_apart_or_refuse(arguments);
-  auto const take = [this](std::size_t i) {
-    if (!options_[i].given.empty()) declared_[i].take(options_[i].given);
-  };
-  // What asks for help is told nothing else.
-  take(help_option);
-  take(version_option);
+  // The parser takes them from the back.
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    parser_->app.parse(reversed);
+  } catch (CLI::ParseError const& error) {
+    refuse_value(error.what());
+  }
+  for (auto const& row : parser_->declared) {
+    if (row.option->count() > 0 && (row.names == "-h,--help" || row.names == "--version")) row.take({});
+  }
   if (wants_help_) return help();
   if (wants_version_) return version_text();
-  if (!left_over.empty()) refuse(left_over.front());
-  for (std::size_t i = 0; i < options_.size(); ++i) take(i);
+  refuse_unknown();
+  for (auto const& row : parser_->declared) {
+    if (row.option->count() > 0) row.take(row.option->results());
+  }
   return std::nullopt;
 }
 
@@ -178,14 +224,13 @@ std::string CommandLine::help() const {
       say(Text::cli_help_usage) + ": axisc " + command_ + " [" + say(Text::cli_help_options) + "]";
   std::string rows;
   std::string options;
-  for (std::size_t i = 0; i < options_.size(); ++i) {
-    auto const& row = declared_[i];
-    if (options_[i].names.empty()) {
+  for (auto const& row : parser_->declared) {
+    if (row.names.empty()) {
       usage += " " + row.shown;
       rows += help_row(row.shown, say(row.meaning));
       continue;
     }
-    std::string name = options_[i].names;
+    std::string name = row.names;
     if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
     if (!row.shown.empty()) name += (row.shown.front() == '[' ? "" : " ") + row.shown;
     options += help_row(name, say(row.meaning));
@@ -195,10 +240,8 @@ std::string CommandLine::help() const {
 }
 
 std::string version_text() {
-  std::string text = "axisc " AXISC_VERSION " (image format ";
-  text += std::to_string(axim_major) + "." + std::to_string(axim_minor);
-  text += ", runtime interface " + std::to_string(AXISRT_ABI_VERSION);
-  return text + ")\n";
+  return std::string("axisc ") + AXISC_VERSION + " (image format " + std::to_string(axim_major) + "." +
+         std::to_string(axim_minor) + ", runtime interface " + std::to_string(AXISRT_ABI_VERSION) + ")\n";
 }
 
 std::vector<std::string> split_list(std::string_view text) {

@@ -1,13 +1,13 @@
-// The options of one command, declared one by one and then read: what each of them is called, where its value goes and
-// what it means. How words are told apart is option_parser.hpp.
+// The options of one command, declared one by one and then read. The parser (CLI11) stays behind this interface, and
+// only the options of the command at hand are built: all of them would cost more than linting a list.
 #pragma once
 
-#include "cli/option_parser.hpp"
 #include "cli/surroundings.hpp"
 #include "diagnostics/text.hpp"
 
 #include <functional>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,7 +23,7 @@ class CommandLine {
   CommandLine(std::string_view command, Text purpose, Text examples, Language language);
   CommandLine(CommandLine const&) = delete;
   CommandLine& operator=(CommandLine const&) = delete;
-  ~CommandLine() = default;
+  ~CommandLine();
 
   // Targets must live until read() returns; what the command line does not name stays as it is.
 
@@ -63,19 +63,15 @@ class CommandLine {
   [[nodiscard]] ColorChoice color() const { return color_; }
 
  private:
-  struct Declared {
-    std::string shown;
-    Text meaning{};
-    std::function<void(std::vector<std::string> const&)>
-        take;  ///< gets what the command line gives, not nothing
-  };
+  struct Parser;
+  struct Declared;
 
   void choice_of(std::string_view names, std::vector<std::string_view> words,
                  std::function<void(std::size_t)> take, Text meaning);
-  Declared& declare(OptionKind kind, std::string_view names, std::string_view shown, Text meaning);
-  /// The words that are left over; Failure for options without a value that they need and the like.
-  [[nodiscard]] std::vector<std::string> take_apart_or_refuse(std::span<std::string const> arguments);
-  [[noreturn]] void refuse(std::string const& word) const;
+  Declared& declare(std::string_view names, std::string_view shown, Text meaning);
+  void refuse_unknown() const;
+  /// What the parser complains about begins with the option's name.
+  [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
   Text purpose_;
@@ -84,8 +80,7 @@ class CommandLine {
   ColorChoice color_ = ColorChoice::automatic;
   bool wants_help_ = false;
   bool wants_version_ = false;
-  std::vector<OptionWords> options_;
-  std::vector<Declared> declared_;  ///< for each option
+  std::unique_ptr<Parser> parser_;
 };
 
 /// "axisc 0.1.0 …" with a line end.

@@ -2,6 +2,7 @@
 find_package(Boost 1.81 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(valijson REQUIRED)
 find_package(PkgConfig REQUIRED)

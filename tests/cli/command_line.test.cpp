@@ -67,40 +67,6 @@ TEST_CASE("the last of several values counts, negative numbers are values") {
   CHECK(words.output == "-5");
 }
 
-TEST_CASE("short names stand alone, together, or before their value") {
-  Words words;
-  CHECK_FALSE(read(words, {"-qoa", "b"}));
-  CHECK(words.quiet);
-  CHECK(words.output == "a");
-  CHECK(words.inputs == std::vector<std::string>{"b"});
-  CHECK_FALSE(read(words, {"-o", "--quiet"}));
-  CHECK(words.output == "--quiet");
-  CHECK(failure_of({"-qx"}).starts_with("\"axisc lint\" has no option -x"));
-}
-
-TEST_CASE("arguments are taken as they are written") {
-  Words words;
-  CHECK_FALSE(read(words, {"-5", "[a,b]", "--", "--"}));
-  CHECK(words.inputs == std::vector<std::string>{"-5", "[a,b]", "--"});
-}
-
-TEST_CASE("single arguments are taken in turn, and no further one") {
-  CommandLine line("replay", Text::cli_lint_purpose, Text::cli_lint_examples, Language::english);
-  std::optional<std::string> image;
-  std::optional<std::string> recording;
-  std::optional<std::string> fix;
-  line.argument("IMAGE", image, Text::cli_arg_image);
-  line.argument("RECORDING", recording, Text::cli_arg_recording);
-  line.flag_with_word("--fix", "[=all]", fix, Text::cli_opt_fix);
-  CHECK_FALSE(line.read(std::vector<std::string>{"a", "--fix", "b"}));
-  CHECK(image == "a");
-  CHECK(recording == "b");
-  CHECK(fix == "");
-  CHECK_FALSE(line.read(std::vector<std::string>{"--fix=all"}));
-  CHECK(fix == "all");
-  CHECK_THROWS_AS(line.read(std::vector<std::string>{"c"}), Failure);
-}
-
 TEST_CASE("complaints name the option and the way out") {
   CHECK(failure_of({"--quite"}) == "\"axisc lint\" has no option --quite; did you mean --quiet?");
   CHECK(failure_of({"--xyzzy=1"}) == "\"axisc lint\" has no option --xyzzy; `axisc lint --help` lists them");
