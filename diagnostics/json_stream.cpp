@@ -9,24 +9,12 @@
 namespace axisc {
 namespace {
 
-bool is_escaped(char byte) {
-  return static_cast<unsigned char>(byte) < 0x20 || byte == '"' || byte == '\\';
-}
-
-void append_escaped(std::string& out, char byte) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  constexpr std::string_view with_letters = "\"\\\b\f\n\r\t";
-  constexpr std::string_view letters = "\"\\bfnrt";
-  std::size_t const letter = with_letters.find(byte);
-  out += '\\';
-  if (letter != std::string_view::npos) {
-    out += letters[letter];
-    return;
-  }
-  auto const code = static_cast<unsigned char>(byte);
-  out += "u00";
-  out += digits[code >> 4U];
-  out += digits[code & 0xFU];
+/// A string of JSON as it stands.
+bool is_plain(std::string_view text) {
+  auto const is_special = [](char byte) {
+    return static_cast<unsigned char>(byte) < 0x20 || byte == '"' || byte == '\\';
+  };
+  return std::none_of(text.begin(), text.end(), is_special) && valid_utf8_prefix(text) == text.size();
 }
 
 }  // namespace
@@ -41,22 +29,12 @@ void JsonStream::key(std::string_view name) {
 
 void JsonStream::string(std::string_view text) {
   begin_value();
-  if (valid_utf8_prefix(text) != text.size()) {
-    // The library decides what becomes of it: other documents are written with it.
+  if (!is_plain(text)) {
     out_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return;
   }
   out_ += '"';
-  while (!text.empty()) {
-    auto const* const special =
-        std::find_if(text.begin(), text.end(), [](char byte) { return is_escaped(byte); });
-    auto const plain = static_cast<std::size_t>(special - text.begin());
-    out_ += text.substr(0, plain);
-    text.remove_prefix(plain);
-    if (text.empty()) break;
-    append_escaped(out_, text.front());
-    text.remove_prefix(1);
-  }
+  out_ += text;
   out_ += '"';
 }
 
