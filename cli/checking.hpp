@@ -37,7 +37,7 @@ void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 /// `-j N`, which every command that works on several inputs has.
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
 
-/// Number of threads: -j, else one per core.
+/// What -j asks for; none without it. Failure where that is no number of threads.
 [[nodiscard]] std::optional<unsigned> asked_threads(std::optional<std::string> const& threads);
 /// For so many tasks: as many as were asked for, otherwise one per processor. A single task needs one, and the system is
 /// not asked for its processors.

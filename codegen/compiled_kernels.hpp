@@ -22,7 +22,7 @@ class CompiledKernels {
   CompiledKernels(KnownDesigns& designs, design::CycleTime cycle_time)
       : designs_(designs), cycle_time_(cycle_time) {}
 
-  /// Index of the kernel, which is new or not; no_kernel where it would let the signal pass.
+  /// Index of the kernel, which is new or not; no_kernel where the signal would pass unchanged.
   [[nodiscard]] std::uint32_t index_of(design::KernelSpecification const& specification);
   [[nodiscard]] CompiledKernel const& operator[](std::uint32_t index) const {
     return *kernels_[index].compiled;

@@ -16,8 +16,8 @@
 
 namespace axisc::codegen {
 
-/// Results by a key of numbers, bit for bit. Several threads may ask; who comes first for a key makes its result, and where
-/// two come at once, both get the one that was there first.
+/// Results by a key of numbers, bit for bit. Several threads may ask. Where two ask at once for what is not there yet, both
+/// make it, and both get the one that was there first. Some thousand results are kept, then all are forgotten.
 template <typename Result>
 class SharedResults {
  public:
@@ -34,7 +34,7 @@ class SharedResults {
     auto made = std::make_shared<Result const>(make());
     std::lock_guard const lock(mutex_);
     // Where every machine has filters of its own, there is nothing to gain by keeping them.
-    if (results_.size() >= most_results) results_.clear();
+    if (results_.size() >= most_results && !results_.contains(key)) results_.clear();
     return results_.try_emplace(key, std::move(made)).first->second;
   }
 
@@ -54,7 +54,7 @@ class KnownDesigns {
   [[nodiscard]] Filter filter(design::FilterSpecification const& specification, design::CycleTime cycle_time);
   [[nodiscard]] Filter oscillator(design::OscillatorSpecification const& specification,
                                   design::CycleTime cycle_time);
-  /// Of a kernel that does not let the signal pass.
+  /// Of a kernel that changes the signal. What its type ignores stands at its default, or equal kernels are designed twice.
   [[nodiscard]] Kernel kernel(design::KernelSpecification const& specification, design::CycleTime cycle_time);
   /// Figures of filters in series, at least one.
   [[nodiscard]] ChainProof chain(std::span<design::FilterSpecification const> specifications,

@@ -1,6 +1,7 @@
 // The number π in any type.
 #pragma once
 
+#include <limits>
 #include <numbers>
 #include <type_traits>
 
@@ -13,6 +14,7 @@ template <typename Number>
   if constexpr (std::is_floating_point_v<Number>) {
     return std::numbers::pi_v<Number>;
   } else {
+    static_assert(std::numeric_limits<Number>::max_digits10 <= 130);
     static Number const value(
         "3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534211706"
         "79821480865132823066470938446095");

@@ -1,5 +1,5 @@
-// JSON documents that are written piece by piece: one document of all findings would take several kilobytes of memory
-// for each, so only one finding is a tree at a time.
+// JSON values that are small and few, as the heads and tails of reports hold them, at their place in a document. What is
+// long is written by JsonStream.
 #pragma once
 
 #include <string>

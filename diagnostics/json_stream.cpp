@@ -3,14 +3,16 @@
 #include "diagnostics/utf8.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 namespace axisc {
 namespace {
 
-/// A string of JSON as it stands.
-bool is_plain(std::string_view text) {
+bool needs_no_escape(std::string_view text) {
   auto const is_special = [](char byte) {
     return static_cast<unsigned char>(byte) < 0x20 || byte == '"' || byte == '\\';
   };
@@ -29,7 +31,7 @@ void JsonStream::key(std::string_view name) {
 
 void JsonStream::string(std::string_view text) {
   begin_value();
-  if (!is_plain(text)) {
+  if (!needs_no_escape(text)) {
     out_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     return;
   }

@@ -18,7 +18,7 @@ class JsonStream {
   void end_object() { close('}'); }
   void begin_array() { open('['); }
   void end_array() { close(']'); }
-  /// In an object: what comes next is the value.
+  /// In an object: what comes next is the value. `name` is written as it is and needs no escape, in member() too.
   void key(std::string_view name);
 
   /// Becomes well-formed UTF-8 whatever it holds.
@@ -28,7 +28,7 @@ class JsonStream {
   void number(std::uint64_t value);
   void boolean(bool value);
   void null();
-  /// `text` as it is.
+  /// A whole value as it is.
   void raw(std::string_view text);
 
   /// A member of an object that is a string.

@@ -29,19 +29,6 @@ std::string fill_holes(std::string_view element, Numbers const& numbers) {
   }
 }
 
-std::string with_occurrence_hole(std::string_view element, std::string_view zeroth) {
-  // Quotes inside strings are escaped, so this stands only where it is the end of a whole string.
-  std::string const end = std::string(zeroth) + '"';
-  std::string text;
-  while (true) {
-    std::size_t const found = element.find(end);
-    if (found == std::string_view::npos) return text.append(element);
-    text.append(element.substr(0, found)).append(zeroth.substr(0, zeroth.size() - 1));
-    text += occurrence_hole;
-    element.remove_prefix(found + zeroth.size());
-  }
-}
-
 std::set<SourceId> sources_of(Finding const& finding) {
   std::set<SourceId> sources;
   if (finding.place) sources.insert(finding.place->source);

@@ -25,9 +25,6 @@ struct Numbers {
 /// `element` with numbers in its holes.
 [[nodiscard]] std::string fill_holes(std::string_view element, Numbers const& numbers);
 
-/// `element` with the hole where the fingerprint `zeroth` ends with its 0.
-[[nodiscard]] std::string with_occurrence_hole(std::string_view element, std::string_view zeroth);
-
 /// A source that findings point into.
 struct Artifact {
   std::string name;

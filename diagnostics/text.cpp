@@ -37,17 +37,6 @@ void fill_brace(std::string_view& rest, std::vector<Argument> const& arguments, 
   rest.remove_prefix(close + 1);
 }
 
-}  // namespace
-
-std::string_view text_template(Text text, Language language) {
-  Entry const& entry = entries.at(static_cast<std::size_t>(text));
-  return language == Language::german ? entry.german : entry.english;
-}
-
-std::string_view text_key(Text text) {
-  return entries.at(static_cast<std::size_t>(text)).key;
-}
-
 void append_filled(std::string& text, std::string_view sentence, std::vector<Argument> const& arguments) {
   while (!sentence.empty()) {
     auto const* const brace =
@@ -57,6 +46,17 @@ void append_filled(std::string& text, std::string_view sentence, std::vector<Arg
     sentence.remove_prefix(plain);
     if (!sentence.empty()) fill_brace(sentence, arguments, text);
   }
+}
+
+}  // namespace
+
+std::string_view text_template(Text text, Language language) {
+  Entry const& entry = entries.at(static_cast<std::size_t>(text));
+  return language == Language::german ? entry.german : entry.english;
+}
+
+std::string_view text_key(Text text) {
+  return entries.at(static_cast<std::size_t>(text)).key;
 }
 
 std::string fill(std::string_view sentence, std::vector<Argument> const& arguments) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t typical_line = 40;
 constexpr std::size_t largest_reservation = 1U << 14U;
-constexpr std::ptrdiff_t regular_assignments = 32;
+constexpr std::size_t regular_assignments = 32;
 
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && is(character::blank, text.front())) text.remove_prefix(1);
@@ -86,12 +86,11 @@ class Reader {
                        .end = splitter_.end(),
                        .number = splitter_.number(),
                        .windows_1252 = windows_1252_};
-    std::array<Assignment, regular_assignments> assignments;
     std::size_t count = 0;
     do {
-      count = reader(lines, assignments.data(), assignments.size());
-      list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.begin() + count);
-    } while (count == assignments.size());
+      count = reader(lines, regular_.data(), regular_.size());
+      list_.assignments.insert(list_.assignments.end(), regular_.data(), regular_.data() + count);
+    } while (count == regular_.size());
     splitter_.go_on_at(lines.line, lines.number);
   }
 
@@ -223,6 +222,7 @@ class Reader {
   std::size_t next_directive_ = 0;
   std::size_t directive_line_ = 0;  ///< where its line begins
   AxisList list_;
+  std::array<Assignment, regular_assignments> regular_;
   bool text_behind_end_reported_ = false;
 };
 

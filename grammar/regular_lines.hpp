@@ -19,8 +19,8 @@ inline constexpr std::size_t room_behind_line = 64;
 struct RegularLines {
   char const* text = nullptr;  ///< spans count from here
   char const* line = nullptr;  ///< the next line
-  char const* stop =
-      nullptr;  ///< a line that begins here or behind is not read; room_behind_line before `end` or earlier
+  /// A line that begins here or behind is not read; room_behind_line before `end` or earlier.
+  char const* stop = nullptr;
   char const* end = nullptr;  ///< of the text
   std::uint32_t number = 0;   ///< of the line before `line`
   bool windows_1252 = false;

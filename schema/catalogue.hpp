@@ -171,6 +171,7 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
+  /// With schema files also of names whose indices are written otherwise, at the cost of find().
   [[nodiscard]] ConcreteParameter find_exact(std::string_view name) const {
     return is_built_in() ? schema::find_exact(name) : find_exact_in_extension(name);
   }

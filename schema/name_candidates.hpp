@@ -27,6 +27,9 @@ inline constexpr std::size_t few_slips = 2;
 /// common with it.
 [[nodiscard]] std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name,
                                                     std::string_view bare);
+/// The same the long way, whatever is known.
+[[nodiscard]] std::vector<Candidate> distant_candidates(Vocabulary const& vocabulary, IndexedName const& name,
+                                                        std::string_view bare);
 
 /// Calls `visit(name)` for the names that may be within `limit` slips of `bare`, by their size and letters.
 template <typename Visit>
@@ -40,9 +43,5 @@ void for_each_of_like_letters(Vocabulary const& vocabulary, std::string_view bar
     if (!certainly_beyond(letters, vocabulary.letters_by_size[i], limit)) visit(by_size.numbers[i]);
   }
 }
-
-/// The same the long way, whatever is known.
-[[nodiscard]] std::vector<Candidate> distant_candidates(Vocabulary const& vocabulary, IndexedName const& name,
-                                                        std::string_view bare);
 
 }  // namespace axisc::schema

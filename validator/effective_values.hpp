@@ -77,7 +77,8 @@ class EffectiveValues {
                                          std::uint32_t second_index = 0) const;
   [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const { return *(*this)[slot].row; }
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
-  /// What lists set, in the order in which the lines that count stand (default list first).
+  /// What lists set, once order_set_values() was called in the order in which the lines that count stand (default list
+  /// first).
   [[nodiscard]] std::span<EffectiveValue const> set_values() const { return entries_; }
   /// Those whose value came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
@@ -151,7 +152,8 @@ struct MergedValues {
 };
 
 /// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
-/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. Cost: linear in the assignments.
+/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. The values look
+/// into the lists and their sources, which live longer. Cost: linear in the assignments.
 [[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
                                        std::optional<bool> rotary);
 

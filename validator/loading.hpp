@@ -88,7 +88,8 @@ struct LoadedMachine {
 /// A #FILTER command of an NC program or of `filter_sets` gives the axis' FIR filter an order.
 [[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 
-/// Reads the input and every file that it names. An error only where the input itself cannot be read.
+/// Reads the input and every file that it names. An error only where the input itself cannot be read. The machine looks
+/// into `sources`, which live longer.
 [[nodiscard]] std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
                                                           CheckOptions const& options, SourceSet& sources);
 

@@ -5,6 +5,7 @@
 #include "diagnostics/finding.hpp"
 #include "validator/machine.hpp"
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>

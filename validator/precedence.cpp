@@ -1,7 +1,6 @@
 #include "validator/precedence.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>

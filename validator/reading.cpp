@@ -1,6 +1,6 @@
 #include "validator/reading.hpp"
 
-#include "validator/doubtful_reading.hpp"
+#include "validator/judgement.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -240,75 +240,14 @@ Reference read_reference(std::string_view text) {
   return reference;
 }
 
-class ListReader {
- public:
-  ListReader(SourceText const& source, grammar::AxisList const& list, schema::Catalogue const& catalogue)
-      : source_(source), list_(list), catalogue_(catalogue) {
-    result_.readings_.reserve(list.assignments.size());
+void judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
+           std::forward_list<std::string>& transcoded) {
+  Judge judge(source, assignment, reading, transcoded);
+  if (reading.row_known()) {
+    judge.with(*reading.row);
+  } else {
+    judge.without_parameter();
   }
-
-  /// Names first: a processor works at several look-ups at once when nothing stands between them.
-  Readings read() && {
-    for (grammar::Assignment const& assignment : list_.assignments) look_up(assignment);
-    for (std::uint32_t i = 0; i < list_.assignments.size(); ++i) judge(i);
-    return std::move(result_);
-  }
-
- private:
-  void judge(std::uint32_t number) {
-    grammar::Assignment const& assignment = list_.assignments[number];
-    Reading& reading = result_.readings_[number];
-    Judge judge(source_, assignment, reading, result_.transcoded_);
-    if (reading.row_known()) {
-      judge.with(*reading.row);
-    } else {
-      judge.without_parameter();
-      suggest(number);
-    }
-    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
-  }
-
-  void look_up(grammar::Assignment const& assignment) {
-    std::string_view const name = source_.slice(assignment.name);
-    Reading& reading = result_.readings_.emplace_back();
-    if (auto const exact = catalogue_.find_exact(name)) {
-      reading.row = exact.row;
-      reading.slot = exact.slot;
-      reading.name = schema::NameLookup::Status::found;
-      return;
-    }
-    schema::NameLookup const lookup = catalogue_.find(name);
-    reading.row = lookup.row;
-    reading.slot = lookup.slot;
-    reading.name = lookup.status;
-    reading.name_folded = lookup.case_folded;
-  }
-
-  void suggest(std::uint32_t number) {
-    constexpr std::size_t most_suggestions = 1000;
-    if (++unknown_names_ > most_suggestions) return;
-    std::vector<std::string> names = catalogue_.suggest_names(source_.slice(list_.assignments[number].name));
-    if (!names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
-  }
-
-  SourceText const& source_;
-  grammar::AxisList const& list_;
-  schema::Catalogue const& catalogue_;
-  Readings result_;
-  std::size_t unknown_names_ = 0;
-};
-
-std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
-  auto const found = std::lower_bound(
-      suggested_.begin(), suggested_.end(), assignment,
-      [](Suggested const& suggested, std::size_t wanted) { return suggested.assignment < wanted; });
-  if (found == suggested_.end() || found->assignment != assignment) return {};
-  return found->names;
-}
-
-Readings read_assignments(SourceText const& source, grammar::AxisList const& list,
-                          schema::Catalogue const& catalogue) {
-  return ListReader(source, list, catalogue).read();
 }
 
 }  // namespace axisc::validator

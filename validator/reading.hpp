@@ -47,15 +47,15 @@ struct Reading {
   Reference reference;  ///< for ReadingStatus::reference
   Span text;            ///< the value as the control reads it: the token, or the whole of a free string
   Span trouble;         ///< text behind a symbol or in a string that was meant as a comment (AX1009)
-  schema::Slot slot{};  ///< where the name is found
-  NameStatus name = NameStatus::unknown;
+  schema::Slot slot{};  ///< where known()
+  NameStatus name_status = NameStatus::unknown;
   ReadingStatus status = ReadingStatus::not_judged;
   NumberStatus number = NumberStatus::good;
   bool name_folded = false;    ///< the name fits only after case folding (AX1010)
   bool symbol_folded = false;  ///< the same of a symbol
   bool quoted = false;         ///< the text stands in quotes
 
-  [[nodiscard]] bool known() const { return name == NameStatus::found; }
+  [[nodiscard]] bool known() const { return name_status == NameStatus::found; }
   /// The line gives its parameter a value, directly or by reference.
   [[nodiscard]] bool usable() const {
     return known() && (status == ReadingStatus::value || status == ReadingStatus::reference);

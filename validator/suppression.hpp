@@ -5,6 +5,7 @@
 #include "grammar/directive.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string_view>
 #include <vector>

@@ -47,6 +47,22 @@ struct DataRange {
 /// Range of an integer type; exact but for the 64-bit types, whose limits are rounded to double.
 [[nodiscard]] DataRange data_range(schema::DataType type);
 
+/// `open`: the limit itself is not allowed.
+[[nodiscard]] inline bool violates_minimum(double value, double limit, bool open) {
+  return open ? value <= limit : value < limit;
+}
+[[nodiscard]] inline bool violates_maximum(double value, double limit, bool open) {
+  return open ? value >= limit : value > limit;
+}
+/// Below the minimum or above the maximum where those are numbers, also where the value is allowed nevertheless, as the
+/// default is.
+[[nodiscard]] inline bool is_outside(schema::Parameter const& parameter, double value) {
+  schema::Limit const& low = parameter.minimum;
+  schema::Limit const& high = parameter.maximum;
+  return (low.kind == schema::Limit::Kind::number && violates_minimum(value, low.number, low.open)) ||
+         (high.kind == schema::Limit::Kind::number && violates_maximum(value, high.number, high.open));
+}
+
 struct SymbolReading {
   schema::Symbol const* symbol = nullptr;  ///< null where no word fits
   bool folded = false;                     ///< fits only after case folding

@@ -23,8 +23,8 @@ struct Rest {
   bool has_mark = false;  ///< a quote or a round parenthesis
 };
 
-/// The blocks lie from the line's end backwards, so the first one may overlap the line's first block. That is as well:
-/// what it finds there makes the line irregular anyway or is looked at again.
+/// The blocks lie from the line's end backwards, so the first one may overlap the line's first block. That does no harm:
+/// what is unusual there is looked at again, and a mark would have been found before.
 inline Rest look_at_rest(char const* line, char const* end) {
   Bits unusual = 0;
   Bits marks = 0;

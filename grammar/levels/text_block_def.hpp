@@ -61,7 +61,7 @@ class TextBlock {
   [[nodiscard]] Bits mark() const {
     return bits([](Vector bytes) { return either(equal(bytes, '"'), equal(bytes, '(')); });
   }
-  /// Control characters, also tab and line end, and everything above 0x7E.
+  /// Control characters, also line ends, and everything above 0x7E; a tab may be among them.
   [[nodiscard]] Bits unusual() const {
     return bits([](Vector bytes) { return either(less(bytes, ' '), equal(bytes, '\x7F')); });
   }
@@ -72,7 +72,7 @@ class TextBlock {
   template <typename Classify>
   [[nodiscard]] Bits bits(Classify classify) const {
     Bits all = 0;
-    for (unsigned i = 0; i < count; ++i) all |= bits_of(classify(vectors_[i])) << (i * sizeof(Vector) % 64);
+    for (unsigned i = 0; i < count; ++i) all |= bits_of(classify(vectors_[i])) << (i * sizeof(Vector));
     return all;
   }
 

@@ -1,9 +1,12 @@
 #include "schema/generator/table_writer.hpp"
 #include "schema/vocabulary.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc::schema::generator {

@@ -4,6 +4,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -47,6 +48,31 @@ TEST_CASE("a stream writes what the library writes") {
       {"values", {nullptr, true, {{"deep", "x"}}, "last"}},
   };
   CHECK(text == as_the_library_writes(same));
+}
+
+TEST_CASE("deep values stand behind many blanks") {
+  std::string text;
+  JsonStream out(text, 0);
+  nlohmann::ordered_json same = "x";
+  for (int depth = 0; depth < 20; ++depth) {
+    out.begin_array();
+    same = nlohmann::ordered_json::array({same});
+  }
+  out.string("x");
+  for (int depth = 0; depth < 20; ++depth) out.end_array();
+  CHECK(text == as_the_library_writes(same));
+}
+
+TEST_CASE("characters of every size stay what they are") {
+  std::mt19937 random(7);
+  std::vector<std::string> const pieces = {"ü", "€", "😀", "\x7F", "\xED\xA0\x80", "a", "\"", "\x1F", "\xC3"};
+  for (int round = 0; round < 2000; ++round) {
+    std::string bytes;
+    for (std::size_t size = random() % 4; size > 0; --size) bytes += pieces[random() % pieces.size()];
+    std::string text;
+    JsonStream(text, 0).string(bytes);
+    REQUIRE(text == as_the_library_writes(bytes));
+  }
 }
 
 TEST_CASE("any bytes become the string that the library makes of them") {

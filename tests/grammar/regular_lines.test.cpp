@@ -1,7 +1,12 @@
 // Lines that are read without the grammar read the same with it.
+#include "grammar/regular_lines.hpp"
+
 #include "grammar/axis_list.hpp"
 #include "support/catch.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -10,8 +15,7 @@
 
 namespace {
 
-using axisc::grammar::parse_axis_list;
-using axisc::grammar::Way;
+using namespace axisc::grammar;
 
 /// Only where a block of text follows a line is it read without the grammar.
 std::string with_room(std::string const& text) {
@@ -156,6 +160,75 @@ TEST_CASE("directives read alike near the end of the text and far from it") {
                                std::string(room, '#')));
     CHECK(reads_alike_as_it_is("a 1\n\nb 2\n#" + std::string(room, ' ') + "axisc: allow AX3005\n# x\nc 3"));
   }
+}
+
+TEST_CASE("many regular lines in a row read alike") {
+  for (std::size_t const count : {31U, 32U, 33U, 64U, 65U}) {
+    for (std::string const between : {"", "\n", "# b\n"}) {
+      std::string text;
+      for (std::size_t i = 0; i < count; ++i) text += between + "filter[0].order " + std::to_string(i) + "\n";
+      CHECK(parse_axis_list(with_room(text), 0, false).assignments.size() == count);
+      CHECK(reads_alike(text));
+      CHECK(reads_alike(text + "a 1 # axisc: allow AX3005\nb 2\n"));
+      CHECK(reads_alike(text + "Ende\nb 2\n"));
+      CHECK(reads_alike(text + "a[ 1\nb 2\n"));
+    }
+  }
+}
+
+TEST_CASE("what stands far behind reads alike") {
+  for (std::string const piece :
+       {"(", "\"", "\x01", "\t", "\xC2\x85", "\xC3\xA4", "\x81", "\r", "\xE2\x82\xAC"}) {
+    for (std::size_t place = 0; place < 300; ++place) {
+      std::string const text = std::string(place, 'x') + piece + std::string(200, 'y') + "\n";
+      if (!reads_alike("a 1 " + text) || !reads_alike("a w " + text) || !reads_alike("# " + text)) {
+        CAPTURE(piece, place);
+        CHECK(false);
+      }
+    }
+  }
+}
+
+struct Read {
+  std::size_t assignments = 0;
+  std::size_t bytes = 0;
+  std::uint32_t lines = 0;
+};
+
+Read read_directly(Way way, std::string const& text) {
+  std::string const whole = text + std::string(room_behind_line, '#');
+  RegularLines lines{.text = whole.data(),
+                     .line = whole.data(),
+                     .stop = whole.data() + text.size(),
+                     .end = whole.data() + whole.size(),
+                     .number = 0,
+                     .windows_1252 = false};
+  std::array<Assignment, 20> assignments;
+  std::size_t const count = find_regular_line_reader(way)(lines, assignments.data(), assignments.size());
+  return {.assignments = count,
+          .bytes = static_cast<std::size_t>(lines.line - whole.data()),
+          .lines = lines.number};
+}
+
+TEST_CASE("regular lines are read without the grammar, up to the first that is not") {
+  std::string const regular =
+      "\n  \n# Kommentar\nfilter[0].order 3\na.b -1.5\nc 0x1F ( d\ne LOWPASS\r\nf 1e5 # g\nh +7\n";
+  for (Way const way : {Way::quick, Way::portable, Way::avx2}) {
+    if (find_regular_line_reader(way) == nullptr) continue;
+    Read const all = read_directly(way, regular);
+    CHECK(all.assignments == 6);
+    CHECK(all.lines == 9);
+    CHECK(all.bytes == regular.size());
+    for (std::string const irregular :
+         {"Ende", "a \"b\"", "a P-AXIS-00212", "a[x] 1", "a 007", "a 1,8", "a", "\x01", "= 5"}) {
+      CAPTURE(irregular);
+      Read const some = read_directly(way, regular + irregular + "\nz 1\n");
+      CHECK(some.assignments == 6);
+      CHECK(some.bytes == regular.size());
+    }
+  }
+  CHECK(find_regular_line_reader(Way::portable) != nullptr);
+  CHECK(find_regular_line_reader(Way::by_grammar) == nullptr);
 }
 
 }  // namespace

@@ -76,6 +76,9 @@ TEST_CASE("what lists set is listed by origin and line") {
   std::vector<std::string> names;
   for (EffectiveValue const& value : lists.merged.values.set_values()) names.push_back(parameter_name(value));
   CHECK(names == std::vector<std::string>{"filter[1].order", "kopf.achs_nr", "filter[0].order"});
+  CHECK(lists.at("filter[].order", 0).value.number == 2);
+  CHECK(lists.at("filter[].order", 1).value.number == 1);
+  CHECK(lists.at("kopf.achs_nr").value.number == 1);
 }
 
 TEST_CASE("a broken line makes its parameter unusable, a good one behind it repairs that") {
@@ -120,6 +123,20 @@ TEST_CASE("references point back and forward, to defaults and to the default lis
 TEST_CASE("a reference in the default list takes the value of each axis") {
   Lists const lists("getriebe[0].dynamik.vb_max 300000\n", "getriebe[0].vb_eilgang P-AXIS-00212.0\n");
   CHECK(lists.at("getriebe[].vb_eilgang").value.number == 300000);
+}
+
+TEST_CASE("what came through a reference is known by its parameter, wherever its line stands in the end") {
+  Lists const lists("kopf.achs_nr 1\ngetriebe[0].vb_eilgang P-AXIS-00212.0\n",
+                    "getriebe[0].vb_eilgang 5\ngetriebe[0].dynamik.vb_max 300000\nkopf.achs_nr 0\n");
+  std::vector<std::string> names;
+  for (EffectiveValue const& value : lists.merged.values.set_values()) names.push_back(parameter_name(value));
+  CHECK(names ==
+        std::vector<std::string>{"getriebe[0].dynamik.vb_max", "kopf.achs_nr", "getriebe[0].vb_eilgang"});
+  REQUIRE(lists.merged.values.referenced_slots().size() == 1);
+  EffectiveValue const& referenced = lists.merged.values[lists.merged.values.referenced_slots().front()];
+  CHECK(parameter_name(referenced) == "getriebe[0].vb_eilgang");
+  CHECK(referenced.referenced);
+  CHECK(referenced.value.number == 300000);
 }
 
 TEST_CASE("a chain of references is followed to its end") {

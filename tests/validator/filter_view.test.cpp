@@ -38,7 +38,8 @@ class Values {
     EffectiveValue& value = values_.edit(lookup.slot);
     value.origin = origin;
     value.line = ++line_;
-    value.value_place() = Place{.source = SourceId{}, .span = {.begin = line_, .end = line_ + 1}};
+    value.has_value = true;
+    value.value_span = {.begin = line_, .end = line_ + 1};
     return value;
   }
 

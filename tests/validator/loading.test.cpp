@@ -4,6 +4,8 @@
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 
+#include <deque>
+
 namespace {
 
 using namespace axisc;
@@ -12,8 +14,9 @@ using Indices = std::vector<std::size_t>;
 validator::LoadedMachine loaded(std::map<std::string, std::string> contents, std::string const& path,
                                 validator::CheckOptions const& options = {}) {
   tests::MapFiles files(std::move(contents));
-  SourceSet sources;
-  return std::get<validator::LoadedMachine>(validator::load(files, path, options, sources));
+  // A machine looks into its sources.
+  static std::deque<SourceSet> sources;
+  return std::get<validator::LoadedMachine>(validator::load(files, path, options, sources.emplace_back()));
 }
 
 /// Four axes X, Y, X2 and a spindle S; `more` are keys of the machine file.
@@ -40,6 +43,25 @@ TEST_CASE("without groups all axes but spindles form one") {
   REQUIRE(loaded({{"x.lis", ""}}, "x.lis").groups.size() == 1);
   CHECK(loaded({{"x.lis", ""}}, "x.lis").groups[0].axes == Indices{0});
   CHECK(loaded({{"s.lis", "kenngr.achs_typ 4\n"}}, "s.lis").groups.empty());
+}
+
+TEST_CASE("texts of every encoding outlive the reading") {
+  std::string const latin = "kopf.log_achs_name Gr\xF6\xDF";
+  std::string const machine_file =
+      R"({"default_list": "d.lis", "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"},
+          {"name": "Z", "list": "z.lis"}]})";
+  validator::LoadedMachine first = loaded({{"m.json", machine_file},
+                                           {"d.lis", latin + "D\n"},
+                                           {"x.lis", latin + "X\nkopf.achs_nr 1\n"},
+                                           {"y.lis", "kopf.log_achs_name Größ\nkopf.achs_nr 2\n"},
+                                           {"z.lis", "kopf.achs_nr 3\n"}},
+                                          "m.json");
+  validator::LoadedMachine const machine = std::move(first);
+  std::vector<std::string> names;
+  for (validator::LoadedAxis const& axis : machine.axes) {
+    names.emplace_back(axis.merged.values.at("kopf.log_achs_name").value.text);
+  }
+  CHECK(names == std::vector<std::string>{"GrößX", "Größ", "GrößD"});
 }
 
 TEST_CASE("groups name their axes") {

@@ -85,3 +85,16 @@ TEST_CASE("limits and references reach what a schema file adds") {
   CHECK(Checked("kopf.new_value P-AXIS-00900\nkopf.new_limit 12\n", options).found().empty());
   CHECK(Checked("kopf.new_value P-AXIS-00902\n", options).found() == Lines{"1:16 AX2010"});
 }
+
+TEST_CASE("a row of several entries may be for some axis types only") {
+  schema::ParameterRow row;
+  row.name = "kopf.new_value[]";
+  row.p_axis = 901;
+  row.type = schema::DataType::uns32;
+  row.array = {3, 0};
+  row.axis_types = "R";
+  auto const options = with_rows({row});
+  std::string const list = "kopf.new_value[0] 1\nkopf.achs_nr 1\nkopf.new_value[2] 1\n";
+  CHECK(Checked(list, options).found() == Lines{"1:19 AX2009", "3:19 AX2009"});
+  CHECK(Checked(list + "kenngr.achs_typ 2\n", options).found().empty());
+}

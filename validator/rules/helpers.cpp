@@ -56,13 +56,6 @@ std::string range_text(schema::Parameter const& parameter, std::string_view unit
   return below ? number(minimum) + (minimum.open ? " < " : " ≤ ") + upper : upper;
 }
 
-bool violates_minimum(double value, double limit, bool open) {
-  return open ? value <= limit : value < limit;
-}
-bool violates_maximum(double value, double limit, bool open) {
-  return open ? value >= limit : value > limit;
-}
-
 bool is_default_or_off(schema::Parameter const& parameter, double value) {
   std::optional<Value> const standard = default_value(parameter);
   return standard && standard->number == value;

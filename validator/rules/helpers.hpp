@@ -68,9 +68,6 @@ void for_each_doubtful(LoadedList const& list, Visit visit) {
 [[nodiscard]] std::string range_text(schema::Parameter const& parameter, std::string_view unit,
                                      bool physical_units);
 
-[[nodiscard]] bool violates_minimum(double value, double limit, bool open);
-[[nodiscard]] bool violates_maximum(double value, double limit, bool open);
-
 /// Real lists write "off" as the default value, or as 0 where that is the default.
 [[nodiscard]] bool is_default_or_off(schema::Parameter const& parameter, double value);
 

@@ -5,15 +5,6 @@
 namespace axisc::validator {
 namespace {
 
-bool out_of_range(schema::Parameter const& parameter, double value) {
-  using Kind = schema::Limit::Kind;
-  schema::Limit const& minimum = parameter.minimum;
-  schema::Limit const& maximum = parameter.maximum;
-  bool const low = minimum.kind == Kind::number && violates_minimum(value, minimum.number, minimum.open);
-  bool const high = maximum.kind == Kind::number && violates_maximum(value, maximum.number, maximum.open);
-  return (low || high) && !is_default_or_off(parameter, value);
-}
-
 /// The default list belongs to no axis: its axis number is 0 or missing, whatever the range of the others.
 bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& parameter, double value) {
   return list.is_default_list && parameter.name == "kopf.achs_nr" && value == 0;
@@ -21,7 +12,7 @@ bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& 
 
 void judge(AxisContext const& context, Report& report, Place place, schema::Slot slot, double value) {
   schema::Parameter const& parameter = context.values.row(slot);
-  if (!out_of_range(parameter, value)) return;
+  if (!is_outside(parameter, value) || is_default_or_off(parameter, value)) return;
   std::string_view const unit = unit_of(parameter, context.type);
   std::string const range = range_text(parameter, unit, true);
   Finding& finding =
