@@ -30,6 +30,7 @@ void write_array(std::ostream& out, std::string_view type, std::string_view name
 
 std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
   std::vector<std::string> patterns;
+  patterns.reserve(parameters.size());
   for (ParameterData const& parameter : parameters) patterns.push_back(parameter.name);
   VocabularyTables const tables(std::move(patterns));
 
