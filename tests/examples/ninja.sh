@@ -62,6 +62,7 @@ expect "a comment changed, stripped" "$(newer images delivered)" "delivered/b.ax
 # Settings and schema files are not named by any list; the program names them in the rules.
 echo '{"build": "V3.1.3080.00"}' >axisc.json
 build_with strip.ninja
+mark
 touch a.lis
 build_with strip.ninja
 ninja -f strip.ninja -t deps images/a.axim | grep -q axisc.json || fail "the settings are no dependency"
