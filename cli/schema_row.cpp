@@ -1,6 +1,7 @@
 #include "cli/schema_row.hpp"
 
 #include "cli/schema_words.hpp"
+#include "schema/indexed_name.hpp"
 #include "validator/build_version.hpp"
 #include "validator/reading.hpp"
 
@@ -90,7 +91,7 @@ class EntryReader {
     }
     // Most names exist with one set of indices; lists mean the same parameter by all of them.
     for (auto const& known : catalogue_.parameters()) {
-      if (without_brackets(known.name) != without_brackets(name)) continue;
+      if (schema::without_brackets(known.name) != schema::without_brackets(name)) continue;
       file_.refuse(value.span, Text::schema_shape, {{"value", name}, {"known", std::string(known.name)}});
     }
     row_.name = name;

@@ -65,12 +65,6 @@ bool is_parameter_pattern(std::string_view name) {
   }
 }
 
-std::string without_brackets(std::string_view name) {
-  std::string text(name);
-  std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
-  return text;
-}
-
 std::optional<std::uint16_t> parse_p_axis(std::string_view text) {
   constexpr std::string_view prefix = "P-AXIS-";
   constexpr std::size_t digits = 5;

@@ -20,8 +20,6 @@ namespace axisc::cli {
 
 /// `getriebe[].dynamik.vb_max`: as in lists, with [] for an index, two of them at most.
 [[nodiscard]] bool is_parameter_pattern(std::string_view name);
-/// `getriebe.dynamik.vb_max`.
-[[nodiscard]] std::string without_brackets(std::string_view name);
 
 /// 140 of "P-AXIS-00140".
 [[nodiscard]] std::optional<std::uint16_t> parse_p_axis(std::string_view text);

@@ -22,12 +22,6 @@ ParameterRow::Words words_of(std::span<Symbol const> symbols) {
   return words;
 }
 
-std::string without_brackets(std::string_view pattern) {
-  std::string bare(pattern);
-  std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
-  return bare;
-}
-
 }  // namespace
 
 std::size_t slots_of(std::array<std::uint16_t, 2> const& array) {
@@ -139,7 +133,7 @@ Vocabulary Extension::vocabulary() const {
     std::vector<std::string> names;
     names.reserve(rows_.size());
     for (Parameter const& row : rows_) names.emplace_back(row.name);
-    vocabulary_ = std::make_unique<VocabularyTables>(std::move(names));
+    vocabulary_ = std::make_unique<VocabularyTables>(names);
   });
   return vocabulary_->view(rows_);
 }

@@ -63,4 +63,10 @@ std::string bare_name(IndexedName const& name) {
   return bare;
 }
 
+std::string without_brackets(std::string_view pattern) {
+  std::string bare(pattern);
+  std::erase_if(bare, [](char byte) { return byte == '[' || byte == ']'; });
+  return bare;
+}
+
 }  // namespace axisc::schema

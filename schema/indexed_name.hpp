@@ -24,6 +24,9 @@ struct IndexedName {
 /// `filter.order`.
 [[nodiscard]] std::string bare_name(IndexedName const& name);
 
+/// The same of a pattern: `filter[].order` is `filter.order`.
+[[nodiscard]] std::string without_brackets(std::string_view pattern);
+
 /// Cuts the first part off a dotted name and returns it.
 std::string_view take_part(std::string_view& name);
 

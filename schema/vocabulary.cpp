@@ -43,10 +43,9 @@ Letters letters_of(std::string_view text) {
   return once | twice << letters;
 }
 
-VocabularyTables::VocabularyTables(std::vector<std::string> patterns) : names(std::move(patterns)) {
-  for (std::string& name : names) {
-    std::erase_if(name, [](char byte) { return byte == '[' || byte == ']'; });
-  }
+VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
+  names.reserve(patterns.size());
+  for (std::string const& pattern : patterns) names.push_back(without_brackets(pattern));
   name_views.assign(names.begin(), names.end());
   alphabetic.resize(names.size());
   std::iota(alphabetic.begin(), alphabetic.end(), std::uint32_t{0});

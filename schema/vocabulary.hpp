@@ -72,7 +72,7 @@ struct VocabularyTables {
   OwnGroups names_ending_in;
 
   /// `names` as patterns: `filter[].order`.
-  explicit VocabularyTables(std::vector<std::string> patterns);
+  explicit VocabularyTables(std::vector<std::string> const& patterns);
   VocabularyTables(VocabularyTables const&) = delete;
   VocabularyTables& operator=(VocabularyTables const&) = delete;
 

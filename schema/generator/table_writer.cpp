@@ -1,6 +1,7 @@
 #include "schema/generator/table_writer.hpp"
 
 #include "schema/generator/perfect_hash.hpp"
+#include "schema/indexed_name.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,6 @@ std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
   return text;
-}
-
-std::string without_brackets(std::string const& name) {
-  std::string bare;
-  std::copy_if(name.begin(), name.end(), std::back_inserter(bare),
-               [](char byte) { return byte != '[' && byte != ']'; });
-  return bare;
 }
 
 /// One concrete parameter.

@@ -32,7 +32,7 @@ std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
   std::vector<std::string> patterns;
   patterns.reserve(parameters.size());
   for (ParameterData const& parameter : parameters) patterns.push_back(parameter.name);
-  VocabularyTables const tables(std::move(patterns));
+  VocabularyTables const tables(patterns);
 
   std::ostringstream out;
   out << "// Generated from axis-parameters.json. Edit that file instead.\n";
