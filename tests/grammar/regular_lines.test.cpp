@@ -41,6 +41,15 @@ rc::Gen<std::string> one_of(std::vector<std::string> const& texts) {
   return rc::gen::elementOf(texts);
 }
 
+/// Any number of pieces.
+rc::Gen<std::string> joined(rc::Gen<std::string> const& piece) {
+  return rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
+    std::string text;
+    for (std::string const& each : pieces) text += each;
+    return text;
+  });
+}
+
 /// Names, right and wrong in every bracket and point.
 rc::Gen<std::string> name() {
   auto const piece =
@@ -48,13 +57,7 @@ rc::Gen<std::string> name() {
   auto const usual =
       one_of({"filter[0].order", "kopf.achs_nr", "a[1].b[22].c", "ende", "Ende", "a[1[2]].b", "a[1]2].c",
               "a1].b[0", "antr.sercos.mdt[3].a_name_that_is_longer_than_usual_by_a_good_deal_of_letters"});
-  auto const joined =
-      rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
-        std::string text;
-        for (std::string const& each : pieces) text += each;
-        return text;
-      });
-  return rc::gen::oneOf(usual, joined);
+  return rc::gen::oneOf(usual, joined(piece));
 }
 
 rc::Gen<std::string> value() {
@@ -104,13 +107,7 @@ rc::Gen<std::string> value() {
                              "1E5"});
   auto const piece =
       one_of({"1", "0", "7", ".", "e", "E", "x", "+", "-", "a", "F", "(", "\"", "\xC3\xA4", "/"});
-  auto const joined =
-      rc::gen::map(rc::gen::container<std::vector<std::string>>(piece), [](auto const& pieces) {
-        std::string text;
-        for (std::string const& each : pieces) text += each;
-        return text;
-      });
-  return rc::gen::oneOf(usual, joined);
+  return rc::gen::oneOf(usual, joined(piece));
 }
 
 rc::Gen<std::string> trailer() {
