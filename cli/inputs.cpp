@@ -98,7 +98,7 @@ class Expansion {
           Failure({.text = Text::ax9001_listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
     } else {
-      add_file(input.path, is_link, outline_of(input.path));
+      found_.push_back({.path = input.path, .is_link = is_link, .named = outline_of(input.path).named});
     }
   }
 
@@ -124,17 +124,8 @@ class Expansion {
   }
 
  private:
-  struct Entry {
-    std::string path;
-    bool is_link;
-  };
-
-  void add_file(std::string path, bool is_link, MachineOutline outline) {
-    found_.push_back({.path = std::move(path), .is_link = is_link, .named = std::move(outline.named)});
-  }
-
   void add_folder(std::string const& folder) {
-    std::vector<Entry> entries;
+    std::vector<Found> entries;
     std::error_code error;
     auto const start = fs::path(folder).lexically_normal();
     for (fs::recursive_directory_iterator entry(start, error), end; !error && entry != end;
@@ -143,7 +134,7 @@ class Expansion {
       auto const& path = entry->path().native();
       std::error_code unknown;
       entries.push_back(
-          {.path = start == "." ? path.substr(2) : path, .is_link = entry->is_symlink(unknown)});
+          {.path = start == "." ? path.substr(2) : path, .is_link = entry->is_symlink(unknown), .named = {}});
     }
     if (error) {
       failures_.push_back(Failure(
@@ -152,12 +143,13 @@ class Expansion {
       return;
     }
     std::sort(entries.begin(), entries.end(),
-              [](Entry const& left, Entry const& right) { return is_before(left.path, right.path); });
+              [](Found const& left, Found const& right) { return is_before(left.path, right.path); });
     auto const before = found_.size();
-    for (auto& [path, is_link] : entries) {
-      auto outline = outline_of(path);
-      if (has_extension(path, ".json") && !outline.is_machine) continue;
-      add_file(std::move(path), is_link, std::move(outline));
+    for (auto& entry : entries) {
+      auto outline = outline_of(entry.path);
+      if (has_extension(entry.path, ".json") && !outline.is_machine) continue;
+      entry.named = std::move(outline.named);
+      found_.push_back(std::move(entry));
     }
     if (found_.size() == before) {
       failures_.push_back(

@@ -77,20 +77,16 @@ ExactRange const& exact_range(schema::DataType type) {
   return exact_ranges[static_cast<std::size_t>(type)];
 }
 
-/// What cannot overflow, as nearly all integers of a list.
-struct ShortInteger {
-  static constexpr std::size_t most_digits = 19;
-  bool good = true;
-  std::uint64_t magnitude = 0;
-};
+constexpr std::size_t digits_without_overflow = 19;
 
-ShortInteger read_short_integer(std::string_view digits) {
-  ShortInteger result;
+/// A decimal number of at most so many digits, as nearly all integers of a list are. None where one is no digit.
+std::optional<std::uint64_t> read_short_integer(std::string_view digits) {
+  std::uint64_t value = 0;
   for (char const digit : digits) {
-    result.good = result.good && is_digit(digit);
-    result.magnitude = result.magnitude * 10 + static_cast<std::uint64_t>(digit - '0');
+    if (!is_digit(digit)) return std::nullopt;
+    value = value * 10 + static_cast<std::uint64_t>(digit - '0');
   }
-  return result;
+  return value;
 }
 
 bool fits(std::uint64_t magnitude, bool negative, ExactRange const& range) {
@@ -130,10 +126,10 @@ NumberReading read_integer(std::string_view text, schema::DataType type) {
   if (has_leading_zero(digits)) return {.status = NumberStatus::leading_zero, .number = 0};
   std::uint64_t magnitude = 0;
   bool overflow = false;
-  if (digits.base == 10 && !digits.text.empty() && digits.text.size() <= ShortInteger::most_digits) {
-    ShortInteger const read = read_short_integer(digits.text);
-    if (!read.good) return {};
-    magnitude = read.magnitude;
+  if (digits.base == 10 && !digits.text.empty() && digits.text.size() <= digits_without_overflow) {
+    auto const read = read_short_integer(digits.text);
+    if (!read) return {};
+    magnitude = *read;
   } else {
     char const* const end = digits.text.data() + digits.text.size();
     auto const [stop, error] = std::from_chars(digits.text.data(), end, magnitude, digits.base);
