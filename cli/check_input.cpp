@@ -12,28 +12,23 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
   return settings == nullptr ? options : with_settings(std::move(options), *settings, path);
 }
 
-void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,
-                       std::vector<Finding>& findings) {
-  auto const* const settings = job.settings == nullptr ? nullptr : job.settings->find(path);
-  if (settings != nullptr) apply_settings(*settings, sources, findings);
-  if (!job.quiet) return;
-  std::erase_if(findings, [](Finding const& finding) { return finding.severity == Severity::note; });
-}
-
 CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                          ReportForm const& form) {
   SourceSet sources;
   auto options = options_for(job, path);
   options.machine = false;
-  auto outcome = validator::check(files, path, options, sources);
-  if (outcome.unreadable) {
-    CheckedInput checked;
-    checked.failure = unreadable(path, *outcome.unreadable);
-    return checked;
-  }
-  apply_settings_of(job, path, sources, outcome.findings);
-  auto checked = write_findings(outcome.findings, sources, form);
-  checked.files = std::move(outcome.files);
+  auto const* const settings = job.settings == nullptr ? nullptr : job.settings->find(path);
+  FindingWriter writer(sources, form);
+  auto const outcome = validator::check(files, path, options, sources, [&](Finding finding) {
+    if (settings != nullptr) {
+      if (is_disabled(*settings, sources, finding)) return;
+      finding.severity = severity_of(*settings, finding);
+    }
+    if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
+  });
+  auto checked = std::move(writer).take();
+  if (outcome.unreadable) checked.failure = unreadable(path, *outcome.unreadable);
+  checked.files = outcome.files;
   return checked;
 }
 

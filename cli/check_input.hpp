@@ -7,7 +7,6 @@
 #include "validator/check.hpp"
 
 #include <string>
-#include <vector>
 
 namespace axisc::cli {
 
@@ -20,10 +19,6 @@ struct CheckJob {
 
 /// The job's options with the settings that apply to `path`.
 [[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
-/// What the settings that apply to `path` and --quiet make of the findings there.
-void apply_settings_of(CheckJob const& job, std::string const& path, SourceSet const& sources,
-                       std::vector<Finding>& findings);
-
 /// May be called by several threads. Throws what has to end the whole run.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                                        ReportForm const& form);

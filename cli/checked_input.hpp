@@ -19,21 +19,34 @@ struct WrittenFinding {
   Severity severity = Severity::error;
   bool fixable = false;
   Identity identity;
-  std::vector<std::uint32_t> artifacts;  ///< into CheckedInput::artifacts; only for SARIF
+  std::vector<std::uint32_t> artifacts;  ///< into CheckedInput::artifacts, ascending; only for SARIF
   std::string text;                      ///< with holes
 };
 
 struct CheckedInput {
   std::vector<WrittenFinding> findings;
   std::optional<WrittenFinding> assumption;  ///< AX9006, which is said once per run; not among `findings`
-  std::vector<Artifact> artifacts;           ///< that findings point into, in the order of the sources
+  std::vector<Artifact> artifacts;           ///< the sources, where findings name them
   std::vector<std::string> files;            ///< that were read
   std::optional<Failure> failure;            ///< then there is nothing else
 };
 
-/// Writes the findings of one input.
-[[nodiscard]] CheckedInput write_findings(std::vector<Finding> const& findings, SourceSet const& sources,
-                                          ReportForm const& form);
+/// Writes the findings of one input, one after the other in output order. The sources may still grow.
+class FindingWriter {
+ public:
+  FindingWriter(SourceSet const& sources, ReportForm const& form) : sources_(sources), form_(form) {}
+
+  void add(Finding const& finding);
+  /// Of everything that was added.
+  [[nodiscard]] FindingCounts const& counts() const { return counts_; }
+  [[nodiscard]] CheckedInput take() &&;
+
+ private:
+  SourceSet const& sources_;
+  ReportForm const& form_;
+  FindingCounts counts_;
+  CheckedInput checked_;
+};
 
 // As a cache keeps it; an input with a failure is not kept.
 void write_bytes(ByteWriter& bytes, CheckedInput const& checked);

@@ -108,11 +108,6 @@ unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks) {
   return tasks <= 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings) {
-  if (!words.quiet) return;
-  std::erase_if(findings, [](Finding const& finding) { return finding.severity == Severity::note; });
-}
-
 bool objectionable(CheckingWords const& words, FindingCounts const& counts) {
   return counts.errors > 0 || (words.werror && counts.warnings > 0);
 }

@@ -43,9 +43,6 @@ void declare_threads(CommandLine& command_line, std::optional<std::string>& thre
 /// not asked for its processors.
 [[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
 
-/// Takes the notes out for --quiet.
-void apply_quiet(CheckingWords const& words, std::vector<Finding>& findings);
-
 /// True when the findings shall end the program with exit status 1.
 [[nodiscard]] bool objectionable(CheckingWords const& words, FindingCounts const& counts);
 

@@ -44,13 +44,17 @@ CompiledImage image_of(validator::Machine const& machine, CompileJob const& job)
 void compile(CompileJob const& job, std::string const& path, validator::Files& files,
              CompiledInput& compiled) {
   SourceSet sources;
-  auto result = validator::check(files, path, options_for(job.check, path), sources);
+  FindingWriter writer(sources, job.form);
+  auto const result =
+      validator::check(files, path, options_for(job.check, path), sources, [&](Finding const& finding) {
+        if (!job.words.quiet || finding.severity != Severity::note) writer.add(finding);
+      });
   if (result.unreadable) throw unreadable(path, *result.unreadable);
   require_cycle_time(path, result);
-  apply_quiet(job.words, result.findings);
-  compiled.checked = write_findings(result.findings, sources, job.form);
+  auto const counts = writer.counts();
+  compiled.checked = std::move(writer).take();
   compiled.checked.files = result.files;
-  if (!result.machine || objectionable(job.words, count(result.findings))) return;
+  if (!result.machine || objectionable(job.words, counts)) return;
   require_complete(result, sources, job.form.write.language);
   compiled.image = image_of(*result.machine, job);
 }

@@ -15,20 +15,6 @@ bool needs_occurrences(ReportPlan const& plan) {
          plan.write_baseline;
 }
 
-void count(FindingCounts& counts, Severity severity) {
-  switch (severity) {
-    case Severity::error:
-      ++counts.errors;
-      break;
-    case Severity::warning:
-      ++counts.warnings;
-      break;
-    case Severity::note:
-      ++counts.notes;
-      break;
-  }
-}
-
 std::string_view name_of(Code code) {
   auto const* const rule = validator::find_rule(code);
   return rule == nullptr ? std::string_view{} : rule->name;
@@ -73,7 +59,7 @@ bool ReportStream::add(WrittenFinding const& finding) {
   std::uint32_t const occurrence =
       numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
   if (is_hidden(finding, occurrence)) return false;
-  count(counts_, finding.severity);
+  counts_.add(finding.severity);
   auto const code = finding.identity.code;
   auto& row = codes_[code];
   row.code = code;

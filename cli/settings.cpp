@@ -277,14 +277,13 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   return options;
 }
 
-void apply_settings(Settings const& settings, SourceSet const& sources, std::vector<Finding>& findings) {
-  std::erase_if(findings, [&](Finding const& finding) {
-    return finding.place && settings.disables(sources[finding.place->source].name(), finding.code);
-  });
-  for (auto& finding : findings) {
-    auto const wanted = settings.severities.find(finding.code);
-    if (wanted != settings.severities.end()) finding.severity = wanted->second;
-  }
+bool is_disabled(Settings const& settings, SourceSet const& sources, Finding const& finding) {
+  return finding.place && settings.disables(sources[finding.place->source].name(), finding.code);
+}
+
+Severity severity_of(Settings const& settings, Finding const& finding) {
+  auto const wanted = settings.severities.find(finding.code);
+  return wanted == settings.severities.end() ? finding.severity : wanted->second;
 }
 
 }  // namespace axisc::cli

@@ -87,8 +87,10 @@ class SettingsFinder {
 [[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                                     std::string const& input);
 
-/// Takes out what the settings disable for a finding's file, and gives the others the severity they are to have.
-void apply_settings(Settings const& settings, SourceSet const& sources, std::vector<Finding>& findings);
+/// True for what the settings disable in the finding's file.
+[[nodiscard]] bool is_disabled(Settings const& settings, SourceSet const& sources, Finding const& finding);
+/// The severity that a finding is to have.
+[[nodiscard]] Severity severity_of(Settings const& settings, Finding const& finding);
 
 /// What `lint --print-config` shows for one input: each setting, and where it comes from.
 [[nodiscard]] std::string describe_settings(std::string const& input,

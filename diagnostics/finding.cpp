@@ -14,21 +14,23 @@ std::string code_text(Code code) {
   return "AX" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
 }
 
+void FindingCounts::add(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      ++errors;
+      break;
+    case Severity::warning:
+      ++warnings;
+      break;
+    case Severity::note:
+      ++notes;
+      break;
+  }
+}
+
 FindingCounts count(std::vector<Finding> const& findings) {
   FindingCounts counts;
-  for (Finding const& finding : findings) {
-    switch (finding.severity) {
-      case Severity::error:
-        ++counts.errors;
-        break;
-      case Severity::warning:
-        ++counts.warnings;
-        break;
-      case Severity::note:
-        ++counts.notes;
-        break;
-    }
-  }
+  for (Finding const& finding : findings) counts.add(finding.severity);
   return counts;
 }
 

@@ -72,6 +72,9 @@ struct FindingCounts {
   std::size_t errors = 0;
   std::size_t warnings = 0;
   std::size_t notes = 0;
+
+  void add(Severity severity);
+  [[nodiscard]] std::size_t total() const { return errors + warnings + notes; }
 };
 
 [[nodiscard]] FindingCounts count(std::vector<Finding> const& findings);

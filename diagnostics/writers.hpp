@@ -114,8 +114,4 @@ struct ReportContext {
 /// "message 50663: the filter is switched off; runs with 0"; empty where nothing is known.
 [[nodiscard]] std::string control_text(Finding const& finding, Language language);
 
-/// Order of every output: by source in input order, then line, then column, then code; equal ones keep their
-/// order. Findings without place stand before all others, by file and code.
-void sort_findings(std::vector<Finding>& findings);
-
 }  // namespace axisc

@@ -10,6 +10,7 @@
 #include "validator/machine.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,8 +34,11 @@ struct NotCompiled {
   Message feature;  ///< "the FIR filter of axis X"
 };
 
+/// Takes the findings of one input in output order, each as soon as it has words.
+using FindingSink = std::function<void(Finding)>;
+
 struct CheckResult {
-  std::vector<Finding> findings;   ///< in output order
+  std::vector<Finding> findings;   ///< in output order; empty where a sink takes them
   std::optional<Machine> machine;  ///< only where it is wanted, without errors, and not of an NC program
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
@@ -49,5 +53,8 @@ struct CheckResult {
 /// live as long as it. Never throws for bad input.
 [[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);
+/// The same for who needs one finding at a time: nothing holds them together in memory.
+[[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
+                                SourceSet& sources, FindingSink const& sink);
 
 }  // namespace axisc::validator

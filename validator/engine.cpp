@@ -1,6 +1,5 @@
 #include "validator/engine.hpp"
 
-#include "diagnostics/writers.hpp"
 #include "validator/channel.hpp"
 #include "validator/precedence.hpp"
 #include "validator/suppression.hpp"
@@ -20,10 +19,46 @@ bool uses_cycle_time(AxisContext const& axis, std::vector<FilterView> const& fil
   return axis.fir.type.value.number != 0 || axis.position_control.enable.value.flag();
 }
 
+/// What the rules about one axis see; it lives until their findings are told.
+struct AxisScope {
+  FirView fir;
+  PositionControlView position_control;
+  AxisContext context;
+
+  AxisScope(LoadedMachine const& machine, std::size_t index, design::CycleTime cycle_time,
+            SourceSet const& sources)
+      : fir(machine.axes[index].merged.values),
+        position_control(machine.axes[index].merged.values),
+        context{.machine = machine,
+                .index = index,
+                .name = machine.axes[index].name,
+                .type = machine.axes[index].type,
+                .values = machine.axes[index].merged.values,
+                .cycle_time = cycle_time,
+                .sources = sources,
+                .default_list = machine.list_of_defaults(),
+                .axis_list = machine.lists[machine.axes[index].list].list,
+                .reference_problems = machine.axes[index].merged.reference_problems,
+                .fir = fir,
+                .position_control = position_control} {}
+  AxisScope(AxisScope const&) = delete;
+  AxisScope(AxisScope&&) = delete;
+  AxisScope& operator=(AxisScope const&) = delete;
+  AxisScope& operator=(AxisScope&&) = delete;
+  ~AxisScope() = default;
+};
+
+constexpr Code cycle_time_assumed{9006};
+
 class Engine {
  public:
-  Engine(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources)
-      : machine_(machine), sources_(sources), cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
+  Engine(LoadedMachine const& machine, ReportedFindings reported, CheckOptions const& options,
+         SourceSet const& sources)
+      : machine_(machine),
+        options_(options),
+        sources_(sources),
+        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
+        reported_(std::move(reported)) {
     for (Rule const& rule : rules()) enabled_.push_back(options.pedantic || rule.severity != Severity::note);
     for (Code const code : options.disabled) {
       Rule const* const rule = find_rule(code);
@@ -31,12 +66,8 @@ class Engine {
     }
   }
 
-  EngineResult run() {
-    for (Finding const& finding : machine_.findings) {
-      Rule const* const rule = find_rule(finding.code);
-      if (rule == nullptr || enabled(*rule)) reported_.findings.push_back(finding);
-    }
-    reported_.subjects.resize(reported_.findings.size());
+  EngineResult run(FindingSink const& sink) {
+    std::erase_if(reported_.findings, [&](Reported const& finding) { return !enabled(*finding.rule); });
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
@@ -44,9 +75,7 @@ class Engine {
     }
     run_programs();
     run_filter_sets();
-    decide();
-    sort_findings(result_.findings);
-    return std::move(result_);
+    return tell_all(decide(), sink);
   }
 
  private:
@@ -59,24 +88,23 @@ class Engine {
 
   /// Calls a check and keeps what it reports.
   template <typename CheckFunction, typename Context>
-  void call(Rule const& rule, CheckFunction check, Context const& context, std::string const& axis,
-            std::optional<Subject> subject) {
-    std::deque<Finding>& found = reported_.findings;
-    std::size_t const before = found.size();
-    Report report(found);
-    report.rule = &rule;
-    report.axis = axis;
+  void call(Rule const& rule, CheckFunction check, Context const& context, std::string_view axis,
+            Subject const* subject) {
+    std::size_t const before = reported_.findings.size();
+    Report report(reported_, rule, axis);
     check(context, report);
-    reported_.subjects.resize(found.size(), subject);
-    if (rule.needs != Needs::cycle_time || machine_.cycle_time) return;
-    for (std::size_t i = before; i < found.size(); ++i) {
-      found[i].notes.push_back({.text = Text::cycle_time_assumed_note, .arguments = {}});
+    for (std::size_t i = before; i < reported_.findings.size(); ++i) {
+      Reported& finding = reported_.findings[i];
+      finding.subject = subject;
+      finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
+      // Rules may say of a finding of theirs whose it is.
+      if (finding.said) finding.axis = reported_.said[*finding.said].axis;
     }
   }
 
   /// The axis that alone uses a list; empty where several do.
-  [[nodiscard]] std::string owner_of(std::size_t list) const {
-    std::string owner;
+  [[nodiscard]] std::string_view owner_of(std::size_t list) const {
+    std::string_view owner;
     bool found = machine_.default_list == list;
     for (LoadedAxis const& axis : machine_.axes) {
       if (axis.list != list) continue;
@@ -90,42 +118,32 @@ class Engine {
   void run_list_checks() {
     for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
       LoadedList const& list = machine_.lists[i].list;
-      ListContext const context{.list = list, .source = sources_[list.source]};
-      std::string const owner = owner_of(i);
+      ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
+      std::string_view const owner = owner_of(i);
       for (Rule const& rule : rules()) {
         auto const* const check = std::get_if<ListCheck>(&rule.check);
-        if (check != nullptr && enabled(rule)) call(rule, *check, context, owner, std::nullopt);
+        if (check != nullptr && enabled(rule)) call(rule, *check, context, owner, nullptr);
       }
     }
   }
 
   void run_axis(std::size_t index) {
-    LoadedAxis const& axis = machine_.axes[index];
-    EffectiveValues const& values = axis.merged.values;
-    FirView const fir(values);
-    PositionControlView const position_control(values);
-    AxisContext const context{.machine = machine_,
-                              .index = index,
-                              .name = axis.name,
-                              .type = axis.type,
-                              .values = values,
-                              .cycle_time = cycle_time_,
-                              .sources = sources_,
-                              .default_list = machine_.list_of_defaults(),
-                              .axis_list = machine_.lists[axis.list].list,
-                              .reference_problems = axis.merged.reference_problems,
-                              .fir = fir,
-                              .position_control = position_control};
-    std::vector<FilterView> const filters = touched_filters(values);
-    result_.cycle_time_needed = result_.cycle_time_needed || uses_cycle_time(context, filters);
+    AxisContext const& context = axis_scopes_.emplace_back(machine_, index, cycle_time_, sources_).context;
+    std::vector<FilterView> const filters = touched_filters(context.values);
+    cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context, filters);
+    std::vector<Subject const*> subjects;
+    for (FilterView const& filter : filters) {
+      subjects.push_back(&subjects_.emplace_back(
+          Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
+    }
     for (Rule const& rule : rules()) {
       if (!enabled(rule)) continue;
       if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
-        call(rule, *check, context, axis.name, std::nullopt);
+        call(rule, *check, context, context.name, nullptr);
       } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
-        for (FilterView const& filter : filters) {
-          call(rule, *filter_check, FilterContext{.axis = context, .filter = filter}, axis.name,
-               Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}});
+        for (std::size_t i = 0; i < filters.size(); ++i) {
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = filters[i]}, context.name,
+               subjects[i]);
         }
       }
     }
@@ -136,10 +154,10 @@ class Engine {
     for (Rule const& rule : rules()) {
       if (!enabled(rule)) continue;
       if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
-        call(rule, *check, whole, {}, std::nullopt);
+        call(rule, *check, whole, {}, nullptr);
       } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
         for (LoadedGroup const& group : machine_.groups) {
-          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, std::nullopt);
+          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
         }
       }
     }
@@ -168,7 +186,8 @@ class Engine {
     for (std::size_t index = 0; index < machine_.programs.size(); ++index) {
       LoadedProgram const& program = machine_.programs[index];
       std::string_view const text = sources_[program.source].bytes();
-      Subject const subject{.axis = 0, .port = FilterPort::setpoint, .filter = 0, .program = index};
+      Subject const& subject = subjects_.emplace_back(
+          Subject{.axis = 0, .port = FilterPort::setpoint, .filter = 0, .program = index});
       for (LoadedGroup const* const group : groups_of(index)) {
         for (grammar::NcCommand const& command : program.tree.commands) {
           if (command.kind == grammar::CommandKind::axis_exchange) continue;
@@ -181,7 +200,7 @@ class Engine {
         for (Rule const& rule : rules()) {
           auto const* const only = std::get_if<ProgramCheck>(&rule.check);
           ProgramCheck const check = only != nullptr ? *only : rule.program_check;
-          if (check != nullptr && enabled(rule)) call(rule, check, context, {}, subject);
+          if (check != nullptr && enabled(rule)) call(rule, check, context, {}, &subject);
         }
       }
     }
@@ -223,11 +242,11 @@ class Engine {
     std::size_t const before = reported_.findings.size();
     for (Rule const& rule : rules()) {
       if (rule.program_check != nullptr && enabled(rule)) {
-        call(rule, rule.program_check, context, {}, std::nullopt);
+        call(rule, rule.program_check, context, {}, nullptr);
       }
     }
     for (std::size_t i = before; i < reported_.findings.size(); ++i) {
-      Span& span = reported_.findings[i].place->span;
+      Span& span = reported_.findings[i].place.span;
       span = instead.value_or(Span{.begin = span.begin + offset, .end = span.end + offset});
     }
   }
@@ -236,7 +255,7 @@ class Engine {
     if (context.checked.mistakes.empty()) return;
     for (Rule const& rule : rules()) {
       auto const* const check = std::get_if<CommandCheck>(&rule.check);
-      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, std::nullopt);
+      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, nullptr);
     }
   }
 
@@ -244,10 +263,11 @@ class Engine {
     bool const uses = command.kind == grammar::CommandKind::filter &&
                       (find_keyword(command, text, "ORDER_TIME") != nullptr ||
                        find_keyword(command, text, "FCUT") != nullptr);
-    result_.cycle_time_needed = result_.cycle_time_needed || uses;
+    cycle_time_needed_ = cycle_time_needed_ || uses;
   }
 
-  void decide() {
+  /// The findings that stand, in output order.
+  [[nodiscard]] Standing decide() {
     Suppressions suppressions;
     for (NamedList const& list : machine_.lists) {
       suppressions.add(sources_, list.list.source, list.list.tree.directives);
@@ -258,41 +278,69 @@ class Engine {
     Standing standing;
     standing.reserve(reported_.findings.size());
     for (std::uint32_t number = 0; number < reported_.findings.size(); ++number) {
-      if (!suppressions.silences(reported_.findings[number], sources_)) standing.push_back(number);
+      Reported const& finding = reported_.findings[number];
+      if (!suppressions.silences(finding.rule->code, finding.place, sources_)) standing.push_back(number);
     }
     report_unused(suppressions, standing);
     drop_replaced(reported_, standing);
     put_in_order(reported_, standing);
     merge_shared(reported_, standing);
     keep_highest_per_token(reported_, standing);
-    result_.findings.reserve(standing.size());
-    for (std::uint32_t const number : standing) {
-      result_.findings.push_back(std::move(reported_.findings[number]));
-    }
+    put_in_output_order(reported_, standing);
+    return standing;
   }
 
   void report_unused(Suppressions& suppressions, Standing& standing) {
     if (!enabled(*find_rule(Code{1013}))) return;
+    std::size_t const before = reported_.findings.size();
     suppressions.report_unused(
-        sources_, [this](Code code) { return enabled(*find_rule(code)); }, reported_.findings);
-    for (std::size_t number = reported_.subjects.size(); number < reported_.findings.size(); ++number) {
+        sources_, [this](Code code) { return enabled(*find_rule(code)); }, reported_);
+    for (std::size_t number = before; number < reported_.findings.size(); ++number) {
       standing.push_back(static_cast<std::uint32_t>(number));
     }
-    reported_.subjects.resize(reported_.findings.size());
+  }
+
+  /// Said whether notes are wanted or not: it tells what all others rest on.
+  [[nodiscard]] Finding assumed_cycle_time() const {
+    Finding finding = new_finding(*find_rule(cycle_time_assumed));
+    finding.file = machine_.path;
+    finding.message = {.text = Text::ax9006, .arguments = {}};
+    finding.help.push_back({.text = Text::ax9006_help, .arguments = {}});
+    return finding;
+  }
+
+  EngineResult tell_all(Standing const& standing, FindingSink const& sink) {
+    EngineResult result{.has_errors = false,
+                        .cycle_time_assumed = cycle_time_needed_ && !machine_.cycle_time};
+    bool const is_disabled = std::find(options_.disabled.begin(), options_.disabled.end(),
+                                       cycle_time_assumed) != options_.disabled.end();
+    if (result.cycle_time_assumed && !is_disabled) sink(assumed_cycle_time());
+    for (std::uint32_t const number : standing) {
+      Reported const& finding = reported_.findings[number];
+      result.has_errors = result.has_errors || finding.severity == Severity::error;
+      sink(tell(reported_, finding));
+    }
+    return result;
   }
 
   LoadedMachine const& machine_;
+  CheckOptions const& options_;
   std::vector<bool> enabled_;  ///< of each rule of the table
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
+  bool cycle_time_needed_ = false;
+  // What findings refer to until they are told.
+  std::deque<ListContext> list_contexts_;
+  std::deque<AxisScope> axis_scopes_;
+  std::deque<Subject> subjects_;
   ReportedFindings reported_;
-  EngineResult result_;
 };
 
 }  // namespace
 
-EngineResult run_rules(LoadedMachine const& machine, CheckOptions const& options, SourceSet const& sources) {
-  return Engine(machine, options, sources).run();
+EngineResult run_rules(LoadedMachine const& machine, ReportedFindings loading, CheckOptions const& options,
+                       SourceSet const& sources, FindingSink const& sink) {
+  return Engine(machine, std::move(loading), options, sources).run(sink);
 }
 
 }  // namespace axisc::validator

@@ -286,9 +286,8 @@ class Loader {
 
   void missing(LocatedText const& name, FileError error) {
     machine_.complete = false;
-    Report report(machine_.findings);
-    report.rule = find_rule(Code{4020});
-    report.add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
+    Report(machine_.findings, *find_rule(Code{4020}))
+        .add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
   }
 
   Files& files_;

@@ -47,9 +47,8 @@ std::string joined(Words const& list) {
 
 class MachineFileReader {
  public:
-  MachineFileReader(SourceId source, std::deque<Finding>& findings) : source_(source), report_(findings) {
-    report_.rule = find_rule(Code{4020});
-  }
+  MachineFileReader(SourceId source, ReportedFindings& findings)
+      : source_(source), report_(findings, *find_rule(Code{4020})) {}
 
   void broken(JsonError const& error) {
     add(error.span, error.span.empty() ? Text::ax4020_json_end : Text::ax4020_json);
@@ -314,7 +313,7 @@ class MachineFileReader {
 
 }  // namespace
 
-MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::deque<Finding>& findings) {
+MachineFile read_machine_file(SourceSet const& sources, SourceId source, ReportedFindings& findings) {
   SourceText const& text = sources[source];
   MachineFileReader reader(source, findings);
   auto const parsed = parse_json(text.bytes(), text.text_begin());

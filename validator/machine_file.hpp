@@ -4,8 +4,8 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "validator/machine.hpp"
+#include "validator/report.hpp"
 
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,7 +52,7 @@ struct MachineFile {
 /// Reads `sources[source]`; what is wrong becomes AX4020 findings and is left out of the result. Axes without name or
 /// list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
-                                            std::deque<Finding>& findings);
+                                            ReportedFindings& findings);
 
 /// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".
 [[nodiscard]] bool looks_like_machine_file(std::string_view bytes);

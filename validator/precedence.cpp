@@ -1,5 +1,7 @@
 #include "validator/precedence.hpp"
 
+#include "validator/rule.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -46,32 +48,38 @@ int rank(Code code) {
   }
 }
 
-auto order(Finding const& finding) {
-  return std::make_tuple(finding.severity, rank(finding.code), finding.code);
+auto order(Reported const& finding) {
+  Code const code = finding.rule->code;
+  return std::make_tuple(finding.severity, rank(code), code);
 }
 
 /// What decides about the order, side by side: the findings themselves lie far apart.
 struct Key {
-  std::optional<Place> place;
+  Place place;
   Code code{};
   std::uint32_t number = 0;
   // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// What sorts the output: within one source the offset orders like line and column.
+auto output_key(Reported const& finding) {
+  return std::make_tuple(finding.place.source, finding.place.span.begin, finding.rule->code);
+}
+
 }  // namespace
 
 void drop_replaced(ReportedFindings const& reported, Standing& standing) {
   std::set<std::pair<Subject, Code>> present;
   for (std::uint32_t const number : standing) {
-    auto const& subject = reported.subjects[number];
-    if (subject) present.emplace(*subject, reported.findings[number].code);
+    Reported const& finding = reported.findings[number];
+    if (finding.subject != nullptr) present.emplace(*finding.subject, finding.rule->code);
   }
   std::erase_if(standing, [&](std::uint32_t number) {
-    auto const& subject = reported.subjects[number];
-    Rule const* const rule = subject ? find_rule(reported.findings[number].code) : nullptr;
-    return rule != nullptr && std::any_of(rule->silenced_by.begin(), rule->silenced_by.end(), [&](Code code) {
-             return present.contains({*subject, code});
+    Reported const& finding = reported.findings[number];
+    auto const& silenced_by = finding.rule->silenced_by;
+    return finding.subject != nullptr && std::any_of(silenced_by.begin(), silenced_by.end(), [&](Code code) {
+             return present.contains({*finding.subject, code});
            });
   });
 }
@@ -80,25 +88,24 @@ void put_in_order(ReportedFindings const& reported, Standing& standing) {
   std::vector<Key> keys;
   keys.reserve(standing.size());
   for (std::uint32_t const number : standing) {
-    Finding const& finding = reported.findings[number];
-    keys.push_back({.place = finding.place, .code = finding.code, .number = number});
+    Reported const& finding = reported.findings[number];
+    keys.push_back({.place = finding.place, .code = finding.rule->code, .number = number});
   }
   std::sort(keys.begin(), keys.end());
   std::transform(keys.begin(), keys.end(), standing.begin(), [](Key const& key) { return key.number; });
 }
 
 void merge_shared(ReportedFindings& reported, Standing& standing) {
-  Finding* first = nullptr;
+  Reported* first = nullptr;
   std::erase_if(standing, [&](std::uint32_t number) {
-    Finding& finding = reported.findings[number];
-    bool const is_same =
-        first != nullptr && finding.place && finding.place == first->place && finding.code == first->code;
+    Reported& finding = reported.findings[number];
+    bool const is_same = first != nullptr && finding.place == first->place && finding.rule == first->rule;
     if (!is_same) {
       first = &finding;
       return false;
     }
     // It belongs to the list then, not to one of its axes.
-    if (first->axis != finding.axis) first->axis.clear();
+    if (first->axis != finding.axis) first->axis = {};
     return true;
   });
 }
@@ -106,20 +113,14 @@ void merge_shared(ReportedFindings& reported, Standing& standing) {
 void keep_highest_per_token(ReportedFindings const& reported, Standing& standing) {
   Standing chosen;
   chosen.reserve(standing.size());
-  SourceId source{};
   std::uint32_t token_end = 0;
   for (std::uint32_t const number : standing) {
-    Finding const& finding = reported.findings[number];
-    bool overlaps = false;
-    if (finding.place) {
-      Place const& place = *finding.place;
-      auto const* const last = chosen.empty() ? nullptr : &reported.findings[chosen.back()].place;
-      bool const had_place = last != nullptr && last->has_value();
-      overlaps = had_place && place.source == source &&
-                 (place.span.begin < token_end || place.span == (*last)->span);
-      token_end = overlaps ? std::max(token_end, place.span.end) : place.span.end;
-      source = place.source;
-    }
+    Reported const& finding = reported.findings[number];
+    Place const& place = finding.place;
+    Place const* const last = chosen.empty() ? nullptr : &reported.findings[chosen.back()].place;
+    bool const overlaps = last != nullptr && place.source == last->source &&
+                          (place.span.begin < token_end || place.span == last->span);
+    token_end = overlaps ? std::max(token_end, place.span.end) : place.span.end;
     if (!overlaps) {
       chosen.push_back(number);
     } else if (order(finding) < order(reported.findings[chosen.back()])) {
@@ -127,6 +128,14 @@ void keep_highest_per_token(ReportedFindings const& reported, Standing& standing
     }
   }
   standing = std::move(chosen);
+}
+
+void put_in_output_order(ReportedFindings const& reported, Standing& standing) {
+  auto const comes_before = [&](std::uint32_t left, std::uint32_t right) {
+    return output_key(reported.findings[left]) < output_key(reported.findings[right]);
+  };
+  if (std::is_sorted(standing.begin(), standing.end(), comes_before)) return;
+  std::stable_sort(standing.begin(), standing.end(), comes_before);
 }
 
 }  // namespace axisc::validator

@@ -1,14 +1,14 @@
 // One mistake, one message: which of several findings stands.
 #pragma once
 
-#include "validator/engine.hpp"
+#include "validator/report.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace axisc::validator {
 
-/// The findings that stand, by their number: a finding is large to move.
+/// The findings that stand, by their number.
 using Standing = std::vector<std::uint32_t>;
 
 /// Drops findings of rules that another finding on the same filter replaces (`silenced_by`).
@@ -23,5 +23,8 @@ void merge_shared(ReportedFindings& reported, Standing& standing);
 /// Of findings whose places overlap only the highest stays: errors before warnings before notes; then AX1, AX4, AX3
 /// (range errors before unused or rounded), AX2002/2003/2004/2007/2015, the rest of AX2, AX2005; then the lower code.
 void keep_highest_per_token(ReportedFindings const& reported, Standing& standing);
+
+/// The order of every output: by source in input order, then line, then column, then code; equal ones keep their order.
+void put_in_output_order(ReportedFindings const& reported, Standing& standing);
 
 }  // namespace axisc::validator

@@ -16,37 +16,16 @@
 #include "validator/loading.hpp"
 #include "validator/machine.hpp"
 #include "validator/position_control_view.hpp"
+#include "validator/report.hpp"
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <span>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 namespace axisc::validator {
-
-struct Rule;
-
-/// Collects what rules say. A rule fills the finding that add() returns; code, name, severity, control
-/// message number and axis are set already.
-class Report {
- public:
-  /// A deque: a finding is large to move.
-  explicit Report(std::deque<Finding>& findings) : findings_(findings) {}
-  /// At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
-  Finding& add(EffectiveValue const& at, Message message);
-  Finding& add(Place place, Message message);
-  /// At `place`, about the parameter of `row` in `slot`.
-  Finding& add(Place place, schema::Parameter const& row, schema::Slot slot, Message message);
-
-  Rule const* rule = nullptr;  ///< set by the engine
-  std::string axis;            ///< set by the engine; rules about several axes set it before they report
-
- private:
-  std::deque<Finding>& findings_;
-};
 
 /// What a rule about one list sees.
 struct ListContext {

@@ -106,41 +106,36 @@ void Suppressions::add(SourceSet const& sources, SourceId source,
   }
 }
 
-bool Suppressions::silences(Finding const& finding, SourceSet const& sources) {
-  if (!finding.place) return false;
-  auto const allowances = allowances_.find(finding.place->source);
+bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
+  auto const allowances = allowances_.find(place.source);
   if (allowances == allowances_.end() || allowances->second.empty()) return false;
-  std::uint32_t const line = sources[finding.place->source].position(finding.place->span.begin).line;
+  std::uint32_t const line = sources[place.source].position(place.span.begin).line;
   // Directives come in the order of the lines, so what they silence does too.
   auto allowance =
       std::lower_bound(allowances->second.begin(), allowances->second.end(), line,
                        [](Allowance const& earlier, std::uint32_t wanted) { return earlier.line < wanted; });
   bool silenced = false;
   for (; allowance != allowances->second.end() && allowance->line == line; ++allowance) {
-    if (allowance->code != finding.code) continue;
+    if (allowance->code != code) continue;
     allowance->used = true;
     silenced = true;
   }
   return silenced;
 }
 
-Finding Suppressions::unused(Allowance const& allowance, SourceSet const& sources) {
-  std::deque<Finding> findings;
-  Report report(findings);
-  report.rule = find_rule(Code{1013});
+void Suppressions::report(Allowance const& allowance, SourceSet const& sources, ReportedFindings& reported) {
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
   Text text = allowance.next_line ? Text::ax1013_next_line : Text::ax1013;
   if (!allowance.known) text = word.empty() ? Text::ax1013_empty : Text::ax1013_unknown;
   Message message{.text = text, .arguments = {}};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
-  Finding& finding = report.add(allowance.place, std::move(message));
+  Finding& finding = Report(reported, *find_rule(unused_allowance)).add(allowance.place, std::move(message));
   std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
   Fix fix;
   fix.title = {.text = Text::ax1013_fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
   fix.edits.push_back({.place = allowance.removed, .text = {}});
   fix.safety = FixSafety::safe;
   finding.fix = std::move(fix);
-  return std::move(findings.front());
 }
 
 }  // namespace axisc::validator

@@ -3,9 +3,9 @@
 
 #include "diagnostics/finding.hpp"
 #include "grammar/directive.hpp"
+#include "validator/report.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -29,23 +29,24 @@ class Suppressions {
   void add(SourceSet const& sources, SourceId source, std::vector<grammar::Directive> const& directives);
 
   /// True where an allowance silences the finding; it counts as used then.
-  bool silences(Finding const& finding, SourceSet const& sources);
+  bool silences(Code code, Place place, SourceSet const& sources);
 
   /// AX1013 for everything that silenced nothing. Codes for which `counts` is false are not judged: what cannot be
   /// reported in this run cannot be silenced either.
   template <typename Counts>
-  void report_unused(SourceSet const& sources, Counts counts, std::deque<Finding>& findings) {
+  void report_unused(SourceSet const& sources, Counts counts, ReportedFindings& reported) {
     for (auto& [source, allowances] : allowances_) {
       for (Allowance& allowance : allowances) {
         if (allowance.used || (allowance.known && !counts(allowance.code))) continue;
-        Finding finding = unused(allowance, sources);
-        if (!silences(finding, sources)) findings.push_back(std::move(finding));
+        if (!silences(unused_allowance, allowance.place, sources)) report(allowance, sources, reported);
       }
     }
   }
 
  private:
-  static Finding unused(Allowance const& allowance, SourceSet const& sources);
+  static constexpr Code unused_allowance{1013};
+
+  static void report(Allowance const& allowance, SourceSet const& sources, ReportedFindings& reported);
 
   std::map<SourceId, std::vector<Allowance>> allowances_;
 };

@@ -24,6 +24,15 @@ Rows rows_for_some_types(schema::Catalogue const& catalogue) {
   return rows;
 }
 
+void describe(Finding& finding, AxisContext const& context, EffectiveValue const& value) {
+  schema::Parameter const& row = *value.row;
+  name_parameter(finding, row, value.slot);
+  finding.message = message(headline(context.type), {{"parameter", finding.parameter}});
+  std::string listed;
+  for (char const type : row.axis_types) listed.append(listed.empty() ? "" : ", ").append(1, type);
+  finding.notes.push_back(message(Text::ax2009_types, {{"types", listed}}));
+}
+
 void check_row(AxisContext const& context, schema::Parameter const& row, Report& report) {
   if (row.axis_types.find(letter(context.type)) != std::string_view::npos) return;
   for (std::uint16_t i = 0; i < row.slots; ++i) {
@@ -31,11 +40,8 @@ void check_row(AxisContext const& context, schema::Parameter const& row, Report&
         context.values[static_cast<schema::Slot>(static_cast<unsigned>(row.first_slot) + i)];
     // A default list serves axes of every type.
     if (value.origin != Origin::axis_list || !value.value_place()) continue;
-    Finding& finding =
-        report.add(value, message(headline(context.type), {{"parameter", parameter_name(value)}}));
-    std::string listed;
-    for (char const type : row.axis_types) listed.append(listed.empty() ? "" : ", ").append(1, type);
-    finding.notes.push_back(message(Text::ax2009_types, {{"types", listed}}));
+    report.later(*value.value_place(),
+                 [&context, &value](Finding& finding) { describe(finding, context, value); });
   }
 }
 

@@ -12,7 +12,7 @@ constexpr std::string_view prefix = "P-AXIS-";
 
 struct Mention {
   std::uint32_t number = 0;
-  Span span;  ///< within the text that was searched
+  Span span;
 };
 
 std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
@@ -29,34 +29,45 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
   return std::nullopt;
 }
 
+/// The first P-AXIS number in the comment of a line; none where its own is among them, or where it has none.
+std::optional<Mention> other_parameter(Line const& line) {
+  Reading const& reading = line.reading();
+  Span const trailer = line.assignment().trailer;
+  if (!reading.row_known() || reading.row->p_axis == 0 || trailer.empty()) return std::nullopt;
+  std::string_view const text = line.context.source.slice(trailer);
+  std::optional<Mention> first = next_mention(text, 0);
+  for (std::optional<Mention> mention = first; mention; mention = next_mention(text, mention->span.end)) {
+    if (mention->number == reading.row->p_axis) return std::nullopt;
+  }
+  if (first) {
+    first->span.begin += trailer.begin;
+    first->span.end += trailer.begin;
+  }
+  return first;
+}
+
+void describe(Finding& finding, Line const& line) {
+  Mention const first = *other_parameter(line);
+  std::string const named = line.text(first.span);
+  finding.message = message(Text::ax1011, {{"named", named},
+                                           {"parameter", line.name()},
+                                           {"own", schema::p_axis_text(line.reading().row->p_axis)}});
+  if (first.number > UINT16_MAX) return;
+  schema::Catalogue const& catalogue = line.context.list.catalogue;
+  for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {
+    std::string name(catalogue.parameter(id).name);
+    finding.notes.push_back(message(Text::ax1011_note, {{"named", named}, {"name", std::move(name)}}));
+  }
+}
+
 }  // namespace
 
 void checks::comment_names_other_parameter(ListContext const& context, Report& report) {
   if (context.source.bytes().find(prefix) == std::string_view::npos) return;
-  for_each_reading(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-    if (!reading.row_known() || assignment.trailer.empty()) return;
-    std::uint16_t const own = reading.row->p_axis;
-    std::string_view const trailer = context.source.slice(assignment.trailer);
-    std::optional<Mention> const first = next_mention(trailer, 0);
-    if (own == 0 || !first) return;
-    for (std::optional<Mention> mention = first; mention;
-         mention = next_mention(trailer, mention->span.end)) {
-      if (mention->number == own) return;
-    }
-    Span const span{.begin = assignment.trailer.begin + first->span.begin,
-                    .end = assignment.trailer.begin + first->span.end};
-    std::string const named = context.source.utf8(span);
-    Finding& finding = add_at(context, report, assignment, reading, span,
-                              message(Text::ax1011, {{"named", named},
-                                                     {"parameter", written_name(context, assignment)},
-                                                     {"own", schema::p_axis_text(own)}}));
-    if (first->number > UINT16_MAX) return;
-    for (schema::ParameterId const id :
-         context.list.catalogue.find_number(static_cast<std::uint16_t>(first->number))) {
-      std::string name(context.list.catalogue.parameter(id).name);
-      finding.notes.push_back(message(Text::ax1011_note, {{"named", named}, {"name", std::move(name)}}));
-    }
-  });
+  for (std::uint32_t number = 0; number < context.list.readings.size(); ++number) {
+    Line const line{context, number};
+    if (auto const first = other_parameter(line)) report_line<describe>(report, line, first->span);
+  }
 }
 
 }  // namespace axisc::validator

@@ -17,19 +17,23 @@ std::string repaired(std::string value, Reading const& reading) {
   return is_whole ? value.substr(0, point) : std::string{};
 }
 
+void describe(Finding& finding, Line const& line) {
+  Span const written = line.assignment().value;
+  std::string const value = line.text(written);
+  finding.message = message_of(Text::ax1005, Argument{"value", value});
+  set_reaction(finding, Text::ax1005_reaction);
+  std::string const number = repaired(value, line.reading());
+  if (number.empty()) return;
+  finding.fix =
+      replace_by(line.place(written), number, message_of(Text::ax1005_fix, Argument{"replacement", number}));
+}
+
 }  // namespace
 
 void checks::decimal_comma(ListContext const& context, Report& report) {
-  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-    if (reading.status != ReadingStatus::decimal_comma) return;
-    std::string const value = context.source.utf8(assignment.value);
-    Finding& finding = add_at(context, report, assignment, reading, assignment.value,
-                              message(Text::ax1005, {{"value", value}}));
-    set_reaction(finding, Text::ax1005_reaction);
-    std::string const number = repaired(value, reading);
-    if (number.empty()) return;
-    finding.fix = replace_by(place_of(context, assignment.value), number,
-                             message(Text::ax1005_fix, {{"replacement", number}}));
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::decimal_comma) return;
+    report_line<describe>(report, line, line.assignment().value);
   });
 }
 

@@ -9,18 +9,16 @@ std::string written_name(ListContext const& context, grammar::Assignment const& 
   return context.source.utf8(assignment.name);
 }
 
-std::string p_axis_of(Reading const& reading) {
-  return reading.row_known() ? schema::p_axis_text(reading.row->p_axis) : std::string{};
+void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot) {
+  finding.parameter = schema::slot_name(row, slot);
+  finding.p_axis = schema::p_axis_text(row.p_axis);
 }
 
-Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
-                Reading const& reading, Span span, Message text) {
-  Place const place = place_of(context, span);
-  if (reading.known()) return report.add(place, *reading.row, reading.slot, std::move(text));
-  Finding& finding = report.add(place, std::move(text));
-  finding.parameter = written_name(context, assignment);
-  finding.p_axis = p_axis_of(reading);
-  return finding;
+void name_parameter(Finding& finding, Line const& line) {
+  Reading const& reading = line.reading();
+  if (reading.known()) return name_parameter(finding, *reading.row, reading.slot);
+  finding.parameter = line.name();
+  if (reading.row_known()) finding.p_axis = schema::p_axis_text(reading.row->p_axis);
 }
 
 void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, std::string value) {

@@ -32,13 +32,32 @@ template <typename... Arguments>
 /// The name as the list writes it.
 [[nodiscard]] std::string written_name(ListContext const& context, grammar::Assignment const& assignment);
 
-/// A finding at `span` of the line of `assignment`, about its parameter where that is known.
-Finding& add_at(ListContext const& context, Report& report, grammar::Assignment const& assignment,
-                Reading const& reading, Span span, Message text);
+/// One assignment of a list, for checks of single lines and for the words of their findings.
+struct Line {
+  ListContext const& context;
+  std::uint32_t number;
 
-/// "P-AXIS-00140" of the row, empty where nothing is known.
-[[nodiscard]] std::string p_axis_of(Reading const& reading);
+  [[nodiscard]] grammar::Assignment const& assignment() const {
+    return context.list.tree.assignments[number];
+  }
+  [[nodiscard]] Reading const& reading() const { return context.list.readings[number]; }
+  [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
+  [[nodiscard]] std::string name() const { return written_name(context, assignment()); }
+  [[nodiscard]] std::string text(Span span) const { return context.source.utf8(span); }
+};
 
+/// What every finding about a line says of its parameter.
+void name_parameter(Finding& finding, Line const& line);
+void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot);
+
+/// A finding at `span` of a line, about its parameter where that is known; `describe(finding, line)` makes its words.
+template <auto describe>
+Reported& report_line(Report& report, Line const& line, Span span) {
+  return report.later(line.place(span), [line](Finding& finding) {
+    name_parameter(finding, line);
+    describe(finding, line);
+  });
+}
 void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
 /// Says beside the control's value, which is the raw number `value`, what that is for a person.
 void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value);
@@ -52,16 +71,37 @@ void add_physical(Finding& finding, schema::Parameter const& row, AxisType type,
   return {context.default_list, &context.axis_list};
 }
 
-/// Calls `visit(assignment, reading)` for every assignment of a list.
+/// Calls `visit(line)` for the assignments that alone may be wrong by themselves.
 template <typename Visit>
-void for_each_reading(LoadedList const& list, Visit visit) {
-  for (std::size_t i = 0; i < list.readings.size(); ++i) visit(list.tree.assignments[i], list.readings[i]);
+void for_each_doubtful(ListContext const& context, Visit visit) {
+  for (std::uint32_t const number : context.list.readings.doubtful()) visit(Line{context, number});
 }
 
-/// The same for those that alone may be wrong, for checks of single lines.
+/// One assignment of a list as an axis sees it, for checks that depend on the axis' type.
+struct AxisLine {
+  AxisContext const& context;
+  std::uint32_t number;
+  bool in_default_list;
+
+  [[nodiscard]] LoadedList const& list() const {
+    return in_default_list ? *context.default_list : context.axis_list;
+  }
+  [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
+  [[nodiscard]] Reading const& reading() const { return list().readings[number]; }
+  [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
+};
+
+/// for_each_doubtful() over the lists of an axis.
 template <typename Visit>
-void for_each_doubtful(LoadedList const& list, Visit visit) {
-  for (std::uint32_t const i : list.readings.doubtful()) visit(list.tree.assignments[i], list.readings[i]);
+void for_each_doubtful(AxisContext const& context, Visit visit) {
+  for (bool const in_default_list : {true, false}) {
+    if (in_default_list && context.default_list == nullptr) continue;
+    AxisLine line{context, 0, in_default_list};
+    for (std::uint32_t const number : line.list().readings.doubtful()) {
+      line.number = number;
+      visit(line);
+    }
+  }
 }
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.

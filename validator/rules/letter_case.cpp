@@ -8,14 +8,13 @@ namespace {
 
 constexpr std::string_view end_marker = "Ende";
 
-void describe(Finding& finding, std::string const& expected) {
+/// `finding` stands at what is written.
+void describe(Finding& finding, std::string written, std::string const& expected) {
+  finding.message =
+      message_of(Text::ax1010, Argument{"written", std::move(written)}, Argument{"expected", expected});
   set_reaction(finding, Text::ax1010_reaction);
-  finding.fix = replace_by(*finding.place, expected, message(Text::ax1010_fix, {{"expected", expected}}),
-                           FixSafety::safe);
-}
-
-Message headline(std::string written, std::string expected) {
-  return message(Text::ax1010, {{"written", std::move(written)}, {"expected", std::move(expected)}});
+  finding.fix = replace_by(*finding.place, expected,
+                           message_of(Text::ax1010_fix, Argument{"expected", expected}), FixSafety::safe);
 }
 
 std::string upper_case(std::string text) {
@@ -24,29 +23,33 @@ std::string upper_case(std::string text) {
   return text;
 }
 
+void describe_name(Finding& finding, Line const& line) {
+  describe(finding, line.name(), schema::slot_name(*line.reading().row, line.reading().slot));
+}
+
+void describe_symbol(Finding& finding, Line const& line) {
+  std::string const written = line.text(line.reading().text);
+  describe(finding, written, upper_case(written));
+}
+
 }  // namespace
 
 void checks::letter_case(ListContext const& context, Report& report) {
-  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context, [&](Line const& line) {
+    Reading const& reading = line.reading();
     if (reading.known() && reading.name_folded) {
-      std::string const expected = schema::slot_name(*reading.row, reading.slot);
-      describe(add_at(context, report, assignment, reading, assignment.name,
-                      headline(written_name(context, assignment), expected)),
-               expected);
+      report_line<describe_name>(report, line, line.assignment().name);
     }
     if (reading.symbol_folded && reading.status == ReadingStatus::value) {
-      std::string const written = context.source.utf8(reading.text);
-      std::string const expected = upper_case(written);
-      describe(add_at(context, report, assignment, reading, reading.text, headline(written, expected)),
-               expected);
+      report_line<describe_symbol>(report, line, reading.text);
     }
   });
-  if (auto const& marker = context.list.tree.end_marker) {
-    std::string_view const written = context.source.slice(*marker);
-    if (written == end_marker) return;
-    Message const text = headline(std::string(written), std::string(end_marker));
-    describe(report.add(place_of(context, *marker), text), std::string(end_marker));
-  }
+  auto const& marker = context.list.tree.end_marker;
+  if (!marker || context.source.slice(*marker) == end_marker) return;
+  report.later(place_of(context, *marker), [&context](Finding& finding) {
+    std::string_view const written = context.source.slice(finding.place->span);
+    describe(finding, std::string(written), std::string(end_marker));
+  });
 }
 
 }  // namespace axisc::validator

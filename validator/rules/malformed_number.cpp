@@ -13,37 +13,54 @@ std::string without_leading_zeros(std::string const& value) {
   return value.substr(0, sign) + (needs_zero ? "0" : "") + value.substr(first);
 }
 
+/// What the control does with one kind of malformed number.
+struct Trouble {
+  Text headline;
+  Text reaction;
+  std::string_view control;
+  std::string_view result;
+};
+
+Trouble trouble_of(NumberStatus status) {
+  switch (status) {
+    case NumberStatus::leading_zero:
+      return {.headline = Text::ax1006_leading_zero,
+              .reaction = Text::ax1006_leading_zero_reaction,
+              .control = "1022",
+              .result = ""};
+    case NumberStatus::exponent_too_big:
+      return {.headline = Text::ax1006_exponent,
+              .reaction = Text::ax1006_exponent_reaction,
+              .control = "1027",
+              .result = ""};
+    case NumberStatus::good:
+    case NumberStatus::not_a_number:
+    case NumberStatus::out_of_data_range:
+      break;
+  }
+  return {.headline = Text::ax1006, .reaction = Text::ax1006_reaction, .control = "1001138", .result = "0"};
+}
+
+void describe(Finding& finding, Line const& line) {
+  NumberStatus const status = line.reading().number;
+  Trouble const trouble = trouble_of(status);
+  std::string const value = line.text(line.assignment().value);
+  finding.message = message_of(trouble.headline, Argument{"value", value});
+  set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
+  finding.control->message = trouble.control;
+  if (status != NumberStatus::leading_zero) return;
+  std::string const shorter = without_leading_zeros(value);
+  if (!is_complete_number(shorter)) return;
+  finding.fix = replace_by(line.place(line.assignment().value), shorter,
+                           message(Text::ax1006_fix, {{"replacement", shorter}}));
+}
+
 }  // namespace
 
 void checks::malformed_number(ListContext const& context, Report& report) {
-  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-    if (reading.status != ReadingStatus::malformed_number) return;
-    std::string const value = context.source.utf8(assignment.value);
-    auto const add = [&](Text text, std::string control, Text reaction, std::string result) -> Finding& {
-      Finding& finding = add_at(context, report, assignment, reading, assignment.value,
-                                message_of(text, Argument{"value", value}));
-      set_reaction(finding, reaction, {}, std::move(result));
-      finding.control->message = std::move(control);
-      return finding;
-    };
-    switch (reading.number) {
-      case NumberStatus::leading_zero: {
-        Finding& finding = add(Text::ax1006_leading_zero, "1022", Text::ax1006_leading_zero_reaction, "");
-        std::string const shorter = without_leading_zeros(value);
-        if (!is_complete_number(shorter)) return;
-        finding.fix = replace_by(place_of(context, assignment.value), shorter,
-                                 message(Text::ax1006_fix, {{"replacement", shorter}}));
-        return;
-      }
-      case NumberStatus::exponent_too_big:
-        add(Text::ax1006_exponent, "1027", Text::ax1006_exponent_reaction, "");
-        return;
-      case NumberStatus::good:
-      case NumberStatus::not_a_number:
-      case NumberStatus::out_of_data_range:
-        break;
-    }
-    add(Text::ax1006, "1001138", Text::ax1006_reaction, "0");
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::malformed_number) return;
+    report_line<describe>(report, line, line.assignment().value);
   });
 }
 

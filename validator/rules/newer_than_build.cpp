@@ -54,6 +54,16 @@ Text headline(schema::Parameter const& parameter, Reading const& reading, BuildV
   return is_time_delay(parameter, reading) ? Text::ax2016_time_delay : Text::ax2016_quotes;
 }
 
+void describe(Finding& finding, AxisContext const& context, Reading const& reading) {
+  BuildVersion const& build = *context.machine.build;
+  schema::Parameter const& parameter = *reading.row;
+  name_parameter(finding, parameter, reading.slot);
+  finding.message =
+      message(headline(parameter, reading, build), {{"parameter", finding.parameter},
+                                                    {"needed", missing_build(parameter, reading, build)},
+                                                    {"build", to_text(build)}});
+}
+
 void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
   if (context.type != AxisType::spindle || build >= builds::spindle_filters) return;
   for (FilterView const& filter : touched_filters(context.values)) {
@@ -71,18 +81,12 @@ void checks::newer_than_build(AxisContext const& context, Report& report) {
   BuildVersion const& build = *context.machine.build;
   for (LoadedList const* const list : lists_of(context)) {
     if (list == nullptr) continue;
-    for_each_reading(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-      if (!reading.usable()) return;
-      schema::Parameter const& parameter = *reading.row;
-      std::string const needed = missing_build(parameter, reading, build);
-      if (needed.empty()) return;
-      Place const place{.source = list->source, .span = assignment.value};
-      report.add(place, parameter, reading.slot,
-                 message(headline(parameter, reading, build),
-                         {{"parameter", schema::slot_name(parameter, reading.slot)},
-                          {"needed", needed},
-                          {"build", to_text(build)}}));
-    });
+    for (std::size_t i = 0; i < list->readings.size(); ++i) {
+      Reading const& reading = list->readings[i];
+      if (!reading.usable() || missing_build(*reading.row, reading, build).empty()) continue;
+      Place const place{.source = list->source, .span = list->tree.assignments[i].value};
+      report.later(place, [&context, &reading](Finding& finding) { describe(finding, context, reading); });
+    }
   }
   check_spindle(context, build, report);
 }

@@ -10,47 +10,50 @@ bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& 
   return list.is_default_list && parameter.name == "kopf.achs_nr" && value == 0;
 }
 
-void judge(AxisContext const& context, Report& report, Place place, schema::Slot slot, double value) {
+bool is_number(schema::Parameter const& parameter) {
+  return schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
+}
+
+bool is_wrong(schema::Parameter const& parameter, double value) {
+  return is_number(parameter) && is_outside(parameter, value) && !is_default_or_off(parameter, value);
+}
+
+void describe(Finding& finding, AxisContext const& context, schema::Slot slot, double value) {
   schema::Parameter const& parameter = context.values.row(slot);
-  if (!is_outside(parameter, value) || is_default_or_off(parameter, value)) return;
+  name_parameter(finding, parameter, slot);
   std::string_view const unit = unit_of(parameter, context.type);
-  std::string const range = range_text(parameter, unit, true);
-  Finding& finding =
-      report.add(place, parameter, slot,
-                 message_of(Text::ax2005, Argument{"parameter", schema::slot_name(parameter, slot)},
-                            Argument{"range", range}));
+  finding.message = message_of(Text::ax2005, Argument{"parameter", finding.parameter},
+                               Argument{"range", range_text(parameter, unit, true)});
   if (!unit.empty()) {
     finding.label = message_of(Text::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }
   if (is_scaled(unit)) {
-    std::string const raw = range_text(parameter, unit, false);
-    finding.notes.push_back(message_of(Text::ax2005_raw, Argument{"range", raw}));
+    finding.notes.push_back(
+        message_of(Text::ax2005_raw, Argument{"range", range_text(parameter, unit, false)}));
   }
-  std::string const file(context.values.catalogue().file_of(parameter));
-  if (!file.empty()) finding.notes.push_back(message(Text::ax2005_file, {{"file", file}}));
-}
-
-bool is_number(schema::Parameter const& parameter) {
-  return schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
+  std::string file(context.values.catalogue().file_of(parameter));
+  if (!file.empty())
+    finding.notes.push_back(message_of(Text::ax2005_file, Argument{"file", std::move(file)}));
 }
 
 }  // namespace
 
 void checks::out_of_range(AxisContext const& context, Report& report) {
-  for (LoadedList const* const list : lists_of(context)) {
-    if (list == nullptr) continue;
-    for_each_doubtful(*list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-      if (!reading.known() || reading.status != ReadingStatus::value) return;
-      schema::Parameter const& parameter = *reading.row;
-      if (!is_number(parameter) || is_number_of_default_list(*list, parameter, reading.value.number)) return;
-      judge(context, report, {.source = list->source, .span = assignment.value}, reading.slot,
-            reading.value.number);
+  for_each_doubtful(context, [&](AxisLine const& line) {
+    Reading const& reading = line.reading();
+    if (!reading.known() || reading.status != ReadingStatus::value) return;
+    double const value = reading.value.number;
+    if (!is_wrong(*reading.row, value) || is_number_of_default_list(line.list(), *reading.row, value)) return;
+    report.later(line.place(), [line](Finding& finding) {
+      describe(finding, line.context, line.reading().slot, line.reading().value.number);
     });
-  }
+  });
   for (schema::Slot const slot : context.values.referenced_slots()) {
     EffectiveValue const& value = context.values[slot];
-    if (value.unusable || !is_number(*value.row)) continue;
-    judge(context, report, *value.value_place(), slot, value.value.number);
+    if (value.unusable || !is_wrong(*value.row, value.value.number)) continue;
+    report.later(*value.value_place(), [&context, slot](Finding& finding) {
+      describe(finding, context, slot, context.values[slot].value.number);
+    });
   }
 }
 

@@ -11,20 +11,23 @@ std::size_t characters(std::string_view utf8) {
       utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+void describe(Finding& finding, Line const& line) {
+  std::size_t const length = characters(line.reading().value.text);
+  finding.message = message(Text::ax2008, {{"length", std::to_string(length)},
+                                           {"parameter", line.name()},
+                                           {"limit", std::to_string(line.reading().row->max_length)}});
+  set_reaction(finding, Text::ax2008_reaction);
+}
+
 }  // namespace
 
 void checks::string_too_long(ListContext const& context, Report& report) {
-  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
+  for_each_doubtful(context, [&](Line const& line) {
+    Reading const& reading = line.reading();
     if (!reading.row_known() || reading.status != ReadingStatus::value) return;
-    schema::Parameter const& parameter = *reading.row;
-    if (parameter.max_length == 0 || reading.value.text.size() <= parameter.max_length) return;
-    std::size_t const length = characters(reading.value.text);
-    if (length <= parameter.max_length) return;
-    Finding& finding = add_at(context, report, assignment, reading, reading.text,
-                              message(Text::ax2008, {{"length", std::to_string(length)},
-                                                     {"parameter", written_name(context, assignment)},
-                                                     {"limit", std::to_string(parameter.max_length)}}));
-    set_reaction(finding, Text::ax2008_reaction);
+    std::size_t const most = reading.row->max_length;
+    if (most == 0 || reading.value.text.size() <= most || characters(reading.value.text) <= most) return;
+    report_line<describe>(report, line, reading.text);
   });
 }
 

@@ -47,22 +47,33 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
          assignment.kind == ValueKind::real || assignment.kind == ValueKind::reference;
 }
 
+/// The first word behind the value.
+Span first_word(Line const& line) {
+  Span const trailer = line.assignment().trailer;
+  std::string_view const text = line.context.source.slice(trailer);
+  std::size_t const size = std::min(text.find_first_of(" \t("), text.size());
+  return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
+}
+
+void describe(Finding& finding, Line const& line) {
+  Span const word = first_word(line);
+  finding.message = message(Text::ax1007, {{"text", line.text(word)}});
+  set_reaction(finding, Text::ax1007_reaction, {}, line.text(line.assignment().value));
+  finding.help.push_back(message(Text::ax1007_help));
+  Span const before{.begin = word.begin, .end = word.begin};
+  finding.fix = replace_by(line.place(before), "( ", message(Text::ax1007_fix), FixSafety::safe);
+}
+
 }  // namespace
 
 void checks::suspicious_trailer(ListContext const& context, Report& report) {
-  for_each_doubtful(context.list, [&](grammar::Assignment const& assignment, Reading const& reading) {
-    if (assignment.trailer_kind != grammar::TrailerKind::text || !ends_at_blank(assignment, reading)) return;
-    std::string_view const trailer = context.source.slice(assignment.trailer);
-    std::string_view const word = trailer.substr(0, trailer.find_first_of(" \t("));
-    if (!looks_like_value(context.list.catalogue, word)) return;
-    Span const span{.begin = assignment.trailer.begin,
-                    .end = assignment.trailer.begin + static_cast<std::uint32_t>(word.size())};
-    Finding& finding = add_at(context, report, assignment, reading, span,
-                              message(Text::ax1007, {{"text", std::string(word)}}));
-    set_reaction(finding, Text::ax1007_reaction, {}, context.source.utf8(assignment.value));
-    finding.help.push_back(message(Text::ax1007_help));
-    Span const before{.begin = span.begin, .end = span.begin};
-    finding.fix = replace_by(place_of(context, before), "( ", message(Text::ax1007_fix), FixSafety::safe);
+  for_each_doubtful(context, [&](Line const& line) {
+    grammar::Assignment const& assignment = line.assignment();
+    bool const has_text = assignment.trailer_kind == grammar::TrailerKind::text;
+    if (!has_text || !ends_at_blank(assignment, line.reading())) return;
+    Span const word = first_word(line);
+    if (!looks_like_value(context.list.catalogue, context.source.slice(word))) return;
+    report_line<describe>(report, line, word);
   });
 }
 

@@ -11,10 +11,13 @@ namespace {
 using grammar::Problem;
 using grammar::ProblemKind;
 
-template <typename Visit>
-void for_each_problem(ListContext const& context, ProblemKind kind, Visit visit) {
+/// A finding for each problem of a kind; `describe(finding, context, problem)` makes its words.
+template <auto describe>
+void report_problems(ListContext const& context, ProblemKind kind, Report& report) {
   for (Problem const& problem : context.list.tree.problems) {
-    if (problem.kind == kind) visit(problem);
+    if (problem.kind != kind) continue;
+    report.later(place_of(context, problem.span),
+                 [&context, &problem](Finding& finding) { describe(finding, context, problem); });
   }
 }
 
@@ -60,74 +63,82 @@ std::vector<Edit> comments_from(ListContext const& context, std::uint32_t begin)
   return edits;
 }
 
+void describe_invalid_character(Finding& finding, ListContext const& context, Problem const& problem) {
+  auto const byte = static_cast<unsigned char>(context.source.slice(problem.span).front());
+  bool const undefined = byte >= 0x80 && context.source.encoding() == Encoding::windows_1252;
+  std::string const shown = undefined     ? hexadecimal("0x%02X", byte)
+                            : byte < 0x80 ? hexadecimal("U+%04X", byte)
+                                          : "U+0080";
+  finding.message = message(undefined ? Text::ax1001_undefined : Text::ax1001, {{"character", shown}});
+}
+
+void describe_expected_name(Finding& finding, ListContext const& context, Problem const& problem) {
+  finding.message = message(Text::ax1002);
+  set_reaction(finding, Text::ax1002_reaction);
+  if (!opens_foreign_comment(context.source.slice(problem.span))) return;
+  Span const before{.begin = problem.span.begin, .end = problem.span.begin};
+  finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax1002_fix), FixSafety::safe);
+}
+
+void describe_expected_value(Finding& finding, ListContext const& context, Problem const& problem) {
+  finding.parameter = context.source.utf8(problem.span);
+  finding.message = message_of(Text::ax1003, Argument{"name", finding.parameter});
+  finding.help.push_back(message(Text::ax1003_help));
+}
+
+void describe_malformed_index(Finding& finding, ListContext const& context, Problem const& problem) {
+  std::string const index = context.source.utf8(problem.span);
+  finding.message = message_of(Text::ax1004, Argument{"index", index});
+  finding.help.push_back(message(Text::ax1004_help));
+  std::string const repaired = repaired_index(index);
+  if (repaired.empty()) return;
+  finding.fix = replace_by(place_of(context, problem.span), repaired,
+                           message_of(Text::ax1004_fix, Argument{"replacement", repaired}));
+}
+
+void describe_text_after_end(Finding& finding, ListContext const& context, Problem const& problem) {
+  finding.message = message(Text::ax1008);
+  if (auto const& marker = context.list.tree.end_marker) {
+    finding.related.push_back(
+        {.place = place_of(context, *marker), .message = message(Text::ax1008_related)});
+  }
+  finding.fix = Fix{.title = message(Text::ax1008_fix),
+                    .edits = comments_from(context, problem.span.begin),
+                    .safety = FixSafety::safe};
+}
+
+void describe_unterminated_string(Finding& finding, ListContext const& context, Problem const& problem) {
+  finding.message = message(Text::ax1012);
+  // With a comment on the line nobody knows where the string was meant to end.
+  if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
+  Span const behind{.begin = problem.span.end, .end = problem.span.end};
+  finding.fix = replace_by(place_of(context, behind), "\"", message(Text::ax1012_fix));
+}
+
 }  // namespace
 
 void checks::invalid_character(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::invalid_character, [&](Problem const& problem) {
-    auto const byte = static_cast<unsigned char>(context.source.slice(problem.span).front());
-    bool const undefined = byte >= 0x80 && context.source.encoding() == Encoding::windows_1252;
-    std::string const shown = undefined     ? hexadecimal("0x%02X", byte)
-                              : byte < 0x80 ? hexadecimal("U+%04X", byte)
-                                            : "U+0080";
-    Text const text = undefined ? Text::ax1001_undefined : Text::ax1001;
-    report.add(place_of(context, problem.span), message(text, {{"character", shown}}));
-  });
+  report_problems<describe_invalid_character>(context, ProblemKind::invalid_character, report);
 }
 
 void checks::expected_name(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::expected_name, [&](Problem const& problem) {
-    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1002));
-    set_reaction(finding, Text::ax1002_reaction);
-    if (!opens_foreign_comment(context.source.slice(problem.span))) return;
-    Span const before{.begin = problem.span.begin, .end = problem.span.begin};
-    finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax1002_fix), FixSafety::safe);
-  });
+  report_problems<describe_expected_name>(context, ProblemKind::expected_name, report);
 }
 
 void checks::expected_value(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::expected_value, [&](Problem const& problem) {
-    std::string name = context.source.utf8(problem.span);
-    Finding& finding =
-        report.add(place_of(context, problem.span), message_of(Text::ax1003, Argument{"name", name}));
-    finding.parameter = std::move(name);
-    finding.help.push_back(message(Text::ax1003_help));
-  });
+  report_problems<describe_expected_value>(context, ProblemKind::expected_value, report);
 }
 
 void checks::malformed_index(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::malformed_index, [&](Problem const& problem) {
-    std::string const index = context.source.utf8(problem.span);
-    Finding& finding =
-        report.add(place_of(context, problem.span), message_of(Text::ax1004, Argument{"index", index}));
-    finding.help.push_back(message(Text::ax1004_help));
-    std::string const repaired = repaired_index(index);
-    if (repaired.empty()) return;
-    finding.fix = replace_by(place_of(context, problem.span), repaired,
-                             message(Text::ax1004_fix, {{"replacement", repaired}}));
-  });
+  report_problems<describe_malformed_index>(context, ProblemKind::malformed_index, report);
 }
 
 void checks::text_after_end(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::text_after_end, [&](Problem const& problem) {
-    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1008));
-    if (context.list.tree.end_marker) {
-      finding.related.push_back({.place = place_of(context, *context.list.tree.end_marker),
-                                 .message = message(Text::ax1008_related)});
-    }
-    finding.fix = Fix{.title = message(Text::ax1008_fix),
-                      .edits = comments_from(context, problem.span.begin),
-                      .safety = FixSafety::safe};
-  });
+  report_problems<describe_text_after_end>(context, ProblemKind::text_after_end, report);
 }
 
 void checks::unterminated_string(ListContext const& context, Report& report) {
-  for_each_problem(context, ProblemKind::unterminated_string, [&](Problem const& problem) {
-    Finding& finding = report.add(place_of(context, problem.span), message(Text::ax1012));
-    // With a comment on the line nobody knows where the string was meant to end.
-    if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
-    Span const behind{.begin = problem.span.end, .end = problem.span.end};
-    finding.fix = replace_by(place_of(context, behind), "\"", message(Text::ax1012_fix));
-  });
+  report_problems<describe_unterminated_string>(context, ProblemKind::unterminated_string, report);
 }
 
 }  // namespace axisc::validator

@@ -2,26 +2,31 @@
 #include "validator/rules/helpers.hpp"
 
 namespace axisc::validator {
+namespace {
+
+void describe(Finding& finding, Line const& line) {
+  finding.message = message_of(Text::ax2001, Argument{"name", line.name()});
+  set_reaction(finding, Text::ax2001_reaction);
+  auto const suggestions = line.context.list.readings.suggestions(line.number);
+  finding.help.reserve(suggestions.size());
+  for (std::string const& suggestion : suggestions) {
+    finding.help.push_back(message_of(Text::parameter_did_you_mean, Argument{"suggestion", suggestion}));
+  }
+  if (suggestions.empty()) return;
+  std::string const& best = suggestions.front();
+  finding.fix = replace_by(line.place(line.assignment().name), best,
+                           message_of(Text::parameter_fix, Argument{"replacement", best}));
+}
+
+}  // namespace
 
 void checks::unknown_parameter(ListContext const& context, Report& report) {
-  for (std::uint32_t const number : context.list.readings.doubtful()) {
-    grammar::Assignment const& assignment = context.list.tree.assignments[number];
-    Reading const& reading = context.list.readings[number];
-    if (reading.row_known()) continue;
-    Finding& finding = add_at(context, report, assignment, reading, assignment.name,
-                              message_of(Text::ax2001, Argument{"name", written_name(context, assignment)}));
-    if (is_compiled_family(finding.parameter)) finding.severity = Severity::error;
-    set_reaction(finding, Text::ax2001_reaction);
-    auto const suggestions = context.list.readings.suggestions(number);
-    finding.help.reserve(suggestions.size());
-    for (std::string const& suggestion : suggestions) {
-      finding.help.push_back(message_of(Text::parameter_did_you_mean, Argument{"suggestion", suggestion}));
-    }
-    if (suggestions.empty()) continue;
-    std::string const& best = suggestions.front();
-    finding.fix = replace_by(place_of(context, assignment.name), best,
-                             message_of(Text::parameter_fix, Argument{"replacement", best}));
-  }
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().row_known()) return;
+    Span const name = line.assignment().name;
+    Reported& reported = report_line<describe>(report, line, name);
+    if (is_compiled_family(context.source.slice(name))) reported.severity = Severity::error;
+  });
 }
 
 }  // namespace axisc::validator
