@@ -19,7 +19,7 @@ CheckedInput check_input(CheckJob const& job, std::string const& path, validator
   options.machine = false;
   auto const* const settings = job.settings == nullptr ? nullptr : job.settings->find(path);
   FindingWriter writer(sources, form);
-  auto const outcome = validator::check(files, path, options, sources, [&](Finding finding) {
+  auto const outcome = validator::check(files, path, options, sources, [&](Finding& finding) {
     if (settings != nullptr) {
       if (is_disabled(*settings, sources, finding)) return;
       finding.severity = severity_of(*settings, finding);

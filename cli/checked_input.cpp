@@ -12,9 +12,11 @@ void FindingWriter::add(Finding const& finding) {
                          .fixable = finding.fix.has_value(),
                          .identity = identity_of(finding, sources_),
                          .artifacts = {},
-                         .text = element_of(finding, sources_, form_)};
-  // Many wait in memory.
-  written.text.shrink_to_fit();
+                         .text = {}};
+  // Many wait in memory: without room to spare.
+  buffer_.clear();
+  append_element(buffer_, finding, sources_, form_);
+  written.text = buffer_;
   if (form_.format == FindingFormat::sarif) {
     for (auto const id : sources_of(finding)) written.artifacts.push_back(static_cast<std::uint32_t>(id));
   }

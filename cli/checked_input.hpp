@@ -46,6 +46,7 @@ class FindingWriter {
   ReportForm const& form_;
   FindingCounts counts_;
   CheckedInput checked_;
+  std::string buffer_;
 };
 
 // As a cache keeps it; an input with a failure is not kept.

@@ -4,20 +4,27 @@
 
 namespace axisc::cli {
 
-std::string element_of(Finding const& finding, SourceSet const& sources, ReportForm const& form) {
+void append_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                    ReportForm const& form) {
+  auto const language = form.write.language;
   switch (form.format) {
     case FindingFormat::text:
-      return write_text(finding, sources, form.write) + "\n";
+      append_text(text, finding, sources, form.write);
+      text += '\n';
+      break;
     case FindingFormat::json:
-      return json_element(finding, sources, form.write.language);
+      text += json_element(finding, sources, language);
+      break;
     case FindingFormat::sarif:
-      return sarif_element(finding, sources, form.context, form.write.language);
+      text += sarif_element(finding, sources, form.context, language);
+      break;
     case FindingFormat::gitlab:
-      return gitlab_element(finding, sources, form.context, form.write.language);
+      text += gitlab_element(finding, sources, form.context, language);
+      break;
     case FindingFormat::github:
+      text += write_github(finding, sources, form.context, form.write);
       break;
   }
-  return write_github(finding, sources, form.context, form.write);
 }
 
 std::string texts_of(std::vector<Finding> const& findings, SourceSet const& sources,

@@ -20,9 +20,9 @@ struct ReportForm {
   return format != FindingFormat::text && format != FindingFormat::json;
 }
 
-/// One finding, with holes (report_elements.hpp) where it depends on the others.
-[[nodiscard]] std::string element_of(Finding const& finding, SourceSet const& sources,
-                                     ReportForm const& form);
+/// One finding behind `text`, with holes (report_elements.hpp) where it depends on the others.
+void append_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                    ReportForm const& form);
 
 /// Findings as text, an empty line behind each.
 [[nodiscard]] std::string texts_of(std::vector<Finding> const& findings, SourceSet const& sources,

@@ -12,7 +12,7 @@
 namespace axisc {
 namespace {
 
-using Lines = std::vector<std::string>;
+using Lines = std::vector<std::string_view>;
 
 Lines split(std::string_view text) {
   Lines lines;
@@ -20,21 +20,19 @@ Lines split(std::string_view text) {
     std::size_t const end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     if (end < text.size() && line.ends_with('\r')) line.remove_suffix(1);
-    lines.emplace_back(line);
+    lines.push_back(line);
     if (end == text.size()) return lines;
     text.remove_prefix(end + 1);
   }
 }
 
+/// In code points; both are well-formed.
 std::size_t first_difference(std::string_view left, std::string_view right) {
-  std::size_t at = 0;
-  for (; !left.empty() && !right.empty(); ++at) {
-    DecodedCharacter const character = decode_utf8(left);
-    if (left.substr(0, character.size) != right.substr(0, character.size)) break;
-    left.remove_prefix(character.size);
-    right.remove_prefix(character.size);
-  }
-  return at;
+  auto const equal = std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first;
+  auto const begun =
+      std::count_if(left.begin(), equal, [](char byte) { return !is_continuation_byte(byte); });
+  bool const is_inside = equal != left.end() && is_continuation_byte(*equal);
+  return static_cast<std::size_t>(begun) - (is_inside ? 1 : 0);
 }
 
 // Leaves only the lines in the middle that differ, and returns how many equal ones stood before them.
@@ -57,7 +55,7 @@ void add_lines(PreviewBlock& block, Lines const& lines, Lines const& opposite, s
     block.lines.push_back(
         {.number = number + static_cast<std::uint32_t>(i),
          .added = added,
-         .text = lines[i],
+         .text = std::string(lines[i]),
          .first_change = i < opposite.size() ? first_difference(lines[i], opposite[i]) : 0});
   }
 }
@@ -78,7 +76,8 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
   }
   edited += source.utf8({.begin = copied, .end = std::max(copied, region.end)});
 
-  Lines before = split(source.utf8(region));
+  std::string const original = source.utf8(region);
+  Lines before = split(original);
   Lines after = split(edited);
   std::uint32_t const number = block.begin.line + drop_equal_lines(before, after);
   add_lines(block, before, after, number, false);

@@ -51,13 +51,18 @@ void append_window(ShownLine& shown, std::string_view line, Window window, std::
 /// The same for a line of which every byte is a character that stays as it is.
 void append_plain_window(ShownLine& shown, std::string_view line, Window window, std::size_t mark) {
   shown.text += line.substr(window.begin, window.end - window.begin);
-  for (std::size_t at = window.begin; at < mark; ++at) shown.indent += line[at] == '\t' ? '\t' : ' ';
+  std::string_view const before = line.substr(window.begin, mark - window.begin);
+  shown.indent.append(before.size(), ' ');
+  for (std::size_t tab = before.find('\t'); tab != std::string_view::npos; tab = before.find('\t', tab + 1)) {
+    shown.indent[shown.indent.size() - before.size() + tab] = '\t';
+  }
 }
 
 }  // namespace
 
 ShownLine show_line(std::string_view line, MarkedPart marked) {
-  bool const plain = std::all_of(line.begin(), line.end(), [](char c) { return is_plain(c) || c == '\t'; });
+  bool const plain = is_plain(line) ||
+                     std::all_of(line.begin(), line.end(), [](char c) { return is_plain(c) || c == '\t'; });
   std::size_t const length = plain ? line.size() : count_characters(line);
   std::size_t const mark = std::min(marked.begin, length);
   Window const window = window_around({.begin = mark, .end = marked.end}, length);

@@ -47,11 +47,20 @@ std::vector<std::uint32_t> const& SourceText::line_starts() const {
   return line_starts_;
 }
 
+std::uint32_t SourceText::line_at(std::uint32_t offset) const {
+  auto const& starts = line_starts();
+  bool const is_last = last_line_ == starts.size();
+  if (offset < starts[last_line_ - 1] || (!is_last && offset >= starts[last_line_])) {
+    auto const behind = std::upper_bound(starts.begin(), starts.end(), offset);
+    last_line_ = static_cast<std::uint32_t>(behind - starts.begin());
+  }
+  return last_line_;
+}
+
 Position SourceText::position(std::uint32_t offset) const {
   std::uint32_t const at = std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
   auto const& starts = line_starts();
-  auto const line =
-      static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), at) - starts.begin());
+  std::uint32_t const line = line_at(at);
   std::uint32_t const begin = std::max(starts[line - 1], text_begin_);
 
   Position position{.line = numbers_.empty() ? line : numbers_[line - 1], .column = at - begin + 1};
@@ -86,7 +95,12 @@ std::uint32_t SourceText::line_count() const {
 
 std::string SourceText::utf8(Span span) const {
   std::string_view const bytes = slice(span);
-  if (encoding_ != Encoding::windows_1252) return repair_utf8(bytes);
+  if (encoding_ != Encoding::windows_1252) {
+    // The whole text is well-formed, so that a part of it is unless a character is cut.
+    bool const is_cut = (!bytes.empty() && is_continuation_byte(bytes.front())) ||
+                        (span.end < bytes_.size() && is_continuation_byte(bytes_[span.end]));
+    return is_cut || is_excerpt() ? repair_utf8(bytes) : std::string(bytes);
+  }
   std::string text;
   text.reserve(bytes.size());
   for (char const byte : bytes) append_utf8(text, decode_windows_1252(byte));

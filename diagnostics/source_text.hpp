@@ -43,8 +43,9 @@ class SourceText {
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
   /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
-  /// place behind it. Cost: a binary search over line starts and the code points of one line. The line table
-  /// is built at the first call (one pass), so one SourceText serves one thread at a time.
+  /// place behind it. Cost: a binary search over line starts, unless the line is that of the call before, and the code
+  /// points of one line. The line table is built at the first call (one pass), so one SourceText serves one thread at a
+  /// time.
   [[nodiscard]] Position position(std::uint32_t offset) const;
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
   /// the end of the file for a line that is not there, or not in the excerpt.
@@ -63,6 +64,8 @@ class SourceText {
 
  private:
   std::vector<std::uint32_t> const& line_starts() const;
+  /// In line_starts(), from 1.
+  std::uint32_t line_at(std::uint32_t offset) const;
 
   std::string name_;
   std::string bytes_;
@@ -70,6 +73,7 @@ class SourceText {
   std::uint32_t text_begin_;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
   mutable std::vector<std::uint32_t> line_starts_;
+  mutable std::uint32_t last_line_ = 1;  ///< that line_at() found
 };
 
 enum class SourceId : std::uint32_t {};

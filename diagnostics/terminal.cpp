@@ -3,6 +3,8 @@
 #include "diagnostics/utf8.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -70,6 +72,26 @@ void append_printable(std::string& shown, std::string_view text) {
   }
 }
 
+void make_printable(std::string& text, std::size_t begin) {
+  std::string_view const written = std::string_view(text).substr(begin);
+  if (is_plain(written)) return;
+  std::string const special(written);
+  text.resize(begin);
+  append_printable(text, special);
+}
+
+bool is_plain(std::string_view text) {
+  constexpr std::uint64_t ones = 0x0101010101010101U;
+  constexpr std::uint64_t top_bits = 0x80U * ones;
+  for (; text.size() >= sizeof(std::uint64_t); text.remove_prefix(sizeof(std::uint64_t))) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, text.data(), sizeof bytes);
+    // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it is does not matter.
+    if (((bytes | (bytes - 0x20U * ones) | (bytes + ones)) & top_bits) != 0) return false;
+  }
+  return std::all_of(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
+}
+
 std::string printable(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
@@ -83,12 +105,19 @@ std::string Painter::operator()(Style style, std::string_view text) const {
   return painted;
 }
 
+void Painter::begin(std::string& out, Style style) const {
+  if (color_) out.append(escape_of(style));
+}
+
+void Painter::end(std::string& out) const {
+  if (color_) out.append("\x1b[0m");
+}
+
 void Painter::append(std::string& out, Style style, std::string_view text) const {
-  if (!color_ || text.empty()) {
-    out.append(text);
-  } else {
-    out.append(escape_of(style)).append(text).append("\x1b[0m");
-  }
+  if (text.empty()) return;
+  begin(out, style);
+  out.append(text);
+  end(out);
 }
 
 }  // namespace axisc

@@ -1,6 +1,7 @@
 // Text for a terminal: colours, and nothing from a file that could steer it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,10 +16,16 @@ namespace axisc {
 void append_printable(std::string& shown, std::string_view text);
 void append_printable(std::string& shown, char32_t character);
 
+/// The same for what stands in `text` from `begin` on.
+void make_printable(std::string& text, std::size_t begin);
+
 /// ASCII that printable() leaves as it is: neither a control character nor part of a longer one.
 [[nodiscard]] constexpr bool is_plain(char byte) {
   return byte >= 0x20 && byte < 0x7F;
 }
+
+/// Every character is plain. Cost: eight at a time.
+[[nodiscard]] bool is_plain(std::string_view text);
 
 enum class Style : std::uint8_t { error, warning, note, gutter, strong, added, removed };
 
@@ -29,6 +36,9 @@ class Painter {
   [[nodiscard]] std::string operator()(Style style, std::string_view text) const;
   /// The same behind `out`.
   void append(std::string& out, Style style, std::string_view text) const;
+  /// The same for what is written between the two.
+  void begin(std::string& out, Style style) const;
+  void end(std::string& out) const;
 
  private:
   bool color_;

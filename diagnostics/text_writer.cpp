@@ -5,6 +5,8 @@
 #include "diagnostics/writers.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -49,15 +51,14 @@ constexpr Pointer related_pointer{.arrow = ":::", .mark = '-', .style = Style::g
 
 class TextWriter {
  public:
-  TextWriter(Finding const& finding, SourceSet const& sources, WriteOptions const& options)
-      : finding_(finding), sources_(sources), language_(options.language), paint_(options.color) {
+  TextWriter(std::string& out, Finding const& finding, SourceSet const& sources, WriteOptions const& options)
+      : out_(out), finding_(finding), sources_(sources), language_(options.language), paint_(options.color) {
     if (finding.place) location_ = locate(*finding.place, sources);
     if (finding.fix) blocks_ = preview(*finding.fix, sources);
-    gutter_width_ = std::to_string(largest_line_number()).size();
+    gutter_width_ = digits_of(largest_line_number());
   }
 
-  std::string write() && {
-    out_.reserve(usual_size);
+  void write() && {
     write_headline();
     if (finding_.place) {
       Pointer const pointer{.arrow = "-->", .mark = '^', .style = style_of(finding_.severity)};
@@ -72,11 +73,14 @@ class TextWriter {
       write_place(related.place.source, locate(related.place, sources_), related_pointer, &related.message);
     }
     write_below();
-    return std::move(out_);
   }
 
  private:
-  static constexpr std::size_t usual_size = 512;
+  [[nodiscard]] static std::size_t digits_of(std::uint32_t number) {
+    std::size_t digits = 1;
+    for (; number >= 10; number /= 10) ++digits;
+    return digits;
+  }
 
   [[nodiscard]] std::uint32_t largest_line_number() const {
     std::uint32_t largest = location_.begin.line;
@@ -89,46 +93,50 @@ class TextWriter {
     return largest;
   }
 
-  /// As a view that the next call makes invalid.
-  [[nodiscard]] std::string_view sentence(Message const& message) {
-    rendered_.clear();
-    append_rendered(rendered_, message, language_);
-    return printed(rendered_);
-  }
-  [[nodiscard]] std::string_view printed(std::string_view text) {
-    printed_.clear();
-    append_printable(printed_, text);
-    return printed_;
+  void write_sentence(Message const& message) {
+    std::size_t const begin = out_.size();
+    append_rendered(out_, message, language_);
+    make_printable(out_, begin);
   }
   [[nodiscard]] std::string_view word(Text text) const { return text_template(text, language_); }
 
-  void paint(Style style, std::string_view text) { paint_.append(out_, style, text); }
+  void write_number(std::uint32_t number) {
+    std::array<char, 10> digits{};
+    auto const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    out_.append(digits.data(), end);
+  }
 
   void write_headline() {
-    std::string head(word(word_of(finding_.severity)));
-    head.append("[").append(code_text(finding_.code)).append("]");
-    paint(style_of(finding_.severity), head);
-    paint(Style::strong, std::string(": ").append(sentence(finding_.message)));
+    paint_.begin(out_, style_of(finding_.severity));
+    ((out_ += word(word_of(finding_.severity))) += '[') += code_text(finding_.code);
+    out_ += ']';
+    paint_.end(out_);
+    paint_.begin(out_, Style::strong);
+    out_ += ": ";
+    write_sentence(finding_.message);
+    paint_.end(out_);
     out_ += '\n';
   }
 
   void begin_arrow(std::string_view arrow) {
     out_.append(gutter_width_, ' ');
-    paint(Style::gutter, arrow);
+    paint_.append(out_, Style::gutter, arrow);
     out_ += ' ';
   }
 
   void write_arrow(std::string_view arrow, std::string_view file, Position position) {
     begin_arrow(arrow);
     append_printable(out_, file);
-    (out_ += ':') += std::to_string(position.line);
-    (out_ += ':') += std::to_string(position.column);
+    out_ += ':';
+    write_number(position.line);
+    out_ += ':';
+    write_number(position.column);
     out_ += '\n';
   }
 
   void begin_gutter(std::string_view mark) {
     out_.append(gutter_width_ + 1, ' ');
-    paint(Style::gutter, mark);
+    paint_.append(out_, Style::gutter, mark);
   }
 
   void write_empty_gutter() {
@@ -136,9 +144,11 @@ class TextWriter {
     out_ += '\n';
   }
 
-  [[nodiscard]] std::string numbered(std::uint32_t line) const {
-    std::string const number = std::to_string(line);
-    return std::string(gutter_width_ - number.size(), ' ') + number + ' ';
+  /// The number of a line, as wide as the gutter.
+  void write_line_number(std::uint32_t line) {
+    out_.append(gutter_width_ - digits_of(line), ' ');
+    write_number(line);
+    out_ += ' ';
   }
 
   /// `label` may be null.
@@ -152,39 +162,62 @@ class TextWriter {
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
     std::string const line = source.utf8(source.line_span(location.begin.line));
     ShownLine const shown = show_line(line, {.begin = begin, .end = end});
-    paint(Style::gutter, numbered(location.begin.line) + '|');
+    paint_.begin(out_, Style::gutter);
+    write_line_number(location.begin.line);
+    out_ += '|';
+    paint_.end(out_);
     ((out_ += ' ') += shown.text) += '\n';
 
-    std::string marks(shown.width, pointer.mark);
-    std::string_view const words = label == nullptr ? std::string_view() : sentence(*label);
-    if (!words.empty()) (marks += ' ') += words;
     begin_gutter("|");
     (out_ += ' ') += shown.indent;
-    paint(pointer.style, marks);
+    paint_.begin(out_, pointer.style);
+    out_.append(shown.width, pointer.mark);
+    if (label != nullptr) {
+      out_ += ' ';
+      write_sentence(*label);
+    }
+    paint_.end(out_);
     out_ += '\n';
   }
 
   void write_below() {
-    std::string const control = control_text(finding_, language_);
-    bool const is_empty = finding_.notes.empty() && finding_.help.empty() && !finding_.fix && control.empty();
-    if (is_empty) return;
+    bool const says_reaction = has_control_text(finding_);
+    if (finding_.notes.empty() && finding_.help.empty() && !finding_.fix && !says_reaction) return;
     if (finding_.place || !finding_.related.empty()) write_empty_gutter();
-    for (Message const& note : finding_.notes) write_line_below({}, sentence(note));
-    if (!control.empty()) write_line_below(word(Text::word_control), printed(control));
-    for (Message const& help : finding_.help) write_line_below(word(Text::word_help), sentence(help));
+    for (Message const& note : finding_.notes) {
+      begin_line_below({});
+      write_sentence(note);
+      out_ += '\n';
+    }
+    if (says_reaction) {
+      begin_line_below(word(Text::word_control));
+      std::size_t const begin = out_.size();
+      append_control_text(out_, finding_, language_);
+      make_printable(out_, begin);
+      out_ += '\n';
+    }
+    for (Message const& help : finding_.help) {
+      begin_line_below(word(Text::word_help));
+      write_sentence(help);
+      out_ += '\n';
+    }
     if (finding_.fix) write_fix();
   }
 
   /// A colon separates `head` from the rest, where there is a head.
-  void write_line_below(std::string_view head, std::string_view text) {
+  void begin_line_below(std::string_view head) {
     begin_gutter("=");
     out_ += ' ';
-    if (!head.empty()) paint(Style::strong, std::string(head).append(": "));
-    (out_ += text) += '\n';
+    if (head.empty()) return;
+    paint_.begin(out_, Style::strong);
+    (out_ += head) += ": ";
+    paint_.end(out_);
   }
 
   void write_fix() {
-    write_line_below(word(Text::word_fix), sentence(finding_.fix->title));
+    begin_line_below(word(Text::word_fix));
+    write_sentence(finding_.fix->title);
+    out_ += '\n';
     for (PreviewBlock const& block : blocks_) {
       if (!finding_.place || finding_.place->source != block.source) {
         write_arrow(related_pointer.arrow, sources_[block.source].name(), block.begin);
@@ -206,15 +239,18 @@ class TextWriter {
   void write_preview_line(PreviewLine const& line) {
     ShownLine const shown = show_line(line.text, {.begin = line.first_change, .end = line.first_change});
     Style const style = line.added ? Style::added : Style::removed;
-    paint(Style::gutter, numbered(line.number));
-    paint(style, line.added ? "+" : "-");
+    paint_.begin(out_, Style::gutter);
+    write_line_number(line.number);
+    paint_.end(out_);
+    paint_.append(out_, style, line.added ? "+" : "-");
     if (!shown.text.empty()) {
       out_ += ' ';
-      paint(style, shown.text);
+      paint_.append(out_, style, shown.text);
     }
     out_ += '\n';
   }
 
+  std::string& out_;
   Finding const& finding_;
   SourceSet const& sources_;
   Language language_;
@@ -222,15 +258,19 @@ class TextWriter {
   Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
-  std::string out_;
-  std::string rendered_;
-  std::string printed_;
 };
 
 }  // namespace
 
+void append_text(std::string& out, Finding const& finding, SourceSet const& sources,
+                 WriteOptions const& options) {
+  TextWriter(out, finding, sources, options).write();
+}
+
 std::string write_text(Finding const& finding, SourceSet const& sources, WriteOptions const& options) {
-  return TextWriter(finding, sources, options).write();
+  std::string text;
+  append_text(text, finding, sources, options);
+  return text;
 }
 
 }  // namespace axisc

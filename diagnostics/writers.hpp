@@ -71,6 +71,9 @@ struct ReportContext {
 /// line.
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,
                                      WriteOptions const& options);
+/// The same behind `out`.
+void append_text(std::string& out, Finding const& finding, SourceSet const& sources,
+                 WriteOptions const& options);
 
 /// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings".
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
@@ -112,6 +115,7 @@ struct ReportContext {
 [[nodiscard]] std::string whole_message(Finding const& finding, Language language);
 
 /// "message 50663: the filter is switched off; runs with 0"; empty where nothing is known.
-[[nodiscard]] std::string control_text(Finding const& finding, Language language);
+void append_control_text(std::string& text, Finding const& finding, Language language);
+[[nodiscard]] bool has_control_text(Finding const& finding);
 
 }  // namespace axisc

@@ -33,7 +33,7 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
 CheckResult check(Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources) {
   std::vector<Finding> findings;
   CheckResult result = check(files, path, options, sources,
-                             [&findings](Finding finding) { findings.push_back(std::move(finding)); });
+                             [&findings](Finding& finding) { findings.push_back(std::move(finding)); });
   result.findings = std::move(findings);
   return result;
 }

@@ -34,8 +34,8 @@ struct NotCompiled {
   Message feature;  ///< "the FIR filter of axis X"
 };
 
-/// Takes the findings of one input in output order, each as soon as it has words.
-using FindingSink = std::function<void(Finding)>;
+/// Takes the findings of one input in output order, each as soon as it has words. It may change them and move out of them.
+using FindingSink = std::function<void(Finding&)>;
 
 struct CheckResult {
   std::vector<Finding> findings;   ///< in output order; empty where a sink takes them

@@ -314,11 +314,15 @@ class Engine {
                         .cycle_time_assumed = cycle_time_needed_ && !machine_.cycle_time};
     bool const is_disabled = std::find(options_.disabled.begin(), options_.disabled.end(),
                                        cycle_time_assumed) != options_.disabled.end();
-    if (result.cycle_time_assumed && !is_disabled) sink(assumed_cycle_time());
+    if (result.cycle_time_assumed && !is_disabled) {
+      Finding assumed = assumed_cycle_time();
+      sink(assumed);
+    }
     for (std::uint32_t const number : standing) {
       Reported const& finding = reported_.findings[number];
       result.has_errors = result.has_errors || finding.severity == Severity::error;
-      sink(tell(reported_, finding));
+      Finding told = tell(reported_, finding);
+      sink(told);
     }
     return result;
   }

@@ -70,25 +70,29 @@ validator::CheckOptions single_parameters() {
   return options;
 }
 
-std::vector<Finding> check(std::string const& text, validator::CheckOptions const& options) {
+/// As commands do: each finding is put into words and gone before the next.
+template <typename Take>
+void check(std::string const& text, validator::CheckOptions const& options, Take take) {
   static std::string const path("x.lis");
   SourceSet sources;
   MemoryFiles files;
   files.put(path, text);
-  return validator::check(files, path, options, sources).findings;
+  (void)validator::check(files, path, options, sources, take);
 }
 
 std::size_t findings = 0;  ///< so that nothing is optimised away
 
 void check_all(std::vector<std::string> const& texts, validator::CheckOptions const& options) {
-  for (std::string const& text : texts) findings += check(text, options).size();
+  for (std::string const& text : texts) {
+    check(text, options, [](Finding const& finding) { findings += finding.message.arguments.size(); });
+  }
 }
 
 /// How often each code is found: a made-up fleet should be sound.
 void print_codes(char const* title, std::vector<std::string> const& texts) {
   std::map<Code, std::size_t> counts;
   for (std::string const& text : texts) {
-    for (Finding const& finding : check(text, all_rules())) ++counts[finding.code];
+    check(text, all_rules(), [&counts](Finding const& finding) { ++counts[finding.code]; });
   }
   std::printf("%s:", title);
   for (auto const& [code, count] : counts) std::printf(" %s %zu", code_text(code).c_str(), count);
@@ -175,13 +179,15 @@ void write_file(std::filesystem::path const& path, std::string const& text) {
 }
 
 void write_fleet(std::filesystem::path const& folder, std::size_t count) {
-  std::filesystem::create_directories(folder / "lists");
-  std::filesystem::create_directories(folder / "trees");
+  for (char const* const kind : {"lists", "trees", "mistakes"}) {
+    std::filesystem::create_directories(folder / kind);
+  }
   for (std::size_t number = 0; number < count; ++number) {
     GeneratedList const list = generate_list(number);
     std::string const name = std::to_string(number);
     write_file((folder / "lists" / name) += ".lis", list.text);
     write_file((folder / "trees" / name) += ".dts", as_device_tree(list));
+    write_file((folder / "mistakes" / name) += ".lis", with_mistakes(list));
   }
 }
 
