@@ -97,8 +97,11 @@ void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence
   }
   bool const is_list = format == FindingFormat::json || format == FindingFormat::gitlab;
   if (is_list && has_elements) out_.write(",");
-  out_.write(format == FindingFormat::gitlab ? fill_holes(finding.text, {.occurrence = occurrence})
-                                             : finding.text);
+  if (format == FindingFormat::gitlab) {
+    out_.write(fill_holes(finding.text, {.occurrence = occurrence}));
+  } else {
+    out_.write(finding.text);
+  }
 }
 
 void ReportStream::fail(std::size_t order, Failure const& failure) {

@@ -29,10 +29,10 @@ Lines split(std::string_view text) {
 /// In code points; both are well-formed.
 std::size_t first_difference(std::string_view left, std::string_view right) {
   auto const equal = std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first;
-  auto const begun =
-      std::count_if(left.begin(), equal, [](char byte) { return !is_continuation_byte(byte); });
-  bool const is_inside = equal != left.end() && is_continuation_byte(*equal);
-  return static_cast<std::size_t>(begun) - (is_inside ? 1 : 0);
+  auto const size = static_cast<std::size_t>(equal - left.begin());
+  std::size_t const begun = size - count_continuation_bytes(left.substr(0, size));
+  bool const is_inside = size < left.size() && is_continuation_byte(left[size]);
+  return begun - (is_inside ? 1 : 0);
 }
 
 // Leaves only the lines in the middle that differ, and returns how many equal ones stood before them.

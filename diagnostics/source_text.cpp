@@ -67,7 +67,7 @@ Position SourceText::position(std::uint32_t offset) const {
   if (encoding_ != Encoding::windows_1252) {
     // Continuation bytes up to and including `at` belong to characters that began before.
     std::string_view const before = slice({.begin = begin, .end = at});
-    auto inside = std::count_if(before.begin(), before.end(), is_continuation_byte);
+    std::size_t inside = count_continuation_bytes(before);
     if (at < bytes_.size() && is_continuation_byte(bytes_[at])) ++inside;
     position.column -= static_cast<std::uint32_t>(inside);
   }

@@ -1,6 +1,9 @@
 #include "diagnostics/utf8.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -62,6 +65,18 @@ std::size_t valid_utf8_prefix(std::string_view text) {
     at += size;
   }
   return at;
+}
+
+std::size_t count_continuation_bytes(std::string_view text) {
+  constexpr std::uint64_t ones = 0x0101010101010101U;
+  std::size_t count = 0;
+  for (; text.size() >= sizeof(std::uint64_t); text.remove_prefix(sizeof(std::uint64_t))) {
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, text.data(), sizeof bytes);
+    // The uppermost bit of each byte is set and the one below is not.
+    count += static_cast<std::size_t>(std::popcount((bytes >> 7U) & (~bytes >> 6U) & ones));
+  }
+  return count + static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation_byte));
 }
 
 DecodedCharacter decode_utf8(std::string_view text) {

@@ -34,4 +34,7 @@ void append_utf8(std::string& text, char32_t character);
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
+/// How many of them there are. Cost: eight bytes at a time.
+[[nodiscard]] std::size_t count_continuation_bytes(std::string_view text);
+
 }  // namespace axisc

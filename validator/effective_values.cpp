@@ -136,8 +136,8 @@ void EffectiveValues::order_set_values() {
   in_order_ = true;
 }
 
-schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {
-  return find_pattern(pattern, first_index, second_index, schema::find).slot;
+schema::Parameter const& row_at(std::string_view pattern) {
+  return *find_pattern(pattern, 0, 0, schema::find).row;
 }
 
 }  // namespace axisc::validator

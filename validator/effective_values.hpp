@@ -121,10 +121,9 @@ class EffectiveValues {
 [[nodiscard]] std::string parameter_name(EffectiveValue const& value);
 [[nodiscard]] std::string parameter_number(EffectiveValue const& value);
 
-/// Slot of a pattern of the built-in catalogue with its indices. Schema files move no slot of the families that are
+/// Row of a pattern of the built-in catalogue, `filter[].order`. Schema files move no slot of the families that are
 /// compiled.
-[[nodiscard]] schema::Slot slot_at(std::string_view pattern, std::uint32_t first_index = 0,
-                                   std::uint32_t second_index = 0);
+[[nodiscard]] schema::Parameter const& row_at(std::string_view pattern);
 
 /// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
 enum class ReferenceTrouble : std::uint8_t {

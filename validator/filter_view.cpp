@@ -24,12 +24,13 @@ using Slots = std::array<std::array<schema::Slot, member_names.size()>, setpoint
 
 Slots look_up_slots() {
   Slots slots{};
-  for (std::uint32_t i = 0; i < slots.size(); ++i) {
-    bool const setpoint = i < setpoint_filters;
-    for (std::size_t member = 0; member < member_names.size(); ++member) {
-      std::string pattern(setpoint ? "filter[]." : "lr_param.add_interface.filter[].");
-      pattern.append(member_names[member]);
-      slots[i][member] = slot_at(pattern, setpoint ? i : i - setpoint_filters);
+  for (std::size_t member = 0; member < member_names.size(); ++member) {
+    std::string const name(member_names[member]);
+    schema::Parameter const& of_setpoint = row_at("filter[]." + name);
+    for (std::uint32_t i = 0; i < setpoint_filters; ++i) slots[i][member] = schema::slot_of(of_setpoint, i);
+    schema::Parameter const& of_interface = row_at("lr_param.add_interface.filter[]." + name);
+    for (std::uint32_t i = 0; i < interface_filters; ++i) {
+      slots[setpoint_filters + i][member] = schema::slot_of(of_interface, i);
     }
   }
   return slots;

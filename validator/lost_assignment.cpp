@@ -46,6 +46,7 @@ bool is_well_formed(std::string_view name) {
 std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std::string_view name) {
   using Status = schema::NameLookup::Status;
   if (!is_well_formed(name)) return std::nullopt;
+  if (auto const exact = catalogue.find_exact(name)) return exact.slot;
   schema::NameLookup const lookup = catalogue.find(name);
   switch (lookup.status) {
     case Status::found:

@@ -48,12 +48,13 @@ using Slots = std::array<std::array<FilterSlots, members.size()>, position_contr
 
 Slots look_up_slots() {
   Slots slots{};
-  for (std::uint32_t stage = 0; stage < slots.size(); ++stage) {
-    for (std::size_t member = 0; member < members.size(); ++member) {
-      std::string pattern("lr_param.improved_position_control.stage[].");
-      pattern.append(members[member].name);
+  for (std::size_t member = 0; member < members.size(); ++member) {
+    std::string pattern("lr_param.improved_position_control.stage[].");
+    pattern.append(members[member].name);
+    schema::Parameter const& row = row_at(pattern);
+    for (std::uint32_t stage = 0; stage < slots.size(); ++stage) {
       for (std::uint32_t filter = 0; filter < filters_per_stage; ++filter) {
-        slots[stage][member][filter] = slot_at(pattern, stage, members[member].per_filter ? filter : 0);
+        slots[stage][member][filter] = schema::slot_of(row, stage, members[member].per_filter ? filter : 0);
       }
     }
   }

@@ -23,3 +23,22 @@ TEST_CASE("colours are put around words only where they are wanted") {
   CHECK(Painter(true)(Style::warning, "x") == "\x1b[1;33mx\x1b[0m");
   CHECK(Painter(true)(Style::note, "").empty());
 }
+
+TEST_CASE("text is plain where each of its characters is, wherever another one stands") {
+  for (int byte = 0; byte < 256; ++byte) {
+    for (std::size_t before = 0; before < 20; ++before) {
+      std::string const text = std::string(before, 'a') + static_cast<char>(byte) + "~ b";
+      CHECK(is_plain(text) == is_plain(static_cast<char>(byte)));
+    }
+  }
+  CHECK(is_plain(""));
+}
+
+TEST_CASE("only what is written last is made printable") {
+  std::string text = "a\tb";
+  make_printable(text, 3);
+  CHECK(text == "a\tb");
+  text += "c\td µ";
+  make_printable(text, 3);
+  CHECK(text == "a\tbc␉d µ");
+}

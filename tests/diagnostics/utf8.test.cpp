@@ -2,7 +2,9 @@
 
 #include "support/catch.hpp"
 
+#include <algorithm>
 #include <array>
+#include <random>
 #include <string>
 
 using namespace axisc;
@@ -101,4 +103,15 @@ TEST_CASE("repairing replaces bytes and nothing else") {
   CHECK(repair_utf8("G\xFCte") == "G\xEF\xBF\xBDte");
   CHECK(repair_utf8("\xE2\x82") == "\xEF\xBF\xBD\xEF\xBF\xBD");
   CHECK(repair_utf8("a\xFF") == "a\xEF\xBF\xBD");
+}
+
+TEST_CASE("continuation bytes are counted wherever they stand") {
+  std::string const characters = "aµ€😀\x7F\xC0\xBF\x80";
+  std::mt19937 random(11);
+  for (int round = 0; round < 2000; ++round) {
+    std::string text;
+    for (std::size_t size = random() % 40; size > 0; --size) text += characters[random() % characters.size()];
+    CHECK(count_continuation_bytes(text) ==
+          static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation_byte)));
+  }
 }

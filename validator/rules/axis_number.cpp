@@ -27,7 +27,7 @@ std::vector<Numbered> numbered_axes(LoadedMachine const& machine) {
 void check_default_list(LoadedMachine const& machine, Report& report) {
   LoadedList const* const list = machine.list_of_defaults();
   if (list == nullptr) return;
-  schema::Slot const slot = slot_at("kopf.achs_nr");
+  schema::Slot const slot = schema::slot_of(row_at("kopf.achs_nr"));
   for (std::size_t i = list->readings.size(); i-- > 0;) {
     Reading const& reading = list->readings[i];
     if (!reading.known() || reading.slot != slot || reading.status != ReadingStatus::value) continue;
