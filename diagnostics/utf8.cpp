@@ -51,11 +51,22 @@ bool are_eight_ascii(char const* bytes) {
   return (word & 0x8080808080808080U) == 0;
 }
 
+constexpr std::size_t piece = 256;
+
+/// In pieces of a fixed size and byte by byte, so that compilers take many bytes at once.
+bool is_ascii_piece(char const* bytes) {
+  unsigned char any = 0;
+  for (std::size_t i = 0; i < piece; ++i)
+    any = static_cast<unsigned char>(any | static_cast<unsigned char>(bytes[i]));
+  return any < 0x80;
+}
+
 }  // namespace
 
 std::size_t valid_utf8_prefix(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {
+    while (text.size() - at >= piece && is_ascii_piece(text.data() + at)) at += piece;
     if (text.size() - at >= 8 && are_eight_ascii(text.data() + at)) {
       at += 8;
       continue;
