@@ -1,6 +1,8 @@
 // 16 bytes in a vector: SSE2.
 #pragma once
 
+#include "grammar/levels/every_byte.hpp"
+
 #include <cstdint>
 #include <emmintrin.h>
 
@@ -12,21 +14,29 @@ using Class = __m128i;  ///< of the bytes that belong to it all bits are set
 inline Vector load(char const* bytes) {
   return _mm_loadu_si128(reinterpret_cast<Vector const*>(bytes));  // NOLINT: how vectors are loaded
 }
+inline Vector every(char byte) {
+  auto const* const bytes = every_byte.of[static_cast<unsigned char>(byte)];
+  return _mm_load_si128(reinterpret_cast<Vector const*>(bytes));  // NOLINT: how vectors are loaded
+}
 inline Vector in_small_letters(Vector bytes) {
-  return _mm_or_si128(bytes, _mm_set1_epi8(0x20));
+  return _mm_or_si128(bytes, every(0x20));
 }
 inline Class equal(Vector bytes, char byte) {
-  return _mm_cmpeq_epi8(bytes, _mm_set1_epi8(byte));
+  return _mm_cmpeq_epi8(bytes, every(byte));
 }
-/// Bytes above 0x7F are less than all others.
-inline Class less(Vector bytes, char byte) {
-  return _mm_cmplt_epi8(bytes, _mm_set1_epi8(byte));
+/// Bytes above 0x7F are not: they are less than all others.
+inline Class greater(Vector bytes, char byte) {
+  return _mm_cmpgt_epi8(bytes, every(byte));
 }
 inline Class either(Class a, Class b) {
   return _mm_or_si128(a, b);
 }
+/// In a, not in b.
+inline Class without(Class a, Class b) {
+  return _mm_andnot_si128(b, a);
+}
 inline Class between(Vector bytes, char first, char last) {
-  return _mm_andnot_si128(less(bytes, first), less(bytes, static_cast<char>(last + 1)));
+  return without(greater(bytes, static_cast<char>(first - 1)), greater(bytes, last));
 }
 inline std::uint64_t bits_of(Class a) {
   return static_cast<std::uint32_t>(_mm_movemask_epi8(a));

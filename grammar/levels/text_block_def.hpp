@@ -63,7 +63,7 @@ class TextBlock {
   }
   /// Control characters, also line ends, and everything above 0x7E; a tab may be among them.
   [[nodiscard]] Bits unusual() const {
-    return bits([](Vector bytes) { return either(less(bytes, ' '), equal(bytes, '\x7F')); });
+    return ~bits([](Vector bytes) { return without(greater(bytes, ' ' - 1), equal(bytes, '\x7F')); });
   }
 
  private:
