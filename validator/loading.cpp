@@ -218,11 +218,11 @@ class Loader {
     if (options_.axis_type) type = options_.axis_type;
     std::optional<bool> rotary;
     if (type) rotary = *type != AxisType::translatory;
-    LoadedAxis& axis = machine_.axes.emplace_back();
-    axis.list = list;
-    axis.merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
-    axis.type = type.value_or(axis_type_of(axis.merged.values));
-    return axis;
+    MergedValues merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
+    AxisType const known_type = type.value_or(axis_type_of(merged.values));
+    machine_.axes.push_back(
+        {.name = {}, .type = known_type, .list = list, .drive = {}, .merged = std::move(merged)});
+    return machine_.axes.back();
   }
 
   /// Index of the list; a file that several axes name is read once.

@@ -3,6 +3,7 @@
 #include "validator/references.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace axisc::validator {
 namespace {
@@ -22,12 +23,10 @@ class Merger {
   }
 
   MergedValues finish(std::optional<bool> rotary) {
-    MergedValues merged;
-    merged.reference_problems = resolve_references(
+    std::vector<ReferenceProblem> problems = resolve_references(
         values_, pending_, rotary.value_or(axis_type_of(values_) != AxisType::translatory));
     values_.order_set_values();
-    merged.values = std::move(values_);
-    return merged;
+    return {.values = std::move(values_), .reference_problems = std::move(problems)};
   }
 
  private:
