@@ -1,7 +1,9 @@
 #include "validator/judgement.hpp"
 #include "validator/reading.hpp"
+#include "validator/short_number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,45 +26,95 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
+/// The number of an assignment as nearly all of them are: a few digits, where the parameter is a number of that kind. False for
+/// every other one.
+bool read_short_number(std::string_view bytes, grammar::Assignment const& assignment,
+                       schema::Parameter const& parameter, double& number) {
+  using grammar::ValueKind;
+  bool const is_real = parameter.type == schema::DataType::real64;
+  bool const is_number = is_real || schema::is_integer(parameter.type);
+  if (!is_number || parameter.is_enumeration() || assignment.value.end < room_before_number_end) return false;
+  char const* const begin = bytes.data() + assignment.value.begin;
+  char const* const end = bytes.data() + assignment.value.end;
+  if (assignment.kind == ValueKind::integer) return read_short_integer(begin, end, number);
+  return assignment.kind == ValueKind::real && is_real && read_short_real(begin, end, number);
+}
+
+/// Exact for short numbers.
+bool fits(schema::Parameter const& parameter, double number) {
+  DataRange const range = data_range(parameter.type);
+  return (range.lowest <= number) & (number <= range.highest);
+}
+
 }  // namespace
 
 class ListReader {
  public:
   ListReader(SourceText const& source, grammar::AxisList const& list, schema::Catalogue const& catalogue)
-      : source_(source), list_(list), catalogue_(catalogue) {
+      : source_(source), list_(list), catalogue_(catalogue), seen_(catalogue.slot_count()) {
     result_.readings_.reserve(list.assignments.size());
   }
 
-  /// Names first: a processor works at several look-ups at once when nothing stands between them.
   Readings read() && {
-    for (grammar::Assignment const& assignment : list_.assignments) look_up(assignment);
-    for (std::uint32_t i = 0; i < list_.assignments.size(); ++i) judge(i);
+    // Names first: a processor works at several look-ups at once when nothing stands between them.
+    std::array<schema::ConcreteParameter, 32> parameters;
+    std::span<grammar::Assignment const> rest = list_.assignments;
+    while (!rest.empty()) {
+      std::size_t const count = std::min(rest.size(), parameters.size());
+      for (std::size_t i = 0; i < count; ++i) {
+        parameters[i] = catalogue_.find_exact(source_.slice(rest[i].name));
+      }
+      for (std::size_t i = 0; i < count; ++i) read(rest[i], parameters[i]);
+      rest = rest.subspan(count);
+    }
     return std::move(result_);
   }
 
  private:
-  void judge(std::uint32_t number) {
-    grammar::Assignment const& assignment = list_.assignments[number];
-    Reading& reading = result_.readings_[number];
-    validator::judge(source_, assignment, reading, result_.transcoded_);
-    if (!reading.row_known()) suggest(number);
-    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
-  }
-
-  void look_up(grammar::Assignment const& assignment) {
-    std::string_view const name = source_.slice(assignment.name);
+  /// `exact` has no row where the name is no parameter's as it stands.
+  void read(grammar::Assignment const& assignment, schema::ConcreteParameter exact) {
+    auto const number = static_cast<std::uint32_t>(result_.readings_.size());
     Reading& reading = result_.readings_.emplace_back();
-    if (auto const exact = catalogue_.find_exact(name)) {
+    reading.text = assignment.value;
+    if (exact) {
       reading.row = exact.row;
       reading.slot = exact.slot;
       reading.name_status = schema::NameLookup::Status::found;
-      return;
+      if (judge_short_number(assignment, reading)) return note_slot(exact.slot);
+    } else {
+      look_up(assignment, reading);
     }
-    schema::NameLookup const lookup = catalogue_.find(name);
+    validator::judge(source_, assignment, reading, result_.transcoded_);
+    if (!reading.row_known()) suggest(number);
+    if (reading.usable()) note_slot(reading.slot);
+    if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
+  }
+
+  /// False for what is judged otherwise: everything but a short number that is beyond doubt.
+  bool judge_short_number(grammar::Assignment const& assignment, Reading& reading) const {
+    schema::Parameter const& parameter = *reading.row;
+    double number = 0;
+    if (!read_short_number(source_.bytes(), assignment, parameter, number) || !fits(parameter, number) ||
+        is_outside(parameter, number) || assignment.trailer_kind == grammar::TrailerKind::text) {
+      return false;
+    }
+    reading.value.number = number;
+    reading.status = ReadingStatus::value;
+    return true;
+  }
+
+  void look_up(grammar::Assignment const& assignment, Reading& reading) {
+    schema::NameLookup const lookup = catalogue_.find(source_.slice(assignment.name));
     reading.row = lookup.row;
     reading.slot = lookup.slot;
     reading.name_status = lookup.status;
     reading.name_folded = lookup.case_folded;
+  }
+
+  void note_slot(schema::Slot slot) {
+    auto&& seen = seen_[static_cast<std::size_t>(slot)];
+    result_.has_repetitions_ = result_.has_repetitions_ || seen;
+    seen = true;
   }
 
   void suggest(std::uint32_t number) {
@@ -76,6 +128,7 @@ class ListReader {
   grammar::AxisList const& list_;
   schema::Catalogue const& catalogue_;
   Readings result_;
+  std::vector<bool> seen_;  ///< slots that a line gives a value
   std::size_t unknown_names_ = 0;
 };
 

@@ -27,7 +27,6 @@ class Judge {
   Judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
         std::forward_list<std::string>& transcoded)
       : source_(source), assignment_(assignment), reading_(reading), transcoded_(transcoded) {
-    reading_.text = assignment.value;
     reading_.quoted = assignment.kind == ValueKind::quoted;
   }
 

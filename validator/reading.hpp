@@ -83,6 +83,9 @@ class Readings {
   /// all lists are beyond doubt, and no check looks at them again.
   [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
 
+  /// Several lines give the same parameter a value.
+  [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
+
   /// What may be meant by the unknown name of an assignment, best first.
   [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
 
@@ -99,6 +102,7 @@ class Readings {
   std::vector<Suggested> suggested_;  ///< in the order of the assignments
   std::forward_list<std::string>
       transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+  bool has_repetitions_ = false;
 };
 
 /// Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown names only.

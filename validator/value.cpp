@@ -73,6 +73,15 @@ static_assert(static_cast<std::size_t>(schema::DataType::boolean) == 0 &&
               static_cast<std::size_t>(schema::DataType::sgn08) == 5 &&
               static_cast<std::size_t>(schema::DataType::string) + 1 == exact_ranges.size());
 
+constexpr std::array<DataRange, exact_ranges.size()> data_ranges = [] {
+  std::array<DataRange, exact_ranges.size()> rounded;
+  std::transform(exact_ranges.begin(), exact_ranges.end(), rounded.begin(), [](ExactRange const& range) {
+    return DataRange{.lowest = static_cast<double>(range.lowest),
+                     .highest = static_cast<double>(range.highest)};
+  });
+  return rounded;
+}();
+
 ExactRange const& exact_range(schema::DataType type) {
   return exact_ranges[static_cast<std::size_t>(type)];
 }
@@ -174,8 +183,7 @@ bool is_complete_number(std::string_view text) {
 }
 
 DataRange data_range(schema::DataType type) {
-  ExactRange const range = exact_range(type);
-  return {.lowest = static_cast<double>(range.lowest), .highest = static_cast<double>(range.highest)};
+  return data_ranges[static_cast<std::size_t>(type)];
 }
 
 SymbolReading read_symbol(schema::Parameter const& parameter, std::string_view word) {

@@ -57,10 +57,15 @@ struct DataRange {
 /// Below the minimum or above the maximum where those are numbers, also where the value is allowed nevertheless, as the
 /// default is.
 [[nodiscard]] inline bool is_outside(schema::Parameter const& parameter, double value) {
+  using Kind = schema::Limit::Kind;
   schema::Limit const& low = parameter.minimum;
   schema::Limit const& high = parameter.maximum;
-  return (low.kind == schema::Limit::Kind::number && violates_minimum(value, low.number, low.open)) ||
-         (high.kind == schema::Limit::Kind::number && violates_maximum(value, high.number, high.open));
+  // Computed and not decided: the kinds of limits differ from line to line.
+  bool const below = static_cast<bool>((low.kind == Kind::number) &
+                                       ((value < low.number) | (low.open & (value == low.number))));
+  bool const above = static_cast<bool>((high.kind == Kind::number) &
+                                       ((value > high.number) | (high.open & (value == high.number))));
+  return below | above;
 }
 
 struct SymbolReading {

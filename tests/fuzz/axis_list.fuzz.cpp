@@ -1,9 +1,12 @@
 // Any bytes as an axis list, in both encodings: every span lies inside the text, every line that is not blank says
-// something at most once, every number token converts or is beyond its type, and what regular lines give without the
-// grammar is what the grammar gives.
+// something at most once, every number token converts or is beyond its type, quickly as slowly, and what regular lines give
+// without the grammar is what the grammar gives.
 #include "grammar/axis_list.hpp"
 
 #include "grammar/number.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/short_number.hpp"
+#include "validator/value.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +29,22 @@ void require(bool condition) {
 void check_span(Span span, std::string_view bytes) {
   require(span.begin <= span.end && span.end <= bytes.size());
   require(bytes.substr(span.begin, span.size()).find('\n') == std::string_view::npos);
+}
+
+/// What is read eight digits at a time is what is read digit by digit.
+void check_short_number(Assignment const& assignment, std::string_view bytes) {
+  namespace validator = axisc::validator;
+  if (assignment.value.end < validator::room_before_number_end) return;
+  std::string_view const token = bytes.substr(assignment.value.begin, assignment.value.size());
+  char const* const end = token.data() + token.size();
+  double number = 0;
+  if (assignment.kind == ValueKind::integer && validator::read_short_integer(token.data(), end, number)) {
+    require(validator::read_integer(token, axisc::schema::DataType::sgn64).number == number);
+  }
+  if (assignment.kind == ValueKind::real && validator::read_short_real(token.data(), end, number)) {
+    validator::NumberReading const reading = validator::read_real(token);
+    require(reading.status == validator::NumberStatus::good && reading.number == number);
+  }
 }
 
 void check_value(Assignment const& assignment, std::string_view bytes) {
@@ -52,6 +71,7 @@ void check_list(AxisList const& list, std::string_view bytes) {
     require(assignment.line > line && assignment.line <= list.lines);
     line = assignment.line;
     check_value(assignment, bytes);
+    check_short_number(assignment, bytes);
   }
   line = 0;
   for (auto const& problem : list.problems) {

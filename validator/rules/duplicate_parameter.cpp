@@ -24,6 +24,7 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
 }  // namespace
 
 void checks::duplicate_parameter(ListContext const& context, Report& report) {
+  if (!context.list.readings.has_repetitions()) return;
   std::vector<std::uint32_t> last(context.list.catalogue.slot_count(), 0);  // index + 1; 0: not set yet
   Readings const& readings = context.list.readings;
   for (std::uint32_t i = 0; i < readings.size(); ++i) {
