@@ -41,34 +41,20 @@ static_assert(std::size(slot_table) == std::size(slot_name_table));
 static_assert(std::size(displacement_table) == hash_geometry.buckets);
 static_assert(std::size(place_table) == hash_geometry.places);
 
-/// All that a look-up needs, side by side; an empty name where the place is free.
-struct Place {
-  std::string_view name;
-  Slot slot{};
-  ParameterId parameter{};
-};
-
-constexpr auto places = [] {
-  std::array<Place, hash_geometry.places> filled{};
-  for (std::size_t i = 0; i < filled.size(); ++i) {
-    std::uint16_t const entry = place_table[i];
-    if (entry == 0) continue;
-    filled[i] = {.name = slot_name_table[entry - 1],
-                 .slot = static_cast<Slot>(entry - 1),
-                 .parameter = slot_table[entry - 1].parameter};
-  }
-  return filled;
-}();
-
 Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
 }
 
-/// The only place where `name` can stand.
-Place const& place_of_name(std::string_view name) {
+/// One more than the only slot that can have that name; 0 where none can.
+std::uint16_t entry_of_name(std::string_view name) {
   std::uint64_t const hash = hash_name(name);
   std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
-  return places[place_of(hash, displacement, hash_geometry)];
+  return place_table[place_of(hash, displacement, hash_geometry)];
+}
+
+ConcreteParameter found_if_same(std::uint16_t entry, std::string_view name) {
+  if (entry == 0 || !same_bytes(slot_name_table[entry - 1], name)) return {};
+  return {.row = &row(slot_table[entry - 1].parameter), .slot = static_cast<Slot>(entry - 1)};
 }
 
 NameLookup found(Slot slot) {
@@ -106,10 +92,19 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 }  // namespace
 
 ConcreteParameter find_exact(std::string_view name) {
-  Place const& place = place_of_name(name);
-  // A free place has an empty name.
-  if (name.empty() || !same_bytes(place.name, name)) return {};
-  return {.row = &row(place.parameter), .slot = place.slot};
+  return found_if_same(entry_of_name(name), name);
+}
+
+void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) {
+  // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
+  std::array<std::uint16_t, names_at_once> entries{};
+  for (std::size_t i = 0; i < names.size(); ++i) entries[i] = entry_of_name(names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (entries[i] == 0) continue;
+    __builtin_prefetch(slot_name_table[entries[i] - 1].data());
+    __builtin_prefetch(&row(slot_table[entries[i] - 1].parameter));
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(entries[i], names[i]);
 }
 
 NameLookup find_as_written(std::string_view name) {
@@ -232,10 +227,14 @@ NameLookup Catalogue::find(std::string_view name) const {
   return find_folding(name, [this](std::string_view text) { return extension_->find_as_written(text); });
 }
 
-ConcreteParameter Catalogue::find_exact_in_extension(std::string_view name) const {
-  NameLookup const lookup = extension_->find_as_written(name);
-  if (lookup.status != NameLookup::Status::found) return {};
-  return {.row = lookup.row, .slot = lookup.slot};
+void Catalogue::find_exact(std::span<std::string_view const> names,
+                           std::span<ConcreteParameter> found) const {
+  if (is_built_in()) return schema::find_exact(names, found);
+  std::transform(names.begin(), names.end(), found.begin(), [this](std::string_view name) {
+    NameLookup const lookup = extension_->find_as_written(name);
+    bool const is_found = lookup.status == NameLookup::Status::found;
+    return is_found ? ConcreteParameter{.row = lookup.row, .slot = lookup.slot} : ConcreteParameter{};
+  });
 }
 
 std::span<ParameterId const> Catalogue::find_number(std::uint16_t p_axis) const {

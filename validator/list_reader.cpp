@@ -56,14 +56,13 @@ class ListReader {
   }
 
   Readings read() && {
-    // Names first: a processor works at several look-ups at once when nothing stands between them.
-    std::array<schema::ConcreteParameter, 32> parameters;
+    std::array<std::string_view, schema::names_at_once> names;
+    std::array<schema::ConcreteParameter, schema::names_at_once> parameters;
     std::span<grammar::Assignment const> rest = list_.assignments;
     while (!rest.empty()) {
-      std::size_t const count = std::min(rest.size(), parameters.size());
-      for (std::size_t i = 0; i < count; ++i) {
-        parameters[i] = catalogue_.find_exact(source_.slice(rest[i].name));
-      }
+      std::size_t const count = std::min(rest.size(), names.size());
+      for (std::size_t i = 0; i < count; ++i) names[i] = source_.slice(rest[i].name);
+      catalogue_.find_exact(std::span(names).first(count), parameters);
       for (std::size_t i = 0; i < count; ++i) read(rest[i], parameters[i]);
       rest = rest.subspan(count);
     }
