@@ -118,8 +118,9 @@ class LineReader {
     Bits const mark = lowest(trailer & marks);
     // Quotes may protect a parenthesis.
     if (line_[first_or_last_of(mark)] == '"' && mark != 0) return false;
-    char const* trailer_begin = line_ + first_or_last_of(trailer);
-    trailer_begin = trailer == 0 ? end_ : trailer_begin;
+    // A choice between two pointers would become a branch.
+    std::ptrdiff_t const behind_trailer = end_ - (line_ + first_or_last_of(trailer));
+    char const* trailer_begin = end_ - behind_trailer * static_cast<std::ptrdiff_t>(trailer != 0);
     char const* free_text_end = line_ + end_of(content_ & (mark - 1));
     bool unusual = (trailer & unusual_bytes) != 0;
     if (is_long()) {
