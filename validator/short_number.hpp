@@ -79,8 +79,8 @@ inline bool read_short_integer(char const* begin, char const* end, double& numbe
 }
 
 /// The real in [begin, end): a sign or none, one to eight digits, no leading zero, a point, one to seven digits, an exponent
-/// like `e+03` or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one multiplication
-/// or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately", 1990).
+/// like `e+03` or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one
+/// multiplication or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately", 1990).
 inline bool read_short_real(char const* begin, char const* end, double& number) {
   bool const is_negative = *begin == '-';
   char const* const first = begin + (digits::is_sign(*begin) ? 1 : 0);
