@@ -28,14 +28,32 @@ std::string joined(std::vector<std::string_view> const& words, std::string_view 
   return text;
 }
 
+/// Whether one of the words could be meant for the option.
+bool is_named(std::string_view names, std::span<std::string const> words) {
+  auto const known = split_list(names);
+  return std::any_of(known.begin(), known.end(), [&](std::string const& name) {
+    bool const is_letter = name.size() == 2;  // others may stand before it: -qj2
+    return std::any_of(words.begin(), words.end(), [&](std::string const& word) {
+      return is_letter ? word.starts_with('-') && word.find(name.back()) != std::string::npos
+                       : word.starts_with(name);
+    });
+  });
+}
+
 }  // namespace
 
+/// What follows an option's name; an argument has none.
+enum class CommandLine::Takes : std::uint8_t { argument, arguments, nothing, word_or_nothing, value, values };
+
 struct CommandLine::Declared {
-  CLI::Option* option = nullptr;
+  Takes takes{};
   std::string names;
   std::string shown;
   Text meaning{};
   std::function<void(std::vector<std::string> const&)> take;
+  CLI::Option* option = nullptr;  ///< none where no word names it
+
+  [[nodiscard]] bool is_given() const { return option != nullptr && option->count() > 0; }
 };
 
 struct CommandLine::Parser {
@@ -49,8 +67,6 @@ CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, 
       examples_(examples),
       language_(language),
       parser_(std::make_unique<Parser>()) {
-  parser_->app.set_help_flag();
-  parser_->app.allow_extras();
   flag("-h,--help", wants_help_, Text::cli_opt_help);
   flag("--version", wants_version_, Text::cli_opt_version);
   choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, Text::cli_opt_lang);
@@ -61,8 +77,10 @@ CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, 
 
 CommandLine::~CommandLine() = default;
 
-CommandLine::Declared& CommandLine::declare(std::string_view names, std::string_view shown, Text meaning) {
+CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names, std::string_view shown,
+                                            Text meaning) {
   auto& row = parser_->declared.emplace_back();
+  row.takes = takes;
   row.names = names;
   row.shown = shown;
   row.meaning = meaning;
@@ -70,67 +88,86 @@ CommandLine::Declared& CommandLine::declare(std::string_view names, std::string_
 }
 
 void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, Text meaning) {
-  auto& row = declare({}, shown, meaning);
-  row.option = parser_->app.add_option("argument")->expected(1);
-  row.take = [&target](std::vector<std::string> const& given) { target = given.front(); };
+  declare(Takes::argument, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given.front();
+  };
 }
 
 void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, Text meaning) {
-  auto& row = declare({}, shown, meaning);
-  row.option = parser_->app.add_option("arguments")
-                   ->expected(-1)
-                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  row.take = [&target](std::vector<std::string> const& given) { target = given; };
+  declare(Takes::arguments, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given;
+  };
 }
 
 void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
-  auto& row = declare(names, {}, meaning);
-  row.option = parser_->app.add_flag(std::string(names))->disable_flag_override();
-  row.take = [&target](std::vector<std::string> const&) { target = true; };
+  declare(Takes::nothing, names, {}, meaning).take = [&target](std::vector<std::string> const&) {
+    target = true;
+  };
 }
 
 void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
                                  std::optional<std::string>& target, Text meaning) {
-  auto& row = declare(names, shown, meaning);
-  row.option =
-      parser_->app.add_flag(std::string(names))->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   // The parser's word for a flag that stands alone.
-  row.take = [&target](std::vector<std::string> const& given) {
-    target = given.back() == "true" ? std::string() : given.back();
-  };
+  declare(Takes::word_or_nothing, names, shown, meaning).take =
+      [&target](std::vector<std::string> const& given) {
+        target = given.back() == "true" ? std::string() : given.back();
+      };
 }
 
 void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
                         Text meaning) {
-  auto& row = declare(names, shown, meaning);
-  row.option = parser_->app.add_option(std::string(names))->take_last();
-  row.take = [&target](std::vector<std::string> const& given) { target = given.back(); };
+  declare(Takes::value, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given.back();
+  };
 }
 
 void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
                          Text meaning) {
-  auto& row = declare(names, shown, meaning);
-  row.option = parser_->app.add_option(std::string(names))
-                   ->type_size(1)
-                   ->expected(1, 1)
-                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  row.take = [&target](std::vector<std::string> const& given) { target = given; };
+  declare(Takes::values, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given;
+  };
 }
 
 void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
                             std::function<void(std::size_t)> take, Text meaning) {
-  auto& row = declare(names, joined(words, "|"), meaning);
-  row.option = parser_->app.add_option(std::string(names))->take_last();
-  row.take = [name = std::string(names), words = std::move(words),
-              take = std::move(take)](std::vector<std::string> const& given) {
-    auto const found = std::find(words.begin(), words.end(), given.back());
-    if (found == words.end()) {
-      throw Failure(
-          {.text = Text::cli_bad_choice,
-           .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
-    }
-    take(static_cast<std::size_t>(found - words.begin()));
-  };
+  auto shown = joined(words, "|");
+  declare(Takes::value, names, shown, meaning).take =
+      [name = std::string(names), words = std::move(words),
+       take = std::move(take)](std::vector<std::string> const& given) {
+        auto const found = std::find(words.begin(), words.end(), given.back());
+        if (found == words.end()) {
+          throw Failure(
+              {.text = Text::cli_bad_choice,
+               .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
+        }
+        take(static_cast<std::size_t>(found - words.begin()));
+      };
+}
+
+void CommandLine::build(Declared& row) {
+  auto& app = parser_->app;
+  switch (row.takes) {
+    case Takes::argument:
+      row.option = app.add_option("argument")->expected(1);
+      break;
+    case Takes::arguments:
+      row.option =
+          app.add_option("arguments")->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      break;
+    case Takes::nothing:
+      row.option = app.add_flag(row.names)->disable_flag_override();
+      break;
+    case Takes::word_or_nothing:
+      row.option = app.add_flag(row.names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+      break;
+    case Takes::value:
+      row.option = app.add_option(row.names)->take_last();
+      break;
+    case Takes::values:
+      row.option = app.add_option(row.names)->type_size(1)->expected(1, 1)->multi_option_policy(
+          CLI::MultiOptionPolicy::TakeAll);
+      break;
+  }
 }
 
 void CommandLine::refuse_unknown() const {
@@ -157,6 +194,7 @@ void CommandLine::refuse_unknown() const {
 
 void CommandLine::refuse_value(std::string_view complaint) const {
   for (auto const& row : parser_->declared) {
+    if (row.option == nullptr) continue;
     auto const name = row.option->get_name();
     auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     if (complaint.substr(0, name.size()) != name && complaint.substr(0, bare.size()) != bare) continue;
@@ -168,6 +206,11 @@ void CommandLine::refuse_value(std::string_view complaint) const {
 }
 
 std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
+  parser_->app.set_help_flag();
+  parser_->app.allow_extras();
+  for (auto& row : parser_->declared) {
+    if (row.names.empty() || is_named(row.names, arguments)) build(row);
+  }
   // The parser takes them from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
@@ -176,13 +219,13 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
     refuse_value(error.what());
   }
   for (auto const& row : parser_->declared) {
-    if (row.option->count() > 0 && (row.names == "-h,--help" || row.names == "--version")) row.take({});
+    if (row.is_given() && (row.names == "-h,--help" || row.names == "--version")) row.take({});
   }
   if (wants_help_) return help();
   if (wants_version_) return version_text();
   refuse_unknown();
   for (auto const& row : parser_->declared) {
-    if (row.option->count() > 0) row.take(row.option->results());
+    if (row.is_given()) row.take(row.option->results());
   }
   return std::nullopt;
 }

@@ -1,10 +1,12 @@
 // The options of one command, declared one by one and then read. The parser (CLI11) stays behind this interface, and
-// only the options of the command at hand are built: all of them would cost more than linting a list.
+// is told only of the options that the words at hand may name: it compares each with all others, and telling it all of one
+// command would cost more than reading a list.
 #pragma once
 
 #include "cli/surroundings.hpp"
 #include "diagnostics/text.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <memory>
@@ -65,10 +67,12 @@ class CommandLine {
  private:
   struct Parser;
   struct Declared;
+  enum class Takes : std::uint8_t;
 
   void choice_of(std::string_view names, std::vector<std::string_view> words,
                  std::function<void(std::size_t)> take, Text meaning);
-  Declared& declare(std::string_view names, std::string_view shown, Text meaning);
+  Declared& declare(Takes takes, std::string_view names, std::string_view shown, Text meaning);
+  void build(Declared& row);
   void refuse_unknown() const;
   /// What the parser complains about begins with the option's name.
   [[noreturn]] void refuse_value(std::string_view complaint) const;

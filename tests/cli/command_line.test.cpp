@@ -54,6 +54,14 @@ TEST_CASE("options and arguments in any order") {
   CHECK(words.level == 2);
 }
 
+TEST_CASE("letters stand together behind one dash, the value of the last behind them") {
+  Words words;
+  CHECK_FALSE(read(words, {"a", "-qoc"}));
+  CHECK(words.inputs == std::vector<std::string>{"a"});
+  CHECK(words.quiet);
+  CHECK(words.output == "c");
+}
+
 TEST_CASE("behind -- everything is an argument") {
   Words words;
   CHECK_FALSE(read(words, {"-q", "--", "-o", "--what"}));
