@@ -29,6 +29,16 @@ function(axisc_compile_options target)
   endif()
 endfunction()
 
+# Sources of the program alone, never of the runtime, which others link. Nothing of a static program moves: tables of pointers
+# need no relocation, and functions in sections of their own can be put in order (cmake/text_order.ld).
+function(axisc_program_options target)
+  axisc_compile_options(${target})
+  if(AXISC_STATIC)
+    target_compile_options(${target} PRIVATE -fno-pie -ffunction-sections)
+    target_link_options(${target} INTERFACE -no-pie)
+  endif()
+endfunction()
+
 # Sources that calculate and read no foreign bytes: extended precision is what costs most under sanitizers, to compile and
 # to run, and what it calculates is compared with independent figures by the tests of every build.
 function(axisc_without_sanitizers)
@@ -43,7 +53,7 @@ function(axisc_standard_headers)
   set(source "${CMAKE_BINARY_DIR}/standard_headers.cpp")
   file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: its target precompiles the standard headers.\n")
   add_library(axisc_standard_headers OBJECT "${source}")
-  axisc_compile_options(axisc_standard_headers)
+  axisc_program_options(axisc_standard_headers)
   target_precompile_headers(axisc_standard_headers PRIVATE <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint>
     <filesystem> <limits> <map> <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
 endfunction()
@@ -55,7 +65,7 @@ function(axisc_library folder)
   set(target axisc_${folder})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(axisc::${folder} ALIAS ${target})
-  axisc_compile_options(${target})
+  axisc_program_options(${target})
   target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   foreach(neighbour IN LISTS ARG_DEPENDS)
