@@ -8,6 +8,7 @@
 #include "diagnostics/report_elements.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,7 +25,7 @@ struct WrittenFinding {
 };
 
 struct CheckedInput {
-  std::vector<WrittenFinding> findings;
+  std::deque<WrittenFinding> findings;
   std::optional<WrittenFinding> assumption;  ///< AX9006, which is said once per run; not among `findings`
   std::vector<Artifact> artifacts;           ///< the sources, where findings name them
   std::vector<std::string> files;            ///< that were read

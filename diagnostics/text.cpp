@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,7 @@ constexpr std::array<Entry, static_cast<std::size_t>(Text::count_)> entries{{
 }};
 
 // Appends what stands at the front of `rest`, a brace or a placeholder, and removes it.
-void fill_brace(std::string_view& rest, std::vector<Argument> const& arguments, std::string& filled) {
+void fill_brace(std::string_view& rest, std::span<Argument const> arguments, std::string& filled) {
   bool const is_doubled = rest.size() > 1 && rest[1] == rest[0];
   std::size_t const close = rest.find('}');
   if (is_doubled || rest.front() == '}' || close == std::string_view::npos) {
@@ -37,7 +38,7 @@ void fill_brace(std::string_view& rest, std::vector<Argument> const& arguments, 
   rest.remove_prefix(close + 1);
 }
 
-void append_filled(std::string& text, std::string_view sentence, std::vector<Argument> const& arguments) {
+void append_filled(std::string& text, std::string_view sentence, std::span<Argument const> arguments) {
   while (!sentence.empty()) {
     // Each on its own: the search for one byte is a fast one.
     std::size_t const open = std::min(sentence.find('{'), sentence.size());
@@ -65,8 +66,13 @@ std::string fill(std::string_view sentence, std::vector<Argument> const& argumen
   return filled;
 }
 
+void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments,
+                     Language language) {
+  append_filled(text, text_template(sentence, language), arguments);
+}
+
 void append_rendered(std::string& text, Message const& message, Language language) {
-  append_filled(text, text_template(message.text, language), message.arguments);
+  append_rendered(text, message.text, message.arguments, language);
 }
 
 std::string render(Message const& message, Language language) {

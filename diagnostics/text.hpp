@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,8 @@ struct Message {
 [[nodiscard]] std::string render(Message const& message, Language language);
 /// The same behind `text`.
 void append_rendered(std::string& text, Message const& message, Language language);
+void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments,
+                     Language language);
 /// The same for a template that stands elsewhere.
 [[nodiscard]] std::string fill(std::string_view sentence, std::vector<Argument> const& arguments);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -85,7 +84,8 @@ std::size_t count_continuation_bytes(std::string_view text) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, text.data(), sizeof bytes);
     // The uppermost bit of each byte is set and the one below is not.
-    count += static_cast<std::size_t>(std::popcount((bytes >> 7U) & (~bytes >> 6U) & ones));
+    std::uint64_t const found = (bytes >> 7U) & (~bytes >> 6U) & ones;
+    count += static_cast<std::size_t>((found * ones) >> 56U);
   }
   return count + static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation_byte));
 }
@@ -126,6 +126,7 @@ void append_utf8(std::string& text, char32_t character) {
 }
 
 std::string repair_utf8(std::string_view text) {
+  if (valid_utf8_prefix(text) == text.size()) return std::string(text);
   std::string repaired;
   repaired.reserve(text.size());
   while (!text.empty()) {

@@ -1,5 +1,6 @@
 #include "diagnostics/writers.hpp"
 
+#include <array>
 #include <string>
 
 namespace axisc {
@@ -37,10 +38,8 @@ void append_control_text(std::string& text, Finding const& finding, Language lan
   std::size_t const begin = text.size();
   if (!control.message.empty()) {
     bool const is_one = control.message.find('/') == std::string::npos;
-    append_rendered(text,
-                    {.text = is_one ? Text::control_message : Text::control_messages,
-                     .arguments = {{.name = "number", .value = control.message}}},
-                    language);
+    std::array const number{Argument{.name = "number", .value = control.message}};
+    append_rendered(text, is_one ? Text::control_message : Text::control_messages, number, language);
   }
   if (control.reaction) {
     if (text.size() != begin) text += ": ";
@@ -48,10 +47,9 @@ void append_control_text(std::string& text, Finding const& finding, Language lan
   }
   if (control.value.empty()) return;
   if (text.size() != begin) text += "; ";
-  std::string const value =
-      control.physical.empty() ? control.value : control.value + " (" + control.physical + ")";
-  append_rendered(text, {.text = Text::control_value, .arguments = {{.name = "value", .value = value}}},
-                  language);
+  std::array value{Argument{.name = "value", .value = control.value}};
+  if (!control.physical.empty()) ((value[0].value += " (") += control.physical) += ')';
+  append_rendered(text, Text::control_value, value, language);
 }
 
 }  // namespace axisc

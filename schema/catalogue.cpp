@@ -132,8 +132,11 @@ std::size_t slot_count() {
 
 std::string p_axis_text(std::uint16_t number) {
   if (number == 0) return {};
-  std::string const digits = std::to_string(number);
-  return "P-AXIS-" + std::string(5 - digits.size(), '0') + digits;
+  std::string text = "P-AXIS-00000";
+  for (std::size_t at = text.size(); number != 0; number /= 10) {
+    text[--at] = static_cast<char>('0' + number % 10);
+  }
+  return text;
 }
 
 NameLookup find(std::string_view name) {

@@ -29,15 +29,14 @@ std::vector<EffectiveValue> internal_defaults(schema::Catalogue const& catalogue
 }
 
 /// The defaults of the built-in catalogue, each made when it is first asked for: rules look at a hundred of them, and to
-/// make them all would take as long as to read a list. Threads may make the same one, of which the first stays.
+/// make them all would take as long as to read a list. Threads may make the same one, of which the first stays. They are
+/// there until the program ends.
 class BuiltInDefaults {
  public:
   BuiltInDefaults() : places_(schema::slot_count()) {}
   BuiltInDefaults(BuiltInDefaults const&) = delete;
   BuiltInDefaults& operator=(BuiltInDefaults const&) = delete;
-  ~BuiltInDefaults() {
-    for (auto const& place : places_) delete place.load();
-  }
+  ~BuiltInDefaults() = delete;
 
   EffectiveValue const& operator[](schema::Slot slot) {
     std::atomic<EffectiveValue const*>& place = places_[static_cast<std::size_t>(slot)];
@@ -57,16 +56,17 @@ template <typename Find>
 schema::NameLookup find_pattern(std::string_view pattern, std::uint32_t first_index,
                                 std::uint32_t second_index, Find find) {
   std::string name;
-  name.reserve(pattern.size() + 4);
+  bool const has_indices = pattern.find('[') != std::string_view::npos;
   std::uint32_t index = first_index;
-  for (char const c : pattern) {
-    if (c == ']') {
+  if (has_indices) name.reserve(pattern.size() + 4);
+  for (std::size_t i = 0; has_indices && i < pattern.size(); ++i) {
+    if (pattern[i] == ']') {
       name += std::to_string(index);
       index = second_index;
     }
-    name += c;
+    name += pattern[i];
   }
-  schema::NameLookup const lookup = find(name);
+  schema::NameLookup const lookup = find(has_indices ? std::string_view(name) : pattern);
   assert(lookup.status == schema::NameLookup::Status::found);
   return lookup;
 }
@@ -95,7 +95,7 @@ EffectiveValues::EffectiveValues(schema::Catalogue catalogue)
 }
 
 EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const {
-  static BuiltInDefaults built_in;
+  static BuiltInDefaults& built_in = *new BuiltInDefaults;
   return own_defaults_.empty() ? built_in[slot] : own_defaults_[static_cast<std::size_t>(slot)];
 }
 
@@ -109,7 +109,7 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   bool const is_new = entry_of_slot_[static_cast<std::size_t>(slot)] == 0;
   EffectiveValue& entry = replace(slot, catalogue_.parameter_of(slot));
-  if (is_new) entry.value = internal_default(slot).value;
+  if (is_new) entry.value = default_value(*entry.row).value_or(Value{});
   in_order_ = false;
   return entry;
 }

@@ -46,7 +46,9 @@ bool is_well_formed(std::string_view name) {
 std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std::string_view name) {
   using Status = schema::NameLookup::Status;
   if (!is_well_formed(name)) return std::nullopt;
-  if (auto const exact = catalogue.find_exact(name)) return exact.slot;
+  std::array<schema::ConcreteParameter, 1> exact;
+  catalogue.find_exact({&name, 1}, exact);
+  if (exact[0]) return exact[0].slot;
   schema::NameLookup const lookup = catalogue.find(name);
   switch (lookup.status) {
     case Status::found:
