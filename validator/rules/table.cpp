@@ -8,13 +8,14 @@
 #include "validator/rules/program_checks.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 namespace axisc::validator {
 namespace {
 
-std::vector<Rule> rows() {
-  std::vector<Rule> table = {
+/// Ready when the program starts.
+constexpr auto table = [] {
+  auto rows = std::to_array<Rule>({
       // clang-format off
       {.code = Code{1001}, .name = "invalid-character", .severity = Severity::error, .control = "",
        .needs = Needs::nothing, .silenced_by = {}, .check = ListCheck{checks::invalid_character}},
@@ -101,22 +102,20 @@ std::vector<Rule> rows() {
 #include "validator/rules/machine_rows.inc"
 #include "validator/rules/position_control_rows.inc"
 #include "validator/rules/program_rows.inc"
-  };
-  std::sort(table.begin(), table.end(), [](Rule const& a, Rule const& b) { return a.code < b.code; });
-  return table;
-}
+  });
+  std::sort(rows.begin(), rows.end(), [](Rule const& a, Rule const& b) { return a.code < b.code; });
+  return rows;
+}();
 
 }  // namespace
 
 std::span<Rule const> rules() {
-  static std::vector<Rule> const table = rows();
   return table;
 }
 
 Rule const* find_rule(Code code) {
-  std::span<Rule const> const table = rules();
-  auto const row = std::lower_bound(table.begin(), table.end(), code,
-                                    [](Rule const& rule, Code wanted) { return rule.code < wanted; });
+  auto const* const row = std::lower_bound(table.begin(), table.end(), code,
+                                           [](Rule const& rule, Code wanted) { return rule.code < wanted; });
   return row != table.end() && row->code == code ? &*row : nullptr;
 }
 
