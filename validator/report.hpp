@@ -71,8 +71,8 @@ class Report {
   /// At `place`, about the parameter of `row` in `slot`.
   Finding& add(Place place, schema::Parameter const& row, schema::Slot slot, Message message);
 
-  /// A finding whose words are made when it is told. For whatever every line of a list may be guilty of: it takes a tenth
-  /// of the time and of the memory, and of what does not stand no words are made at all.
+  /// A finding whose words are made when it is told, for whatever every line of a list may be guilty of: until then it
+  /// takes a hundred bytes, and of what does not stand no words are made at all.
   Reported& later(Place place, Words words);
 
   std::string_view axis;  ///< set by the engine; rules about several axes set it before they report
