@@ -19,6 +19,7 @@ struct CheckJob {
 
 /// The job's options with the settings that apply to `path`.
 [[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
+
 /// May be called by several threads. Throws what has to end the whole run.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                                        ReportForm const& form);

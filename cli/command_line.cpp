@@ -40,6 +40,13 @@ bool is_named(std::string_view names, std::span<std::string const> words) {
   });
 }
 
+/// The parser's complaints begin with a name; behind it others may go on.
+bool is_about(std::string_view complaint, std::string_view name) {
+  if (!complaint.starts_with(name)) return false;
+  std::string_view const rest = complaint.substr(name.size());
+  return rest.empty() || rest.front() == ':' || rest.front() == ' ';
+}
+
 }  // namespace
 
 /// What follows an option's name; an argument has none.
@@ -197,7 +204,7 @@ void CommandLine::refuse_value(std::string_view complaint) const {
     if (row.option == nullptr) continue;
     auto const name = row.option->get_name();
     auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
-    if (complaint.substr(0, name.size()) != name && complaint.substr(0, bare.size()) != bare) continue;
+    if (!is_about(complaint, name) && !is_about(complaint, bare)) continue;
     throw Failure(
         {.text = row.shown.empty() ? Text::cli_option_without_value : Text::cli_option_value_missing,
          .arguments = {{"option", name}, {"command", command_}}});

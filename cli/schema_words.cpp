@@ -44,10 +44,6 @@ std::string data_type_names() {
   return names;
 }
 
-bool is_number(DataType type) {
-  return schema::is_integer(type) || type == DataType::real64;
-}
-
 double data_type_limit(DataType type, bool highest) {
   using Limits = std::numeric_limits<double>;
   if (type == DataType::real64) return highest ? Limits::max() : Limits::lowest();

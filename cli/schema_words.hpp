@@ -14,7 +14,6 @@ namespace axisc::cli {
 [[nodiscard]] std::optional<schema::DataType> parse_data_type(std::string_view word);
 /// All of them, separated by commas.
 [[nodiscard]] std::string data_type_names();
-[[nodiscard]] bool is_number(schema::DataType type);
 /// The lowest or highest value of a type of numbers.
 [[nodiscard]] double data_type_limit(schema::DataType type, bool highest);
 

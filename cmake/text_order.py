@@ -38,7 +38,9 @@ def run_addresses(program, source):
     """Where code was first run, in this order."""
     with tempfile.NamedTemporaryFile() as log:
         command = ["qemu-x86_64", "-cpu", "max", "-d", "in_asm", "-D", log.name, program, "lint", "--cycle-time", "1ms"]
-        subprocess.run(command + ["-j1", source], cwd=PROJECT, env={}, stdout=subprocess.DEVNULL)
+        status = subprocess.run(command + ["-j1", source], cwd=PROJECT, env={}, stdout=subprocess.DEVNULL).returncode
+        if status not in (0, 1):  # without and with findings
+            sys.exit(f"{program} ends with status {status}")
         text = pathlib.Path(log.name).read_text()
     return [int(address, 16) for address in re.findall(r"^0x([0-9a-f]+):", text, re.MULTILINE)]
 

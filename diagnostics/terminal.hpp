@@ -24,7 +24,7 @@ void make_printable(std::string& text, std::size_t begin);
   return byte >= 0x20 && byte < 0x7F;
 }
 
-/// Every character is plain. Cost: eight at a time.
+/// Every character is plain. Cost: linear, eight bytes at a time.
 [[nodiscard]] bool is_plain(std::string_view text);
 
 enum class Style : std::uint8_t { error, warning, note, gutter, strong, added, removed };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -96,6 +97,7 @@ ConcreteParameter find_exact(std::string_view name) {
 }
 
 void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) {
+  assert(names.size() <= names_at_once && names.size() <= found.size());
   // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
   std::array<std::uint16_t, names_at_once> entries{};
   for (std::size_t i = 0; i < names.size(); ++i) entries[i] = entry_of_name(names[i]);

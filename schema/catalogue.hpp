@@ -35,6 +35,10 @@ enum class DataType : std::uint8_t {
 [[nodiscard]] constexpr bool is_integer(DataType type) {
   return type >= DataType::uns08 && type <= DataType::sgn64;
 }
+/// An integer or a real.
+[[nodiscard]] constexpr bool is_number(DataType type) {
+  return is_integer(type) || type == DataType::real64;
+}
 
 /// A word of an enumeration; some have no documented number.
 struct Symbol {
@@ -174,7 +178,7 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
-  /// With schema files also of names whose indices are written otherwise, at the cost of find().
+  /// Up to names_at_once of them; with schema files also names whose indices are written otherwise, at the cost of find().
   void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;

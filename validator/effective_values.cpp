@@ -51,22 +51,27 @@ class BuiltInDefaults {
   std::vector<std::atomic<EffectiveValue const*>> places_;
 };
 
-/// Looks for the name with its indices.
-template <typename Find>
-schema::NameLookup find_pattern(std::string_view pattern, std::uint32_t first_index,
-                                std::uint32_t second_index, Find find) {
+/// `filter[].order` with its indices.
+std::string concrete_name(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {
   std::string name;
-  bool const has_indices = pattern.find('[') != std::string_view::npos;
+  name.reserve(pattern.size() + 4);
   std::uint32_t index = first_index;
-  if (has_indices) name.reserve(pattern.size() + 4);
-  for (std::size_t i = 0; has_indices && i < pattern.size(); ++i) {
-    if (pattern[i] == ']') {
+  for (char const c : pattern) {
+    if (c == ']') {
       name += std::to_string(index);
       index = second_index;
     }
-    name += pattern[i];
+    name += c;
   }
-  schema::NameLookup const lookup = find(has_indices ? std::string_view(name) : pattern);
+  return name;
+}
+
+template <typename Find>
+schema::NameLookup find_pattern(std::string_view pattern, std::uint32_t first_index,
+                                std::uint32_t second_index, Find find) {
+  bool const has_indices = pattern.find('[') != std::string_view::npos;
+  schema::NameLookup const lookup =
+      has_indices ? find(concrete_name(pattern, first_index, second_index)) : find(pattern);
   assert(lookup.status == schema::NameLookup::Status::found);
   return lookup;
 }

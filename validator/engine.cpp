@@ -5,7 +5,9 @@
 #include "validator/suppression.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
+#include <vector>
 
 namespace axisc::validator {
 namespace {
@@ -97,8 +99,12 @@ class Engine {
       Reported& finding = reported_.findings[i];
       finding.subject = subject;
       finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
-      // Rules may say of a finding of theirs whose it is.
-      if (finding.said) finding.axis = reported_.said[*finding.said].axis;
+      if (!finding.said) continue;
+      // What a check said of its own, whichever way.
+      Finding const& said = reported_.said[*finding.said];
+      finding.axis = said.axis;
+      finding.severity = said.severity;
+      finding.place = said.place.value_or(finding.place);
     }
   }
 

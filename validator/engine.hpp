@@ -1,6 +1,7 @@
 // Runs the table of rules over lists, axes, filters, channels and programs, and decides which findings stand.
 #pragma once
 
+#include "validator/check.hpp"
 #include "validator/loading.hpp"
 #include "validator/rule.hpp"
 

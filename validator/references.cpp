@@ -44,14 +44,11 @@ std::optional<Value> value_of_default(Slot slot, EffectiveValues const& values) 
   return values[*target.slot].value;
 }
 
-bool is_number(schema::Parameter const& parameter) {
-  return schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
-}
-
 /// Whether the control can use a value of `from` for `to`.
 bool types_agree(schema::Parameter const& to, schema::Parameter const& from, Value const& value) {
-  if (is_number(to)) {
-    return is_number(from) && (to.type == schema::DataType::real64 || from.type != schema::DataType::real64);
+  if (schema::is_number(to.type)) {
+    return schema::is_number(from.type) &&
+           (to.type == schema::DataType::real64 || from.type != schema::DataType::real64);
   }
   if (to.type == schema::DataType::boolean) return from.type == schema::DataType::boolean;
   if (from.type != schema::DataType::string || to.is_enumeration() != from.is_enumeration()) return false;

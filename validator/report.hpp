@@ -64,7 +64,7 @@ class Report {
   Report(ReportedFindings& reported, Rule const& its_rule, std::string_view its_axis = {})
       : axis(its_axis), reported_(reported), rule_(its_rule) {}
 
-  /// The caller fills the finding; code, name, severity, control message number and axis are set already. At the value of
+  /// The caller fills and may change the finding; code, name, severity, control message number and axis are set already. At the value of
   /// `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
@@ -75,7 +75,8 @@ class Report {
   /// takes a hundred bytes, and of what does not stand no words are made at all.
   Reported& later(Place place, Words words);
 
-  std::string_view axis;  ///< set by the engine; rules about several axes set it before they report
+  /// Set by the engine; rules about several axes set it before they report. Lives until all findings are told.
+  std::string_view axis;
 
  private:
   ReportedFindings& reported_;

@@ -1,7 +1,8 @@
 // Decimal numbers of a few digits, as nearly all numbers of a list are, eight digits at a time.
 //
 // How many digits a number has differs from line to line, so a loop over them ends where no processor expects it. What is read
-// here reads the same in validator/value.hpp, which reads everything else too.
+// here reads the same in validator/value.hpp, which reads everything else too. The texts are what the grammar calls an integer or a
+// real, so none has a leading zero.
 #pragma once
 
 #include <array>
@@ -65,7 +66,7 @@ inline constexpr std::array<std::uint64_t, 8> whole_powers_of_ten = {1,     10, 
 /// So many bytes that may be read stand before the end of a number that is read here, its own included.
 inline constexpr std::size_t room_before_number_end = 24;
 
-/// The decimal integer in [begin, end): a sign or none, no leading zero, one to eight digits. False for every other text. (An
+/// The decimal integer in [begin, end): a sign or none, one to eight digits. False for every other text. (An
 /// optional travels through memory, written in two parts and read as one, which a processor has to wait for.)
 inline bool read_short_integer(char const* begin, char const* end, double& number) {
   bool const is_negative = *begin == '-';
@@ -78,7 +79,7 @@ inline bool read_short_integer(char const* begin, char const* end, double& numbe
   return wrong == 0;
 }
 
-/// The real in [begin, end): a sign or none, one to eight digits, no leading zero, a point, one to seven digits, an exponent
+/// The real in [begin, end): a sign or none, one to eight digits, a point, one to seven digits, an exponent
 /// like `e+03` or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one
 /// multiplication or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately", 1990).
 inline bool read_short_real(char const* begin, char const* end, double& number) {

@@ -89,7 +89,7 @@ ExactRange const& exact_range(schema::DataType type) {
 constexpr std::size_t digits_without_overflow = 19;
 
 /// A decimal number of at most so many digits, as nearly all integers of a list are. None where one is no digit.
-std::optional<std::uint64_t> read_short_integer(std::string_view digits) {
+std::optional<std::uint64_t> read_decimal_digits(std::string_view digits) {
   std::uint64_t value = 0;
   for (char const digit : digits) {
     if (!is_digit(digit)) return std::nullopt;
@@ -105,29 +105,6 @@ bool fits(std::uint64_t magnitude, bool negative, ExactRange const& range) {
   return magnitude <= room;
 }
 
-/// A decimal of at most fifteen digits: they and the power of ten are exact as doubles, so one division rounds as it should
-/// (W. D. Clinger, "How to read floating point numbers accurately", 1990). None for every other text.
-std::optional<double> read_short_decimal(std::string_view text) {
-  constexpr std::array<double, 16> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                             1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  if (text.size() > powers.size()) return std::nullopt;
-  std::uint64_t value = 0;
-  std::size_t digits = 0;
-  std::optional<std::size_t> digits_before_point;
-  for (char const byte : text) {
-    if (is_digit(byte)) {
-      value = value * 10 + static_cast<std::uint64_t>(byte - '0');
-      ++digits;
-    } else if (byte == '.' && !digits_before_point) {
-      digits_before_point = digits;
-    } else {
-      return std::nullopt;
-    }
-  }
-  if (digits == 0 || digits == powers.size()) return std::nullopt;
-  return static_cast<double>(value) / powers[digits - digits_before_point.value_or(digits)];
-}
-
 }  // namespace
 
 NumberReading read_integer(std::string_view text, schema::DataType type) {
@@ -136,7 +113,7 @@ NumberReading read_integer(std::string_view text, schema::DataType type) {
   std::uint64_t magnitude = 0;
   bool overflow = false;
   if (digits.base == 10 && !digits.text.empty() && digits.text.size() <= digits_without_overflow) {
-    auto const read = read_short_integer(digits.text);
+    auto const read = read_decimal_digits(digits.text);
     if (!read) return {};
     magnitude = *read;
   } else {
@@ -162,9 +139,6 @@ NumberReading read_real(std::string_view text) {
   }
   if (has_leading_zero(digits)) return {.status = NumberStatus::leading_zero, .number = 0};
   if (digits.text.empty() || !(is_digit(digits.text.front()) || digits.text.front() == '.')) return {};
-  if (auto const value = read_short_decimal(digits.text)) {
-    return {.status = NumberStatus::good, .number = digits.negative ? -*value : *value};
-  }
   double value = 0;
   char const* const end = digits.text.data() + digits.text.size();
   auto const [stop, error] = std::from_chars(digits.text.data(), end, value);

@@ -132,3 +132,27 @@ TEST_CASE("the language is chosen before anything is read") {
   CHECK(choose_language(Arguments{"--lang", "de"}) == Language::german);
   ::unsetenv("LC_ALL");
 }
+
+TEST_CASE("a flag may have a word, and one option may begin like another") {
+  struct Given {
+    std::optional<std::string> word, output, folder;
+    bool quiet = false;
+  };
+  auto const given = [](std::vector<std::string> const& arguments) {
+    Given words;
+    CommandLine line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, Language::english);
+    line.flag_with_word("--fix", "all", words.word, Text::cli_opt_fix);
+    line.value("-o,--output", "FILE", words.output, Text::cli_opt_image_output);
+    line.value("--output-folder", "FOLDER", words.folder, Text::cli_opt_image_output);
+    line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+    CHECK_FALSE(line.read(arguments));
+    return words;
+  };
+  CHECK(given({}).word == std::nullopt);
+  CHECK(given({"--fix"}).word == "");
+  CHECK(given({"--fix=all", "-q"}).word == "all");
+  CHECK(given({"--output-folder", "f"}).folder == "f");
+  CHECK(given({"--output-folder", "f"}).output == std::nullopt);
+  CHECK(given({"-o", "-q"}).output == "-q");
+  CHECK_FALSE(given({"-o", "-q"}).quiet);
+}

@@ -77,6 +77,16 @@ TEST_CASE("the place of the first change is known in characters") {
   CHECK(blocks[0].lines[1].first_change == 6);
 }
 
+TEST_CASE("characters that begin alike differ as a whole, a line may begin like the other") {
+  SourceSet sources;
+  SourceId const id = sources.add(SourceText("x.lis", "Güte 1\n"));
+  Fix fix;
+  fix.edits.push_back({.place = place_of(sources, id, "ü"), .text = "ä"});
+  CHECK(preview(fix, sources).front().lines.front().first_change == 1);
+  fix.edits = {{.place = place_of(sources, id, " 1"), .text = ""}};
+  CHECK(preview(fix, sources).front().lines.front().first_change == 4);
+}
+
 TEST_CASE("a fix without edits shows nothing") {
   CHECK(preview({}, SourceSet{}).empty());
 }

@@ -35,6 +35,13 @@ TEST_CASE("tabs are repeated under the line") {
   CHECK(shown.indent == "\t    \t");
 }
 
+TEST_CASE("tabs are repeated under a line that is cut") {
+  std::string const line = std::string(200, 'a') + "\tb\t" + "VALUE" + std::string(200, 'c');
+  ShownLine const shown = show_line(line, {.begin = 203, .end = 208});
+  CHECK(shown.text.starts_with("…" + std::string(50, 'a') + "\tb\tVALUE"));
+  CHECK(shown.indent == std::string(51, ' ') + "\t \t");
+}
+
 TEST_CASE("control characters are shown as pictures of the same width") {
   ShownLine const shown = show_line("a\x01\x1b[31m value", {.begin = 8, .end = 13});
   CHECK(shown.text == "a␁␛[31m value");

@@ -154,3 +154,24 @@ TEST_CASE("a set keeps its sources where they are") {
   CHECK(sources[first].bytes() == "first");
   CHECK(sources.size() == 1001);
 }
+
+TEST_CASE("positions do not depend on which was asked for before") {
+  for (std::string const mark : {"", "\xEF\xBB\xBF"}) {
+    std::string const bytes = mark + "a\n\nfilter[0].order 3 # Güte\r\n\tb\n";
+    SourceText const asked_often = source(bytes);
+    std::mt19937 random(5);
+    for (int round = 0; round < 500; ++round) {
+      auto const offset = static_cast<std::uint32_t>(random() % (bytes.size() + 2));
+      CHECK(asked_often.position(offset) == source(bytes).position(offset));
+    }
+  }
+}
+
+TEST_CASE("a span that cuts characters is well-formed all the same") {
+  SourceText const text = source("aüb");
+  CHECK(text.utf8({.begin = 2, .end = 4}) ==
+        "\xEF\xBF\xBD"
+        "b");
+  CHECK(text.utf8({.begin = 0, .end = 2}) == "a\xEF\xBF\xBD");
+  CHECK(text.utf8({.begin = 1, .end = 3}) == "ü");
+}

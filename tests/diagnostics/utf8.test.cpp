@@ -115,3 +115,15 @@ TEST_CASE("continuation bytes are counted wherever they stand") {
           static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_continuation_byte)));
   }
 }
+
+TEST_CASE("long texts are searched piece by piece, to every byte") {
+  for (std::size_t const before : {0U, 1U, 255U, 256U, 257U, 511U, 512U, 513U, 1000U}) {
+    for (std::size_t const behind : {0U, 1U, 7U, 255U, 256U, 300U}) {
+      std::string const head(before, 'a');
+      std::string const tail(behind, 'b');
+      CHECK(valid_utf8_prefix(head + "\xFF" + tail) == before);
+      CHECK(valid_utf8_prefix(head + "µ" + tail) == before + 2 + behind);
+      CHECK(valid_utf8_prefix(head + "\xC2" + tail) == before);
+    }
+  }
+}

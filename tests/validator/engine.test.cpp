@@ -95,6 +95,22 @@ TEST_CASE("the assumed cycle time is named once, first, and only where it counts
   CHECK_FALSE(Checked("filter[0].order 2\n", {}).result.cycle_time_assumed);
 }
 
+TEST_CASE("who takes findings one by one gets the same, and the result holds none") {
+  std::string const list = std::string(low_pass) + "filter[0].fg_f0 900\nfilter[0].ordr 2\nkopf.achs_nr x\n";
+  Checked const together(list, {});
+  SourceSet sources;
+  std::vector<Code> one_by_one;
+  tests::MapFiles files({{"x.lis", list}});
+  auto const result = validator::check(files, "x.lis", {}, sources,
+                                       [&](Finding const& finding) { one_by_one.push_back(finding.code); });
+  std::vector<Code> expected;
+  for (Finding const& finding : together.result.findings) expected.push_back(finding.code);
+  CHECK(one_by_one == expected);
+  CHECK(one_by_one.front() == Code{9006});
+  CHECK(result.findings.empty());
+  CHECK(result.cycle_time_assumed);
+}
+
 TEST_CASE("findings of a list that several axes share are reported once") {
   std::string const machine = R"({"cycle_time_us": 1000, "default_list": "d.lis",
       "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}, {"name": "Z", "list": "x.lis"}]})";

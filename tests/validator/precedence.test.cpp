@@ -4,8 +4,10 @@
 #include "support/catch.hpp"
 #include "validator/rule.hpp"
 
+#include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
 
 namespace {
 

@@ -114,6 +114,22 @@ TEST_CASE("short reals are the same numbers, correctly rounded") {
   }
 }
 
+TEST_CASE("no more is read than the room before the end of a number") {
+  // On the heap, where sanitizers watch both ends.
+  auto const read_at_begin = [](std::string_view number, auto read) {
+    auto const room = std::make_unique<char[]>(room_before_number_end);
+    std::fill_n(room.get(), room_before_number_end, '9');
+    char* const end = room.get() + room_before_number_end;
+    std::copy(number.begin(), number.end(), end - number.size());
+    double value = 0;
+    return read(end - number.size(), end, value) ? std::optional(value) : std::nullopt;
+  };
+  CHECK(read_at_begin("7", read_short_integer) == 7);
+  CHECK(read_at_begin("-12345678", read_short_integer) == -12345678);
+  CHECK(read_at_begin("1.5", read_short_real) == 1.5);
+  CHECK(read_at_begin("-12345678.1234567e-012", read_short_real) == -12345678.1234567e-12);
+}
+
 TEST_CASE("what is no number is none") {
   Texts texts;
   for (char const* value : {"-", "+", "1-", "1a", "0x10", "1/", "1:",

@@ -1,7 +1,6 @@
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 

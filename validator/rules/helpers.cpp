@@ -5,10 +5,6 @@
 
 namespace axisc::validator {
 
-std::string written_name(ListContext const& context, grammar::Assignment const& assignment) {
-  return context.source.utf8(assignment.name);
-}
-
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot) {
   finding.parameter = schema::slot_name(row, slot);
   finding.p_axis = schema::p_axis_text(row.p_axis);

@@ -29,9 +29,6 @@ template <typename... Arguments>
   return {.source = context.list.source, .span = span};
 }
 
-/// The name as the list writes it.
-[[nodiscard]] std::string written_name(ListContext const& context, grammar::Assignment const& assignment);
-
 /// One assignment of a list, for checks of single lines and for the words of their findings.
 struct Line {
   ListContext const& context;
@@ -42,7 +39,8 @@ struct Line {
   }
   [[nodiscard]] Reading const& reading() const { return context.list.readings[number]; }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
-  [[nodiscard]] std::string name() const { return written_name(context, assignment()); }
+  /// As the list writes it.
+  [[nodiscard]] std::string name() const { return context.source.utf8(assignment().name); }
   [[nodiscard]] std::string text(Span span) const { return context.source.utf8(span); }
 };
 
@@ -58,6 +56,7 @@ Reported& report_line(Report& report, Line const& line, Span span) {
     describe(finding, line);
   });
 }
+
 void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
 /// Says beside the control's value, which is the raw number `value`, what that is for a person.
 void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value);

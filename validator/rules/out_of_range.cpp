@@ -10,12 +10,9 @@ bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& 
   return list.is_default_list && parameter.name == "kopf.achs_nr" && value == 0;
 }
 
-bool is_number(schema::Parameter const& parameter) {
-  return schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
-}
-
 bool is_wrong(schema::Parameter const& parameter, double value) {
-  return is_number(parameter) && is_outside(parameter, value) && !is_default_or_off(parameter, value);
+  return schema::is_number(parameter.type) && is_outside(parameter, value) &&
+         !is_default_or_off(parameter, value);
 }
 
 void describe(Finding& finding, AxisContext const& context, schema::Slot slot, double value) {

@@ -18,8 +18,7 @@ void describe(Finding& finding, Line const& line) {
   std::string const value = line.text(line.reading().text);
   finding.message =
       message_of(headline(parameter), Argument{"parameter", line.name()}, Argument{"value", value});
-  bool const is_number = schema::is_integer(parameter.type) || parameter.type == schema::DataType::real64;
-  if (!is_number) return;
+  if (!schema::is_number(parameter.type)) return;
   if (line.assignment().kind != grammar::ValueKind::real) {
     set_reaction(finding, Text::parameter_no_number, {}, "0");
     finding.control->message = "1001138";
