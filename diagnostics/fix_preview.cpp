@@ -28,7 +28,7 @@ Lines split(std::string_view text) {
 
 /// In code points; both are well-formed.
 std::size_t first_difference(std::string_view left, std::string_view right) {
-  auto const equal = std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first;
+  auto const* const equal = std::mismatch(left.begin(), left.end(), right.begin(), right.end()).first;
   auto const size = static_cast<std::size_t>(equal - left.begin());
   std::size_t const begun = size - count_continuation_bytes(left.substr(0, size));
   bool const is_inside = size < left.size() && is_continuation_byte(left[size]);

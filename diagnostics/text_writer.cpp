@@ -102,7 +102,7 @@ class TextWriter {
 
   void write_number(std::uint32_t number) {
     std::array<char, 10> digits{};
-    auto const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     out_.append(digits.data(), end);
   }
 

@@ -55,8 +55,9 @@ constexpr std::size_t piece = 256;
 /// In pieces of a fixed size and byte by byte, so that compilers take many bytes at once.
 bool is_ascii_piece(char const* bytes) {
   unsigned char any = 0;
-  for (std::size_t i = 0; i < piece; ++i)
+  for (std::size_t i = 0; i < piece; ++i) {
     any = static_cast<unsigned char>(any | static_cast<unsigned char>(bytes[i]));
+  }
   return any < 0x80;
 }
 

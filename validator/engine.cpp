@@ -138,6 +138,7 @@ class Engine {
     std::vector<FilterView> const filters = touched_filters(context.values);
     cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context, filters);
     std::vector<Subject const*> subjects;
+    subjects.reserve(filters.size());
     for (FilterView const& filter : filters) {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));

@@ -33,8 +33,9 @@ bool read_short_number(std::string_view bytes, grammar::Assignment const& assign
   using grammar::ValueKind;
   bool const is_real = parameter.type == schema::DataType::real64;
   if (!schema::is_number(parameter.type) || parameter.is_enumeration() ||
-      assignment.value.end < room_before_number_end)
+      assignment.value.end < room_before_number_end) {
     return false;
+  }
   char const* const begin = bytes.data() + assignment.value.begin;
   char const* const end = bytes.data() + assignment.value.end;
   if (assignment.kind == ValueKind::integer) return read_short_integer(begin, end, number);

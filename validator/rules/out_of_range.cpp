@@ -29,8 +29,9 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
         message_of(Text::ax2005_raw, Argument{"range", range_text(parameter, unit, false)}));
   }
   std::string file(context.values.catalogue().file_of(parameter));
-  if (!file.empty())
+  if (!file.empty()) {
     finding.notes.push_back(message_of(Text::ax2005_file, Argument{"file", std::move(file)}));
+  }
 }
 
 }  // namespace
