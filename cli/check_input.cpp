@@ -14,11 +14,19 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
 
 CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                          ReportForm const& form) {
+  std::deque<WrittenFinding> findings;
+  auto checked = check_input(job, path, files, form, keep_in(findings));
+  checked.findings = std::move(findings);
+  return checked;
+}
+
+CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                         ReportForm const& form, TakeFinding const& take) {
   SourceSet sources;
   auto options = options_for(job, path);
   options.machine = false;
   auto const* const settings = job.settings == nullptr ? nullptr : job.settings->find(path);
-  FindingWriter writer(sources, form);
+  FindingWriter writer(sources, form, take);
   auto const outcome = validator::check(files, path, options, sources, [&](Finding& finding) {
     if (settings != nullptr) {
       if (is_disabled(*settings, sources, finding)) return;
@@ -26,7 +34,8 @@ CheckedInput check_input(CheckJob const& job, std::string const& path, validator
     }
     if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
   });
-  auto checked = std::move(writer).take();
+  CheckedInput checked;
+  checked.artifacts = writer.artifacts();
   if (outcome.unreadable) checked.failure = unreadable(path, *outcome.unreadable);
   checked.files = outcome.files;
   return checked;

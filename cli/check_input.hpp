@@ -23,5 +23,8 @@ struct CheckJob {
 /// May be called by several threads. Throws what has to end the whole run.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                                        ReportForm const& form);
+/// The same, but every finding goes to `take` as soon as it is written, instead of into the result.
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                                       ReportForm const& form, TakeFinding const& take);
 
 }  // namespace axisc::cli

@@ -1,39 +1,29 @@
 #include "cli/checked_input.hpp"
 
-#include "cli/codes.hpp"
-
-#include <utility>
-
 namespace axisc::cli {
 
 void FindingWriter::add(Finding const& finding) {
   counts_.add(finding.severity);
-  WrittenFinding written{.severity = finding.severity,
-                         .fixable = finding.fix.has_value(),
-                         .identity = identity_of(finding, sources_),
-                         .artifacts = {},
-                         .text = {}};
-  // Many wait in memory: without room to spare.
-  buffer_.clear();
-  append_element(buffer_, finding, sources_, form_);
-  written.text = buffer_;
+  written_.severity = finding.severity;
+  written_.fixable = finding.fix.has_value();
+  identify(written_.identity, finding, sources_);
+  written_.text.clear();
+  append_element(written_.text, finding, sources_, form_);
   if (form_.format == FindingFormat::sarif) {
-    for (auto const id : sources_of(finding)) written.artifacts.push_back(static_cast<std::uint32_t>(id));
+    written_.artifacts.clear();
+    for (auto const id : sources_of(finding)) written_.artifacts.push_back(static_cast<std::uint32_t>(id));
   }
-  if (finding.code == cycle_time_assumed) {
-    checked_.assumption = std::move(written);
-  } else {
-    checked_.findings.push_back(std::move(written));
-  }
+  take_(written_);
 }
 
-CheckedInput FindingWriter::take() && {
-  bool const names_artifacts = form_.format == FindingFormat::sarif && counts_.total() > 0;
-  for (std::size_t i = 0; names_artifacts && i < sources_.size(); ++i) {
+std::vector<Artifact> FindingWriter::artifacts() const {
+  std::vector<Artifact> artifacts;
+  if (form_.format != FindingFormat::sarif || counts_.total() == 0) return artifacts;
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
     SourceText const& source = sources_[static_cast<SourceId>(i)];
-    checked_.artifacts.push_back({.name = source.name(), .encoding = source.encoding()});
+    artifacts.push_back({.name = source.name(), .encoding = source.encoding()});
   }
-  return std::move(checked_);
+  return artifacts;
 }
 
 std::size_t weight_of(CheckedInput const& checked) {

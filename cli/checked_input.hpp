@@ -9,9 +9,11 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc::cli {
@@ -25,29 +27,38 @@ struct WrittenFinding {
 };
 
 struct CheckedInput {
-  std::deque<WrittenFinding> findings;
-  std::optional<WrittenFinding> assumption;  ///< AX9006, which is said once per run; not among `findings`
-  std::vector<Artifact> artifacts;           ///< the sources, where findings name them
-  std::vector<std::string> files;            ///< that were read
-  std::optional<Failure> failure;            ///< then there is nothing else
+  std::deque<WrittenFinding>
+      findings;                     ///< in output order; none that were printed as soon as they were written
+  std::vector<Artifact> artifacts;  ///< the sources, where findings name them
+  std::vector<std::string> files;   ///< that were read
+  std::optional<Failure> failure;   ///< then there is nothing else
 };
+
+/// Takes a finding of an input; what it is given is gone afterwards.
+using TakeFinding = std::function<void(WrittenFinding const&)>;
+/// Keeps them.
+[[nodiscard]] inline TakeFinding keep_in(std::deque<WrittenFinding>& findings) {
+  return [&findings](WrittenFinding const& finding) { findings.push_back(finding); };
+}
 
 /// Writes the findings of one input, one after the other in output order. The sources may still grow.
 class FindingWriter {
  public:
-  FindingWriter(SourceSet const& sources, ReportForm const& form) : sources_(sources), form_(form) {}
+  FindingWriter(SourceSet const& sources, ReportForm const& form, TakeFinding take)
+      : sources_(sources), form_(form), take_(std::move(take)) {}
 
   void add(Finding const& finding);
   /// Of everything that was added.
   [[nodiscard]] FindingCounts const& counts() const { return counts_; }
-  [[nodiscard]] CheckedInput take() &&;
+  /// For CheckedInput::artifacts, when all findings are written.
+  [[nodiscard]] std::vector<Artifact> artifacts() const;
 
  private:
   SourceSet const& sources_;
   ReportForm const& form_;
+  TakeFinding take_;
   FindingCounts counts_;
-  CheckedInput checked_;
-  std::string buffer_;
+  WrittenFinding written_;  ///< the last one, whose memory serves the next
 };
 
 // As a cache keeps it; an input with a failure is not kept.

@@ -48,8 +48,6 @@ void write_bytes(ByteWriter& bytes, CheckedInput const& checked) {
   }
   bytes.number(checked.files.size());
   for (auto const& file : checked.files) bytes.text(file);
-  bytes.number(checked.assumption ? 1 : 0);
-  if (checked.assumption) write(bytes, *checked.assumption);
   bytes.number(checked.findings.size());
   for (auto const& finding : checked.findings) write(bytes, finding);
 }
@@ -62,8 +60,7 @@ std::optional<CheckedInput> read_checked_input(ByteReader& bytes) {
     checked.artifacts.push_back(std::move(artifact));
   }
   for (auto left = bytes.count(); left > 0; --left) checked.files.emplace_back(bytes.text());
-  if (bytes.number() != 0) checked.assumption = read_finding(bytes);
-  bool sound = !checked.assumption || is_sound(*checked.assumption, checked.artifacts.size());
+  bool sound = true;
   for (auto left = bytes.count(); left > 0; --left) {
     checked.findings.push_back(read_finding(bytes));
     sound = sound && is_sound(checked.findings.back(), checked.artifacts.size());

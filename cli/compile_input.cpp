@@ -44,7 +44,8 @@ CompiledImage image_of(validator::Machine const& machine, CompileJob const& job)
 void compile(CompileJob const& job, std::string const& path, validator::Files& files,
              CompiledInput& compiled) {
   SourceSet sources;
-  FindingWriter writer(sources, job.form);
+  std::deque<WrittenFinding> findings;
+  FindingWriter writer(sources, job.form, keep_in(findings));
   auto const result =
       validator::check(files, path, options_for(job.check, path), sources, [&](Finding const& finding) {
         if (!job.words.quiet || finding.severity != Severity::note) writer.add(finding);
@@ -52,7 +53,8 @@ void compile(CompileJob const& job, std::string const& path, validator::Files& f
   if (result.unreadable) throw unreadable(path, *result.unreadable);
   require_cycle_time(path, result);
   auto const counts = writer.counts();
-  compiled.checked = std::move(writer).take();
+  compiled.checked.findings = std::move(findings);
+  compiled.checked.artifacts = writer.artifacts();
   compiled.checked.files = result.files;
   if (!result.machine || objectionable(job.words, counts)) return;
   require_complete(result, sources, job.form.write.language);

@@ -12,7 +12,8 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 16U;
+/// Large enough that writing costs nothing beside what is written, small enough to stay in the processor's caches.
+constexpr std::size_t piece = std::size_t{1} << 15U;
 
 Text reason(int error) {
   switch (error) {
@@ -30,6 +31,8 @@ Text reason(int error) {
 }  // namespace
 
 void Console::write(std::string_view text) {
+  // All at once: a buffer that grew step by step would touch twice the memory.
+  if (buffer_.capacity() < piece) buffer_.reserve(2 * piece);
   buffer_ += text;
   if (buffer_.size() >= piece) flush();
 }

@@ -134,8 +134,16 @@ class Lint {
     Progress progress(takes_time && progress_is_seen() && !words_.checking.quiet, form_.write.language);
     progress.stand_aside_for(streams_.out);
     progress.stand_aside_for(streams_.err);
+    auto const threads = thread_count(threads_, part_.chosen.size());
+    // Then no finding has to wait for its turn.
+    bool const at_once = cache == nullptr && is_one_by_one(part_.chosen.size(), threads);
+    auto const print = [&report](WrittenFinding const& finding) { report.add(finding); };
     in_order<CheckedInput>({.count = part_.chosen.size(),
-                            .work = [&](std::size_t i) { return checked(part_.path(i), cache.get()); },
+                            .work =
+                                [&](std::size_t i) {
+                                  auto const& path = part_.path(i);
+                                  return at_once ? checked(path, print) : checked(path, cache.get());
+                                },
                             .take =
                                 [&](std::size_t i, CheckedInput&& input) {
                                   auto const number = part_.chosen[i];
@@ -146,8 +154,13 @@ class Lint {
                                   progress.show(i + 1, part_.chosen.size());
                                 },
                             .weight = weight_of},
-                           thread_count(threads_, part_.chosen.size()));
+                           threads);
     finish_cache(std::move(cache), words_.fleet, streams_.err, form_.write.language);
+  }
+
+  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const& take) const {
+    EditedFiles files(job_.edited, path == "-");
+    return check_input(job_, path, files, form_, take);
   }
 
   [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {

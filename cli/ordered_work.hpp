@@ -144,11 +144,16 @@ class OrderedWork {
   std::vector<std::thread> threads_;
 };
 
+/// A single thread does the work, and each result is taken before the next one is begun.
+[[nodiscard]] constexpr bool is_one_by_one(std::size_t count, unsigned threads) {
+  return threads <= 1 || count <= 1;
+}
+
 /// Memory: that of `threads` results at work, and most_waiting_bytes of finished ones. What `work` throws for the lowest
 /// index is thrown here, after the results before it were taken and all threads have ended.
 template <class Result>
 void in_order(OrderedTasks<Result> const& tasks, unsigned threads) {
-  if (threads <= 1 || tasks.count <= 1) {
+  if (is_one_by_one(tasks.count, threads)) {
     for (std::size_t i = 0; i < tasks.count; ++i) tasks.take(i, tasks.work(i));
     return;
   }

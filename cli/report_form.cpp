@@ -13,10 +13,10 @@ void append_element(std::string& text, Finding const& finding, SourceSet const& 
       text += '\n';
       break;
     case FindingFormat::json:
-      text += json_element(finding, sources, language);
+      append_json_element(text, finding, sources, language);
       break;
     case FindingFormat::sarif:
-      text += sarif_element(finding, sources, form.context, language);
+      append_sarif_element(text, finding, sources, form.context, language);
       break;
     case FindingFormat::gitlab:
       text += gitlab_element(finding, sources, form.context, language);

@@ -1,5 +1,6 @@
 #include "cli/report_stream.hpp"
 
+#include "cli/codes.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
@@ -31,20 +32,25 @@ ReportStream::ReportStream(ReportPlan plan, Console& out)
 
 void ReportStream::add(std::size_t number, CheckedInput const& checked) {
   files_.insert(checked.files.begin(), checked.files.end());
-  std::size_t shown = 0;
-  std::set<std::uint32_t> used;
-  auto const show = [&](WrittenFinding const& finding) {
-    if (!add(finding)) return;
-    ++shown;
-    used.insert(finding.artifacts.begin(), finding.artifacts.end());
-  };
-  if (checked.assumption && !std::exchange(assumption_said_, true)) show(*checked.assumption);
-  for (auto const& finding : checked.findings) show(finding);
+  for (auto const& finding : checked.findings) add(finding);
   std::vector<std::size_t> artifacts;
-  artifacts.reserve(used.size());
-  for (auto const index : used) artifacts.push_back(number_of(checked.artifacts[index]));
+  artifacts.reserve(used_.size());
+  for (auto const index : used_) artifacts.push_back(number_of(checked.artifacts[index]));
+  used_.clear();
+  auto const shown = std::exchange(shown_, 0);
   if (!plan_.shard || shown == 0) return;
   plan_.shard->inputs.push_back({.number = number, .findings = shown, .artifacts = std::move(artifacts)});
+}
+
+void ReportStream::add(WrittenFinding const& finding) {
+  if (finding.identity.code == cycle_time_assumed && std::exchange(assumption_said_, true)) return;
+  std::uint32_t const occurrence =
+      numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
+  if (is_hidden(finding, occurrence)) return;
+  count(finding);
+  print(finding, occurrence);
+  ++shown_;
+  used_.insert(finding.artifacts.begin(), finding.artifacts.end());
 }
 
 std::size_t ReportStream::number_of(Artifact const& artifact) {
@@ -55,19 +61,13 @@ std::size_t ReportStream::number_of(Artifact const& artifact) {
   return number->second;
 }
 
-bool ReportStream::add(WrittenFinding const& finding) {
-  std::uint32_t const occurrence =
-      numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
-  if (is_hidden(finding, occurrence)) return false;
+void ReportStream::count(WrittenFinding const& finding) {
   counts_.add(finding.severity);
   auto const code = finding.identity.code;
-  auto& row = codes_[code];
-  row.code = code;
-  row.name = name_of(code);
-  ++row.count;
-  if (finding.fixable) ++row.fixable;
-  print(finding, occurrence);
-  return true;
+  auto const [row, is_new] = codes_.try_emplace(code);
+  if (is_new) row->second = {.code = code, .name = name_of(code)};
+  ++row->second.count;
+  if (finding.fixable) ++row->second.fixable;
 }
 
 bool ReportStream::is_hidden(WrittenFinding const& finding, std::uint32_t occurrence) {

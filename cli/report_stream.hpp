@@ -35,6 +35,8 @@ class ReportStream {
 
   /// By rising `number`, that of the input among all inputs of the run.
   void add(std::size_t number, CheckedInput const& checked);
+  /// A finding of the input that is added next.
+  void add(WrittenFinding const& finding);
   /// An input that could not be read, for formats that say so.
   void fail(std::size_t order, Failure const& failure);
 
@@ -49,8 +51,7 @@ class ReportStream {
   void finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged, int status);
 
  private:
-  /// False for one that the baseline hides.
-  bool add(WrittenFinding const& finding);
+  void count(WrittenFinding const& finding);
   /// Its place in the list of artifacts, where it is put if it is not there.
   [[nodiscard]] std::size_t number_of(Artifact const& artifact);
   [[nodiscard]] bool is_hidden(WrittenFinding const& finding, std::uint32_t occurrence);
@@ -61,8 +62,10 @@ class ReportStream {
 
   ReportPlan plan_;
   Console& out_;
-  bool numbers_;  ///< occurrences matter to the format or the baseline
-  bool assumption_said_ = false;
+  bool numbers_;                  ///< occurrences matter to the format or the baseline
+  bool assumption_said_ = false;  ///< AX9006
+  std::size_t shown_ = 0;         ///< findings of the input that is added next
+  std::set<std::uint32_t> used_;  ///< their artifacts
   bool has_elements_ = false;
   std::unordered_set<std::string> files_;
   FindingCounts counts_;

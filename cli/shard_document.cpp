@@ -88,11 +88,7 @@ CheckedInput ShardDocument::next_input(std::size_t index) {
     auto finding = format_ == FindingFormat::json ? read_json_element(element)
                                                   : read_sarif_element(element, checked.artifacts);
     if (!finding) refuse(Text::cli_merge_no_shard);
-    if (finding->identity.code == cycle_time_assumed) {
-      checked.assumption = *std::move(finding);
-    } else {
-      checked.findings.push_back(*std::move(finding));
-    }
+    checked.findings.push_back(*std::move(finding));
   }
   return checked;
 }

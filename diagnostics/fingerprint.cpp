@@ -42,12 +42,20 @@ std::string_view without_folders(std::string_view path) {
 
 }  // namespace
 
-Identity identity_of(Finding const& finding, SourceSet const& sources) {
+void identify(Identity& identity, Finding const& finding, SourceSet const& sources) {
+  identity.code = finding.code;
+  identity.axis.clear();
+  identity.parameter.clear();
   // Well-formed, because a baseline is JSON.
-  return {
-      .code = finding.code,
-      .axis = repair_utf8(finding.axis.empty() ? without_folders(file_of(finding, sources)) : finding.axis),
-      .parameter = repair_utf8(finding.parameter)};
+  append_repaired(identity.axis,
+                  finding.axis.empty() ? without_folders(file_of(finding, sources)) : finding.axis);
+  append_repaired(identity.parameter, finding.parameter);
+}
+
+Identity identity_of(Finding const& finding, SourceSet const& sources) {
+  Identity identity;
+  identify(identity, finding, sources);
+  return identity;
 }
 
 void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources) {

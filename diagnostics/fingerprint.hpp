@@ -20,6 +20,8 @@ struct Identity {
 };
 
 [[nodiscard]] Identity identity_of(Finding const& finding, SourceSet const& sources);
+/// The same in the memory of another one.
+void identify(Identity& identity, Finding const& finding, SourceSet const& sources);
 
 /// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it before any of
 /// them is hidden.

@@ -20,10 +20,10 @@ using Json = nlohmann::ordered_json;
 /// One of the diagnostics.
 class JsonElement {
  public:
-  JsonElement(SourceSet const& sources, Language language) : sources_(sources), language_(language) {}
+  JsonElement(std::string& text, SourceSet const& sources, Language language)
+      : sources_(sources), language_(language), out_(text, 4) {}
 
-  [[nodiscard]] std::string write(Finding const& finding) && {
-    text_.reserve(usual_size);
+  void write(Finding const& finding) && {
     out_.begin_object();
     out_.member("code", code_text(finding.code));
     out_.member("name", finding.name);
@@ -44,7 +44,6 @@ class JsonElement {
     write_related(finding.related);
     write_fix(finding.fix);
     out_.end_object();
-    return std::move(text_);
   }
 
  private:
@@ -130,12 +129,9 @@ class JsonElement {
     out_.end_object();
   }
 
-  static constexpr std::size_t usual_size = 1024;
-
   SourceSet const& sources_;
   Language language_;
-  std::string text_ = "\n    ";
-  JsonStream out_{text_, 4};
+  JsonStream out_;
   std::string sentence_;
 };
 
@@ -172,8 +168,10 @@ std::string json_head() {
   return "{\n  \"version\": 1,\n  \"diagnostics\": [";
 }
 
-std::string json_element(Finding const& finding, SourceSet const& sources, Language language) {
-  return JsonElement(sources, language).write(finding);
+void append_json_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                         Language language) {
+  text += "\n    ";
+  JsonElement(text, sources, language).write(finding);
 }
 
 std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,
@@ -193,7 +191,7 @@ std::string write_json(std::vector<Finding> const& findings, SourceSet const& so
   std::string text = json_head();
   for (Finding const& finding : findings) {
     if (&finding != &findings.front()) text += ',';
-    text += json_element(finding, sources, options.language);
+    append_json_element(text, finding, sources, options.language);
   }
   return text + json_tail(!findings.empty(), run, count(findings), count_codes(findings));
 }

@@ -31,10 +31,12 @@ struct Artifact {
   Encoding encoding = Encoding::utf8;
 };
 
-// Between two elements stands a comma; in front of each the line break and indentation that its format has.
+// Between two elements stands a comma; in front of each the line break and indentation that its format has. Elements are
+// appended to `text`.
 
 [[nodiscard]] std::string json_head();
-[[nodiscard]] std::string json_element(Finding const& finding, SourceSet const& sources, Language language);
+void append_json_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                         Language language);
 /// `counts` and `codes` are those of the elements; `shard` is a JSON object of the caller's, or empty.
 [[nodiscard]] std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,
                                     std::vector<CodeCount> const& codes, std::string_view shard = {});
@@ -42,8 +44,8 @@ struct Artifact {
 /// `codes` and `artifacts` are those of the elements, the artifacts without repetition.
 [[nodiscard]] std::string sarif_head(std::set<Code> const& codes, std::vector<Artifact> const& artifacts,
                                      ReportContext const& context, Language language);
-[[nodiscard]] std::string sarif_element(Finding const& finding, SourceSet const& sources,
-                                        ReportContext const& context, Language language);
+void append_sarif_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                          ReportContext const& context, Language language);
 [[nodiscard]] std::string sarif_tail(bool has_elements, std::string_view shard = {});
 /// The place of a rule among those that are listed, for the hole.
 [[nodiscard]] std::size_t rule_index(std::set<Code> const& codes, Code code, ReportContext const& context);

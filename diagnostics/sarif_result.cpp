@@ -18,12 +18,11 @@ namespace {
 /// One of the results, with holes.
 class SarifResult {
  public:
-  SarifResult(SourceSet const& sources, ReportContext const& context, Language language)
-      : sources_(sources), context_(context), language_(language) {}
+  SarifResult(std::string& text, SourceSet const& sources, ReportContext const& context, Language language)
+      : sources_(sources), context_(context), language_(language), out_(text, 8) {}
 
-  [[nodiscard]] std::string write(Finding const& finding) && {
+  void write(Finding const& finding) && {
     constexpr std::string_view rule_index{&rule_index_hole, 1};
-    text_.reserve(usual_size);
     out_.begin_object();
     out_.member("ruleId", code_text(finding.code));
     out_.key("ruleIndex");
@@ -36,7 +35,6 @@ class SarifResult {
     if (finding.fix) write_fix(*finding.fix);
     write_properties(finding);
     out_.end_object();
-    return std::move(text_);
   }
 
  private:
@@ -188,20 +186,18 @@ class SarifResult {
     if (any) out_.end_object();
   }
 
-  static constexpr std::size_t usual_size = 2048;
-
   SourceSet const& sources_;
   ReportContext const& context_;
   Language language_;
-  std::string text_ = "\n        ";
-  JsonStream out_{text_, 8};
+  JsonStream out_;
 };
 
 }  // namespace
 
-std::string sarif_element(Finding const& finding, SourceSet const& sources, ReportContext const& context,
-                          Language language) {
-  return SarifResult(sources, context, language).write(finding);
+void append_sarif_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                          ReportContext const& context, Language language) {
+  text += "\n        ";
+  SarifResult(text, sources, context, language).write(finding);
 }
 
 }  // namespace axisc

@@ -162,11 +162,13 @@ std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& s
   for (Finding const& finding : findings) codes.insert(finding.code);
   std::string text =
       sarif_head(codes, artifacts_of(findings, sources, context.paths), context, options.language);
+  std::string element;
   for (Finding const& finding : findings) {
     if (&finding != &findings.front()) text += ',';
+    element.clear();
+    append_sarif_element(element, finding, sources, context, options.language);
     text += fill_holes(
-        sarif_element(finding, sources, context, options.language),
-        {.occurrence = finding.occurrence, .rule_index = rule_index(codes, finding.code, context)});
+        element, {.occurrence = finding.occurrence, .rule_index = rule_index(codes, finding.code, context)});
   }
   return text + sarif_tail(!findings.empty());
 }

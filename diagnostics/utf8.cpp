@@ -63,14 +63,20 @@ bool is_ascii_piece(char const* bytes) {
 
 }  // namespace
 
+std::size_t ascii_prefix(std::string_view text) {
+  std::size_t at = 0;
+  while (text.size() - at >= piece && is_ascii_piece(text.data() + at)) at += piece;
+  while (text.size() - at >= 8 && are_eight_ascii(text.data() + at)) at += 8;
+  if (text.size() - at >= 8) return at;
+  while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
+  return at;
+}
+
 std::size_t valid_utf8_prefix(std::string_view text) {
   std::size_t at = 0;
-  while (at < text.size()) {
-    while (text.size() - at >= piece && is_ascii_piece(text.data() + at)) at += piece;
-    if (text.size() - at >= 8 && are_eight_ascii(text.data() + at)) {
-      at += 8;
-      continue;
-    }
+  while (true) {
+    at += ascii_prefix(text.substr(at));
+    if (at == text.size()) break;
     std::size_t const size = well_formed_size(text.substr(at));
     if (size == 0) break;
     at += size;
@@ -126,18 +132,20 @@ void append_utf8(std::string& text, char32_t character) {
   }
 }
 
-std::string repair_utf8(std::string_view text) {
-  if (valid_utf8_prefix(text) == text.size()) return std::string(text);
-  std::string repaired;
-  repaired.reserve(text.size());
+void append_repaired(std::string& out, std::string_view text) {
   while (!text.empty()) {
     std::size_t const valid = valid_utf8_prefix(text);
-    repaired.append(text.substr(0, valid));
+    out.append(text.substr(0, valid));
     text.remove_prefix(valid);
-    if (text.empty()) break;
-    append_utf8(repaired, replacement_character);
+    if (text.empty()) return;
+    append_utf8(out, replacement_character);
     text.remove_prefix(1);
   }
+}
+
+std::string repair_utf8(std::string_view text) {
+  std::string repaired;
+  append_repaired(repaired, text);
   return repaired;
 }
 

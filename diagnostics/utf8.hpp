@@ -11,6 +11,10 @@ namespace axisc {
 /// U+FFFD, shown for what cannot be decoded.
 inline constexpr char32_t replacement_character = 0xFFFD;
 
+/// Bytes from the front of `text` that are ASCII, except that up to seven of them may be left out where others follow.
+/// Cost: linear, many bytes at a time.
+[[nodiscard]] std::size_t ascii_prefix(std::string_view text);
+
 /// Bytes from the front of `text` that are well-formed UTF-8; text.size() when all of them are.
 /// Cost: linear, eight ASCII bytes at a time.
 [[nodiscard]] std::size_t valid_utf8_prefix(std::string_view text);
@@ -28,6 +32,8 @@ void append_utf8(std::string& text, char32_t character);
 
 /// `text` with every byte that is not part of a well-formed character replaced by U+FFFD.
 [[nodiscard]] std::string repair_utf8(std::string_view text);
+/// The same behind `out`.
+void append_repaired(std::string& out, std::string_view text);
 
 /// A byte that does not begin a character.
 [[nodiscard]] constexpr bool is_continuation_byte(char byte) {
