@@ -10,8 +10,12 @@
 namespace axisc {
 
 std::string code_text(Code code) {
-  std::string const digits = std::to_string(static_cast<unsigned>(code));
-  return "AX" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
+  std::string text = "AX0000";
+  auto number = static_cast<unsigned>(code);
+  for (std::size_t digit = text.size(); number > 0 && digit > 2; number /= 10) {
+    text[--digit] = static_cast<char>('0' + number % 10);
+  }
+  return text;
 }
 
 void FindingCounts::add(Severity severity) {

@@ -51,6 +51,7 @@ std::uint32_t drop_equal_lines(Lines& before, Lines& after) {
 
 void add_lines(PreviewBlock& block, Lines const& lines, Lines const& opposite, std::uint32_t number,
                bool added) {
+  block.lines.reserve(lines.size() + opposite.size());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     block.lines.push_back(
         {.number = number + static_cast<std::uint32_t>(i),
@@ -60,24 +61,24 @@ void add_lines(PreviewBlock& block, Lines const& lines, Lines const& opposite, s
   }
 }
 
-// The edits [first, end) all touch the lines from that of *first to `last_line`.
+// The edits [first, end) all touch the lines from that of the first to `last_line`.
 template <class Iterator>
 PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, SourceText const& source) {
-  PreviewBlock block{
-      .source = first->place.source, .begin = source.position(first->place.span.begin), .lines = {}};
+  Place const place = (*first)->place;
+  PreviewBlock block{.source = place.source, .begin = source.position(place.span.begin), .lines = {}};
   Span const region{.begin = source.line_span(block.begin.line).begin,
                     .end = source.line_span(last_line).end};
-  std::string edited;
+  std::string edited, room;
   std::uint32_t copied = region.begin;
   for (auto edit = first; edit != end; ++edit) {
-    edited += source.utf8({.begin = copied, .end = std::max(copied, edit->place.span.begin)});
-    edited += edit->text;
-    copied = std::max(copied, edit->place.span.end);
+    Span const span = (*edit)->place.span;
+    edited += source.utf8({.begin = copied, .end = std::max(copied, span.begin)}, room);
+    edited += (*edit)->text;
+    copied = std::max(copied, span.end);
   }
-  edited += source.utf8({.begin = copied, .end = std::max(copied, region.end)});
+  edited += source.utf8({.begin = copied, .end = std::max(copied, region.end)}, room);
 
-  std::string const original = source.utf8(region);
-  Lines before = split(original);
+  Lines before = split(source.utf8(region, room));
   Lines after = split(edited);
   std::uint32_t const number = block.begin.line + drop_equal_lines(before, after);
   add_lines(block, before, after, number, false);
@@ -85,20 +86,32 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
   return block;
 }
 
+/// By place; those at one place stay as they are.
+std::vector<Edit const*> in_order(std::vector<Edit> const& edits) {
+  std::vector<Edit const*> ordered;
+  ordered.reserve(edits.size());
+  for (Edit const& edit : edits) ordered.push_back(&edit);
+  auto const is_before = [](Edit const* left, Edit const* right) { return left->place < right->place; };
+  // Sorting allocates even where nothing is to be done, as for nearly all fixes.
+  if (!std::is_sorted(ordered.begin(), ordered.end(), is_before)) {
+    std::stable_sort(ordered.begin(), ordered.end(), is_before);
+  }
+  return ordered;
+}
+
 }  // namespace
 
 std::vector<PreviewBlock> preview(Fix const& fix, SourceSet const& sources) {
-  std::vector<Edit> edits = fix.edits;
-  std::stable_sort(edits.begin(), edits.end(),
-                   [](Edit const& left, Edit const& right) { return left.place < right.place; });
+  std::vector<Edit const*> const edits = in_order(fix.edits);
   std::vector<PreviewBlock> blocks;
-  for (auto first = edits.cbegin(); first != edits.cend();) {
-    SourceText const& source = sources[first->place.source];
-    std::uint32_t last_line = source.position(first->place.span.end).line;
+  for (auto first = edits.begin(); first != edits.end();) {
+    SourceId const id = (*first)->place.source;
+    SourceText const& source = sources[id];
+    std::uint32_t last_line = source.position((*first)->place.span.end).line;
     auto end = first + 1;
-    while (end != edits.cend() && end->place.source == first->place.source &&
-           source.position(end->place.span.begin).line <= last_line) {
-      last_line = std::max(last_line, source.position(end->place.span.end).line);
+    while (end != edits.end() && (*end)->place.source == id &&
+           source.position((*end)->place.span.begin).line <= last_line) {
+      last_line = std::max(last_line, source.position((*end)->place.span.end).line);
       ++end;
     }
     blocks.push_back(block_of(first, end, last_line, source));

@@ -1,5 +1,6 @@
 #include "diagnostics/json_stream.hpp"
 
+#include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
 
 #include <algorithm>
@@ -13,30 +14,41 @@ namespace axisc {
 namespace {
 
 bool needs_no_escape(std::string_view text) {
-  auto const is_special = [](char byte) {
-    return static_cast<unsigned char>(byte) < 0x20 || byte == '"' || byte == '\\';
-  };
-  return std::none_of(text.begin(), text.end(), is_special) && valid_utf8_prefix(text) == text.size();
+  if (text.find('"') != std::string_view::npos || text.find('\\') != std::string_view::npos) return false;
+  auto const is_control = [](char byte) { return static_cast<unsigned char>(byte) < 0x20; };
+  return is_plain(text) ||
+         (std::none_of(text.begin(), text.end(), is_control) && valid_utf8_prefix(text) == text.size());
+}
+
+/// What stands between the quotes.
+void append_escaped(std::string& out, std::string_view text) {
+  if (needs_no_escape(text)) {
+    out += text;
+    return;
+  }
+  std::string const quoted =
+      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  out.append(quoted, 1, quoted.size() - 2);
 }
 
 }  // namespace
 
 void JsonStream::key(std::string_view name) {
   begin_line();
-  out_ += '"';
-  out_ += name;
-  out_ += "\": ";
+  ((out_ += '"') += name) += "\": ";
   has_line_ = true;
 }
 
 void JsonStream::string(std::string_view text) {
   begin_value();
-  if (!needs_no_escape(text)) {
-    out_ += nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    return;
-  }
   out_ += '"';
-  out_ += text;
+  // Line by line: in a message of several lines nothing else needs an escape.
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    append_escaped(out_, text.substr(0, end));
+    out_ += "\\n";
+    text.remove_prefix(end + 1);
+  }
+  append_escaped(out_, text);
   out_ += '"';
 }
 
@@ -93,8 +105,8 @@ void JsonStream::begin_line() {
 void JsonStream::break_line() {
   constexpr std::string_view line = "\n                                ";
   std::size_t const blanks = std::min(indent_, line.size() - 1);
-  out_ += line.substr(0, 1 + blanks);
-  out_.append(indent_ - blanks, ' ');
+  out_.append(line.data(), 1 + blanks);
+  if (blanks < indent_) out_.append(indent_ - blanks, ' ');
 }
 
 }  // namespace axisc

@@ -12,18 +12,9 @@ namespace {
 
 constexpr std::string_view ellipsis = "…";
 
-struct Window {
-  std::size_t begin;
-  std::size_t end;
-};
-
-// A third of the window stands before the marked part: names stand left of values.
-Window window_around(MarkedPart marked, std::size_t length) {
-  if (length <= longest_shown_line) return {0, length};
-  constexpr std::size_t before = longest_shown_line / 3;
-  std::size_t const wanted = marked.begin - std::min(marked.begin, before);
-  std::size_t const begin = std::min(wanted, length - longest_shown_line);
-  return {begin, begin + longest_shown_line};
+bool stays_as_it_is(std::string_view line) {
+  return is_plain(line) ||
+         std::all_of(line.begin(), line.end(), [](char c) { return is_plain(c) || c == '\t'; });
 }
 
 std::size_t count_characters(std::string_view line) {
@@ -32,56 +23,68 @@ std::size_t count_characters(std::string_view line) {
   return count;
 }
 
-/// The characters of a line that stand in the window, and the indent of the mark.
-void append_window(ShownLine& shown, std::string_view line, Window window, std::size_t mark) {
-  for (std::size_t at = 0; at < window.end; ++at) {
-    DecodedCharacter const character = decode_utf8(line);
-    line.remove_prefix(character.size);
-    if (at < window.begin) continue;
-    bool const is_tab = character.value == U'\t';
-    if (is_tab) {
-      shown.text += '\t';
-    } else {
-      append_printable(shown.text, character.value);
-    }
-    if (at < mark) shown.indent += is_tab ? '\t' : ' ';
-  }
-}
-
-/// The same for a line of which every byte is a character that stays as it is.
-void append_plain_window(ShownLine& shown, std::string_view line, Window window, std::size_t mark) {
-  shown.text += line.substr(window.begin, window.end - window.begin);
-  std::string_view const before = line.substr(window.begin, mark - window.begin);
-  shown.indent.append(before.size(), ' ');
-  for (std::size_t tab = before.find('\t'); tab != std::string_view::npos; tab = before.find('\t', tab + 1)) {
-    shown.indent[shown.indent.size() - before.size() + tab] = '\t';
-  }
+// A third of the window stands before the marked part: names stand left of values.
+std::size_t begin_of_window(std::size_t mark, std::size_t length) {
+  if (length <= longest_shown_line) return 0;
+  constexpr std::size_t before = longest_shown_line / 3;
+  return std::min(mark - std::min(mark, before), length - longest_shown_line);
 }
 
 }  // namespace
 
-ShownLine show_line(std::string_view line, MarkedPart marked) {
-  bool const plain = is_plain(line) ||
-                     std::all_of(line.begin(), line.end(), [](char c) { return is_plain(c) || c == '\t'; });
-  std::size_t const length = plain ? line.size() : count_characters(line);
-  std::size_t const mark = std::min(marked.begin, length);
-  Window const window = window_around({.begin = mark, .end = marked.end}, length);
+ShownLine::ShownLine(std::string_view line, MarkedPart marked)
+    : line_(line),
+      is_plain_(stays_as_it_is(line)),
+      length_(is_plain_ ? line.size() : count_characters(line)),
+      mark_(std::min(marked.begin, length_)),
+      mark_end_(marked.end),
+      window_begin_(begin_of_window(mark_, length_)),
+      window_end_(std::min(window_begin_ + longest_shown_line, length_)) {}
 
-  ShownLine shown;
-  if (window.begin > 0) {
-    shown.text += ellipsis;
-    shown.indent += ' ';
+template <class Take>
+void ShownLine::for_each(std::size_t begin, std::size_t end, Take take) const {
+  std::string_view rest = line_;
+  for (std::size_t at = 0; at < end; ++at) {
+    DecodedCharacter const character = decode_utf8(rest);
+    rest.remove_prefix(character.size);
+    if (at >= begin) take(character.value);
   }
-  if (plain) {
-    append_plain_window(shown, line, window, mark);
+}
+
+void ShownLine::append_text(std::string& out) const {
+  if (window_begin_ > 0) out += ellipsis;
+  if (is_plain_) {
+    out += line_.substr(window_begin_, window_end_ - window_begin_);
   } else {
-    append_window(shown, line, window, mark);
+    for_each(window_begin_, window_end_, [&out](char32_t character) {
+      if (character == U'\t') {
+        out += '\t';
+      } else {
+        append_printable(out, character);
+      }
+    });
   }
-  if (window.end < length) shown.text += ellipsis;
+  if (window_end_ < length_) out += ellipsis;
+}
 
-  std::size_t const end = std::min(marked.end, window.end);
-  shown.width = end > mark ? end - mark : 1;
-  return shown;
+void ShownLine::append_indent(std::string& out) const {
+  if (window_begin_ > 0) out += ' ';
+  std::size_t const end = std::min(mark_, window_end_);
+  if (!is_plain_) {
+    for_each(window_begin_, end, [&out](char32_t character) { out += character == U'\t' ? '\t' : ' '; });
+    return;
+  }
+  std::string_view const before = line_.substr(window_begin_, end - window_begin_);
+  std::size_t const begin = out.size();
+  out.append(before.size(), ' ');
+  for (std::size_t tab = before.find('\t'); tab != std::string_view::npos; tab = before.find('\t', tab + 1)) {
+    out[begin + tab] = '\t';
+  }
+}
+
+std::size_t ShownLine::width() const {
+  std::size_t const end = std::min(mark_end_, window_end_);
+  return end > mark_ ? end - mark_ : 1;
 }
 
 }  // namespace axisc

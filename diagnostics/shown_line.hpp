@@ -13,16 +13,34 @@ struct MarkedPart {
   std::size_t end = 0;
 };
 
-struct ShownLine {
-  std::string text;  ///< printable, at most `longest_shown_line` characters of the line, "…" where it was cut
-  std::string indent;     ///< as wide as the text before the marked part: blanks, and the tabs of the line
-  std::size_t width = 1;  ///< characters of the marked part that are shown; 1 for an empty part
-};
-
 /// In code points. Lists are written by people: longer lines are data or accidents.
 inline constexpr std::size_t longest_shown_line = 160;
 
-/// `line` is UTF-8. Tabs stay tabs, in the line and in the indent, so that any terminal aligns both alike.
-[[nodiscard]] ShownLine show_line(std::string_view line, MarkedPart marked);
+/// Tabs stay tabs, in the line and in the indent, so that any terminal aligns both alike.
+class ShownLine {
+ public:
+  /// `line` is UTF-8 and lives longer.
+  ShownLine(std::string_view line, MarkedPart marked);
+
+  /// Printable, at most `longest_shown_line` characters of the line, "…" where it was cut.
+  void append_text(std::string& out) const;
+  /// As wide as the text before the marked part: blanks, and the tabs of the line.
+  void append_indent(std::string& out) const;
+  /// Characters of the marked part that are shown; 1 for an empty part.
+  [[nodiscard]] std::size_t width() const;
+
+ private:
+  /// The characters [begin, end) of the line.
+  template <class Take>
+  void for_each(std::size_t begin, std::size_t end, Take take) const;
+
+  std::string_view line_;
+  bool is_plain_;             ///< every byte is a character that stays as it is
+  std::size_t length_;        ///< in characters, as all that follow
+  std::size_t mark_;          ///< begin of the marked part
+  std::size_t mark_end_;      ///< its end, or behind the line
+  std::size_t window_begin_;  ///< what is shown
+  std::size_t window_end_;
+};
 
 }  // namespace axisc

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-Encoding encoding_of(std::string_view bytes) {
+Encoding encoding_of(std::string_view bytes, bool is_ascii) {
+  if (is_ascii) return Encoding::utf8;
   if (valid_utf8_prefix(bytes) != bytes.size()) return Encoding::windows_1252;
   return bytes.starts_with(byte_order_mark) ? Encoding::utf8_with_mark : Encoding::utf8;
 }
@@ -25,12 +26,14 @@ Encoding encoding_of(std::string_view bytes) {
 SourceText::SourceText(std::string name, std::string bytes)
     : name_(std::move(name)),
       bytes_(std::move(bytes)),
-      encoding_(encoding_of(bytes_)),
+      is_ascii_(ascii_prefix(bytes_) == bytes_.size()),
+      encoding_(encoding_of(bytes_, is_ascii_)),
       text_begin_(std::string_view(bytes_).starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
 
 SourceText::SourceText(std::string name, Excerpt excerpt)
     : name_(std::move(name)),
       bytes_(std::move(excerpt.bytes)),
+      is_ascii_(ascii_prefix(bytes_) == bytes_.size()),
       encoding_(excerpt.encoding),
       text_begin_(0),
       numbers_(std::move(excerpt.numbers)) {
@@ -64,7 +67,7 @@ Position SourceText::position(std::uint32_t offset) const {
   std::uint32_t const begin = std::max(starts[line - 1], text_begin_);
 
   Position position{.line = numbers_.empty() ? line : numbers_[line - 1], .column = at - begin + 1};
-  if (encoding_ != Encoding::windows_1252) {
+  if (encoding_ != Encoding::windows_1252 && !is_ascii_) {
     // Continuation bytes up to and including `at` belong to characters that began before.
     std::string_view const before = slice({.begin = begin, .end = at});
     std::size_t inside = count_continuation_bytes(before);
@@ -93,18 +96,30 @@ std::uint32_t SourceText::line_count() const {
   return static_cast<std::uint32_t>(line_starts().size());
 }
 
-std::string SourceText::utf8(Span span) const {
+bool SourceText::is_utf8(Span span) const {
+  if (is_ascii_) return true;
+  if (encoding_ == Encoding::windows_1252 || is_excerpt()) return false;
+  // The whole text is well-formed, so that a part of it is unless a character is cut.
+  bool const begins_inside = span.begin < span.end && is_continuation_byte(bytes_[span.begin]);
+  bool const ends_inside = span.end < bytes_.size() && is_continuation_byte(bytes_[span.end]);
+  return !begins_inside && !ends_inside;
+}
+
+std::string_view SourceText::utf8(Span span, std::string& room) const {
   std::string_view const bytes = slice(span);
-  if (encoding_ != Encoding::windows_1252) {
-    // The whole text is well-formed, so that a part of it is unless a character is cut.
-    bool const is_cut = (!bytes.empty() && is_continuation_byte(bytes.front())) ||
-                        (span.end < bytes_.size() && is_continuation_byte(bytes_[span.end]));
-    return is_cut || is_excerpt() ? repair_utf8(bytes) : std::string(bytes);
+  if (is_utf8(span)) return bytes;
+  room.clear();
+  if (encoding_ == Encoding::windows_1252) {
+    for (char const byte : bytes) append_utf8(room, decode_windows_1252(byte));
+  } else {
+    append_repaired(room, bytes);
   }
-  std::string text;
-  text.reserve(bytes.size());
-  for (char const byte : bytes) append_utf8(text, decode_windows_1252(byte));
-  return text;
+  return room;
+}
+
+std::string SourceText::utf8(Span span) const {
+  std::string room;
+  return std::string(utf8(span, room));
 }
 
 std::string SourceText::encode(std::string_view text) const {

@@ -59,6 +59,8 @@ class SourceText {
   }
   /// The bytes of `span` as well-formed UTF-8; what cannot be decoded becomes U+FFFD.
   [[nodiscard]] std::string utf8(Span span) const;
+  /// The same as a view: of the text itself where its bytes are that already, else of `room`.
+  [[nodiscard]] std::string_view utf8(Span span, std::string& room) const;
   /// `text` (UTF-8) in this source's encoding; a character that windows-1252 lacks becomes '?'.
   [[nodiscard]] std::string encode(std::string_view text) const;
 
@@ -66,9 +68,11 @@ class SourceText {
   std::vector<std::uint32_t> const& line_starts() const;
   /// In line_starts(), from 1.
   std::uint32_t line_at(std::uint32_t offset) const;
+  [[nodiscard]] bool is_utf8(Span span) const;
 
   std::string name_;
   std::string bytes_;
+  bool is_ascii_;
   Encoding encoding_;
   std::uint32_t text_begin_;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included

@@ -59,6 +59,10 @@ void append_printable(std::string& shown, char32_t character) {
 }
 
 void append_printable(std::string& shown, std::string_view text) {
+  if (is_plain(text)) {
+    shown += text;
+    return;
+  }
   while (!text.empty()) {
     auto const* const special =
         std::find_if_not(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
@@ -105,12 +109,12 @@ std::string Painter::operator()(Style style, std::string_view text) const {
   return painted;
 }
 
-void Painter::begin(std::string& out, Style style) const {
-  if (color_) out.append(escape_of(style));
+void Painter::begin_color(std::string& out, Style style) {
+  out += escape_of(style);
 }
 
-void Painter::end(std::string& out) const {
-  if (color_) out.append("\x1b[0m");
+void Painter::end_color(std::string& out) {
+  out += "\x1b[0m";
 }
 
 void Painter::append(std::string& out, Style style, std::string_view text) const {

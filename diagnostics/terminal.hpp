@@ -37,10 +37,17 @@ class Painter {
   /// The same behind `out`.
   void append(std::string& out, Style style, std::string_view text) const;
   /// The same for what is written between the two.
-  void begin(std::string& out, Style style) const;
-  void end(std::string& out) const;
+  void begin(std::string& out, Style style) const {
+    if (color_) begin_color(out, style);
+  }
+  void end(std::string& out) const {
+    if (color_) end_color(out);
+  }
 
  private:
+  static void begin_color(std::string& out, Style style);
+  static void end_color(std::string& out);
+
   bool color_;
 };
 

@@ -5,13 +5,14 @@
 #include "diagnostics/writers.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/compile.h>
 
 namespace axisc {
 namespace {
@@ -56,6 +57,8 @@ class TextWriter {
     if (finding.place) location_ = locate(*finding.place, sources);
     if (finding.fix) blocks_ = preview(*finding.fix, sources);
     gutter_width_ = digits_of(largest_line_number());
+    bar_.assign(gutter_width_ + 1, ' ');
+    paint_.append(bar_, Style::gutter, "|");
   }
 
   void write() && {
@@ -100,16 +103,9 @@ class TextWriter {
   }
   [[nodiscard]] std::string_view word(Text text) const { return text_template(text, language_); }
 
-  void write_number(std::uint32_t number) {
-    std::array<char, 10> digits{};
-    auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    out_.append(digits.data(), end);
-  }
-
   void write_headline() {
     paint_.begin(out_, style_of(finding_.severity));
-    ((out_ += word(word_of(finding_.severity))) += '[') += code_text(finding_.code);
-    out_ += ']';
+    (((out_ += word(word_of(finding_.severity))) += '[') += code_text(finding_.code)) += ']';
     paint_.end(out_);
     paint_.begin(out_, Style::strong);
     out_ += ": ";
@@ -127,28 +123,15 @@ class TextWriter {
   void write_arrow(std::string_view arrow, std::string_view file, Position position) {
     begin_arrow(arrow);
     append_printable(out_, file);
-    out_ += ':';
-    write_number(position.line);
-    out_ += ':';
-    write_number(position.column);
-    out_ += '\n';
+    fmt::format_to(std::back_inserter(out_), FMT_COMPILE(":{}:{}\n"), position.line, position.column);
   }
 
-  void begin_gutter(std::string_view mark) {
-    out_.append(gutter_width_ + 1, ' ');
-    paint_.append(out_, Style::gutter, mark);
-  }
+  void write_empty_gutter() { (out_ += bar_) += '\n'; }
 
-  void write_empty_gutter() {
-    begin_gutter("|");
-    out_ += '\n';
-  }
-
-  /// The number of a line, as wide as the gutter.
-  void write_line_number(std::uint32_t line) {
+  /// The number of a line, as wide as the gutter, and what stands behind it.
+  void write_line_number(std::uint32_t line, std::string_view behind) {
     out_.append(gutter_width_ - digits_of(line), ' ');
-    write_number(line);
-    out_ += ' ';
+    fmt::format_to(std::back_inserter(out_), FMT_COMPILE("{} {}"), line, behind);
   }
 
   /// `label` may be null.
@@ -160,18 +143,18 @@ class TextWriter {
     std::size_t const begin = location.begin.column - 1;
     std::size_t const end =
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
-    std::string const line = source.utf8(source.line_span(location.begin.line));
-    ShownLine const shown = show_line(line, {.begin = begin, .end = end});
+    std::string room;
+    std::string_view const line = source.utf8(source.line_span(location.begin.line), room);
+    ShownLine const shown(line, {.begin = begin, .end = end});
     paint_.begin(out_, Style::gutter);
-    write_line_number(location.begin.line);
-    out_ += '|';
+    write_line_number(location.begin.line, "|");
     paint_.end(out_);
-    ((out_ += ' ') += shown.text) += '\n';
-
-    begin_gutter("|");
-    (out_ += ' ') += shown.indent;
+    out_ += ' ';
+    shown.append_text(out_);
+    ((out_ += '\n') += bar_) += ' ';
+    shown.append_indent(out_);
     paint_.begin(out_, pointer.style);
-    out_.append(shown.width, pointer.mark);
+    out_.append(shown.width(), pointer.mark);
     if (label != nullptr) {
       out_ += ' ';
       write_sentence(*label);
@@ -206,7 +189,8 @@ class TextWriter {
 
   /// A colon separates `head` from the rest, where there is a head.
   void begin_line_below(std::string_view head) {
-    begin_gutter("=");
+    out_.append(gutter_width_ + 1, ' ');
+    paint_.append(out_, Style::gutter, "=");
     out_ += ' ';
     if (head.empty()) return;
     paint_.begin(out_, Style::strong);
@@ -237,15 +221,17 @@ class TextWriter {
   }
 
   void write_preview_line(PreviewLine const& line) {
-    ShownLine const shown = show_line(line.text, {.begin = line.first_change, .end = line.first_change});
+    ShownLine const shown(line.text, {.begin = line.first_change, .end = line.first_change});
     Style const style = line.added ? Style::added : Style::removed;
     paint_.begin(out_, Style::gutter);
-    write_line_number(line.number);
+    write_line_number(line.number, {});
     paint_.end(out_);
     paint_.append(out_, style, line.added ? "+" : "-");
-    if (!shown.text.empty()) {
+    if (!line.text.empty()) {
       out_ += ' ';
-      paint_.append(out_, style, shown.text);
+      paint_.begin(out_, style);
+      shown.append_text(out_);
+      paint_.end(out_);
     }
     out_ += '\n';
   }
@@ -258,6 +244,7 @@ class TextWriter {
   Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
+  std::string bar_;  ///< the gutter of a line without a number
 };
 
 }  // namespace

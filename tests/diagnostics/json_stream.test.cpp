@@ -65,7 +65,8 @@ TEST_CASE("deep values stand behind many blanks") {
 
 TEST_CASE("characters of every size stay what they are") {
   std::mt19937 random(7);
-  std::vector<std::string> const pieces = {"ü", "€", "😀", "\x7F", "\xED\xA0\x80", "a", "\"", "\x1F", "\xC3"};
+  std::vector<std::string> const pieces = {"ü", "€",  "😀",    "\x7F", "\xED\xA0\x80",
+                                           "a", "\"", "\x1F", "\xC3", "\n"};
   for (int round = 0; round < 2000; ++round) {
     std::string bytes;
     for (std::size_t size = random() % 4; size > 0; --size) bytes += pieces[random() % pieces.size()];

@@ -3,10 +3,25 @@
 #include "support/catch.hpp"
 
 #include <string>
+#include <string_view>
 
 using namespace axisc;
 
 namespace {
+
+struct Shown {
+  std::string text;
+  std::string indent;
+  std::size_t width;
+};
+
+Shown show_line(std::string_view line, MarkedPart marked) {
+  ShownLine const shown(line, marked);
+  Shown written{.text = {}, .indent = {}, .width = shown.width()};
+  shown.append_text(written.text);
+  shown.append_indent(written.indent);
+  return written;
+}
 
 std::string repeated(std::string_view text, std::size_t times) {
   std::string result;
@@ -17,33 +32,33 @@ std::string repeated(std::string_view text, std::size_t times) {
 }  // namespace
 
 TEST_CASE("a short line is shown whole") {
-  ShownLine const shown = show_line("name  value", {.begin = 6, .end = 11});
+  Shown const shown = show_line("name  value", {.begin = 6, .end = 11});
   CHECK(shown.text == "name  value");
   CHECK(shown.indent == std::string(6, ' '));
   CHECK(shown.width == 5);
 }
 
 TEST_CASE("characters are counted, not bytes") {
-  ShownLine const shown = show_line("Güte µ€😀 5", {.begin = 9, .end = 10});
+  Shown const shown = show_line("Güte µ€😀 5", {.begin = 9, .end = 10});
   CHECK(shown.indent == std::string(9, ' '));
   CHECK(shown.width == 1);
 }
 
 TEST_CASE("tabs are repeated under the line") {
-  ShownLine const shown = show_line("\tname\tvalue", {.begin = 6, .end = 11});
+  Shown const shown = show_line("\tname\tvalue", {.begin = 6, .end = 11});
   CHECK(shown.text == "\tname\tvalue");
   CHECK(shown.indent == "\t    \t");
 }
 
 TEST_CASE("tabs are repeated under a line that is cut") {
   std::string const line = std::string(200, 'a') + "\tb\t" + "VALUE" + std::string(200, 'c');
-  ShownLine const shown = show_line(line, {.begin = 203, .end = 208});
+  Shown const shown = show_line(line, {.begin = 203, .end = 208});
   CHECK(shown.text.starts_with("…" + std::string(50, 'a') + "\tb\tVALUE"));
   CHECK(shown.indent == std::string(51, ' ') + "\t \t");
 }
 
 TEST_CASE("control characters are shown as pictures of the same width") {
-  ShownLine const shown = show_line("a\x01\x1b[31m value", {.begin = 8, .end = 13});
+  Shown const shown = show_line("a\x01\x1b[31m value", {.begin = 8, .end = 13});
   CHECK(shown.text == "a␁␛[31m value");
   CHECK(shown.indent.size() == 8);
 }
@@ -61,7 +76,7 @@ TEST_CASE("a part that goes on behind the line ends with it") {
 
 TEST_CASE("long lines are cut around the marked part") {
   std::string const line = repeated("ü", 400) + "VALUE" + repeated("µ", 400);
-  ShownLine const shown = show_line(line, {.begin = 400, .end = 405});
+  Shown const shown = show_line(line, {.begin = 400, .end = 405});
   CHECK(shown.text == "…" + repeated("ü", 53) + "VALUE" + repeated("µ", longest_shown_line - 58) + "…");
   CHECK(shown.indent.size() == 54);
   CHECK(shown.width == 5);
@@ -69,17 +84,17 @@ TEST_CASE("long lines are cut around the marked part") {
 
 TEST_CASE("only the side that is too long is cut") {
   std::string const line(161, 'x');
-  ShownLine const front = show_line(line, {.begin = 0, .end = 1});
+  Shown const front = show_line(line, {.begin = 0, .end = 1});
   CHECK(front.text == std::string(160, 'x') + "…");
   CHECK(front.indent.empty());
-  ShownLine const back = show_line(line, {.begin = 160, .end = 161});
+  Shown const back = show_line(line, {.begin = 160, .end = 161});
   CHECK(back.text == "…" + std::string(160, 'x'));
   CHECK(back.indent.size() == 160);
   CHECK(show_line(std::string(160, 'x'), {.begin = 159, .end = 160}).text == std::string(160, 'x'));
 }
 
 TEST_CASE("a marked part longer than the shown line is cut with it") {
-  ShownLine const shown = show_line(std::string(1000, 'x'), {.begin = 100, .end = 1000});
+  Shown const shown = show_line(std::string(1000, 'x'), {.begin = 100, .end = 1000});
   CHECK(shown.indent.size() == 54);
   CHECK(shown.width == longest_shown_line - 53);
 }
