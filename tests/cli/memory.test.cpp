@@ -36,3 +36,20 @@ TEST_CASE("findings of many inputs do not stay in memory") {
     if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + (std::size_t{52} << 20U));
   }
 }
+
+TEST_CASE("findings of one long list are printed as they come") {
+  TemporaryFolder const folder;
+  std::string list = "kopf.achs_nr 1\n";
+  folder.write("short.lis", list + "Ende\n");
+  constexpr int mistakes = 60000;
+  for (int i = 0; i < mistakes; ++i) list += "= 5\n";
+  folder.write("long.lis", list + "Ende\n");
+  for (std::string const format : {"text", "json", "gitlab"}) {
+    auto const few = run_axisc({"lint", "short.lis", "--format", format}, in_folder(folder.path()));
+    auto const many = run_axisc({"lint", "long.lis", "--format", format}, in_folder(folder.path()));
+    INFO(format << ": " << many.out.size() << " bytes of findings");
+    CHECK(many.out.size() > std::size_t{8} << 20U);
+    // A place for each of them stays.
+    if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + mistakes * std::size_t{250});
+  }
+}
