@@ -28,9 +28,16 @@ TEST_CASE("an index that does not fit is the largest number") {
   CHECK(name->parts[0].index == std::numeric_limits<std::uint32_t>::max());
 }
 
+TEST_CASE("a dot at the end begins no part") {
+  auto const name = split_name("a[1].b.");
+  REQUIRE(name);
+  CHECK(name->parts.size() == 2);
+  CHECK(bare_name(*name) == "a.b");
+}
+
 TEST_CASE("what is no name has no parts") {
-  for (std::string_view const text :
-       {"a[", "a[]", "a[1", "a[1]b", "a[x]", "a[-1]", "a[ 1]", "[1]", "a..b", ".a"}) {
+  for (std::string_view const text : {"a[", "a[]", "a[1", "a[1]b", "a[x]", "a[-1]", "a[ 1]", "[1]", "[",
+                                      "a[1][2]", "a[1.2]", "a[1]]", "a..b", ".a"}) {
     INFO(text);
     CHECK_FALSE(split_name(text));
   }
