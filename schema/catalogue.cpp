@@ -188,6 +188,9 @@ Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_
 
 std::string slot_name(Parameter const& parameter, Slot slot) {
   if (parameter.index_count() == 0) return std::string(parameter.name);
+  bool const is_built_in = static_cast<std::size_t>(slot) < schema::slot_count() &&
+                           &row(slot_table[static_cast<std::size_t>(slot)].parameter) == &parameter;
+  if (is_built_in) return slot_name(slot);
   auto const indices = indices_of(parameter, slot);
   constexpr std::size_t digits = 5;
   std::string name;

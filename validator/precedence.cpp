@@ -52,11 +52,21 @@ auto order(Reported const& finding) {
   return std::make_tuple(finding.severity, rank(code), code);
 }
 
-/// What decides about the order, side by side: the findings themselves lie far apart.
+/// What decides about the order, side by side, because the findings themselves lie far apart, and in numbers that are
+/// compared at once.
 struct Key {
-  Place place;
-  Code code{};
+  std::uint64_t begin = 0;  ///< source and offset
+  std::uint64_t end = 0;    ///< offset and code
   std::uint32_t number = 0;
+
+  Key(Reported const& finding, std::uint32_t its_number)
+      : begin(pair(static_cast<std::uint32_t>(finding.place.source), finding.place.span.begin)),
+        end(pair(finding.place.span.end, static_cast<std::uint16_t>(finding.rule->code))),
+        number(its_number) {}
+
+  static std::uint64_t pair(std::uint32_t high, std::uint32_t low) {
+    return std::uint64_t{high} << 32U | low;
+  }
   // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
@@ -86,10 +96,7 @@ void drop_replaced(ReportedFindings const& reported, Standing& standing) {
 void put_in_order(ReportedFindings const& reported, Standing& standing) {
   std::vector<Key> keys;
   keys.reserve(standing.size());
-  for (std::uint32_t const number : standing) {
-    Reported const& finding = reported.findings[number];
-    keys.push_back({.place = finding.place, .code = finding.rule->code, .number = number});
-  }
+  for (std::uint32_t const number : standing) keys.emplace_back(reported.findings[number], number);
   std::sort(keys.begin(), keys.end());
   std::transform(keys.begin(), keys.end(), standing.begin(), [](Key const& key) { return key.number; });
 }
