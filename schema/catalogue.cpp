@@ -80,9 +80,10 @@ std::span<ParameterId const> rows_of_bare_name(std::string_view bare) {
 
 /// For names that the perfect hash does not know: the row whose name differs in its indices only.
 NameLookup find_row(std::string_view text) {
+  std::span<ParameterId const> const rows = rows_of_bare_name(bare_name(text));
+  if (rows.empty()) return {};
   auto const name = split_name(text);
-  if (!name) return {};
-  return match_name(*name, rows_of_bare_name(bare_name(*name)), parameters()).lookup;
+  return name ? match_name(*name, rows, parameters()).lookup : NameLookup{};
 }
 
 /// Case is folded only for names that miss.

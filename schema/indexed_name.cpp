@@ -54,16 +54,17 @@ std::optional<IndexedName> split_name(std::string_view name) {
   return result;
 }
 
-std::string bare_name(IndexedName const& name) {
-  std::size_t size = 0;
-  for (NamePart const& part : name.parts) size += part.name.size() + 1;
+std::string bare_name(std::string_view name) {
+  if (name.ends_with('.')) name.remove_suffix(1);
   std::string bare;
-  bare.reserve(size);
-  for (NamePart const& part : name.parts) {
-    if (!bare.empty()) bare += '.';
-    bare += part.name;
+  bare.reserve(name.size());
+  while (true) {
+    std::size_t const bracket = name.find('[');
+    bare += name.substr(0, bracket);
+    std::size_t const end = bracket == std::string_view::npos ? bracket : name.find(']', bracket);
+    if (end == std::string_view::npos) return bare;
+    name.remove_prefix(end + 1);
   }
-  return bare;
 }
 
 std::string without_brackets(std::string_view pattern) {

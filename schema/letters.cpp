@@ -3,7 +3,6 @@
 #include "schema/name_hash.hpp"
 
 #include <array>
-#include <limits>
 
 namespace axisc::schema {
 namespace {
@@ -24,23 +23,19 @@ std::uint32_t gather(char const* bytes) {
 
 }  // namespace
 
-Letters letters_of(std::string_view text) {
+LetterSets letter_sets_of(std::string_view text) {
   constexpr unsigned letters = 32;
-  Letters once = 0;
-  Letters twice = 0;
+  std::uint32_t once = 0;
+  std::uint32_t twice = 0;
+  std::uint32_t odd = 0;
   for (char const byte : text) {
-    Letters const letter = Letters{1} << (static_cast<unsigned char>(byte) % letters);
+    std::uint32_t const letter = std::uint32_t{1} << (static_cast<unsigned char>(byte) % letters);
     twice |= once & letter;
     once |= letter;
+    odd ^= letter;
   }
-  return once | twice << letters;
-}
-
-OddLetters odd_letters_of(std::string_view text) {
-  constexpr unsigned letters = std::numeric_limits<OddLetters>::digits;
-  unsigned odd = 0;
-  for (char const byte : text) odd ^= 1U << (static_cast<unsigned char>(byte) % letters);
-  return static_cast<OddLetters>(odd);
+  return {.letters = once | Letters{twice} << letters,
+          .odd = static_cast<OddLetters>(odd ^ odd >> letters / 2)};
 }
 
 std::uint32_t may_be_within(std::size_t limit, OddLetters given,

@@ -11,7 +11,6 @@ namespace axisc::schema {
 /// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less telling, not
 /// wrong.
 using Letters = std::uint64_t;
-[[nodiscard]] Letters letters_of(std::string_view text);
 
 /// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one letter at most.
 [[nodiscard]] inline bool certainly_beyond(Letters a, Letters b, std::size_t limit) {
@@ -27,7 +26,12 @@ using Letters = std::uint64_t;
 /// Which letters a text has an odd number of times: less telling than Letters, but small enough to be compared many at
 /// once.
 using OddLetters = std::uint16_t;
-[[nodiscard]] OddLetters odd_letters_of(std::string_view text);
+
+struct LetterSets {
+  Letters letters = 0;
+  OddLetters odd = 0;
+};
+[[nodiscard]] LetterSets letter_sets_of(std::string_view text);
 
 inline constexpr std::size_t letters_at_once = 16;
 /// Which of `known` may belong to a text whose edit_distance() from a given one is within `limit`, one bit each: a slip

@@ -4,18 +4,11 @@
 #include "schema/part_comparison.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <utility>
 
 namespace axisc::schema {
 namespace {
-
-std::optional<std::size_t> place_in(std::span<std::string_view const> sorted, std::string_view text) {
-  auto const place = std::lower_bound(sorted.begin(), sorted.end(), text);
-  if (place == sorted.end() || *place != text) return std::nullopt;
-  return static_cast<std::size_t>(place - sorted.begin());
-}
 
 /// The search for names of which all but one slip is known already. What costs no more than few_slips has few slips as
 /// a whole, or lacks exactly one part, or has exactly one that resembles: everything else costs more.
@@ -41,13 +34,14 @@ class CloseSearch {
 
   void find_other_parts() {
     std::string_view const last = given_.back().name;
-    if (auto const part = place_in(vocabulary_.parts, last)) {
+    if (auto const part = find_text(last, vocabulary_.parts, vocabulary_.places_of_parts)) {
       for (std::uint32_t const name : vocabulary_.names_ending_in[*part]) {
         if (lacks_one_part(name) || one_part_resembles(name)) add(name);
       }
     }
     if (given_.size() < 2) return;
-    if (auto const family = place_in(vocabulary_.families, bare_.substr(0, bare_.size() - last.size()))) {
+    std::string_view const family_name = bare_.substr(0, bare_.size() - last.size());
+    if (auto const family = find_text(family_name, vocabulary_.families, vocabulary_.places_of_families)) {
       find_other_quantities(*family);
     }
   }
@@ -86,7 +80,7 @@ class CloseSearch {
   /// Names in the family of the given one, of which the last part resembles.
   void find_other_quantities(std::size_t family) {
     std::string_view const last = given_.back().name;
-    Letters const letters = letters_of(last);
+    Letters const letters = letter_sets_of(last).letters;
     Groups const& groups = vocabulary_.names_of_family;
     for (std::size_t i = groups.starts[family]; i < groups.starts[family + 1]; ++i) {
       Letters const wanted = vocabulary_.letters_by_family[i];

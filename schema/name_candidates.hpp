@@ -38,8 +38,7 @@ inline constexpr std::size_t few_slips = 2;
 template <typename Visit>
 void for_each_of_like_letters(Vocabulary const& vocabulary, std::string_view bare, std::size_t limit,
                               Visit visit) {
-  Letters const letters = letters_of(bare);
-  OddLetters const odd_letters = odd_letters_of(bare);
+  LetterSets const sets = letter_sets_of(bare);
   Groups const& by_size = vocabulary.names_of_size;
   std::size_t const shortest = std::min(bare.size() - std::min(bare.size(), limit), by_size.size());
   std::size_t const longest_end = std::max(shortest, std::min(bare.size() + limit + 1, by_size.size()));
@@ -47,11 +46,11 @@ void for_each_of_like_letters(Vocabulary const& vocabulary, std::string_view bar
   for (std::size_t first = by_size.starts[shortest]; first < end; first += letters_at_once) {
     std::span<OddLetters const, letters_at_once> const known(
         vocabulary.odd_letters_by_size.subspan(first, letters_at_once));
-    std::uint32_t possible = may_be_within(limit, odd_letters, known);
+    std::uint32_t possible = may_be_within(limit, sets.odd, known);
     if (end - first < letters_at_once) possible &= (1U << (end - first)) - 1U;
     for (; possible != 0; possible &= possible - 1) {
       std::size_t const at = first + static_cast<std::size_t>(std::countr_zero(possible));
-      if (!certainly_beyond(letters, vocabulary.letters_by_size[at], limit)) visit(by_size.numbers[at]);
+      if (!certainly_beyond(sets.letters, vocabulary.letters_by_size[at], limit)) visit(by_size.numbers[at]);
     }
   }
 }

@@ -27,7 +27,7 @@ bool resembles(std::string_view a, std::string_view b) {
 PartComparison::PartComparison(Vocabulary const& vocabulary, std::string_view given)
     : vocabulary_(vocabulary),
       given_(given),
-      letters_(letters_of(given)),
+      letters_(letter_sets_of(given).letters),
       limit_(tolerable_distance(given.size())),
       costs_(vocabulary.parts.size(), not_compared) {}
 

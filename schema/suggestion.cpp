@@ -92,7 +92,7 @@ std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string
   }
   auto const parts = split_name(name);
   if (!parts || parts->parts.empty()) return {};
-  std::string const bare = bare_name(*parts);
+  std::string const bare = bare_name(name);
   std::vector<Candidate> candidates = candidates_for(vocabulary, *parts, bare);
   put_in_order(candidates, vocabulary, index_count(*parts));
   drop_arbitrary(candidates, bare.size());

@@ -20,10 +20,6 @@ void sort_and_drop_repetitions(std::vector<std::string_view>& texts) {
   texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
 }
 
-std::uint32_t place_in(std::vector<std::string_view> const& sorted, std::string_view text) {
-  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), text) - sorted.begin());
-}
-
 std::string_view family_of(std::string_view name) {
   return name.substr(0, name.rfind('.') + 1);
 }
@@ -54,8 +50,9 @@ VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
   std::size_t const longest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   names_of_size = group_by(sizes, longest + 1);
   for (std::uint32_t const name : names_of_size.numbers) {
-    letters_by_size.push_back(letters_of(names[name]));
-    odd_letters_by_size.push_back(odd_letters_of(names[name]));
+    LetterSets const sets = letter_sets_of(names[name]);
+    letters_by_size.push_back(sets.letters);
+    odd_letters_by_size.push_back(sets.odd);
   }
   odd_letters_by_size.resize(names.size() + letters_at_once - 1);
 
@@ -63,13 +60,17 @@ VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
     for (std::string_view const part : split(name)) parts.push_back(part);
   }
   sort_and_drop_repetitions(parts);
-  for (std::string_view const part : parts) letters_of_parts.push_back(letters_of(part));
+  places_of_parts = make_text_places(parts);
+  auto const place_of_part = [this](std::string_view part) {
+    return static_cast<std::uint32_t>(find_text(part, parts, places_of_parts).value());
+  };
+  for (std::string_view const part : parts) letters_of_parts.push_back(letter_sets_of(part).letters);
 
   std::vector<std::uint32_t> endings;
   parts_of.starts.push_back(0);
   for (std::string const& name : names) {
     for (std::string_view const part : split(name)) {
-      parts_of.numbers.push_back(place_in(parts, part));
+      parts_of.numbers.push_back(place_of_part(part));
     }
     parts_of.starts.push_back(static_cast<std::uint32_t>(parts_of.numbers.size()));
     endings.push_back(parts_of.numbers.back());
@@ -78,9 +79,13 @@ VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
 
   for (std::string const& name : names) families.push_back(family_of(name));
   sort_and_drop_repetitions(families);
-  std::vector<std::uint32_t> family_places;
-  for (std::string const& name : names) family_places.push_back(place_in(families, family_of(name)));
-  names_of_family = group_by(family_places, families.size());
+  places_of_families = make_text_places(families);
+  std::vector<std::uint32_t> own_families;
+  for (std::string const& name : names) {
+    auto const place = find_text(family_of(name), families, places_of_families).value();
+    own_families.push_back(static_cast<std::uint32_t>(place));
+  }
+  names_of_family = group_by(own_families, families.size());
   for (std::uint32_t const name : names_of_family.numbers) {
     letters_by_family.push_back(letters_of_parts[endings[name]]);
   }
@@ -93,10 +98,12 @@ Vocabulary VocabularyTables::view(std::span<Parameter const> rows) const {
           .letters_by_size = letters_by_size,
           .odd_letters_by_size = odd_letters_by_size,
           .parts = parts,
+          .places_of_parts = places_of_parts,
           .letters_of_parts = letters_of_parts,
           .parts_of = parts_of.view(),
           .names_ending_in = names_ending_in.view(),
           .families = families,
+          .places_of_families = places_of_families,
           .names_of_family = names_of_family.view(),
           .letters_by_family = letters_by_family};
 }

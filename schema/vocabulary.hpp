@@ -4,6 +4,7 @@
 
 #include "schema/catalogue.hpp"
 #include "schema/letters.hpp"
+#include "schema/text_places.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,11 +35,13 @@ struct Vocabulary {
   std::span<Letters const> letters_by_size;  ///< of the names, in the order of names_of_size.numbers
   /// The same; behind the last one there is room, so that letters_at_once may be read from every name on.
   std::span<OddLetters const> odd_letters_by_size;
-  std::span<std::string_view const> parts;  ///< each different one, in alphabetic order
+  std::span<std::string_view const> parts;  ///< each different one
+  TextPlaces places_of_parts;
   std::span<Letters const> letters_of_parts;
   Groups parts_of;                             ///< of each name
   Groups names_ending_in;                      ///< each part
-  std::span<std::string_view const> families;  ///< each different one, in alphabetic order
+  std::span<std::string_view const> families;  ///< each different one
+  TextPlaces places_of_families;
   Groups names_of_family;
   std::span<Letters const> letters_by_family;  ///< of the last parts, in the order of names_of_family.numbers
 };
@@ -57,10 +60,12 @@ struct VocabularyTables {
   std::vector<Letters> letters_by_size;
   std::vector<OddLetters> odd_letters_by_size;
   std::vector<std::string_view> parts;  ///< pieces of `names`
+  std::vector<std::uint32_t> places_of_parts;
   std::vector<Letters> letters_of_parts;
   OwnGroups parts_of;
   OwnGroups names_ending_in;
   std::vector<std::string_view> families;  ///< pieces of `names`
+  std::vector<std::uint32_t> places_of_families;
   OwnGroups names_of_family;
   std::vector<Letters> letters_by_family;
 

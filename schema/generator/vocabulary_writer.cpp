@@ -57,10 +57,12 @@ std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
   write_array(out, "OddLetters", "odd_letters_by_size", tables.odd_letters_by_size,
               [&out](OddLetters set) { out << set; });
   texts("parts", tables.parts);
+  numbers("places_of_parts", tables.places_of_parts);
   letters("letters_of_parts", tables.letters_of_parts);
   groups("parts_of", tables.parts_of);
   groups("names_ending_in", tables.names_ending_in);
   texts("families", tables.families);
+  numbers("places_of_families", tables.places_of_families);
   groups("names_of_family", tables.names_of_family);
   letters("letters_by_family", tables.letters_by_family);
   return std::move(out).str();

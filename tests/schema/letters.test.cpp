@@ -15,13 +15,13 @@ namespace {
 using namespace axisc::schema;
 
 TEST_CASE("letters say what is there, what is there twice and what is there an odd number of times") {
-  CHECK(letters_of("") == 0);
-  CHECK(letters_of("ab") == letters_of("ba"));
-  CHECK(letters_of("ab") != letters_of("aab"));
-  CHECK(letters_of("aab") == letters_of("baaa"));
-  CHECK(odd_letters_of("") == 0);
-  CHECK(odd_letters_of("ab") == odd_letters_of("bccaaa"));
-  CHECK(odd_letters_of("ab") != odd_letters_of("abb"));
+  CHECK(letter_sets_of("").letters == 0);
+  CHECK(letter_sets_of("ab").letters == letter_sets_of("ba").letters);
+  CHECK(letter_sets_of("ab").letters != letter_sets_of("aab").letters);
+  CHECK(letter_sets_of("aab").letters == letter_sets_of("baaa").letters);
+  CHECK(letter_sets_of("").odd == 0);
+  CHECK(letter_sets_of("ab").odd == letter_sets_of("bccaaa").odd);
+  CHECK(letter_sets_of("ab").odd != letter_sets_of("abb").odd);
 }
 
 TEST_CASE("sets of odd letters are told apart by how many letters differ") {
@@ -63,11 +63,11 @@ TEST_CASE("letters rule out nothing that is a few slips away") {
     std::size_t const distance = edit_distance(given, known, most);
     std::array<OddLetters, letters_at_once> all{};
     std::size_t const place = random() % all.size();
-    all[place] = odd_letters_of(known);
+    all[place] = letter_sets_of(known).odd;
     for (std::size_t limit = distance; limit <= most; ++limit) {
       INFO(given << " " << known << " " << limit);
-      REQUIRE_FALSE(certainly_beyond(letters_of(given), letters_of(known), limit));
-      REQUIRE((may_be_within(limit, odd_letters_of(given), all) & (1U << place)) != 0);
+      REQUIRE_FALSE(certainly_beyond(letter_sets_of(given).letters, letter_sets_of(known).letters, limit));
+      REQUIRE((may_be_within(limit, letter_sets_of(given).odd, all) & (1U << place)) != 0);
     }
   }
 }
