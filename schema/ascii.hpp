@@ -1,7 +1,11 @@
 // Letter case without the C locale.
 #pragma once
 
+#include "schema/name_hash.hpp"
+
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -9,6 +13,20 @@ namespace axisc::schema {
 
 constexpr char lower_case(char byte) {
   return byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : byte;
+}
+
+/// True if lower_case() changes nothing. Eight bytes at a time: every mistyped name is asked, and hardly one is not.
+constexpr bool is_lower_case(std::string_view text) {
+  constexpr std::uint64_t each_byte = 0x0101010101010101;
+  constexpr std::uint64_t high_bits = 0x80 * each_byte;
+  std::uint64_t capitals = 0;
+  for (std::size_t at = 0; at < text.size(); at += 8) {
+    std::uint64_t const bytes = word_of(text.data() + at, std::min<std::size_t>(text.size() - at, 8));
+    // What is added carries into the high bit of a byte from 'A' on, or from behind 'Z' on, and never into the next byte.
+    std::uint64_t const low = bytes & ~high_bits;
+    capitals |= (low + (0x80 - 'A') * each_byte) & ~(low + (0x7F - 'Z') * each_byte) & ~bytes;
+  }
+  return (capitals & high_bits) == 0;
 }
 
 /// Only A to Z change.

@@ -30,10 +30,11 @@ struct SlotRow {
   std::array<std::uint16_t, 2> index{};
 };
 
-/// A row's name without any brackets.
+/// A name without any brackets and its rows, which differ in their indices.
 struct BareName {
   std::string_view name;
-  ParameterId parameter{};
+  std::uint16_t first_row = 0;
+  std::uint16_t rows = 0;
 };
 
 #include "catalogue_tables.inc"
@@ -41,6 +42,8 @@ struct BareName {
 static_assert(std::size(slot_table) == std::size(slot_name_table));
 static_assert(std::size(displacement_table) == hash_geometry.buckets);
 static_assert(std::size(place_table) == hash_geometry.places);
+static_assert(std::size(bare_displacement_table) == bare_hash_geometry.buckets);
+static_assert(std::size(bare_place_table) == bare_hash_geometry.places);
 
 Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
@@ -65,27 +68,30 @@ NameLookup found(Slot slot) {
   return lookup;
 }
 
+/// The rows whose name without brackets is this one.
+std::span<ParameterId const> rows_of_bare_name(std::string_view bare) {
+  std::uint64_t const hash = hash_name(bare);
+  std::uint16_t const displacement = bare_displacement_table[bucket_of(hash, bare_hash_geometry)];
+  std::uint16_t const entry = bare_place_table[place_of(hash, displacement, bare_hash_geometry)];
+  if (entry == 0 || !same_bytes(bare_name_table[entry - 1].name, bare)) return {};
+  BareName const& known = bare_name_table[entry - 1];
+  return std::span(bare_row_table).subspan(known.first_row, known.rows);
+}
+
 /// For names that the perfect hash does not know: the row whose name differs in its indices only.
 NameLookup find_row(std::string_view text) {
+  std::span<ParameterId const> const rows = rows_of_bare_name(bare_name(text));
+  if (rows.empty()) return {};
   auto const name = split_name(text);
-  if (!name) return {};
-  std::string const bare = bare_name(*name);
-  auto const rows =
-      std::equal_range(std::begin(bare_name_table), std::end(bare_name_table), BareName{.name = bare},
-                       [](BareName const& a, BareName const& b) { return a.name < b.name; });
-  std::vector<ParameterId> candidates;
-  for (auto const* each = rows.first; each != rows.second; ++each) candidates.push_back(each->parameter);
-  return match_name(*name, candidates, parameters()).lookup;
+  return name ? match_name(*name, rows, parameters()).lookup : NameLookup{};
 }
 
 /// Case is folded only for names that miss.
 template <typename Find>
 NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
   NameLookup lookup = find_as_it_stands(name);
-  if (lookup.status != NameLookup::Status::unknown) return lookup;
-  std::string const folded = lower_case(name);
-  if (folded == name) return lookup;
-  lookup = find_as_it_stands(folded);
+  if (lookup.status != NameLookup::Status::unknown || is_lower_case(name)) return lookup;
+  lookup = find_as_it_stands(lower_case(name));
   lookup.case_folded = lookup.status != NameLookup::Status::unknown;
   return lookup;
 }
@@ -183,6 +189,9 @@ Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_
 
 std::string slot_name(Parameter const& parameter, Slot slot) {
   if (parameter.index_count() == 0) return std::string(parameter.name);
+  bool const is_built_in = static_cast<std::size_t>(slot) < schema::slot_count() &&
+                           &row(slot_table[static_cast<std::size_t>(slot)].parameter) == &parameter;
+  if (is_built_in) return slot_name(slot);
   auto const indices = indices_of(parameter, slot);
   constexpr std::size_t digits = 5;
   std::string name;

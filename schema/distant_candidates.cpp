@@ -25,9 +25,8 @@ std::vector<Resemblance> resemblances(Vocabulary const& vocabulary, PartComparis
   std::vector<Resemblance> found;
   std::vector<std::uint32_t> place(vocabulary.names.size(), 0);  // index + 1 into `found`
   for (std::size_t part = 0; part < vocabulary.parts.size(); ++part) {
-    auto const names = vocabulary.names_ending_in[part];
-    if (names.empty() || !last_part.is_like(part)) continue;
-    for (std::size_t const name : names) {
+    if (!last_part.is_like(part)) continue;
+    for (std::size_t const name : vocabulary.names_ending_in[part]) {
       found.push_back({.name = name, .is_this_quantity = true});
       place[name] = static_cast<std::uint32_t>(found.size());
     }

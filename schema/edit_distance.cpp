@@ -1,7 +1,10 @@
 #include "schema/edit_distance.hpp"
 
+#include "schema/name_hash.hpp"
+
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -10,15 +13,39 @@
 namespace axisc::schema {
 namespace {
 
+constexpr std::size_t word_size = 8;
+
+std::size_t common_prefix(std::string_view a, std::string_view b) {
+  std::size_t const most = std::min(a.size(), b.size());
+  std::size_t same = 0;
+  for (; same + word_size <= most; same += word_size) {
+    std::uint64_t const difference =
+        word_of(a.data() + same, word_size) ^ word_of(b.data() + same, word_size);
+    if (difference != 0) return same + static_cast<std::size_t>(std::countr_zero(difference)) / 8;
+  }
+  while (same < most && a[same] == b[same]) ++same;
+  return same;
+}
+
+std::size_t common_suffix(std::string_view a, std::string_view b) {
+  std::size_t const most = std::min(a.size(), b.size());
+  std::size_t same = 0;
+  for (; same + word_size <= most; same += word_size) {
+    std::uint64_t const difference = word_of(a.data() + a.size() - same - word_size, word_size) ^
+                                     word_of(b.data() + b.size() - same - word_size, word_size);
+    if (difference != 0) return same + static_cast<std::size_t>(std::countl_zero(difference)) / 8;
+  }
+  while (same < most && a[a.size() - 1 - same] == b[b.size() - 1 - same]) ++same;
+  return same;
+}
+
 void drop_common_ends(std::string_view& a, std::string_view& b) {
-  while (!a.empty() && !b.empty() && a.front() == b.front()) {
-    a.remove_prefix(1);
-    b.remove_prefix(1);
-  }
-  while (!a.empty() && !b.empty() && a.back() == b.back()) {
-    a.remove_suffix(1);
-    b.remove_suffix(1);
-  }
+  std::size_t const prefix = common_prefix(a, b);
+  a.remove_prefix(prefix);
+  b.remove_prefix(prefix);
+  std::size_t const suffix = common_suffix(a, b);
+  a.remove_suffix(suffix);
+  b.remove_suffix(suffix);
 }
 
 constexpr std::size_t word_bits = 64;

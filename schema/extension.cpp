@@ -106,7 +106,7 @@ NameLookup Extension::find_as_written(std::string_view text) const {
   auto const name = split_name(text);
   if (!name) return {};
   NameMatch own;
-  auto const named = own_by_bare_name_.find(bare_name(*name));
+  auto const named = own_by_bare_name_.find(bare_name(text));
   if (named != own_by_bare_name_.end()) own = match_name(*name, named->second, rows_);
   if (own.exact) return own.lookup;
   NameLookup built_in = schema::find_as_written(text);

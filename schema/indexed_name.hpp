@@ -21,8 +21,8 @@ struct IndexedName {
 /// Parts of `name`, as views into it; none when it is not identifiers joined by dots with one index each at most.
 [[nodiscard]] std::optional<IndexedName> split_name(std::string_view name);
 
-/// `filter.order`.
-[[nodiscard]] std::string bare_name(IndexedName const& name);
+/// A name without indices, also without the dot behind its last part that split_name() lets pass: `filter.order`.
+[[nodiscard]] std::string bare_name(std::string_view name);
 
 /// The same of a pattern: `filter[].order` is `filter.order`.
 [[nodiscard]] std::string without_brackets(std::string_view pattern);

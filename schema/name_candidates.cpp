@@ -15,7 +15,10 @@ namespace {
 class CloseSearch {
  public:
   CloseSearch(Vocabulary const& vocabulary, IndexedName const& name, std::string_view bare)
-      : vocabulary_(vocabulary), given_(name.parts), bare_(bare) {}
+      : vocabulary_(vocabulary), given_(name.parts), bare_(bare) {
+    constexpr std::size_t usual_candidates = 8;
+    found_.reserve(usual_candidates);
+  }
 
   /// The lowest cost; more than few_slips where nothing is found.
   std::size_t find_few_slips() {
@@ -31,26 +34,15 @@ class CloseSearch {
 
   void find_other_parts() {
     std::string_view const last = given_.back().name;
-    auto const part = std::lower_bound(vocabulary_.parts.begin(), vocabulary_.parts.end(), last);
-    if (part != vocabulary_.parts.end() && *part == last) {
-      for (std::uint32_t const name :
-           vocabulary_.names_ending_in[static_cast<std::size_t>(part - vocabulary_.parts.begin())]) {
+    if (auto const part = find_text(last, vocabulary_.parts, vocabulary_.places_of_parts)) {
+      for (std::uint32_t const name : vocabulary_.names_ending_in[*part]) {
         if (lacks_one_part(name) || one_part_resembles(name)) add(name);
       }
     }
-    std::string_view const family = bare_.substr(0, bare_.size() - last.size());
-    Letters const letters = letters_of(last);
-    auto const& names = vocabulary_.names;
-    auto const& alphabetic = vocabulary_.alphabetic;
-    auto const begin = std::partition_point(alphabetic.begin(), alphabetic.end(),
-                                            [&](std::uint32_t name) { return names[name] < family; });
-    auto const end = std::partition_point(
-        begin, alphabetic.end(), [&](std::uint32_t name) { return names[name].starts_with(family); });
-    for (std::uint32_t const name : std::span(begin, end)) {
-      Letters const wanted = vocabulary_.letters_of_parts[vocabulary_.parts_of[name].back()];
-      // A whole word of the other brings no letter that the other has not.
-      bool const contained = (letters & ~wanted) == 0 || (wanted & ~letters) == 0;
-      if (contained && one_part_resembles(name)) add(name);
+    if (given_.size() < 2) return;
+    std::string_view const family_name = bare_.substr(0, bare_.size() - last.size());
+    if (auto const family = find_text(family_name, vocabulary_.families, vocabulary_.places_of_families)) {
+      find_other_quantities(*family);
     }
   }
 
@@ -76,11 +68,27 @@ class CloseSearch {
       if (different != known.size()) return false;
       different = i;
     }
-    if (different == known.size()) return false;
-    std::string_view const part = given_[different].name;
-    std::string_view const wanted = vocabulary_.parts[known[different]];
+    return different != known.size() &&
+           only_resembles(given_[different].name, vocabulary_.parts[known[different]]);
+  }
+
+  [[nodiscard]] static bool only_resembles(std::string_view part, std::string_view wanted) {
     std::size_t const limit = tolerable_distance(part.size());
     return resembles(part, wanted) && edit_distance(part, wanted, limit) > limit;
+  }
+
+  /// Names in the family of the given one, of which the last part resembles.
+  void find_other_quantities(std::size_t family) {
+    std::string_view const last = given_.back().name;
+    Letters const letters = letter_sets_of(last).letters;
+    Groups const& groups = vocabulary_.names_of_family;
+    for (std::size_t i = groups.starts[family]; i < groups.starts[family + 1]; ++i) {
+      Letters const wanted = vocabulary_.letters_by_family[i];
+      // A whole word of the other brings no letter that the other has not.
+      if ((letters & ~wanted) != 0 && (wanted & ~letters) != 0) continue;
+      std::uint32_t const name = groups.numbers[i];
+      if (only_resembles(last, vocabulary_.parts[vocabulary_.parts_of[name].back()])) add(name);
+    }
   }
 
   void add(std::size_t name) {

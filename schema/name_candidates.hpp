@@ -5,7 +5,10 @@
 #include "schema/vocabulary.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -35,12 +38,20 @@ inline constexpr std::size_t few_slips = 2;
 template <typename Visit>
 void for_each_of_like_letters(Vocabulary const& vocabulary, std::string_view bare, std::size_t limit,
                               Visit visit) {
-  Letters const letters = letters_of(bare);
+  LetterSets const sets = letter_sets_of(bare);
   Groups const& by_size = vocabulary.names_of_size;
   std::size_t const shortest = std::min(bare.size() - std::min(bare.size(), limit), by_size.size());
-  std::size_t const end = std::min(bare.size() + limit + 1, by_size.size());
-  for (std::size_t i = by_size.starts[shortest]; i < by_size.starts[std::max(shortest, end)]; ++i) {
-    if (!certainly_beyond(letters, vocabulary.letters_by_size[i], limit)) visit(by_size.numbers[i]);
+  std::size_t const longest_end = std::max(shortest, std::min(bare.size() + limit + 1, by_size.size()));
+  std::size_t const end = by_size.starts[longest_end];
+  for (std::size_t first = by_size.starts[shortest]; first < end; first += letters_at_once) {
+    std::span<OddLetters const, letters_at_once> const known(
+        vocabulary.odd_letters_by_size.subspan(first, letters_at_once));
+    std::uint32_t possible = may_be_within(limit, sets.odd, known);
+    if (end - first < letters_at_once) possible &= (1U << (end - first)) - 1U;
+    for (; possible != 0; possible &= possible - 1) {
+      std::size_t const at = first + static_cast<std::size_t>(std::countr_zero(possible));
+      if (!certainly_beyond(sets.letters, vocabulary.letters_by_size[at], limit)) visit(by_size.numbers[at]);
+    }
   }
 }
 

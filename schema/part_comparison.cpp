@@ -6,14 +6,6 @@
 #include <utility>
 
 namespace axisc::schema {
-namespace {
-
-// Costs that are none.
-constexpr std::uint8_t not_compared = 255;
-constexpr std::uint8_t unlike = 254;
-constexpr std::uint8_t resembling = 253;
-
-}  // namespace
 
 bool resembles(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
@@ -27,7 +19,7 @@ bool resembles(std::string_view a, std::string_view b) {
 PartComparison::PartComparison(Vocabulary const& vocabulary, std::string_view given)
     : vocabulary_(vocabulary),
       given_(given),
-      letters_(letters_of(given)),
+      letters_(letter_sets_of(given).letters),
       limit_(tolerable_distance(given.size())),
       costs_(vocabulary.parts.size(), not_compared) {}
 
@@ -36,10 +28,6 @@ PartComparison::Result PartComparison::with(std::size_t part) {
   if (cost == unlike) return {.agrees = false, .cost = std::nullopt};
   if (cost == resembling) return {.agrees = false, .cost = resembling_part};
   return {.agrees = true, .cost = cost};
-}
-
-bool PartComparison::is_like(std::size_t part) {
-  return cost_of(part) != unlike;
 }
 
 std::uint8_t PartComparison::cost_of(std::size_t part) {
@@ -56,9 +44,7 @@ std::uint8_t PartComparison::compare(std::size_t part) const {
     std::size_t const slips = edit_distance(given_, known, limit_);
     if (slips <= limit_) return static_cast<std::uint8_t>(slips);
   }
-  // A whole word of the other brings no letter that the other has not.
-  bool const contained = (letters_ & ~wanted) == 0 || (wanted & ~letters_) == 0;
-  return contained && resembles(given_, known) ? resembling : unlike;
+  return may_be_contained(wanted) && resembles(given_, known) ? resembling : unlike;
 }
 
 std::optional<std::size_t> part_distance(std::vector<PartComparison>& given,

@@ -37,9 +37,23 @@ class PartComparison {
   /// `part` is the number of a known one. Each is compared once.
   [[nodiscard]] Result with(std::size_t part);
   /// with(part) has a cost.
-  [[nodiscard]] bool is_like(std::size_t part);
+  [[nodiscard]] bool is_like(std::size_t part) { return may_be_like(part) && cost_of(part) != unlike; }
 
  private:
+  // Costs that are none.
+  static constexpr std::uint8_t not_compared = 255;
+  static constexpr std::uint8_t unlike = 254;
+  static constexpr std::uint8_t resembling = 253;
+
+  /// By the letters alone, which rule out nearly every part.
+  [[nodiscard]] bool may_be_like(std::size_t part) const {
+    Letters const wanted = vocabulary_.letters_of_parts[part];
+    return may_be_contained(wanted) || !certainly_beyond(letters_, wanted, limit_);
+  }
+  /// A whole word of the other brings no letter that the other has not.
+  [[nodiscard]] bool may_be_contained(Letters wanted) const {
+    return (letters_ & ~wanted) == 0 || (wanted & ~letters_) == 0;
+  }
   [[nodiscard]] std::uint8_t cost_of(std::size_t part);
   [[nodiscard]] std::uint8_t compare(std::size_t part) const;
 

@@ -23,12 +23,9 @@ constexpr std::size_t most_suggestions = 3;
 /// Up to this many other families are worth naming whatever they are called.
 constexpr std::size_t clear_families = 2;
 
-std::vector<std::uint32_t> given_indices(IndexedName const& name) {
-  std::vector<std::uint32_t> indices;
-  for (NamePart const& part : name.parts) {
-    if (part.index) indices.push_back(*part.index);
-  }
-  return indices;
+std::size_t index_count(IndexedName const& name) {
+  auto const is_indexed = [](NamePart const& part) { return part.index.has_value(); };
+  return static_cast<std::size_t>(std::count_if(name.parts.begin(), name.parts.end(), is_indexed));
 }
 
 /// The best first; of equal ones those with as many indices, then the rows in their order.
@@ -51,17 +48,21 @@ void drop_arbitrary(std::vector<Candidate>& candidates, std::size_t name_size) {
   });
 }
 
-/// The known name with the given indices; 0 where there are too few. None when one is out of range there.
-std::optional<std::string> with_indices(Parameter const& parameter,
-                                        std::vector<std::uint32_t> const& indices) {
+/// The known name with the indices of the given one; 0 where there are too few. None when one is out of range there.
+std::optional<std::string> with_indices(Parameter const& parameter, IndexedName const& given) {
+  if (parameter.index_count() == 0) return std::string(parameter.name);
+  constexpr std::size_t usual_digits = 4;
   std::string name;
+  name.reserve(parameter.name.size() + usual_digits);
   std::size_t position = 0;
+  auto part = given.parts.begin();
   for (std::string_view rest = parameter.name; !rest.empty();) {
     std::size_t const end = std::min(rest.find('['), rest.size() - 1) + 1;
     name += rest.substr(0, end);
     rest.remove_prefix(end);
     if (name.back() != '[') break;
-    std::uint32_t const index = position < indices.size() ? indices[position] : 0;
+    while (part != given.parts.end() && !part->index) ++part;
+    std::uint32_t const index = part != given.parts.end() ? *part++->index : 0;
     if (index >= parameter.array.at(position)) return std::nullopt;
     name += std::to_string(index);
     ++position;
@@ -84,18 +85,22 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
 
 std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string_view name) {
   if (name.size() > longest_compared) return {};
-  std::string const folded = lower_case(name);
-  auto const parts = split_name(folded);
+  std::string folded;
+  if (!is_lower_case(name)) {
+    folded = lower_case(name);
+    name = folded;
+  }
+  auto const parts = split_name(name);
   if (!parts || parts->parts.empty()) return {};
-  std::string const bare = bare_name(*parts);
-  std::vector<std::uint32_t> const indices = given_indices(*parts);
+  std::string const bare = bare_name(name);
   std::vector<Candidate> candidates = candidates_for(vocabulary, *parts, bare);
-  put_in_order(candidates, vocabulary, indices.size());
+  put_in_order(candidates, vocabulary, index_count(*parts));
   drop_arbitrary(candidates, bare.size());
   std::vector<std::string> suggestions;
+  suggestions.reserve(std::min(candidates.size(), most_suggestions));
   for (Candidate const& candidate : candidates) {
     if (suggestions.size() == most_suggestions) break;
-    if (auto suggestion = with_indices(vocabulary.rows[candidate.name], indices)) {
+    if (auto suggestion = with_indices(vocabulary.rows[candidate.name], *parts)) {
       suggestions.push_back(std::move(*suggestion));
     }
   }

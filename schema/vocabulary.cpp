@@ -15,6 +15,15 @@ std::vector<std::string_view> split(std::string_view name) {
   return parts;
 }
 
+void sort_and_drop_repetitions(std::vector<std::string_view>& texts) {
+  std::sort(texts.begin(), texts.end());
+  texts.erase(std::unique(texts.begin(), texts.end()), texts.end());
+}
+
+std::string_view family_of(std::string_view name) {
+  return name.substr(0, name.rfind('.') + 1);
+}
+
 /// `keys[i]` says to which of `count` groups number i belongs.
 VocabularyTables::OwnGroups group_by(std::vector<std::uint32_t> const& keys, std::size_t count) {
   VocabularyTables::OwnGroups groups;
@@ -31,63 +40,72 @@ VocabularyTables::OwnGroups group_by(std::vector<std::uint32_t> const& keys, std
 
 }  // namespace
 
-Letters letters_of(std::string_view text) {
-  constexpr unsigned letters = 32;
-  Letters once = 0;
-  Letters twice = 0;
-  for (char const byte : text) {
-    Letters const letter = Letters{1} << (static_cast<unsigned char>(byte) % letters);
-    twice |= once & letter;
-    once |= letter;
-  }
-  return once | twice << letters;
-}
-
 VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
   names.reserve(patterns.size());
   for (std::string const& pattern : patterns) names.push_back(without_brackets(pattern));
   name_views.assign(names.begin(), names.end());
-  alphabetic.resize(names.size());
-  std::iota(alphabetic.begin(), alphabetic.end(), std::uint32_t{0});
-  std::stable_sort(alphabetic.begin(), alphabetic.end(),
-                   [this](std::uint32_t a, std::uint32_t b) { return names[a] < names[b]; });
 
   std::vector<std::uint32_t> sizes;
   for (std::string const& name : names) sizes.push_back(static_cast<std::uint32_t>(name.size()));
   std::size_t const longest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
   names_of_size = group_by(sizes, longest + 1);
-  for (std::uint32_t const name : names_of_size.numbers) letters_by_size.push_back(letters_of(names[name]));
+  for (std::uint32_t const name : names_of_size.numbers) {
+    LetterSets const sets = letter_sets_of(names[name]);
+    letters_by_size.push_back(sets.letters);
+    odd_letters_by_size.push_back(sets.odd);
+  }
+  odd_letters_by_size.resize(names.size() + letters_at_once - 1);
 
   for (std::string const& name : names) {
     for (std::string_view const part : split(name)) parts.push_back(part);
   }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  for (std::string_view const part : parts) letters_of_parts.push_back(letters_of(part));
+  sort_and_drop_repetitions(parts);
+  places_of_parts = make_text_places(parts);
+  auto const place_of_part = [this](std::string_view part) {
+    return static_cast<std::uint32_t>(find_text(part, parts, places_of_parts).value());
+  };
+  for (std::string_view const part : parts) letters_of_parts.push_back(letter_sets_of(part).letters);
 
   std::vector<std::uint32_t> endings;
   parts_of.starts.push_back(0);
   for (std::string const& name : names) {
     for (std::string_view const part : split(name)) {
-      auto const place = std::lower_bound(parts.begin(), parts.end(), part);
-      parts_of.numbers.push_back(static_cast<std::uint32_t>(place - parts.begin()));
+      parts_of.numbers.push_back(place_of_part(part));
     }
     parts_of.starts.push_back(static_cast<std::uint32_t>(parts_of.numbers.size()));
     endings.push_back(parts_of.numbers.back());
   }
   names_ending_in = group_by(endings, parts.size());
+
+  for (std::string const& name : names) families.push_back(family_of(name));
+  sort_and_drop_repetitions(families);
+  places_of_families = make_text_places(families);
+  std::vector<std::uint32_t> own_families;
+  for (std::string const& name : names) {
+    auto const place = find_text(family_of(name), families, places_of_families).value();
+    own_families.push_back(static_cast<std::uint32_t>(place));
+  }
+  names_of_family = group_by(own_families, families.size());
+  for (std::uint32_t const name : names_of_family.numbers) {
+    letters_by_family.push_back(letters_of_parts[endings[name]]);
+  }
 }
 
 Vocabulary VocabularyTables::view(std::span<Parameter const> rows) const {
   return {.rows = rows,
           .names = name_views,
-          .alphabetic = alphabetic,
           .names_of_size = names_of_size.view(),
           .letters_by_size = letters_by_size,
+          .odd_letters_by_size = odd_letters_by_size,
           .parts = parts,
+          .places_of_parts = places_of_parts,
           .letters_of_parts = letters_of_parts,
           .parts_of = parts_of.view(),
-          .names_ending_in = names_ending_in.view()};
+          .names_ending_in = names_ending_in.view(),
+          .families = families,
+          .places_of_families = places_of_families,
+          .names_of_family = names_of_family.view(),
+          .letters_by_family = letters_by_family};
 }
 
 }  // namespace axisc::schema

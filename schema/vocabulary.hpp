@@ -3,6 +3,8 @@
 #pragma once
 
 #include "schema/catalogue.hpp"
+#include "schema/letters.hpp"
+#include "schema/text_places.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,22 +14,6 @@
 #include <vector>
 
 namespace axisc::schema {
-
-/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less telling, not
-/// wrong.
-using Letters = std::uint64_t;
-[[nodiscard]] Letters letters_of(std::string_view text);
-
-/// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one letter at most.
-[[nodiscard]] inline bool certainly_beyond(Letters a, Letters b, std::size_t limit) {
-  Letters only_a = a & ~b;
-  Letters only_b = b & ~a;
-  for (; limit > 0; --limit) {
-    only_a &= only_a - 1;
-    only_b &= only_b - 1;
-  }
-  return (only_a | only_b) != 0;
-}
 
 /// Numbers of names and parts that belong to one thing each: those of thing i stand from starts[i] to starts[i + 1].
 struct Groups {
@@ -40,17 +26,24 @@ struct Groups {
   [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
 };
 
-/// The index of a name is that of its row. A part is what stands between two dots.
+/// The index of a name is that of its row. A part is what stands between two dots; a family is what stands before the last
+/// part, with its dot.
 struct Vocabulary {
   std::span<Parameter const> rows;
-  std::span<std::string_view const> names;    ///< without brackets
-  std::span<std::uint32_t const> alphabetic;  ///< the names in this order
-  Groups names_of_size;                       ///< of each number of bytes
-  std::span<Letters const> letters_by_size;   ///< of the names, in the order of names_of_size.numbers
-  std::span<std::string_view const> parts;    ///< each different one, in alphabetic order
+  std::span<std::string_view const> names;   ///< without brackets
+  Groups names_of_size;                      ///< of each number of bytes
+  std::span<Letters const> letters_by_size;  ///< of the names, in the order of names_of_size.numbers
+  /// The same; behind the last one there is room, so that letters_at_once may be read from every name on.
+  std::span<OddLetters const> odd_letters_by_size;
+  std::span<std::string_view const> parts;  ///< each different one
+  TextPlaces places_of_parts;
   std::span<Letters const> letters_of_parts;
-  Groups parts_of;         ///< of each name
-  Groups names_ending_in;  ///< each part
+  Groups parts_of;                             ///< of each name
+  Groups names_ending_in;                      ///< each part
+  std::span<std::string_view const> families;  ///< each different one
+  TextPlaces places_of_families;
+  Groups names_of_family;
+  std::span<Letters const> letters_by_family;  ///< of the last parts, in the order of names_of_family.numbers
 };
 
 /// What a Vocabulary shows, where it is not built in.
@@ -63,13 +56,18 @@ struct VocabularyTables {
 
   std::vector<std::string> names;
   std::vector<std::string_view> name_views;  ///< of `names`
-  std::vector<std::uint32_t> alphabetic;
   OwnGroups names_of_size;
   std::vector<Letters> letters_by_size;
+  std::vector<OddLetters> odd_letters_by_size;
   std::vector<std::string_view> parts;  ///< pieces of `names`
+  std::vector<std::uint32_t> places_of_parts;
   std::vector<Letters> letters_of_parts;
   OwnGroups parts_of;
   OwnGroups names_ending_in;
+  std::vector<std::string_view> families;  ///< pieces of `names`
+  std::vector<std::uint32_t> places_of_families;
+  OwnGroups names_of_family;
+  std::vector<Letters> letters_by_family;
 
   /// `names` as patterns: `filter[].order`.
   explicit VocabularyTables(std::vector<std::string> const& patterns);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,33 +11,39 @@
 namespace axisc::validator {
 namespace {
 
-bool is_name_character(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.';
-}
+/// Of every byte.
+constexpr std::array<bool, 256> name_characters = [] {
+  std::array<bool, 256> result{};
+  for (std::size_t byte = 0; byte < result.size(); ++byte) {
+    result.at(byte) = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                      (byte >= '0' && byte <= '9') || byte == '_' || byte == '.';
+  }
+  return result;
+}();
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// The name with every index made whole: `filter[0.order` and `filter[ 0 ].order` are filter[0].order; an
-/// index without number is 0.
-std::string with_whole_indices(std::string_view line) {
-  std::string name;
-  std::size_t i = 0;
-  while (i < line.size() && (is_name_character(line[i]) || line[i] == '[')) {
-    if (line[i] != '[') {
-      name += line[i++];
-      continue;
-    }
-    std::size_t const end = std::min(line.find_first_of(".]", i), line.size());
-    std::string digits;
-    for (char const c : line.substr(i, end - i)) {
-      if (is_digit(c)) digits += c;
-    }
-    name += '[' + (digits.empty() ? "0" : digits) + ']';
-    i = end < line.size() && line[end] == ']' ? end + 1 : end;
+/// Makes `name` that of the line with every index made whole: `filter[0.order` and `filter[ 0 ].order` are
+/// filter[0].order; an index without number is 0.
+void read_with_whole_indices(std::string_view line, std::string& name) {
+  name.clear();
+  while (true) {
+    auto const* const end = std::find_if_not(
+        line.begin(), line.end(), [](char c) { return name_characters[static_cast<unsigned char>(c)]; });
+    name.append(line.begin(), end);
+    line.remove_prefix(static_cast<std::size_t>(end - line.begin()));
+    if (!line.starts_with('[')) return;
+
+    std::string_view const index = line.substr(0, line.find_first_of(".]"));
+    line.remove_prefix(index.size());
+    name += '[';
+    if (std::none_of(index.begin(), index.end(), is_digit)) name += '0';
+    std::copy_if(index.begin(), index.end(), std::back_inserter(name), is_digit);
+    name += ']';
+    if (line.starts_with(']')) line.remove_prefix(1);
   }
-  return name;
 }
 
 bool is_well_formed(std::string_view name) {
@@ -69,6 +77,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
                                              Readings const& readings, schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
+  std::string name;
   for (grammar::Problem const& problem : list.problems) {
     if (problem.kind == ProblemKind::text_after_end || problem.kind == ProblemKind::expected_name) continue;
     Span line = source.line_span(problem.line);
@@ -76,7 +85,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     std::size_t const blanks = text.find_first_not_of(" \t");
     if (blanks == std::string_view::npos) continue;
     line.begin += static_cast<std::uint32_t>(blanks);
-    std::string const name = with_whole_indices(source.slice(line));
+    read_with_whole_indices(source.slice(line), name);
     line.end = std::min(line.end, line.begin + static_cast<std::uint32_t>(name.size()));
     if (auto const slot = slot_of_name(catalogue, name)) {
       lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});

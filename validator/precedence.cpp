@@ -3,10 +3,12 @@
 #include "validator/rule.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace axisc::validator {
 namespace {
@@ -52,14 +54,40 @@ auto order(Reported const& finding) {
   return std::make_tuple(finding.severity, rank(code), code);
 }
 
-/// What decides about the order, side by side: the findings themselves lie far apart.
+/// What decides about the order, side by side, because the findings themselves lie far apart, and in numbers that are
+/// compared at once.
 struct Key {
-  Place place;
-  Code code{};
+  std::uint64_t begin = 0;  ///< source and offset
+  std::uint64_t end = 0;    ///< offset and code
   std::uint32_t number = 0;
+
+  Key(Reported const& finding, std::uint32_t its_number)
+      : begin(pair(static_cast<std::uint32_t>(finding.place.source), finding.place.span.begin)),
+        end(pair(finding.place.span.end, static_cast<std::uint16_t>(finding.rule->code))),
+        number(its_number) {}
+
+  static std::uint64_t pair(std::uint32_t high, std::uint32_t low) {
+    return std::uint64_t{high} << 32U | low;
+  }
   // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
+
+/// Every rule reports in the order of the list, so that what all of them report is a few sorted runs one after the other.
+void sort_runs(std::vector<Key>& keys) {
+  std::vector<std::vector<Key>::iterator> bounds{keys.begin()};
+  while (bounds.back() != keys.end()) bounds.push_back(std::is_sorted_until(bounds.back(), keys.end()));
+  while (bounds.size() > 2) {
+    // Neighbours become one: every second bound between two runs is gone afterwards.
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < bounds.size(); i += 2) {
+      std::inplace_merge(bounds[i - 2], bounds[i - 1], bounds[i]);
+      bounds[kept++] = bounds[i];
+    }
+    if (bounds[kept - 1] != keys.end()) bounds[kept++] = keys.end();
+    bounds.resize(kept);
+  }
+}
 
 /// What sorts the output: within one source the offset orders like line and column.
 auto output_key(Reported const& finding) {
@@ -74,6 +102,7 @@ void drop_replaced(ReportedFindings const& reported, Standing& standing) {
     Reported const& finding = reported.findings[number];
     if (finding.subject != nullptr) present.emplace(*finding.subject, finding.rule->code);
   }
+  if (present.empty()) return;
   std::erase_if(standing, [&](std::uint32_t number) {
     Reported const& finding = reported.findings[number];
     auto const& silenced_by = finding.rule->silenced_by;
@@ -86,11 +115,8 @@ void drop_replaced(ReportedFindings const& reported, Standing& standing) {
 void put_in_order(ReportedFindings const& reported, Standing& standing) {
   std::vector<Key> keys;
   keys.reserve(standing.size());
-  for (std::uint32_t const number : standing) {
-    Reported const& finding = reported.findings[number];
-    keys.push_back({.place = finding.place, .code = finding.rule->code, .number = number});
-  }
-  std::sort(keys.begin(), keys.end());
+  for (std::uint32_t const number : standing) keys.emplace_back(reported.findings[number], number);
+  sort_runs(keys);
   std::transform(keys.begin(), keys.end(), standing.begin(), [](Key const& key) { return key.number; });
 }
 

@@ -177,16 +177,22 @@ class TableWriter {
   void write_hash() {
     std::vector<std::string> names;
     for (Entry const& entry : entries_) names.push_back(entry.name);
+    write_hash_tables("", "Slot", names);
+  }
+
+  /// Three tables, whose names begin alike.
+  void write_hash_tables(std::string const& beginning, char const* entry,
+                         std::vector<std::string> const& names) {
     PerfectHash const hash = make_perfect_hash(names);
-    out_ << "\nconstexpr HashGeometry hash_geometry{.buckets = " << hash.geometry.buckets
+    out_ << "\nconstexpr HashGeometry " << beginning << "hash_geometry{.buckets = " << hash.geometry.buckets
          << ", .places = " << hash.geometry.places << "};\n";
-    write_values("std::uint16_t", "displacement_table", hash.displacements);
-    out_ << "// Slot + 1 per place, 0 where the place is free.\n";
-    write_values("std::uint16_t", "place_table", hash.entries);
+    write_values("std::uint16_t", beginning + "displacement_table", hash.displacements);
+    out_ << "// " << entry << " + 1 per place, 0 where the place is free.\n";
+    write_values("std::uint16_t", beginning + "place_table", hash.entries);
   }
 
   template <typename Value>
-  void write_values(char const* type, char const* name, std::vector<Value> const& values) {
+  void write_values(char const* type, std::string const& name, std::vector<Value> const& values) {
     constexpr std::size_t values_in_line = 20;
     out_ << "\nconstexpr " << type << " " << name << "[] = {";
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -201,11 +207,19 @@ class TableWriter {
       bare.emplace_back(without_brackets(parameters_[row].name), parameters_[row].array.size(), row);
     }
     std::sort(bare.begin(), bare.end());
-    out_ << "\n// By name without brackets, fewer indices first.\nconstexpr BareName bare_name_table[] = {\n";
-    for (auto const& [name, indices, row] : bare) {
-      out_ << "    {" << quoted(name) << ", ParameterId{" << row << "}},\n";
+    out_ << "\n// By name without brackets, fewer indices first.\nconstexpr ParameterId bare_row_table[] = "
+            "{\n";
+    for (auto const& [name, indices, row] : bare) out_ << "    ParameterId{" << row << "},\n";
+    out_ << "};\n\n// Each name, where its rows begin and how many they are.\nconstexpr BareName "
+            "bare_name_table[] = {\n";
+    std::vector<std::string> names;
+    for (std::size_t first = 0, end = 0; first < bare.size(); first = end) {
+      std::string const& name = names.emplace_back(std::get<0>(bare[first]));
+      while (end < bare.size() && std::get<0>(bare[end]) == name) ++end;
+      out_ << "    {" << quoted(name) << ", " << first << ", " << end - first << "},\n";
     }
     out_ << "};\n";
+    write_hash_tables("bare_", "Name", names);
   }
 
   void write_numbers() {

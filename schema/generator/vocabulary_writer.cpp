@@ -52,13 +52,19 @@ std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
     numbers(name + "_numbers", values.numbers);
   };
   texts("names", tables.names);
-  numbers("alphabetic", tables.alphabetic);
   groups("names_of_size", tables.names_of_size);
   letters("letters_by_size", tables.letters_by_size);
+  write_array(out, "OddLetters", "odd_letters_by_size", tables.odd_letters_by_size,
+              [&out](OddLetters set) { out << set; });
   texts("parts", tables.parts);
+  numbers("places_of_parts", tables.places_of_parts);
   letters("letters_of_parts", tables.letters_of_parts);
   groups("parts_of", tables.parts_of);
   groups("names_ending_in", tables.names_ending_in);
+  texts("families", tables.families);
+  numbers("places_of_families", tables.places_of_families);
+  groups("names_of_family", tables.names_of_family);
+  letters("letters_by_family", tables.letters_by_family);
   return std::move(out).str();
 }
 

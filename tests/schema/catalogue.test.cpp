@@ -1,5 +1,6 @@
 #include "schema/catalogue.hpp"
 
+#include "schema/indexed_name.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -54,6 +55,19 @@ TEST_CASE("every concrete name is found after case folding") {
   }
   CHECK(find("Lr_param.add_interface.enable").case_folded);
   CHECK(row_name(find("Lr_param.add_interface.enable")) == "lr_param.add_interface.enable");
+}
+
+TEST_CASE("every row is known by its name without indices") {
+  for (Parameter const& parameter : parameters()) {
+    std::string const bare = without_brackets(parameter.name);
+    NameLookup const lookup = find(bare);
+    INFO(bare);
+    // Of rows with one name those with fewer indices are nearer.
+    REQUIRE(lookup.row != nullptr);
+    REQUIRE(without_brackets(lookup.row->name) == bare);
+    REQUIRE(lookup.row->index_count() <= parameter.index_count());
+    REQUIRE(lookup.status == (lookup.row->index_count() == 0 ? Status::found : Status::index_missing));
+  }
 }
 
 TEST_CASE("the slots of the rows are dense and in order") {

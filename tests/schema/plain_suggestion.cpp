@@ -97,7 +97,7 @@ std::vector<std::string> suggest_names_plainly(std::string_view name) {
   std::string const folded = lower_case(name);
   auto const split = split_name(folded);
   if (!split || split->parts.empty()) return {};
-  std::string const bare = bare_name(*split);
+  std::string const bare = bare_name(folded);
   std::vector<std::string> const given = parts_of(bare);
   std::vector<std::uint32_t> const indices = indices_of_name(*split);
 

@@ -4,10 +4,14 @@
 #include "support/catch.hpp"
 #include "validator/rule.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <random>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 namespace {
 
@@ -21,6 +25,15 @@ class Findings {
     report.later({.source = SourceId{source}, .span = {.begin = offset, .end = offset + 1}}, nullptr);
     return *this;
   }
+
+  [[nodiscard]] Standing in_order() const {
+    Standing standing(reported_.findings.size());
+    std::iota(standing.begin(), standing.end(), 0U);
+    put_in_order(reported_, standing);
+    return standing;
+  }
+
+  [[nodiscard]] Reported const& operator[](std::uint32_t number) const { return reported_.findings[number]; }
 
   [[nodiscard]] std::string in_output_order() const {
     Standing standing(reported_.findings.size());
@@ -52,4 +65,27 @@ TEST_CASE("equal findings keep their order") {
   Findings findings;
   findings.add(0, 0, 3005, "Z").add(0, 0, 3005, "A").add(0, 0, 3005, "M");
   CHECK(findings.in_output_order() == "0:0 AX3005Z\n0:0 AX3005A\n0:0 AX3005M\n");
+}
+
+TEST_CASE("findings are put in order by their place, their code and their number") {
+  std::mt19937 random(5);
+  for (int round = 0; round < 300; ++round) {
+    Findings findings;
+    // From one run that is in order to a shuffle: rules report in the order of the list, but not all of them.
+    std::size_t const length = random() % 60;
+    std::size_t const run = 1 + random() % 20;
+    std::uint32_t offset = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      offset = i % run == 0 ? static_cast<std::uint32_t>(random() % 10)
+                            : offset + static_cast<std::uint32_t>(random() % 3);
+      findings.add(static_cast<std::uint32_t>(random() % 2), offset, random() % 2 == 0 ? 1001 : 2003);
+    }
+    Standing expected(length);
+    std::iota(expected.begin(), expected.end(), 0U);
+    std::stable_sort(expected.begin(), expected.end(), [&findings](std::uint32_t a, std::uint32_t b) {
+      return std::tuple(findings[a].place, findings[a].rule->code) <
+             std::tuple(findings[b].place, findings[b].rule->code);
+    });
+    REQUIRE(findings.in_order() == expected);
+  }
 }

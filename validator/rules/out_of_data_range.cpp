@@ -2,6 +2,9 @@
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 
+#include <cstdint>
+#include <string>
+
 namespace axisc::validator {
 namespace {
 
@@ -10,7 +13,8 @@ std::string limit_text(schema::DataType type, bool highest) {
   if (type == schema::DataType::uns64 && highest) return "18446744073709551615";
   if (type == schema::DataType::sgn64) return highest ? "9223372036854775807" : "-9223372036854775808";
   DataRange const range = data_range(type);
-  return format_exact(highest ? range.highest : range.lowest);
+  double const limit = highest ? range.highest : range.lowest;
+  return schema::is_integer(type) ? std::to_string(static_cast<std::int64_t>(limit)) : format_exact(limit);
 }
 
 void describe(Finding& finding, AxisContext const& context, schema::Slot slot, std::string value,

@@ -5,7 +5,7 @@ namespace axisc::validator {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
-  finding.message = message_of(Text::ax2001, Argument{"name", line.name()});
+  finding.message = message_of(Text::ax2001, Argument{"name", finding.parameter});
   set_reaction(finding, Text::ax2001_reaction);
   auto const suggestions = line.context.list.readings.suggestions(line.number);
   finding.help.reserve(suggestions.size());

@@ -1,0 +1,25 @@
+// Where a text stands in a list of texts, found by its hash.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace axisc::schema {
+
+/// For lists that are made while the program runs too: what is in the way of a text stands behind the place of its hash.
+/// Each is a place in the list + 1, or 0; there are twice as many as texts at least, and a power of two.
+using TextPlaces = std::span<std::uint32_t const>;
+
+/// `texts` are distinct.
+[[nodiscard]] std::vector<std::uint32_t> make_text_places(std::span<std::string_view const> texts);
+
+/// None where `text` is not in the list. Cost: one hash and, nearly always, one comparison.
+[[nodiscard]] std::optional<std::size_t> find_text(std::string_view text,
+                                                   std::span<std::string_view const> texts,
+                                                   TextPlaces places);
+
+}  // namespace axisc::schema
