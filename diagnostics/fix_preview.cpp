@@ -49,16 +49,23 @@ std::uint32_t drop_equal_lines(Lines& before, Lines& after) {
   return static_cast<std::uint32_t>(dropped);
 }
 
-void add_lines(PreviewBlock& block, Lines const& lines, Lines const& opposite, std::uint32_t number,
-               bool added) {
-  block.lines.reserve(lines.size() + opposite.size());
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    block.lines.push_back(
-        {.number = number + static_cast<std::uint32_t>(i),
-         .added = added,
-         .text = std::string(lines[i]),
-         .first_change = i < opposite.size() ? first_difference(lines[i], opposite[i]) : 0});
+std::vector<PreviewLine> preview_lines(Lines const& before, Lines const& after, std::uint32_t number) {
+  std::vector<PreviewLine> lines;
+  lines.reserve(before.size() + after.size());
+  auto const add = [&](std::size_t i, bool added, std::string_view text, std::size_t first_change) {
+    lines.push_back({.number = number + static_cast<std::uint32_t>(i),
+                     .added = added,
+                     .text = std::string(text),
+                     .first_change = first_change});
+  };
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    add(i, false, before[i], i < after.size() ? first_difference(before[i], after[i]) : 0);
   }
+  // The removed ones stand in front.
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    add(i, true, after[i], i < before.size() ? lines[i].first_change : 0);
+  }
+  return lines;
 }
 
 // The edits [first, end) all touch the lines from that of the first to `last_line`.
@@ -81,8 +88,7 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
   Lines before = split(source.utf8(region, room));
   Lines after = split(edited);
   std::uint32_t const number = block.begin.line + drop_equal_lines(before, after);
-  add_lines(block, before, after, number, false);
-  add_lines(block, after, before, number, true);
+  block.lines = preview_lines(before, after, number);
   return block;
 }
 

@@ -76,14 +76,6 @@ void append_printable(std::string& shown, std::string_view text) {
   }
 }
 
-void make_printable(std::string& text, std::size_t begin) {
-  std::string_view const written = std::string_view(text).substr(begin);
-  if (is_plain(written)) return;
-  std::string const special(written);
-  text.resize(begin);
-  append_printable(text, special);
-}
-
 bool is_plain(std::string_view text) {
   constexpr std::uint64_t ones = 0x0101010101010101U;
   constexpr std::uint64_t top_bits = 0x80U * ones;

@@ -16,9 +16,6 @@ namespace axisc {
 void append_printable(std::string& shown, std::string_view text);
 void append_printable(std::string& shown, char32_t character);
 
-/// The same for what stands in `text` from `begin` on.
-void make_printable(std::string& text, std::size_t begin);
-
 /// ASCII that printable() leaves as it is: neither a control character nor part of a longer one.
 [[nodiscard]] constexpr bool is_plain(char byte) {
   return byte >= 0x20 && byte < 0x7F;

@@ -44,10 +44,16 @@ struct Message {
 [[nodiscard]] std::string_view text_key(Text text);
 /// The sentence with its values. A placeholder without a value stays as `{name}` (tests look for it).
 [[nodiscard]] std::string render(Message const& message, Language language);
-/// The same behind `text`.
-void append_rendered(std::string& text, Message const& message, Language language);
-void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments,
-                     Language language);
+/// What becomes of the values of a sentence, which may come from a file. Its own words are printable.
+enum class Values : std::uint8_t {
+  as_given,
+  printable,  ///< see printable() in terminal.hpp
+};
+/// The same as render(), behind `text`.
+void append_rendered(std::string& text, Message const& message, Language language,
+                     Values values = Values::as_given);
+void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments, Language language,
+                     Values values = Values::as_given);
 /// The same for a template that stands elsewhere.
 [[nodiscard]] std::string fill(std::string_view sentence, std::vector<Argument> const& arguments);
 

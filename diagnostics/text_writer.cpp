@@ -97,9 +97,7 @@ class TextWriter {
   }
 
   void write_sentence(Message const& message) {
-    std::size_t const begin = out_.size();
-    append_rendered(out_, message, language_);
-    make_printable(out_, begin);
+    append_rendered(out_, message, language_, Values::printable);
   }
   [[nodiscard]] std::string_view word(Text text) const { return text_template(text, language_); }
 
@@ -174,9 +172,7 @@ class TextWriter {
     }
     if (says_reaction) {
       begin_line_below(word(Text::word_control));
-      std::size_t const begin = out_.size();
-      append_control_text(out_, finding_, language_);
-      make_printable(out_, begin);
+      append_control_text(out_, finding_, language_, Values::printable);
       out_ += '\n';
     }
     for (Message const& help : finding_.help) {

@@ -13,7 +13,7 @@ std::string whole_message(Finding const& finding, Language language) {
   for (Message const& note : finding.notes) append_rendered(text += '\n', note, language);
   if (has_control_text(finding)) {
     begin(Text::word_control);
-    append_control_text(text, finding, language);
+    append_control_text(text, finding, language, Values::as_given);
   }
   for (Message const& help : finding.help) {
     begin(Text::word_help);
@@ -32,24 +32,24 @@ bool has_control_text(Finding const& finding) {
   return !control.message.empty() || control.reaction || !control.value.empty();
 }
 
-void append_control_text(std::string& text, Finding const& finding, Language language) {
+void append_control_text(std::string& text, Finding const& finding, Language language, Values values) {
   if (!finding.control) return;
   ControlReaction const& control = *finding.control;
   std::size_t const begin = text.size();
   if (!control.message.empty()) {
     bool const is_one = control.message.find('/') == std::string::npos;
     std::array const number{Argument{.name = "number", .value = control.message}};
-    append_rendered(text, is_one ? Text::control_message : Text::control_messages, number, language);
+    append_rendered(text, is_one ? Text::control_message : Text::control_messages, number, language, values);
   }
   if (control.reaction) {
     if (text.size() != begin) text += ": ";
-    append_rendered(text, *control.reaction, language);
+    append_rendered(text, *control.reaction, language, values);
   }
   if (control.value.empty()) return;
   if (text.size() != begin) text += "; ";
   std::array value{Argument{.name = "value", .value = control.value}};
   if (!control.physical.empty()) ((value[0].value += " (") += control.physical) += ')';
-  append_rendered(text, Text::control_value, value, language);
+  append_rendered(text, Text::control_value, value, language, values);
 }
 
 }  // namespace axisc

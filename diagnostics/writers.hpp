@@ -115,7 +115,7 @@ void append_text(std::string& out, Finding const& finding, SourceSet const& sour
 [[nodiscard]] std::string whole_message(Finding const& finding, Language language);
 
 /// "message 50663: the filter is switched off; runs with 0"; nothing where nothing is known.
-void append_control_text(std::string& text, Finding const& finding, Language language);
+void append_control_text(std::string& text, Finding const& finding, Language language, Values values);
 /// Something is known.
 [[nodiscard]] bool has_control_text(Finding const& finding);
 

@@ -33,12 +33,3 @@ TEST_CASE("text is plain where each of its characters is, wherever another one s
   }
   CHECK(is_plain(""));
 }
-
-TEST_CASE("only what is written last is made printable") {
-  std::string text = "a\tb";
-  make_printable(text, 3);
-  CHECK(text == "a\tb");
-  text += "c\td µ";
-  make_printable(text, 3);
-  CHECK(text == "a\tbc␉d µ");
-}

@@ -81,6 +81,14 @@ TEST_CASE("texts print numbers and braces as they are given") {
                Language::german) == "Meldung 50663");
 }
 
+TEST_CASE("values are made printable where that is asked for") {
+  Message const message{.text = Text::ax2001, .arguments = {{"name", "a\tb µ\x1b"}}};
+  std::string text = "\t";
+  append_rendered(text, message, Language::german, Values::printable);
+  CHECK(text == "\tunbekannter Parameter `a␉b µ␛`");
+  CHECK(render(message, Language::english) == "unknown parameter `a\tb µ\x1b`");
+}
+
 TEST_CASE("a placeholder without a value stays") {
   CHECK(render({.text = Text::fixed_placeholder, .arguments = {}}, Language::english) == "{text}");
   CHECK(render({.text = Text::fixed_placeholder, .arguments = {{.name = "other", .value = "1"}}},
