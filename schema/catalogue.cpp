@@ -24,11 +24,14 @@
 namespace axisc::schema {
 namespace {
 
-/// What a slot number stands for.
+/// What a slot number stands for. Eight bytes, and lists name their parameters more or less in the order of the catalogue, so
+/// what look-ups need lies together.
 struct SlotRow {
-  ParameterId parameter{};
-  std::array<std::uint16_t, 2> index{};
+  std::uint32_t name_begin : 24;  ///< in name_bytes
+  std::uint32_t name_size : 8;
+  ParameterId parameter;
 };
+static_assert(sizeof(SlotRow) == 8);
 
 /// A row's name without any brackets.
 struct BareName {
@@ -38,7 +41,6 @@ struct BareName {
 
 #include "catalogue_tables.inc"
 
-static_assert(std::size(slot_table) == std::size(slot_name_table));
 static_assert(std::size(displacement_table) == hash_geometry.buckets);
 static_assert(std::size(place_table) == hash_geometry.places);
 
@@ -46,16 +48,24 @@ Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
 }
 
-/// One more than the only slot that can have that name; 0 where none can.
-std::uint16_t entry_of_name(std::string_view name) {
-  std::uint64_t const hash = hash_name(name);
-  std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
-  return place_table[place_of(hash, displacement, hash_geometry)];
+SlotRow const& row(Slot slot) {
+  return slot_table[static_cast<std::size_t>(slot)];
 }
 
-ConcreteParameter found_if_same(std::uint16_t entry, std::string_view name) {
-  if (entry == 0 || !same_bytes(slot_name_table[entry - 1], name)) return {};
-  return {.row = &row(slot_table[entry - 1].parameter), .slot = static_cast<Slot>(entry - 1)};
+/// The only slot that can have that name.
+[[gnu::always_inline]] inline Slot candidate(std::string_view name) {
+  std::uint64_t const hash = hash_name(name);
+  std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
+  return Slot{place_table[place_of(hash, displacement, hash_geometry)]};
+}
+
+[[gnu::always_inline]] inline ConcreteParameter found_if_same(Slot slot, std::string_view name) {
+  SlotRow const& known = row(slot);
+  if (known.name_size != name.size() ||
+      !same_bytes(&name_bytes[known.name_begin], name.data(), name.size())) {
+    return {};
+  }
+  return {.row = &row(known.parameter), .slot = slot};
 }
 
 NameLookup found(Slot slot) {
@@ -93,20 +103,20 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 }  // namespace
 
 ConcreteParameter find_exact(std::string_view name) {
-  return found_if_same(entry_of_name(name), name);
+  return found_if_same(candidate(name), name);
 }
 
 void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) {
   assert(names.size() <= names_at_once && names.size() <= found.size());
   // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
-  std::array<std::uint16_t, names_at_once> entries{};
-  for (std::size_t i = 0; i < names.size(); ++i) entries[i] = entry_of_name(names[i]);
+  std::array<Slot, names_at_once> candidates{};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (entries[i] == 0) continue;
-    __builtin_prefetch(slot_name_table[entries[i] - 1].data());
-    __builtin_prefetch(&row(slot_table[entries[i] - 1].parameter));
+    candidates[i] = candidate(names[i]);
+    SlotRow const& known = row(candidates[i]);
+    __builtin_prefetch(&name_bytes[known.name_begin]);
+    __builtin_prefetch(&row(known.parameter));
   }
-  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(entries[i], names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(candidates[i], names[i]);
 }
 
 NameLookup find_as_written(std::string_view name) {
@@ -153,16 +163,15 @@ std::span<ParameterId const> find_number(std::uint16_t p_axis) {
 }
 
 ParameterId parameter_of(Slot slot) {
-  return slot_table[static_cast<std::size_t>(slot)].parameter;
+  return row(slot).parameter;
 }
 
 std::array<std::uint32_t, 2> indices_of(Slot slot) {
-  auto const& index = slot_table[static_cast<std::size_t>(slot)].index;
-  return {index[0], index[1]};
+  return indices_of(row(parameter_of(slot)), slot);
 }
 
 std::string slot_name(Slot slot) {
-  return std::string(slot_name_table[static_cast<std::size_t>(slot)]);
+  return slot_name(row(parameter_of(slot)), slot);
 }
 
 Slot slot_of(ParameterId id, std::uint32_t first_index, std::uint32_t second_index) {
