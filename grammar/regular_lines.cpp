@@ -26,10 +26,13 @@ namespace {
 RegularLineReader find_avx2_reader() {
 #if defined(CPU_FEATURE_ACTIVE)
   bool const usable = CPU_FEATURE_ACTIVE(AVX2) && CPU_FEATURE_ACTIVE(BMI1) && CPU_FEATURE_ACTIVE(BMI2) &&
-                      CPU_FEATURE_ACTIVE(POPCNT);
+                      CPU_FEATURE_ACTIVE(LZCNT) && CPU_FEATURE_ACTIVE(POPCNT);
 #else
-  bool const usable = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
-                      __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
+  bool usable = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+                __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("popcnt");
+#if !defined(__clang__)
+  usable = usable && __builtin_cpu_supports("lzcnt");
+#endif
 #endif
   return usable ? avx2::read_regular_lines : nullptr;
 }

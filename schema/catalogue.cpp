@@ -24,11 +24,14 @@
 namespace axisc::schema {
 namespace {
 
-/// What a slot number stands for.
+/// What a slot number stands for. Eight bytes, and lists name their parameters more or less in the order of the catalogue, so
+/// what look-ups need lies together.
 struct SlotRow {
-  ParameterId parameter{};
-  std::array<std::uint16_t, 2> index{};
+  std::uint32_t name_begin : 24;  ///< in name_bytes
+  std::uint32_t name_size : 8;
+  ParameterId parameter;
 };
+static_assert(sizeof(SlotRow) == 8);
 
 /// A name without any brackets and its rows, which differ in their indices.
 struct BareName {
@@ -39,7 +42,6 @@ struct BareName {
 
 #include "catalogue_tables.inc"
 
-static_assert(std::size(slot_table) == std::size(slot_name_table));
 static_assert(std::size(displacement_table) == hash_geometry.buckets);
 static_assert(std::size(place_table) == hash_geometry.places);
 static_assert(std::size(bare_displacement_table) == bare_hash_geometry.buckets);
@@ -49,16 +51,24 @@ Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
 }
 
-/// One more than the only slot that can have that name; 0 where none can.
-std::uint16_t entry_of_name(std::string_view name) {
-  std::uint64_t const hash = hash_name(name);
-  std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
-  return place_table[place_of(hash, displacement, hash_geometry)];
+SlotRow const& row(Slot slot) {
+  return slot_table[static_cast<std::size_t>(slot)];
 }
 
-ConcreteParameter found_if_same(std::uint16_t entry, std::string_view name) {
-  if (entry == 0 || !same_bytes(slot_name_table[entry - 1], name)) return {};
-  return {.row = &row(slot_table[entry - 1].parameter), .slot = static_cast<Slot>(entry - 1)};
+/// The only slot that can have that name.
+[[gnu::always_inline]] inline Slot candidate(std::string_view name) {
+  std::uint64_t const hash = hash_name(name);
+  std::uint16_t const displacement = displacement_table[bucket_of(hash, hash_geometry)];
+  return Slot{place_table[place_of(hash, displacement, hash_geometry)]};
+}
+
+[[gnu::always_inline]] inline ConcreteParameter found_if_same(Slot slot, std::string_view name) {
+  SlotRow const& known = row(slot);
+  if (known.name_size != name.size() ||
+      !same_bytes(&name_bytes[known.name_begin], name.data(), name.size())) {
+    return {};
+  }
+  return {.row = &row(known.parameter), .slot = slot};
 }
 
 NameLookup found(Slot slot) {
@@ -72,9 +82,8 @@ NameLookup found(Slot slot) {
 std::span<ParameterId const> rows_of_bare_name(std::string_view bare) {
   std::uint64_t const hash = hash_name(bare);
   std::uint16_t const displacement = bare_displacement_table[bucket_of(hash, bare_hash_geometry)];
-  std::uint16_t const entry = bare_place_table[place_of(hash, displacement, bare_hash_geometry)];
-  if (entry == 0 || !same_bytes(bare_name_table[entry - 1].name, bare)) return {};
-  BareName const& known = bare_name_table[entry - 1];
+  BareName const& known = bare_name_table[bare_place_table[place_of(hash, displacement, bare_hash_geometry)]];
+  if (!same_bytes(known.name, bare)) return {};
   return std::span(bare_row_table).subspan(known.first_row, known.rows);
 }
 
@@ -99,20 +108,20 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 }  // namespace
 
 ConcreteParameter find_exact(std::string_view name) {
-  return found_if_same(entry_of_name(name), name);
+  return found_if_same(candidate(name), name);
 }
 
 void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) {
   assert(names.size() <= names_at_once && names.size() <= found.size());
   // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
-  std::array<std::uint16_t, names_at_once> entries{};
-  for (std::size_t i = 0; i < names.size(); ++i) entries[i] = entry_of_name(names[i]);
+  std::array<Slot, names_at_once> candidates{};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (entries[i] == 0) continue;
-    __builtin_prefetch(slot_name_table[entries[i] - 1].data());
-    __builtin_prefetch(&row(slot_table[entries[i] - 1].parameter));
+    candidates[i] = candidate(names[i]);
+    SlotRow const& known = row(candidates[i]);
+    __builtin_prefetch(&name_bytes[known.name_begin]);
+    __builtin_prefetch(&row(known.parameter));
   }
-  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(entries[i], names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(candidates[i], names[i]);
 }
 
 NameLookup find_as_written(std::string_view name) {
@@ -159,16 +168,16 @@ std::span<ParameterId const> find_number(std::uint16_t p_axis) {
 }
 
 ParameterId parameter_of(Slot slot) {
-  return slot_table[static_cast<std::size_t>(slot)].parameter;
+  return row(slot).parameter;
 }
 
 std::array<std::uint32_t, 2> indices_of(Slot slot) {
-  auto const& index = slot_table[static_cast<std::size_t>(slot)].index;
-  return {index[0], index[1]};
+  return indices_of(row(parameter_of(slot)), slot);
 }
 
 std::string slot_name(Slot slot) {
-  return std::string(slot_name_table[static_cast<std::size_t>(slot)]);
+  SlotRow const& known = row(slot);
+  return {&name_bytes[known.name_begin], known.name_size};
 }
 
 Slot slot_of(ParameterId id, std::uint32_t first_index, std::uint32_t second_index) {
@@ -189,8 +198,8 @@ Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_
 
 std::string slot_name(Parameter const& parameter, Slot slot) {
   if (parameter.index_count() == 0) return std::string(parameter.name);
-  bool const is_built_in = static_cast<std::size_t>(slot) < schema::slot_count() &&
-                           &row(slot_table[static_cast<std::size_t>(slot)].parameter) == &parameter;
+  bool const is_built_in =
+      static_cast<std::size_t>(slot) < schema::slot_count() && &row(row(slot).parameter) == &parameter;
   if (is_built_in) return slot_name(slot);
   auto const indices = indices_of(parameter, slot);
   constexpr std::size_t digits = 5;

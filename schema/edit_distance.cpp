@@ -19,8 +19,7 @@ std::size_t common_prefix(std::string_view a, std::string_view b) {
   std::size_t const most = std::min(a.size(), b.size());
   std::size_t same = 0;
   for (; same + word_size <= most; same += word_size) {
-    std::uint64_t const difference =
-        word_of(a.data() + same, word_size) ^ word_of(b.data() + same, word_size);
+    std::uint64_t const difference = word_at(a.data() + same) ^ word_at(b.data() + same);
     if (difference != 0) return same + static_cast<std::size_t>(std::countr_zero(difference)) / 8;
   }
   while (same < most && a[same] == b[same]) ++same;
@@ -31,8 +30,8 @@ std::size_t common_suffix(std::string_view a, std::string_view b) {
   std::size_t const most = std::min(a.size(), b.size());
   std::size_t same = 0;
   for (; same + word_size <= most; same += word_size) {
-    std::uint64_t const difference = word_of(a.data() + a.size() - same - word_size, word_size) ^
-                                     word_of(b.data() + b.size() - same - word_size, word_size);
+    std::uint64_t const difference =
+        word_at(a.data() + a.size() - same - word_size) ^ word_at(b.data() + b.size() - same - word_size);
     if (difference != 0) return same + static_cast<std::size_t>(std::countl_zero(difference)) / 8;
   }
   while (same < most && a[a.size() - 1 - same] == b[b.size() - 1 - same]) ++same;

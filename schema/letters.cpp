@@ -18,7 +18,7 @@ constexpr std::uint16_t count_bits(std::uint16_t bits) {
 /// Eight bytes that are 0 or 1 as one bit each, the first one lowest.
 std::uint32_t gather(char const* bytes) {
   constexpr std::uint64_t gathering = 0x0102040810204080;  // byte i to bit 56 + i
-  return static_cast<std::uint32_t>((word_of(bytes, 8) * gathering) >> 56U);
+  return static_cast<std::uint32_t>((word_at(bytes) * gathering) >> 56U);
 }
 
 }  // namespace

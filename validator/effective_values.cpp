@@ -5,7 +5,6 @@
 #include <cassert>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace axisc::validator {
@@ -132,12 +131,27 @@ void EffectiveValues::expect(std::size_t count) {
 
 void EffectiveValues::order_set_values() {
   if (in_order_) return;
-  std::sort(entries_.begin(), entries_.end(), [](EffectiveValue const& a, EffectiveValue const& b) {
-    return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
-  });
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    entry_of_slot_[static_cast<std::size_t>(entries_[i].slot)] = static_cast<std::uint32_t>(i + 1);
+  // Not the entries themselves: those are large, and sorting moves what it sorts several times.
+  struct Key {
+    std::uint64_t line = 0;  ///< of the one that counts; then the slot
+    std::uint32_t entry = 0;
+  };
+  std::vector<Key> keys;
+  keys.reserve(entries_.size());
+  for (EffectiveValue const& value : entries_) {
+    std::uint64_t const line = std::uint64_t{static_cast<std::uint8_t>(value.origin)} << 48U |
+                               std::uint64_t{value.line} << 16U | static_cast<std::uint16_t>(value.slot);
+    keys.push_back({.line = line, .entry = static_cast<std::uint32_t>(keys.size())});
   }
+  std::sort(keys.begin(), keys.end(), [](Key const& a, Key const& b) { return a.line < b.line; });
+  std::vector<EffectiveValue> ordered;
+  ordered.reserve(entries_.size());
+  for (Key const& key : keys) {
+    ordered.push_back(entries_[key.entry]);
+    entry_of_slot_[static_cast<std::size_t>(ordered.back().slot)] =
+        static_cast<std::uint32_t>(ordered.size());
+  }
+  entries_ = std::move(ordered);
   in_order_ = true;
 }
 

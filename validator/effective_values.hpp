@@ -83,6 +83,12 @@ class EffectiveValues {
   /// Those whose value came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
+  /// What lists set for a slot; null where none does.
+  [[nodiscard]] EffectiveValue const* find_set(schema::Slot slot) const {
+    std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    return entry == 0 ? nullptr : &entries_[entry - 1];
+  }
+
   /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
   /// references.
   EffectiveValue& edit(schema::Slot slot);

@@ -63,11 +63,14 @@ class ListReader {
     std::span<grammar::Assignment const> rest = list_.assignments;
     while (!rest.empty()) {
       std::size_t const count = std::min(rest.size(), names.size());
-      for (std::size_t i = 0; i < count; ++i) names[i] = source_.slice(rest[i].name);
+      for (std::size_t i = 0; i < count; ++i) {
+        names[i] = {source_.bytes().data() + rest[i].name.begin, rest[i].name.size()};
+      }
       catalogue_.find_exact(std::span(names).first(count), parameters);
       for (std::size_t i = 0; i < count; ++i) read(rest[i], parameters[i]);
       rest = rest.subspan(count);
     }
+    result_.has_repetitions_ = repetitions_ != 0;
     return std::move(result_);
   }
 
@@ -113,9 +116,9 @@ class ListReader {
   }
 
   void note_slot(schema::Slot slot) {
-    auto&& seen = seen_[static_cast<std::size_t>(slot)];
-    result_.has_repetitions_ = result_.has_repetitions_ || seen;
-    seen = true;
+    std::uint8_t& seen = seen_[static_cast<std::size_t>(slot)];
+    repetitions_ |= seen;
+    seen = 1;
   }
 
   void suggest(std::uint32_t number) {
@@ -129,7 +132,8 @@ class ListReader {
   grammar::AxisList const& list_;
   schema::Catalogue const& catalogue_;
   Readings result_;
-  std::vector<bool> seen_;  ///< slots that a line gives a value
+  std::vector<std::uint8_t> seen_;  ///< 1 for each slot that a line gives a value
+  std::uint8_t repetitions_ = 0;    ///< the same for a slot that several lines give one
   std::size_t unknown_names_ = 0;
 };
 

@@ -31,25 +31,33 @@ class Merger {
 
  private:
   void assign(grammar::Assignment const& assignment, Reading const& reading) {
-    bool const is_value = reading.status == ReadingStatus::value;
-    EffectiveValue& entry =
-        is_value ? values_.replace(reading.slot, *reading.row) : values_.edit(reading.slot);
+    if (!pending_.empty()) pending_.erase(reading.slot);
+    if (reading.status == ReadingStatus::value) {
+      EffectiveValue& entry = values_.replace(reading.slot, *reading.row);
+      entry.value = reading.value;
+      entry.unusable = false;
+      place(entry, assignment);
+    } else {
+      EffectiveValue& entry = values_.edit(reading.slot);
+      entry.unusable = !reading.usable();
+      place(entry, assignment);
+      if (reading.status == ReadingStatus::reference) pending_[reading.slot] = reading.reference;
+    }
+  }
+
+  void place(EffectiveValue& entry, grammar::Assignment const& assignment) const {
     entry.origin = origin_;
     entry.source = list_->source;
     entry.value_span = assignment.value;
     entry.name_span = assignment.name;
     entry.has_value = true;
     entry.line = assignment.line;
-    entry.unusable = !reading.usable();
-    if (!pending_.empty()) pending_.erase(reading.slot);
-    if (is_value) entry.value = reading.value;
-    if (reading.status == ReadingStatus::reference) pending_[reading.slot] = reading.reference;
   }
 
   void lose(LostAssignment const& lost) {
-    EffectiveValue const& current = values_[lost.slot];
-    bool const set_here = current.origin == origin_;
-    if (set_here && (lost.guessed || current.line > lost.line)) return;
+    EffectiveValue const* const current = values_.find_set(lost.slot);
+    bool const set_here = current != nullptr && current->origin == origin_;
+    if (set_here && (lost.guessed || current->line > lost.line)) return;
     EffectiveValue& entry = values_.edit(lost.slot);
     pending_.erase(lost.slot);
     entry.unusable = true;

@@ -1,6 +1,7 @@
 #include "validator/reading.hpp"
 
 #include "validator/judgement.hpp"
+#include "validator/short_number.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -19,6 +20,13 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_integer_kind(ValueKind kind) {
   return kind == ValueKind::integer || kind == ValueKind::hexadecimal;
+}
+
+/// The place of the first `#` or `/*`; the end where there is none. Texts are short, too short for a search to pay.
+std::size_t comment_opener(std::string_view text) {
+  std::size_t place = 0;
+  while (place < text.size() && text[place] != '#' && !text.substr(place).starts_with("/*")) ++place;
+  return place;
 }
 
 /// One assignment on its way to a reading.
@@ -67,6 +75,15 @@ class Judge {
     return transcoded_.emplace_front(source_.utf8(span));
   }
 
+  /// The token as an integer of any size.
+  [[nodiscard]] double integer() const {
+    double number = 0;
+    bool const is_short =
+        assignment_.kind == ValueKind::integer && assignment_.value.end >= room_before_number_end &&
+        read_short_integer(token().data(), token().data() + assignment_.value.size(), number);
+    return is_short ? number : read_integer(token(), schema::DataType::sgn64).number;
+  }
+
   void fail(ReadingStatus status) { reading_.status = status; }
 
   void number(NumberReading const& result) {
@@ -109,7 +126,7 @@ class Judge {
   void boolean(schema::Parameter const& parameter) {
     if (broken_number()) return;
     if (is_integer_kind(assignment_.kind)) {
-      double const value = read_integer(token(), schema::DataType::sgn64).number;
+      double const value = integer();
       if (value == 0 || value == 1) return accept({.number = value, .text = value == 0 ? "FALSE" : "TRUE"});
       return fail(ReadingStatus::wrong_type);
     }
@@ -128,7 +145,7 @@ class Judge {
   void enumeration(schema::Parameter const& parameter) {
     if (broken_number()) return;
     if (is_integer_kind(assignment_.kind)) {
-      double const value = read_integer(token(), schema::DataType::sgn64).number;
+      double const value = integer();
       schema::Symbol const* const symbol = symbol_of_number(parameter, value);
       if (symbol != nullptr) return accept(value_of(*symbol));
       if (is_bit_mask(parameter)) return accept({.number = value, .text = {}});
@@ -211,8 +228,8 @@ class Judge {
   /// True where a `#` or `/*` in a free string was meant to open a comment.
   bool comment_in_text(Span span) {
     std::string_view const text = source_.slice(span);
-    std::size_t const opener = std::min(text.find('#'), text.find("/*"));
-    if (opener == std::string_view::npos) return false;
+    std::size_t const opener = comment_opener(text);
+    if (opener == text.size()) return false;
     reading_.trouble = {.begin = span.begin + static_cast<std::uint32_t>(opener), .end = span.end};
     fail(ReadingStatus::comment_in_string);
     return true;

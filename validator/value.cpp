@@ -161,14 +161,13 @@ DataRange data_range(schema::DataType type) {
 }
 
 SymbolReading read_symbol(schema::Parameter const& parameter, std::string_view word) {
-  SymbolReading reading;
   for (schema::Symbol const& symbol : parameter.symbols) {
     if (symbol.word == word) return {.symbol = &symbol, .folded = false};
-    if (reading.symbol == nullptr && equal_folded(symbol.word, word)) {
-      reading = {.symbol = &symbol, .folded = true};
-    }
   }
-  return reading;
+  for (schema::Symbol const& symbol : parameter.symbols) {
+    if (equal_folded(symbol.word, word)) return {.symbol = &symbol, .folded = true};
+  }
+  return {};
 }
 
 schema::Symbol const* symbol_of_number(schema::Parameter const& parameter, double number) {

@@ -31,12 +31,9 @@ inline Class greater(Vector bytes, char byte) {
 inline Class either(Class a, Class b) {
   return _mm256_or_si256(a, b);
 }
-/// In a, not in b.
-inline Class without(Class a, Class b) {
-  return _mm256_andnot_si256(b, a);
-}
-inline Class between(Vector bytes, char first, char last) {
-  return without(greater(bytes, static_cast<char>(first - 1)), greater(bytes, last));
+/// Modulo 256.
+inline Vector plus(Vector bytes, char byte) {
+  return _mm256_add_epi8(bytes, every(byte));
 }
 inline std::uint64_t bits_of(Class a) {
   return static_cast<std::uint32_t>(_mm256_movemask_epi8(a));

@@ -38,18 +38,23 @@ inline Rest look_at_rest(char const* line, char const* end) {
 
 enum class Shape : std::uint8_t { irregular, silent, assignment };
 
+/// Nearly all lines end inside of their first block; of the others more has to be looked at.
+enum class Reach : std::uint8_t { block, further };
+
+template <Reach reach>
 class LineReader {
  public:
-  LineReader(RegularLines const& lines, char const* line)
-      : text_(lines.text), line_(line), windows_1252_(lines.windows_1252), block_(line) {
-    find_end(lines.end);
-  }
-
-  [[nodiscard]] char const* next() const { return next_; }
+  /// `content` are the bytes of the line in the block that are not blank; the line without trailing blanks has `size` bytes.
+  LineReader(RegularLines const& lines, TextBlock const& block, Bits content, std::size_t size)
+      : line_(lines.line),
+        origin_(static_cast<std::uint32_t>(lines.line - lines.text)),
+        windows_1252_(lines.windows_1252),
+        block_(block),
+        content_(content),
+        size_(static_cast<std::uint32_t>(size)) {}
 
   /// Writes spans and kinds of an assignment, all but its line.
   AXISC_INLINE Shape read(Assignment& out) const {
-    if (next_ == nullptr) return Shape::irregular;
     if (content_ == 0) return is_long() ? Shape::irregular : Shape::silent;
     unsigned const begin = first_of(content_);
     if (line_[begin] == '#') return is_clean_from(begin, content_) ? Shape::silent : Shape::irregular;
@@ -57,94 +62,69 @@ class LineReader {
   }
 
  private:
-  /// Where the line ends, without line end and trailing blanks.
-  void find_end(char const* text_end) {
-    Bits const line_feed = lowest(block_.line_feed());
-    Bits const blank = block_.blank();
-    if (line_feed == 0) return find_far_end(text_end, blank);
-    next_ = line_ + first_of(line_feed) + 1;
-    content_ = (line_feed - 1) & ~blank & ~(block_.carriage_return() & (line_feed >> 1U));
-    end_ = line_ + (content_ == 0 ? 0U : end_of(content_));
-  }
-
-  /// No line feed in the block.
-  void find_far_end(char const* text_end, Bits blank) {
-    char const* const line_feed = find_line_feed(line_ + block_size, text_end);
-    if (line_feed == nullptr) return;
-    next_ = line_feed + 1;
-    end_ = line_feed;
-    if (end_[-1] == '\r') --end_;
-    while (end_ != line_ && (end_[-1] == ' ' || end_[-1] == '\t')) --end_;
-    content_ = ~blank;
-    if (end_ - line_ < block_size) content_ &= (Bits{1} << static_cast<unsigned>(end_ - line_)) - 1;
-  }
-
-  static char const* find_line_feed(char const* from, char const* text_end) {
-    if (text_end - from >= block_size) {
-      Bits const line_feed = TextBlock(from).line_feed();
-      if (line_feed != 0) return from + first_of(line_feed);
-    }
-    return static_cast<char const*>(std::memchr(from, '\n', static_cast<std::size_t>(text_end - from)));
-  }
-
   /// The line ends outside of the block.
-  [[nodiscard]] bool is_long() const { return end_ - line_ > block_size; }
+  [[nodiscard]] bool is_long() const { return reach == Reach::further && size_ > block_size; }
 
   /// Every character from `begin` on is allowed. `bits` are those in the block; `begin` is no place inside a character.
-  [[nodiscard]] bool is_clean_from(unsigned begin, Bits bits) const {
+  [[nodiscard]] AXISC_INLINE bool is_clean_from(unsigned begin, Bits bits) const {
     bool unusual = (block_.unusual() & bits) != 0;
-    if (is_long()) unusual = unusual || look_at_rest(line_, end_).has_unusual;
-    return !unusual || is_allowed(line_ + begin, end_, windows_1252_);
+    if (is_long()) unusual = unusual || look_at_rest(line_, line_ + size_).has_unusual;
+    return !unusual || is_allowed(line_ + begin, line_ + size_, windows_1252_);
   }
 
   AXISC_INLINE bool read_assignment(Assignment& out) const {
     Bits const name = first_run(content_);
     Bits const value = first_run(content_ ^ name);
     Bits const trailer = content_ ^ name ^ value;
-    Bits const value_beginning = lowest(value);
-    // No value, or one that reaches the end of the block.
-    if (value == 0 || (value >> 63U) != 0) return false;
-    unsigned const name_begin = first_of(name);
-    unsigned const name_end = end_of(name);
+    if (value == 0) return false;
+    // One that reaches the end of the block may go on behind it.
+    if (reach == Reach::further && (value >> 63U) != 0) return false;
+    std::uint32_t const name_begin = first_of(name);
+    std::uint32_t const name_end = end_of(name);
     Bits const marks = block_.mark();
     Bits const unusual_bytes = block_.unusual();
     Bits const wrong = wrong_in_name(block_, name) | (value & (marks | unusual_bytes));
     if (wrong != 0 || is_end_marker(line_ + name_begin, name_end - name_begin)) return false;
 
-    unsigned const value_begin = first_of(value);
-    unsigned const value_end = end_of(value);
-    if (!read_value(value, value_beginning, out.kind)) return false;
+    std::uint32_t const value_begin = first_of(value);
+    std::uint32_t const value_end = end_of(value);
+    if (!read_value(value, out.kind)) return false;
 
     Bits const mark = lowest(trailer & marks);
     // Quotes may protect a parenthesis.
     if (line_[first_or_last_of(mark)] == '"' && mark != 0) return false;
-    // A choice between two pointers would become a branch.
-    std::ptrdiff_t const behind_trailer = end_ - (line_ + first_or_last_of(trailer));
-    char const* trailer_begin = end_ - behind_trailer * static_cast<std::ptrdiff_t>(trailer != 0);
-    char const* free_text_end = line_ + end_of(content_ & (mark - 1));
+    std::uint32_t free_text_end = end_of(content_ & (mark - 1));
+    std::uint32_t trailer_begin = 0;
     bool unusual = (trailer & unusual_bytes) != 0;
+    if constexpr (reach == Reach::block) {
+      // Where there is none it begins at the line's end.
+      trailer_begin = first_of(trailer | Bits{1} << size_);
+    } else {
+      trailer_begin = trailer == 0 ? size_ : first_of(trailer);
+    }
     if (is_long()) {
-      Rest const rest = look_at_rest(line_, end_);
+      Rest const rest = look_at_rest(line_, line_ + size_);
       unusual = unusual || rest.has_unusual;
       if (mark == 0) {
         if (rest.has_mark) return false;
-        free_text_end = end_;
+        free_text_end = size_;
       }
-      if (trailer == 0) trailer_begin = behind_blanks(line_ + block_size);
+      if (trailer == 0) trailer_begin = behind_blanks(block_size);
     }
-    if (unusual && !is_allowed(line_ + value_end, end_, windows_1252_)) return false;
+    if (unusual && !is_allowed(line_ + value_end, line_ + size_, windows_1252_)) return false;
 
-    out.name = span(line_ + name_begin, line_ + name_end);
-    out.value = span(line_ + value_begin, line_ + value_end);
-    out.trailer = span(trailer_begin, end_);
-    out.free_text = span(line_ + value_begin, free_text_end);
-    out.trailer_kind = trailer_kind(trailer_begin, end_);
+    out.name = span(name_begin, name_end);
+    out.value = span(value_begin, value_end);
+    out.trailer = span(trailer_begin, size_);
+    out.free_text = span(value_begin, free_text_end);
+    out.trailer_kind = trailer_kind(line_ + trailer_begin);
     return true;
   }
 
   /// False for what the grammar has to look at.
-  AXISC_INLINE bool read_value(Bits token, Bits beginning, ValueKind& kind) const {
+  AXISC_INLINE bool read_value(Bits token, ValueKind& kind) const {
     char const* const text = line_ + first_of(token);
+    Bits const beginning = lowest(token);
     Bits const letter = block_.letter() & token;
     Bits const number = token & ~(Bits{is_sign(*text)} * beginning);
     bool const is_word = (letter & beginning) != 0;
@@ -159,38 +139,73 @@ class LineReader {
     return is_word ? !is_reference : number != 0 && is_decimal(block_.digit(), point, line_, number);
   }
 
-  static char const* behind_blanks(char const* place) {
-    while (*place == ' ' || *place == '\t') ++place;
+  [[nodiscard]] std::uint32_t behind_blanks(std::uint32_t place) const {
+    while (line_[place] == ' ' || line_[place] == '\t') ++place;
     return place;
   }
 
-  [[nodiscard]] Span span(char const* begin, char const* end) const {
-    return {.begin = static_cast<std::uint32_t>(begin - text_),
-            .end = static_cast<std::uint32_t>(end - text_)};
+  /// Of places in the line.
+  [[nodiscard]] Span span(std::uint32_t begin, std::uint32_t end) const {
+    return {.begin = origin_ + begin, .end = origin_ + end};
   }
 
-  char const* text_;
   char const* line_;
+  std::uint32_t origin_;  ///< of the line in the text
   bool windows_1252_;
   TextBlock block_;
-  char const* end_ = nullptr;
-  char const* next_ = nullptr;  ///< null in a last line without line end
-  Bits content_ = 0;            ///< the bytes of the block that belong to the line and are not blank
+  Bits content_;
+  std::uint32_t size_;
 };
+
+inline char const* find_line_feed(char const* from, char const* text_end) {
+  if (text_end - from >= block_size) {
+    Bits const line_feed = TextBlock(from).line_feed();
+    if (line_feed != 0) return from + first_of(line_feed);
+  }
+  return static_cast<char const*>(std::memchr(from, '\n', static_cast<std::size_t>(text_end - from)));
+}
+
+/// A line without line feed in its first block. A last line without line end is irregular.
+AXISC_INLINE Shape read_far_line(RegularLines& lines, TextBlock const& block, Assignment& out) {
+  char const* const line = lines.line;
+  char const* const line_feed = find_line_feed(line + block_size, lines.end);
+  if (line_feed == nullptr) return Shape::irregular;
+  char const* end = line_feed;
+  if (end[-1] == '\r') --end;
+  while (end != line && (end[-1] == ' ' || end[-1] == '\t')) --end;
+  Bits content = ~block.blank();
+  if (end - line < block_size) content &= (Bits{1} << static_cast<unsigned>(end - line)) - 1;
+  auto const size = static_cast<std::size_t>(end - line);
+  Shape const shape = LineReader<Reach::further>(lines, block, content, size).read(out);
+  if (shape != Shape::irregular) lines.line = line_feed + 1;
+  return shape;
+}
+
+/// Goes on behind the line unless it is irregular.
+AXISC_INLINE Shape read_next_line(RegularLines& lines, Assignment& out) {
+  TextBlock const block(lines.line);
+  Bits const line_feed = lowest(block.line_feed());
+  if (line_feed == 0) return read_far_line(lines, block, out);
+  Bits const content = (line_feed - 1) & ~block.blank() & ~(block.carriage_return() & (line_feed >> 1U));
+  std::size_t const size = content == 0 ? 0 : end_of(content);
+  Shape const shape = LineReader<Reach::block>(lines, block, content, size).read(out);
+  if (shape != Shape::irregular) lines.line += first_of(line_feed) + 1;
+  return shape;
+}
 
 /// What each level defines for grammar/regular_lines.cpp.
 std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room);
 
-inline std::size_t read_lines(RegularLines& lines, Assignment* out, std::size_t room) {
+inline std::size_t read_lines(RegularLines& given, Assignment* out, std::size_t room) {
+  RegularLines lines = given;  // Nobody else changes these.
   std::size_t count = 0;
   while (lines.line < lines.stop && count < room) {
-    LineReader const reader(lines, lines.line);
-    Shape const shape = reader.read(out[count]);
+    Shape const shape = read_next_line(lines, out[count]);
     if (shape == Shape::irregular) break;
-    lines.line = reader.next();
     ++lines.number;
     if (shape == Shape::assignment) out[count++].line = lines.number;
   }
+  given = lines;
   return count;
 }
 

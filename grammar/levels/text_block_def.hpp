@@ -63,10 +63,17 @@ class TextBlock {
   }
   /// Control characters, also line ends, and everything above 0x7E; a tab may be among them.
   [[nodiscard]] Bits unusual() const {
-    return ~bits([](Vector bytes) { return without(greater(bytes, ' ' - 1), equal(bytes, '\x7F')); });
+    return ~bits([](Vector bytes) { return greater(plus(bytes, 1), ' '); });
   }
 
  private:
+  /// Moved so that `last` is the greatest of all bytes.
+  static Class between(Vector bytes, char first, char last) {
+    constexpr char greatest = 0x7F;
+    return greater(plus(bytes, static_cast<char>(greatest - last)),
+                   static_cast<char>(greatest - last + first - 1));
+  }
+
   static constexpr unsigned count = 64 / sizeof(Vector);
 
   template <typename Classify>

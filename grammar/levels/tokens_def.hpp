@@ -30,42 +30,32 @@ inline Bits first_run(Bits bits) {
   return bits & ~(bits + lowest(bits));
 }
 
-/// Zero if the run `name` is a name. Begins and points are followed by letters. Brackets are filled with digits and
-/// followed by a point or nothing: of well-formed pairs the difference covers every opening bracket and what stands behind
-/// it up to the closing one.
+/// Zero if the run `name`, behind which a blank follows, is a name. Begins and points are followed by letters. Brackets stand
+/// behind a name, are filled with digits, and are followed by a point or nothing: an addition carries from behind every opening
+/// bracket through its digits, to where the closing one has to be.
 AXISC_INLINE Bits wrong_in_name(TextBlock const& block, Bits name) {
-  Bits const letter = block.letter() & name;
-  Bits const digit = block.digit() & name;
+  Bits const letter = block.letter();
+  Bits const digit = block.digit();
   Bits const point = block.point() & name;
   Bits const opening = block.opening() & name;
   Bits const closing = block.closing() & name;
   Bits const identifier = letter | digit;
-  Bits const inside = closing - opening;
-  Bits const needs_letter = lowest(name) | (point << 1U);
-  Bits const needs_digit = (inside & ~opening) | (opening << 1U);
-  Bits const needs_identifier = opening >> 1U;
-  Bits const needs_point = (closing << 1U) & name;
-  return (name & ~(identifier | point | opening | closing)) | (needs_letter & ~letter) |
-         (needs_digit & ~digit) | (needs_identifier & ~identifier) | (needs_point & ~point) |
-         (opening & ~inside);
+  Bits const inside = opening << 1U;
+  Bits const behind_digits = (digit + inside) & ~digit;
+  Bits const behind_closing = (closing << 1U) & name;
+  return (name & ~(identifier | point | opening | closing)) | ((lowest(name) | point << 1U) & ~letter) |
+         (inside & ~digit) | (behind_digits ^ closing) | ((opening >> 1U) & ~identifier) |
+         (behind_closing & ~point);
 }
 
 /// `Ende` in any letter case.
 inline bool is_end_marker(char const* name, unsigned size) {
+  if (size != 4) return false;
   std::uint32_t word = 0;
   std::uint32_t marker = 0;
   std::memcpy(&word, name, sizeof word);
   std::memcpy(&marker, "ende", sizeof marker);
-  return size == sizeof word && (word | 0x20202020U) == marker;
-}
-
-/// Digits, with a point among them or without; no zero leads. `number` is one run.
-inline bool is_decimal(Bits digits, Bits points, char const* line, Bits number) {
-  Bits const digit = digits & number;
-  Bits const point = points & number;
-  Bits const behind_zero = Bits{line[first_of(number)] == '0'} * (lowest(number) << 1U);
-  Bits const wrong = (number & ~(digit | point)) | (point & (point - 1)) | (digit & behind_zero);
-  return wrong == 0 && digit != 0;
+  return (word | 0x20202020U) == marker;
 }
 
 inline bool is_sign(char byte) {
@@ -75,6 +65,15 @@ inline bool is_sign(char byte) {
 inline bool is_hexadecimal(char byte) {
   bool const is_digit = '0' <= byte && byte <= '9';
   return is_digit || ('a' <= (byte | 0x20) && (byte | 0x20) <= 'f');
+}
+
+/// Digits, with a point among them or without; no zero leads. `number` is one run.
+inline bool is_decimal(Bits digits, Bits points, char const* line, Bits number) {
+  Bits const digit = digits & number;
+  Bits const point = points & number;
+  Bits const behind_zero = Bits{line[first_of(number)] == '0'} * (lowest(number) << 1U);
+  Bits const wrong = (number & ~(digit | point)) | (point & (point - 1)) | (digit & behind_zero);
+  return wrong == 0 && digit != 0;
 }
 
 /// Hexadecimal or with an exponent; `word` stands for what the grammar has to look at. `number` is `token` without sign
@@ -99,21 +98,21 @@ inline ValueKind kind_with_letters(TextBlock const& block, char const* line, Bit
   return good ? ValueKind::real : ValueKind::word;
 }
 
-/// What a trailer's first byte says; a slash needs a second look.
+/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, blanks or the line's end stand there.
 struct TrailerKinds {
   constexpr TrailerKinds() {
     for (TrailerKind& kind : of) kind = TrailerKind::text;
     of[static_cast<unsigned char>('(')] = TrailerKind::parenthesis;
     of[static_cast<unsigned char>('#')] = TrailerKind::hash;
+    for (char const byte : {' ', '\t', '\r', '\n'}) of[static_cast<unsigned char>(byte)] = TrailerKind::none;
   }
   TrailerKind of[256] = {};
 };
 inline constexpr TrailerKinds trailer_kinds{};
 
-inline TrailerKind trailer_kind(char const* trailer, char const* end) {
-  TrailerKind const kind = trailer_kinds.of[static_cast<unsigned char>(*trailer)];
-  if (*trailer == '/' && end - trailer > 1 && trailer[1] == '*') return TrailerKind::slash_star;
-  return trailer == end ? TrailerKind::none : kind;
+inline TrailerKind trailer_kind(char const* trailer) {
+  if (trailer[0] == '/' && trailer[1] == '*') return TrailerKind::slash_star;
+  return trailer_kinds.of[static_cast<unsigned char>(*trailer)];
 }
 
 }  // namespace axisc::grammar::AXISC_LEVEL

@@ -17,13 +17,13 @@ constexpr std::uint32_t largest_displacement = 65535;
 
 /// The places of all names of one bucket, if they are free and distinct.
 std::optional<std::vector<std::uint32_t>> places_for(std::vector<std::uint64_t> const& hashes,
-                                                     std::uint32_t displacement, PerfectHash const& table) {
+                                                     std::uint32_t displacement, PerfectHash const& table,
+                                                     std::vector<bool> const& is_taken) {
   std::vector<std::uint32_t> places;
   for (std::uint64_t const hash : hashes) {
     std::uint32_t const place = place_of(hash, displacement, table.geometry);
-    bool const taken =
-        table.entries[place] != 0 || std::find(places.begin(), places.end(), place) != places.end();
-    if (taken) return std::nullopt;
+    bool const is_free = !is_taken[place] && std::find(places.begin(), places.end(), place) == places.end();
+    if (!is_free) return std::nullopt;
     places.push_back(place);
   }
   return places;
@@ -38,6 +38,7 @@ PerfectHash make_perfect_hash(std::vector<std::string> const& names) {
   table.geometry = {.buckets = std::bit_ceil(count / 3 + 1), .places = std::bit_ceil(count + count / 2)};
   table.displacements.resize(table.geometry.buckets);
   table.entries.resize(table.geometry.places);
+  std::vector<bool> is_taken(table.geometry.places);
 
   std::vector<std::vector<std::size_t>> buckets(table.geometry.buckets);
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -53,12 +54,13 @@ PerfectHash make_perfect_hash(std::vector<std::string> const& names) {
     for (std::size_t const name : buckets[bucket]) hashes.push_back(hash_name(names[name]));
     std::optional<std::vector<std::uint32_t>> places;
     std::uint32_t displacement = 0;
-    while (!(places = places_for(hashes, displacement, table))) {
+    while (!(places = places_for(hashes, displacement, table, is_taken))) {
       if (++displacement > largest_displacement) throw std::runtime_error("no perfect hash found");
     }
     table.displacements[bucket] = static_cast<std::uint16_t>(displacement);
     for (std::size_t i = 0; i < hashes.size(); ++i) {
-      table.entries[(*places)[i]] = static_cast<std::uint16_t>(buckets[bucket][i] + 1);
+      table.entries[(*places)[i]] = static_cast<std::uint16_t>(buckets[bucket][i]);
+      is_taken[(*places)[i]] = true;
     }
   }
   return table;

@@ -12,7 +12,7 @@ namespace axisc::schema::generator {
 struct PerfectHash {
   HashGeometry geometry;
   std::vector<std::uint16_t> displacements;  ///< per bucket
-  std::vector<std::uint16_t> entries;        ///< per place: index of the name + 1, or 0
+  std::vector<std::uint16_t> entries;        ///< per place: index of the name, 0 where the place is free
 };
 
 /// `names` are distinct. Throws std::runtime_error when no displacement is found, which would take two names with the

@@ -42,7 +42,6 @@ std::string lower_case(std::string text) {
 struct Entry {
   std::string name;
   std::size_t parameter = 0;
-  std::array<std::uint32_t, 2> index{};
 };
 
 /// `filter[].order` with 2 is `filter[2].order`.
@@ -64,8 +63,7 @@ std::vector<Entry> concrete_parameters(std::vector<ParameterData> const& paramet
     std::uint32_t const second_size = array.size() < 2 ? 1 : array[1];
     for (std::uint32_t i = 0; i < first_size; ++i) {
       for (std::uint32_t j = 0; j < second_size; ++j) {
-        entries.push_back(
-            {.name = concrete_name(parameters[row].name, {i, j}), .parameter = row, .index = {i, j}});
+        entries.push_back({.name = concrete_name(parameters[row].name, {i, j}), .parameter = row});
       }
     }
   }
@@ -164,20 +162,21 @@ class TableWriter {
   }
 
   void write_entries() {
-    out_ << "\nconstexpr std::string_view slot_name_table[] = {\n";
-    for (Entry const& entry : entries_) out_ << "    " << quoted(entry.name) << ",\n";
-    out_ << "};\n\nconstexpr SlotRow slot_table[] = {\n";
+    std::vector<int> bytes;
+    out_ << "\nconstexpr SlotRow slot_table[] = {\n";
     for (Entry const& entry : entries_) {
-      out_ << "    {ParameterId{" << entry.parameter << "}, {" << entry.index[0] << ", " << entry.index[1]
-           << "}},\n";
+      out_ << "    {" << bytes.size() << ", " << entry.name.size() << ", ParameterId{" << entry.parameter
+           << "}},  // " << entry.name << '\n';
+      bytes.insert(bytes.end(), entry.name.begin(), entry.name.end());
     }
-    out_ << "};\n";
+    out_ << "};\n\n// All names, one behind the other; a literal might be longer than compilers take.";
+    write_values("char", "name_bytes", bytes);
   }
 
   void write_hash() {
     std::vector<std::string> names;
     for (Entry const& entry : entries_) names.push_back(entry.name);
-    write_hash_tables("", "Slot", names);
+    write_hash_tables("", "slot", names);
   }
 
   /// Three tables, whose names begin alike.
@@ -187,7 +186,7 @@ class TableWriter {
     out_ << "\nconstexpr HashGeometry " << beginning << "hash_geometry{.buckets = " << hash.geometry.buckets
          << ", .places = " << hash.geometry.places << "};\n";
     write_values("std::uint16_t", beginning + "displacement_table", hash.displacements);
-    out_ << "// " << entry << " + 1 per place, 0 where the place is free.\n";
+    out_ << "\n// The " << entry << " of each place; that of a free one has another name.";
     write_values("std::uint16_t", beginning + "place_table", hash.entries);
   }
 
@@ -219,7 +218,7 @@ class TableWriter {
       out_ << "    {" << quoted(name) << ", " << first << ", " << end - first << "},\n";
     }
     out_ << "};\n";
-    write_hash_tables("bare_", "Name", names);
+    write_hash_tables("bare_", "name", names);
   }
 
   void write_numbers() {

@@ -4,11 +4,13 @@
 #include "support/catch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
 
@@ -43,6 +45,27 @@ TEST_CASE("every concrete name finds its slot, and every slot tells its name") {
   }
   CHECK(names.size() == slot_count());
   CHECK(slot_count() == 2558);
+}
+
+TEST_CASE("a name of which one byte differs is no name, or that of another slot") {
+  for (std::size_t i = 0; i < slot_count(); ++i) {
+    std::string const name = slot_name(static_cast<Slot>(i));
+    std::vector<std::string> changed(name.size(), name);
+    for (std::size_t place = 0; place < name.size(); ++place) {
+      changed[place][place] = static_cast<char>(changed[place][place] ^ 1);
+    }
+    for (std::size_t first = 0; first < changed.size(); first += names_at_once) {
+      std::size_t const count = std::min(changed.size() - first, names_at_once);
+      std::vector<std::string_view> const names(changed.begin() + static_cast<std::ptrdiff_t>(first),
+                                                changed.begin() + static_cast<std::ptrdiff_t>(first + count));
+      std::array<ConcreteParameter, names_at_once> found;
+      find_exact(names, found);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (found[k] && slot_name(found[k].slot) != names[k]) FAIL(names[k]);
+        if (find_exact(names[k]).slot != found[k].slot) FAIL(names[k]);
+      }
+    }
+  }
 }
 
 TEST_CASE("every concrete name is found after case folding") {
