@@ -9,10 +9,15 @@
 #include <string_view>
 #include <vector>
 
+#include <boost/container/small_vector.hpp>
+
 namespace axisc {
 namespace {
 
-using Lines = std::vector<std::string_view>;
+// Nearly every fix is one edit in one line.
+template <class Value>
+using Few = boost::container::small_vector<Value, 4>;
+using Lines = Few<std::string_view>;
 
 Lines split(std::string_view text) {
   Lines lines;
@@ -76,6 +81,9 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
   Span const region{.begin = source.line_span(block.begin.line).begin,
                     .end = source.line_span(last_line).end};
   std::string edited, room;
+  std::size_t added = 0;
+  for (auto edit = first; edit != end; ++edit) added += (*edit)->text.size();
+  edited.reserve(region.size() + added);
   std::uint32_t copied = region.begin;
   for (auto edit = first; edit != end; ++edit) {
     Span const span = (*edit)->place.span;
@@ -93,9 +101,8 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
 }
 
 /// By place; those at one place stay as they are.
-std::vector<Edit const*> in_order(std::vector<Edit> const& edits) {
-  std::vector<Edit const*> ordered;
-  ordered.reserve(edits.size());
+Few<Edit const*> in_order(std::vector<Edit> const& edits) {
+  Few<Edit const*> ordered;
   for (Edit const& edit : edits) ordered.push_back(&edit);
   auto const is_before = [](Edit const* left, Edit const* right) { return left->place < right->place; };
   // Sorting allocates even where nothing is to be done, as for nearly all fixes.
@@ -108,7 +115,7 @@ std::vector<Edit const*> in_order(std::vector<Edit> const& edits) {
 }  // namespace
 
 std::vector<PreviewBlock> preview(Fix const& fix, SourceSet const& sources) {
-  std::vector<Edit const*> const edits = in_order(fix.edits);
+  Few<Edit const*> const edits = in_order(fix.edits);
   std::vector<PreviewBlock> blocks;
   for (auto first = edits.begin(); first != edits.end();) {
     SourceId const id = (*first)->place.source;

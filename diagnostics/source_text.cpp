@@ -42,8 +42,11 @@ SourceText::SourceText(std::string name, Excerpt excerpt)
 
 std::vector<std::uint32_t> const& SourceText::line_starts() const {
   if (line_starts_.empty()) {
+    constexpr std::size_t usual_line = 32;
+    line_starts_.reserve(bytes_.size() / usual_line + 1);
     line_starts_.push_back(0);
-    for (std::size_t end = bytes_.find('\n'); end != std::string::npos; end = bytes_.find('\n', end + 1)) {
+    std::string_view const text = bytes_;
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) {
       line_starts_.push_back(static_cast<std::uint32_t>(end + 1));
     }
   }

@@ -22,6 +22,15 @@ bool turns_direction(char32_t character) {
          character == 0x200E || character == 0x200F || character == 0x061C;
 }
 
+bool are_eight_plain(char const* text) {
+  constexpr std::uint64_t ones = 0x0101010101010101U;
+  constexpr std::uint64_t top_bits = 0x80U * ones;
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, text, sizeof bytes);
+  // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it is does not matter.
+  return ((bytes | (bytes - 0x20U * ones) | (bytes + ones)) & top_bits) == 0;
+}
+
 std::string_view escape_of(Style style) {
   switch (style) {
     case Style::error:
@@ -77,15 +86,13 @@ void append_printable(std::string& shown, std::string_view text) {
 }
 
 bool is_plain(std::string_view text) {
-  constexpr std::uint64_t ones = 0x0101010101010101U;
-  constexpr std::uint64_t top_bits = 0x80U * ones;
-  for (; text.size() >= sizeof(std::uint64_t); text.remove_prefix(sizeof(std::uint64_t))) {
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, text.data(), sizeof bytes);
-    // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it is does not matter.
-    if (((bytes | (bytes - 0x20U * ones) | (bytes + ones)) & top_bits) != 0) return false;
+  constexpr std::size_t step = sizeof(std::uint64_t);
+  if (text.size() < step)
+    return std::all_of(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
+  for (std::size_t at = 0; at + step < text.size(); at += step) {
+    if (!are_eight_plain(text.data() + at)) return false;
   }
-  return std::all_of(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
+  return are_eight_plain(text.data() + text.size() - step);
 }
 
 std::string printable(std::string_view text) {
@@ -107,13 +114,6 @@ void Painter::begin_color(std::string& out, Style style) {
 
 void Painter::end_color(std::string& out) {
   out += "\x1b[0m";
-}
-
-void Painter::append(std::string& out, Style style, std::string_view text) const {
-  if (text.empty()) return;
-  begin(out, style);
-  out.append(text);
-  end(out);
 }
 
 }  // namespace axisc

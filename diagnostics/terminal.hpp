@@ -32,7 +32,12 @@ class Painter {
   explicit Painter(bool color) : color_(color) {}
   [[nodiscard]] std::string operator()(Style style, std::string_view text) const;
   /// The same behind `out`.
-  void append(std::string& out, Style style, std::string_view text) const;
+  void append(std::string& out, Style style, std::string_view text) const {
+    if (text.empty()) return;
+    begin(out, style);
+    out.append(text);
+    end(out);
+  }
   /// The same for what is written between the two.
   void begin(std::string& out, Style style) const {
     if (color_) begin_color(out, style);

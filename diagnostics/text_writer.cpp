@@ -59,6 +59,9 @@ class TextWriter {
     gutter_width_ = digits_of(largest_line_number());
     bar_.assign(gutter_width_ + 1, ' ');
     paint_.append(bar_, Style::gutter, "|");
+    equals_.assign(gutter_width_ + 1, ' ');
+    paint_.append(equals_, Style::gutter, "=");
+    equals_ += ' ';
   }
 
   void write() && {
@@ -185,9 +188,7 @@ class TextWriter {
 
   /// A colon separates `head` from the rest, where there is a head.
   void begin_line_below(std::string_view head) {
-    out_.append(gutter_width_ + 1, ' ');
-    paint_.append(out_, Style::gutter, "=");
-    out_ += ' ';
+    out_ += equals_;
     if (head.empty()) return;
     paint_.begin(out_, Style::strong);
     (out_ += head) += ": ";
@@ -240,7 +241,8 @@ class TextWriter {
   Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
-  std::string bar_;  ///< the gutter of a line without a number
+  std::string bar_;     ///< the gutter of a line without a number
+  std::string equals_;  ///< what a line below the place begins with
 };
 
 }  // namespace

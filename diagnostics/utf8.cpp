@@ -68,6 +68,8 @@ std::size_t ascii_prefix(std::string_view text) {
   while (text.size() - at >= piece && is_ascii_piece(text.data() + at)) at += piece;
   while (text.size() - at >= 8 && are_eight_ascii(text.data() + at)) at += 8;
   if (text.size() - at >= 8) return at;
+  // The last eight at once, some of which were looked at already.
+  if (text.size() >= 8 && are_eight_ascii(text.data() + text.size() - 8)) return text.size();
   while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
   return at;
 }
@@ -133,6 +135,10 @@ void append_utf8(std::string& text, char32_t character) {
 }
 
 void append_repaired(std::string& out, std::string_view text) {
+  if (ascii_prefix(text) == text.size()) {
+    out += text;
+    return;
+  }
   while (!text.empty()) {
     std::size_t const valid = valid_utf8_prefix(text);
     out.append(text.substr(0, valid));

@@ -66,6 +66,12 @@ class Engine {
       Rule const* const rule = find_rule(code);
       if (rule != nullptr) enabled_[number_of(*rule)] = false;
     }
+    // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
+    std::size_t expected = reported_.findings.size();
+    for (NamedList const& named : machine.lists) {
+      expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
+    }
+    reported_.findings.reserve(expected);
   }
 
   EngineResult run(FindingSink const& sink) {

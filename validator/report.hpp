@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace axisc::validator {
 
@@ -48,7 +49,7 @@ struct Reported {
 
 /// Findings as their rules reported them, before the engine decides.
 struct ReportedFindings {
-  std::deque<Reported> findings;
+  std::vector<Reported> findings;
   std::deque<Finding> said;
 };
 
@@ -64,15 +65,16 @@ class Report {
   Report(ReportedFindings& reported, Rule const& its_rule, std::string_view its_axis = {})
       : axis(its_axis), reported_(reported), rule_(its_rule) {}
 
-  /// The caller fills and may change the finding; code, name, severity, control message number and axis are set already. At the value of
-  /// `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
+  /// The caller fills and may change the finding; code, name, severity, control message number and axis are set already. At
+  /// the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
   /// At `place`, about the parameter of `row` in `slot`.
   Finding& add(Place place, schema::Parameter const& row, schema::Slot slot, Message message);
 
   /// A finding whose words are made when it is told, for whatever every line of a list may be guilty of: until then it
-  /// takes a hundred bytes, and of what does not stand no words are made at all.
+  /// takes a hundred bytes, and of what does not stand no words are made at all. The reference is good until the next
+  /// report.
   Reported& later(Place place, Words words);
 
   /// Set by the engine; rules about several axes set it before they report. Lives until all findings are told.
