@@ -27,8 +27,8 @@ struct WrittenFinding {
 };
 
 struct CheckedInput {
-  std::deque<WrittenFinding>
-      findings;                     ///< in output order; none that were printed as soon as they were written
+  /// In output order; none that were printed as soon as they were written.
+  std::deque<WrittenFinding> findings;
   std::vector<Artifact> artifacts;  ///< the sources, where findings name them
   std::vector<std::string> files;   ///< that were read
   std::optional<Failure> failure;   ///< then there is nothing else

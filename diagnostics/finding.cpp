@@ -1,6 +1,7 @@
 #include "diagnostics/finding.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -12,6 +13,7 @@ namespace axisc {
 std::string code_text(Code code) {
   std::string text = "AX0000";
   auto number = static_cast<unsigned>(code);
+  assert(number <= 9999);
   for (std::size_t digit = text.size(); number > 0 && digit > 2; number /= 10) {
     text[--digit] = static_cast<char>('0' + number % 10);
   }

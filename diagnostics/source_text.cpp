@@ -122,7 +122,9 @@ std::string_view SourceText::utf8(Span span, std::string& room) const {
 
 std::string SourceText::utf8(Span span) const {
   std::string room;
-  return std::string(utf8(span, room));
+  std::string_view const text = utf8(span, room);
+  if (room.empty()) room = text;
+  return room;
 }
 
 std::string SourceText::encode(std::string_view text) const {

@@ -87,8 +87,9 @@ void append_printable(std::string& shown, std::string_view text) {
 
 bool is_plain(std::string_view text) {
   constexpr std::size_t step = sizeof(std::uint64_t);
-  if (text.size() < step)
+  if (text.size() < step) {
     return std::all_of(text.begin(), text.end(), [](char byte) { return is_plain(byte); });
+  }
   for (std::size_t at = 0; at + step < text.size(); at += step) {
     if (!are_eight_plain(text.data() + at)) return false;
   }

@@ -16,7 +16,7 @@ inline constexpr char32_t replacement_character = 0xFFFD;
 [[nodiscard]] std::size_t ascii_prefix(std::string_view text);
 
 /// Bytes from the front of `text` that are well-formed UTF-8; text.size() when all of them are.
-/// Cost: linear, eight ASCII bytes at a time.
+/// Cost: linear, many ASCII bytes at a time.
 [[nodiscard]] std::size_t valid_utf8_prefix(std::string_view text);
 
 struct DecodedCharacter {

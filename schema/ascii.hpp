@@ -1,7 +1,7 @@
 // Letter case without the C locale.
 #pragma once
 
-#include "schema/name_hash.hpp"
+#include "schema/words.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr char lower_case(char byte) {
   return byte >= 'A' && byte <= 'Z' ? static_cast<char>(byte - 'A' + 'a') : byte;
 }
 
-/// True if lower_case() changes nothing. Eight bytes at a time: every mistyped name is asked, and hardly one is not.
+/// True if lower_case() changes nothing. Eight bytes at a time: every mistyped name is asked, and nearly all are lower case.
 constexpr bool is_lower_case(std::string_view text) {
   constexpr std::uint64_t each_byte = 0x0101010101010101;
   constexpr std::uint64_t high_bits = 0x80 * each_byte;

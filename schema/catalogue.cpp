@@ -6,6 +6,7 @@
 #include "schema/name_hash.hpp"
 #include "schema/name_matching.hpp"
 #include "schema/parameter_row.hpp"
+#include "schema/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,6 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,7 +25,7 @@ namespace axisc::schema {
 namespace {
 
 /// What a slot number stands for. Eight bytes, and lists name their parameters more or less in the order of the catalogue, so
-/// what look-ups need lies together.
+/// what look-ups need lies together. A longer name does not compile: the tables are written with braces, which narrow nothing.
 struct SlotRow {
   std::uint32_t name_begin : 24;  ///< in name_bytes
   std::uint32_t name_size : 8;

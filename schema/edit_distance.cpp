@@ -1,6 +1,6 @@
 #include "schema/edit_distance.hpp"
 
-#include "schema/name_hash.hpp"
+#include "schema/words.hpp"
 
 #include <algorithm>
 #include <array>

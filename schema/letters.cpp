@@ -1,6 +1,6 @@
 #include "schema/letters.hpp"
 
-#include "schema/name_hash.hpp"
+#include "schema/words.hpp"
 
 #include <array>
 

@@ -23,6 +23,11 @@ using Letters = std::uint64_t;
   return (only_a | only_b) != 0;
 }
 
+/// False if neither of two texts with these letters stands in the other: what stands in a text brings no letter that it has not.
+[[nodiscard]] inline bool may_contain_one_another(Letters a, Letters b) {
+  return (a & ~b) == 0 || (b & ~a) == 0;
+}
+
 /// Which letters a text has an odd number of times: less telling than Letters, but small enough to be compared many at
 /// once.
 using OddLetters = std::uint16_t;

@@ -4,7 +4,6 @@
 #include "schema/part_comparison.hpp"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 namespace axisc::schema {
@@ -84,8 +83,7 @@ class CloseSearch {
     Groups const& groups = vocabulary_.names_of_family;
     for (std::size_t i = groups.starts[family]; i < groups.starts[family + 1]; ++i) {
       Letters const wanted = vocabulary_.letters_by_family[i];
-      // A whole word of the other brings no letter that the other has not.
-      if ((letters & ~wanted) != 0 && (wanted & ~letters) != 0) continue;
+      if (!may_contain_one_another(letters, wanted)) continue;
       std::uint32_t const name = groups.numbers[i];
       if (only_resembles(last, vocabulary_.parts[vocabulary_.parts_of[name].back()])) add(name);
     }

@@ -44,7 +44,7 @@ std::uint8_t PartComparison::compare(std::size_t part) const {
     std::size_t const slips = edit_distance(given_, known, limit_);
     if (slips <= limit_) return static_cast<std::uint8_t>(slips);
   }
-  return may_be_contained(wanted) && resembles(given_, known) ? resembling : unlike;
+  return may_contain_one_another(letters_, wanted) && resembles(given_, known) ? resembling : unlike;
 }
 
 std::optional<std::size_t> part_distance(std::vector<PartComparison>& given,

@@ -48,11 +48,7 @@ class PartComparison {
   /// By the letters alone, which rule out nearly every part.
   [[nodiscard]] bool may_be_like(std::size_t part) const {
     Letters const wanted = vocabulary_.letters_of_parts[part];
-    return may_be_contained(wanted) || !certainly_beyond(letters_, wanted, limit_);
-  }
-  /// A whole word of the other brings no letter that the other has not.
-  [[nodiscard]] bool may_be_contained(Letters wanted) const {
-    return (letters_ & ~wanted) == 0 || (wanted & ~letters_) == 0;
+    return may_contain_one_another(letters_, wanted) || !certainly_beyond(letters_, wanted, limit_);
   }
   [[nodiscard]] std::uint8_t cost_of(std::size_t part);
   [[nodiscard]] std::uint8_t compare(std::size_t part) const;

@@ -1,6 +1,7 @@
 #include "schema/text_places.hpp"
 
 #include "schema/name_hash.hpp"
+#include "schema/words.hpp"
 
 #include <bit>
 

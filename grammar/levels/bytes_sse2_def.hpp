@@ -31,7 +31,7 @@ inline Class greater(Vector bytes, char byte) {
 inline Class either(Class a, Class b) {
   return _mm_or_si128(a, b);
 }
-/// Modulo 256.
+/// Modulo 256; `byte` is ASCII.
 inline Vector plus(Vector bytes, char byte) {
   return _mm_add_epi8(bytes, every(byte));
 }

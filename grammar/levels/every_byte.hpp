@@ -1,4 +1,4 @@
-// Vectors of equal bytes, to compare with.
+// Vectors of equal bytes, to compare with and to add.
 #pragma once
 
 namespace axisc::grammar {

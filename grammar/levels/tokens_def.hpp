@@ -98,7 +98,8 @@ inline ValueKind kind_with_letters(TextBlock const& block, char const* line, Bit
   return good ? ValueKind::real : ValueKind::word;
 }
 
-/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, blanks or the line's end stand there.
+/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, blanks or the line's end stand
+/// there.
 struct TrailerKinds {
   constexpr TrailerKinds() {
     for (TrailerKind& kind : of) kind = TrailerKind::text;

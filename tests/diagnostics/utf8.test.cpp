@@ -127,3 +127,18 @@ TEST_CASE("long texts are searched piece by piece, to every byte") {
     }
   }
 }
+
+TEST_CASE("a text is ASCII where each of its bytes is") {
+  for (std::size_t size = 0; size <= 600; size += size < 70 ? 1 : 53) {
+    std::string text(size, 'a');
+    REQUIRE(ascii_prefix(text) == size);
+    for (std::size_t at = 0; at < size; ++at) {
+      text[at] = '\xC3';
+      std::size_t const prefix = ascii_prefix(text);
+      INFO(at << " of " << size);
+      REQUIRE(prefix <= at);
+      REQUIRE(at - prefix < 8);
+      text[at] = 'a';
+    }
+  }
+}

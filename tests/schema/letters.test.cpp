@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -31,6 +32,23 @@ TEST_CASE("sets of odd letters are told apart by how many letters differ") {
     std::uint32_t expected = 0;
     for (std::size_t i = 0; i < known.size(); ++i) expected |= i <= 2 * limit ? 1U << i : 0U;
     CHECK(may_be_within(limit, 0, known) == expected);
+  }
+}
+
+TEST_CASE("every set of odd letters has its own bit") {
+  std::mt19937 random(3);
+  for (int round = 0; round < 2000; ++round) {
+    std::array<OddLetters, letters_at_once> known{};
+    auto const given = static_cast<OddLetters>(random());
+    std::size_t const limit = random() % 9;
+    std::uint32_t expected = 0;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      known[i] = static_cast<OddLetters>(random() % 8 == 0 ? ~given : random());
+      auto const differences =
+          static_cast<std::size_t>(std::popcount(static_cast<unsigned>(given ^ known[i])));
+      if (differences <= 2 * limit) expected |= 1U << i;
+    }
+    CHECK(may_be_within(limit, given, known) == expected);
   }
 }
 

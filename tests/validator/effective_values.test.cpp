@@ -187,3 +187,26 @@ TEST_CASE("of several names with one number the one that is set is meant") {
   CHECK(lists.troubles().empty());
   CHECK(lists.at("filter[].fg_f0").value.number == 55);
 }
+
+TEST_CASE("a boolean may be a number, however it is written and wherever it stands") {
+  // Numbers in the first bytes of a file are read in another way than those behind.
+  for (std::string const before : {"", "# a comment that is long enough to have room behind it\n"}) {
+    for (std::string const yes : {"1", "+1", "0x1", "TRUE"}) {
+      Lists const lists(before + "bahnrg.bahnregelung " + yes + "\n");
+      INFO(yes);
+      CHECK(lists.at("bahnrg.bahnregelung").value.flag());
+      CHECK_FALSE(lists.at("bahnrg.bahnregelung").unusable);
+    }
+    for (std::string const no : {"0", "-0", "+0", "0x0", "FALSE"}) {
+      Lists const lists(before + "kenngr.achs_nr 1\nlr_hw[0].cam_direct_access " + no + "\n");
+      INFO(no);
+      CHECK_FALSE(lists.at("lr_hw[].cam_direct_access").value.flag());
+      CHECK_FALSE(lists.at("lr_hw[].cam_direct_access").unusable);
+    }
+    for (std::string const neither : {"2", "-1", "100000000", "1000000001", "99999999999999999999"}) {
+      Lists const lists(before + "bahnrg.bahnregelung " + neither + "\n");
+      INFO(neither);
+      CHECK(lists.at("bahnrg.bahnregelung").unusable);
+    }
+  }
+}

@@ -21,8 +21,11 @@ using namespace axisc::validator;
 class Findings {
  public:
   Findings& add(std::uint32_t source, std::uint32_t offset, std::uint16_t code, std::string_view axis = {}) {
+    return add({.source = SourceId{source}, .span = {.begin = offset, .end = offset + 1}}, code, axis);
+  }
+  Findings& add(Place place, std::uint16_t code, std::string_view axis = {}) {
     Report report(reported_, *find_rule(Code{code}), axis);
-    report.later({.source = SourceId{source}, .span = {.begin = offset, .end = offset + 1}}, nullptr);
+    report.later(place, nullptr);
     return *this;
   }
 
@@ -78,7 +81,9 @@ TEST_CASE("findings are put in order by their place, their code and their number
     for (std::size_t i = 0; i < length; ++i) {
       offset = i % run == 0 ? static_cast<std::uint32_t>(random() % 10)
                             : offset + static_cast<std::uint32_t>(random() % 3);
-      findings.add(static_cast<std::uint32_t>(random() % 2), offset, random() % 2 == 0 ? 1001 : 2003);
+      Span const span{.begin = offset, .end = offset + static_cast<std::uint32_t>(random() % 3)};
+      findings.add({.source = SourceId{static_cast<std::uint32_t>(random() % 2)}, .span = span},
+                   random() % 2 == 0 ? 1001 : 2003);
     }
     Standing expected(length);
     std::iota(expected.begin(), expected.end(), 0U);

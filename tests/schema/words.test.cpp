@@ -1,0 +1,41 @@
+#include "schema/words.hpp"
+
+#include "support/catch.hpp"
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace axisc::schema;
+
+TEST_CASE("words have their first byte lowest") {
+  CHECK(word_at("\x01\x02\x03\x04\x05\x06\x07\xF8") == 0xF807060504030201U);
+  CHECK(word_of("\x01\x02\xF3") == 0xF30201U);
+  CHECK(word_of("") == 0);
+  CHECK(word_of("abcdefgh") == word_at("abcdefgh"));
+}
+
+TEST_CASE("bytes are the same where each of them is") {
+  for (std::size_t size = 0; size <= 70; ++size) {
+    // Of exactly that size, so that a sanitizer sees every byte that is read besides.
+    std::vector<char> const text(size, 'a');
+    std::vector<char> other = text;
+    REQUIRE(same_bytes(text.data(), other.data(), size));
+    for (std::size_t at = 0; at < size; ++at) {
+      other[at] = 'b';
+      INFO(at << " of " << size);
+      REQUIRE_FALSE(same_bytes(text.data(), other.data(), size));
+      other[at] = 'a';
+    }
+  }
+}
+
+TEST_CASE("texts of different sizes are not the same") {
+  CHECK(same_bytes("abc", "abc"));
+  CHECK_FALSE(same_bytes("abc", "abcd"));
+  CHECK_FALSE(same_bytes("", "a"));
+}
+
+}  // namespace
