@@ -221,7 +221,7 @@ class TextWriter {
     ShownLine const shown(line.text, {.begin = line.first_change, .end = line.first_change});
     Style const style = line.added ? Style::added : Style::removed;
     paint_.begin(out_, Style::gutter);
-    write_line_number(line.number, {});
+    write_line_number(line.number, "");
     paint_.end(out_);
     paint_.append(out_, style, line.added ? "+" : "-");
     if (!line.text.empty()) {
