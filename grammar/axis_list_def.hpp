@@ -11,6 +11,7 @@
 
 #include "grammar/axis_list.hpp"
 #include "grammar/character_class.hpp"
+#include "grammar/character_parsers.hpp"
 #include "grammar/must.hpp"
 
 #include <boost/fusion/include/adapt_struct.hpp>

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "grammar/character_class.hpp"
+#include "grammar/character_parsers.hpp"
 #include "grammar/must.hpp"
 #include "grammar/nc_command.hpp"
 #include "grammar/program_comment.hpp"

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "grammar/character_class.hpp"
+#include "grammar/character_parsers.hpp"
 
 #include <boost/spirit/home/x3.hpp>
 

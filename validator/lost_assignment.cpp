@@ -1,3 +1,4 @@
+#include "grammar/character_class.hpp"
 #include "validator/reading.hpp"
 
 #include <algorithm>
@@ -11,18 +12,12 @@
 namespace axisc::validator {
 namespace {
 
-/// Of every byte.
-constexpr std::array<bool, 256> name_characters = [] {
-  std::array<bool, 256> result{};
-  for (std::size_t byte = 0; byte < result.size(); ++byte) {
-    result.at(byte) = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-                      (byte >= '0' && byte <= '9') || byte == '_' || byte == '.';
-  }
-  return result;
-}();
+bool is_name_character(char c) {
+  return c == '.' || grammar::is(grammar::character::letter | grammar::character::digit, c);
+}
 
 bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+  return grammar::is(grammar::character::digit, c);
 }
 
 /// Makes `name` that of the line with every index made whole: `filter[0.order` and `filter[ 0 ].order` are
@@ -30,8 +25,7 @@ bool is_digit(char c) {
 void read_with_whole_indices(std::string_view line, std::string& name) {
   name.clear();
   while (true) {
-    auto const* const end = std::find_if_not(
-        line.begin(), line.end(), [](char c) { return name_characters[static_cast<unsigned char>(c)]; });
+    auto const* const end = std::find_if_not(line.begin(), line.end(), is_name_character);
     name.append(line.begin(), end);
     line.remove_prefix(static_cast<std::size_t>(end - line.begin()));
     if (!line.starts_with('[')) return;
