@@ -52,13 +52,15 @@ bool are_eight_ascii(char const* bytes) {
 
 constexpr std::size_t piece = 256;
 
-/// In pieces of a fixed size and byte by byte, so that compilers take many bytes at once.
+/// In pieces of a fixed size, so that compilers take many bytes at once.
 bool is_ascii_piece(char const* bytes) {
-  unsigned char any = 0;
-  for (std::size_t i = 0; i < piece; ++i) {
-    any = static_cast<unsigned char>(any | static_cast<unsigned char>(bytes[i]));
+  std::uint64_t any = 0;
+  for (std::size_t i = 0; i < piece; i += sizeof any) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + i, sizeof word);
+    any |= word;
   }
-  return any < 0x80;
+  return (any & 0x8080808080808080U) == 0;
 }
 
 }  // namespace

@@ -34,16 +34,20 @@ enum class TrailerKind : std::uint8_t { none, parenthesis, hash, slash_star, tex
 
 /// `name value [trailer]`. All spans are byte offsets into the parsed bytes.
 struct Assignment {
-  Span name;       ///< as written: `filter[0].order`
-  Span value;      ///< the value token
-  Span trailer;    ///< text behind the value token, without surrounding blanks; empty if there is none
-  Span free_text;  ///< from the value token to the first `(` or the line's end, without trailing blanks
+  Span name;   ///< as written: `filter[0].order`
+  Span value;  ///< the value token
+  Span
+      trailer;  ///< text behind the value token, without surrounding blanks; empty at the line's end if there is none
+  std::uint32_t line = 0;  ///< from 1
   ValueKind kind = ValueKind::word;
   TrailerKind trailer_kind = TrailerKind::none;
-  std::uint32_t line = 0;  ///< from 1
 
   friend bool operator==(Assignment const&, Assignment const&) = default;
 };
+
+/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a parameter is given
+/// that takes any text. Cost: a search through the rest of the line.
+[[nodiscard]] Span free_text(std::string_view bytes, Assignment const& assignment);
 
 enum class ProblemKind : std::uint8_t {
   invalid_character,    ///< AX1001: control character, NUL, lone CR, or a byte that the encoding does not
@@ -76,19 +80,19 @@ struct AxisList {
 /// Longest line that is read, in bytes (a longer one is AX9003 for the file).
 inline constexpr std::size_t longest_line = 1U << 20U;
 
-/// Regular lines need no grammar to be read; tests read them in all ways and get the same.
-enum class Way : std::uint8_t {
-  quick,       ///< the best of those below that the processor has
-  by_grammar,  ///< every line
-  portable,    ///< regular lines without the grammar, in what every processor has
-  avx2,        ///< the same with wider vectors; by the grammar on a processor without
-};
-
 /// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
 /// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has
 /// checked that no line is longer than `longest_line` (see `longest_line_in`).
-[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252,
-                                       Way way = Way::quick);
+[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
+
+/// How the lines are read of which a reader with a catalogue (validator/reading.hpp) can tell what they say; tests read them
+/// in all ways and get the same.
+enum class Way : std::uint8_t {
+  quick,       ///< the best of those below that the processor has
+  by_grammar,  ///< every line, as parse_axis_list() does
+  portable,    ///< plain lines without the grammar, in what every processor has
+  avx2,        ///< the same with wider vectors; by the grammar on a processor without
+};
 
 /// Length of the longest line of `bytes`.
 [[nodiscard]] std::size_t longest_line_in(std::string_view bytes);

@@ -29,10 +29,6 @@ class LineSplitter {
     return true;
   }
 
-  /// Where next() goes on, and how many bytes there are.
-  [[nodiscard]] char const* position() const { return position_; }
-  [[nodiscard]] std::size_t remaining() const { return static_cast<std::size_t>(end_ - position_); }
-  [[nodiscard]] char const* end() const { return end_; }
   /// Somebody else has read the lines before `position`, `number` is that of the last one.
   void go_on_at(char const* position, std::uint32_t number) {
     position_ = position;

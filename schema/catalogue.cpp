@@ -6,6 +6,7 @@
 #include "schema/name_hash.hpp"
 #include "schema/name_matching.hpp"
 #include "schema/parameter_row.hpp"
+#include "schema/plain_values.hpp"
 #include "schema/words.hpp"
 
 #include <algorithm>
@@ -47,6 +48,28 @@ static_assert(std::size(place_table) == hash_geometry.places);
 static_assert(std::size(bare_displacement_table) == bare_hash_geometry.buckets);
 static_assert(std::size(bare_place_table) == bare_hash_geometry.places);
 
+constexpr auto plain_table = [] {
+  std::array<PlainValues, std::size(parameter_table)> table;
+  std::transform(std::begin(parameter_table), std::end(parameter_table), table.begin(), plain_values_of);
+  return table;
+}();
+
+constexpr std::size_t limited_slots = [] {
+  std::size_t count = 0;
+  for (Parameter const& parameter : parameter_table)
+    count += is_limited_by_another(parameter) ? parameter.slots : 0U;
+  return count;
+}();
+
+constexpr auto limited_table = [] {
+  std::array<Slot, limited_slots> table;
+  auto* next = table.begin();
+  for (Parameter const& parameter : parameter_table) {
+    if (is_limited_by_another(parameter)) next = write_slots(parameter, next);
+  }
+  return table;
+}();
+
 Parameter const& row(ParameterId id) {
   return parameter_table[static_cast<std::size_t>(id)];
 }
@@ -62,13 +85,9 @@ SlotRow const& row(Slot slot) {
   return Slot{place_table[place_of(hash, displacement, hash_geometry)]};
 }
 
-[[gnu::always_inline]] inline ConcreteParameter found_if_same(Slot slot, std::string_view name) {
-  SlotRow const& known = row(slot);
-  if (known.name_size != name.size() ||
-      !same_bytes(&name_bytes[known.name_begin], name.data(), name.size())) {
-    return {};
-  }
-  return {.row = &row(known.parameter), .slot = slot};
+[[gnu::always_inline]] inline bool is_name_of(SlotRow const& known, std::string_view name) {
+  return known.name_size == name.size() &&
+         same_bytes(&name_bytes[known.name_begin], name.data(), name.size());
 }
 
 NameLookup found(Slot slot) {
@@ -108,20 +127,30 @@ NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
 }  // namespace
 
 ConcreteParameter find_exact(std::string_view name) {
-  return found_if_same(candidate(name), name);
+  Slot const slot = candidate(name);
+  SlotRow const& known = row(slot);
+  if (!is_name_of(known, name)) return {};
+  return {.row = &row(known.parameter), .slot = slot};
 }
 
-void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) {
+void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) {
   assert(names.size() <= names_at_once && names.size() <= found.size());
   // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
-  std::array<Slot, names_at_once> candidates{};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    candidates[i] = candidate(names[i]);
-    SlotRow const& known = row(candidates[i]);
+    found[i].slot = candidate(names[i]);
+    SlotRow const& known = row(found[i].slot);
     __builtin_prefetch(&name_bytes[known.name_begin]);
-    __builtin_prefetch(&row(known.parameter));
+    __builtin_prefetch(&plain_table[static_cast<std::size_t>(known.parameter)]);
   }
-  for (std::size_t i = 0; i < names.size(); ++i) found[i] = found_if_same(candidates[i], names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    SlotRow const& known = row(found[i].slot);
+    found[i].values =
+        is_name_of(known, names[i]) ? &plain_table[static_cast<std::size_t>(known.parameter)] : nullptr;
+  }
+}
+
+std::span<Slot const> slots_limited_by_others() {
+  return limited_table;
 }
 
 NameLookup find_as_written(std::string_view name) {
@@ -250,14 +279,21 @@ NameLookup Catalogue::find(std::string_view name) const {
   return find_folding(name, [this](std::string_view text) { return extension_->find_as_written(text); });
 }
 
-void Catalogue::find_exact(std::span<std::string_view const> names,
-                           std::span<ConcreteParameter> found) const {
-  if (is_built_in()) return schema::find_exact(names, found);
-  std::transform(names.begin(), names.end(), found.begin(), [this](std::string_view name) {
-    NameLookup const lookup = extension_->find_as_written(name);
-    bool const is_found = lookup.status == NameLookup::Status::found;
-    return is_found ? ConcreteParameter{.row = lookup.row, .slot = lookup.slot} : ConcreteParameter{};
-  });
+ConcreteParameter Catalogue::find_exact(std::string_view name) const {
+  if (is_built_in()) return schema::find_exact(name);
+  NameLookup const lookup = extension_->find_as_written(name);
+  if (lookup.status != NameLookup::Status::found) return {};
+  return {.row = lookup.row, .slot = lookup.slot};
+}
+
+void Catalogue::find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) const {
+  if (is_built_in()) return schema::find_plain(names, found);
+  std::transform(names.begin(), names.end(), found.begin(),
+                 [this](std::string_view name) { return extension_->find_plain(name); });
+}
+
+std::span<Slot const> Catalogue::slots_limited_by_others() const {
+  return extension_ ? extension_->slots_limited_by_others() : schema::slots_limited_by_others();
 }
 
 std::span<ParameterId const> Catalogue::find_number(std::uint16_t p_axis) const {

@@ -83,8 +83,24 @@ struct alignas(64) Parameter {
   std::string_view since;       ///< build that introduced it; empty where it is as old as the catalogue
 
   [[nodiscard]] std::size_t index_count() const { return array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U; }
-  [[nodiscard]] bool is_enumeration() const { return !symbols.empty() && type != DataType::boolean; }
+  [[nodiscard]] constexpr bool is_enumeration() const {
+    return !symbols.empty() && type != DataType::boolean;
+  }
 };
+
+/// Another parameter gives one of the limits.
+[[nodiscard]] constexpr bool is_limited_by_another(Parameter const& parameter) {
+  return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
+}
+
+/// All slots of a row; gives the place behind them.
+template <typename Output>
+constexpr Output write_slots(Parameter const& parameter, Output out) {
+  for (std::uint16_t i = 0; i < parameter.slots; ++i) {
+    *out++ = static_cast<Slot>(static_cast<std::uint16_t>(parameter.first_slot) + i);
+  }
+  return out;
+}
 
 [[nodiscard]] std::span<Parameter const> parameters();
 [[nodiscard]] Parameter const& parameter(ParameterId id);
@@ -153,9 +169,20 @@ struct ConcreteParameter {
 };
 /// Of a name exactly as the catalogue spells it; no row for any other. Cost: one hash and one comparison.
 [[nodiscard]] ConcreteParameter find_exact(std::string_view name);
-/// The same of up to names_at_once names, in less time than one after the other; `found` has room for as many.
+
+struct PlainValues;
+/// A concrete parameter and those of its values that are beyond doubt; null for a name that is no parameter's.
+struct PlainParameter {
+  PlainValues const* values = nullptr;
+  Slot slot{};
+};
+/// The same as find_exact() of up to names_at_once names, in less time than one after the other; `found` has room for as
+/// many. What a name looks like need not be known.
 inline constexpr std::size_t names_at_once = 32;
-void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found);
+void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found);
+
+/// Parameters of which another one gives a limit.
+[[nodiscard]] std::span<Slot const> slots_limited_by_others();
 
 class Extension;
 struct ParameterRow;
@@ -178,9 +205,12 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
-  /// Up to names_at_once of them; with schema files also names whose indices are written otherwise, at the cost of find().
-  void find_exact(std::span<std::string_view const> names, std::span<ConcreteParameter> found) const;
+  /// With schema files also names whose indices are written otherwise, at the cost of find(). `name` is syntactically right.
+  [[nodiscard]] ConcreteParameter find_exact(std::string_view name) const;
+  /// Up to names_at_once of them, of which nothing is known; only those whose indices are written as the catalogue does.
+  void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
+  [[nodiscard]] std::span<Slot const> slots_limited_by_others() const;
   [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;
   [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name) const;
 

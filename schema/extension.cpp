@@ -4,6 +4,7 @@
 #include "schema/name_matching.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace axisc::schema {
@@ -71,7 +72,10 @@ Extension::Extension(std::vector<ParameterRow> rows)
     : own_(std::move(rows)), rows_(schema::parameters().begin(), schema::parameters().end()) {
   for (ParameterRow const& row : own_) add(row);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].p_axis != 0) by_number_[rows_[i].p_axis].push_back(static_cast<ParameterId>(i));
+    auto const id = static_cast<ParameterId>(i);
+    if (rows_[i].p_axis != 0) by_number_[rows_[i].p_axis].push_back(id);
+    if (is_limited_by_another(rows_[i])) write_slots(rows_[i], std::back_inserter(limited_));
+    plain_.push_back(plain_values_of(rows_[i]));
   }
 }
 
@@ -115,6 +119,20 @@ NameLookup Extension::find_as_written(std::string_view text) const {
   }
   built_in.row = &rows_[static_cast<std::size_t>(built_in.parameter)];
   return built_in;
+}
+
+PlainParameter Extension::find_plain(std::string_view name) const {
+  ConcreteParameter const built_in = schema::find_exact(name);
+  if (built_in) {
+    ParameterId const id = schema::parameter_of(built_in.slot);
+    if (!own_ids_.contains(id))
+      return {.values = &plain_[static_cast<std::size_t>(id)], .slot = built_in.slot};
+  }
+  NameLookup const lookup = find_as_written(name);
+  bool const is_exact =
+      lookup.status == NameLookup::Status::found && slot_name(*lookup.row, lookup.slot) == name;
+  if (!is_exact) return {};
+  return {.values = &plain_[static_cast<std::size_t>(lookup.parameter)], .slot = lookup.slot};
 }
 
 std::span<ParameterId const> Extension::find_number(std::uint16_t p_axis) const {

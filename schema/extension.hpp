@@ -3,6 +3,7 @@
 #pragma once
 
 #include "schema/parameter_row.hpp"
+#include "schema/plain_values.hpp"
 #include "schema/vocabulary.hpp"
 
 #include <cstddef>
@@ -31,7 +32,10 @@ class Extension {
   [[nodiscard]] std::span<Parameter const> parameters() const { return rows_; }
   [[nodiscard]] std::size_t slot_count() const;
   [[nodiscard]] NameLookup find_as_written(std::string_view text) const;
+  /// Of a name exactly as the catalogue spells it, whatever it looks like.
+  [[nodiscard]] PlainParameter find_plain(std::string_view name) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
+  [[nodiscard]] std::span<Slot const> slots_limited_by_others() const { return limited_; }
   [[nodiscard]] ParameterId parameter_of(Slot slot) const;
   [[nodiscard]] bool knows_word(std::string_view word) const { return words_.contains(word); }
   [[nodiscard]] Vocabulary vocabulary() const;
@@ -44,6 +48,8 @@ class Extension {
   std::vector<ParameterRow> own_;
   std::deque<std::vector<Symbol>> symbols_;  ///< what the rows' spans show
   std::vector<Parameter> rows_;
+  std::vector<PlainValues> plain_;  ///< of each row
+  std::vector<Slot> limited_;
   std::map<std::string, std::vector<ParameterId>, std::less<>> own_by_bare_name_;
   std::set<ParameterId> own_ids_;
   std::map<std::uint16_t, std::vector<ParameterId>> by_number_;

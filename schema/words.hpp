@@ -10,6 +10,10 @@
 #include <string_view>
 #include <type_traits>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace axisc::schema {
 
 /// Eight bytes, the first one lowest, on every host.
@@ -32,11 +36,52 @@ constexpr std::uint64_t word_of(std::string_view text) {
   return word_at(bytes.data());
 }
 
+/// Some bytes, at most eight, each of which changes the result.
+[[gnu::always_inline]] constexpr std::uint64_t short_word(char const* bytes, std::size_t size) {
+  if (std::is_constant_evaluated() || size < 4) {
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < size; ++i) word = word << 8U | static_cast<unsigned char>(bytes[i]);
+    return word;
+  }
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+  std::memcpy(&first, bytes, sizeof first);
+  std::memcpy(&last, bytes + size - sizeof last, sizeof last);
+  return std::uint64_t{first} << 32U | last;
+}
+
+#if defined(__SSE2__)
+namespace detail {
+
+/// Of sixteen bytes each; `size` is at least that.
+[[gnu::always_inline]] inline bool same_vectors(char const* a, char const* b, std::size_t size) {
+  auto const equal = [&](std::size_t at) {
+    std::size_t const place = std::min(at, size - sizeof(__m128i));
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): how vectors are loaded
+    __m128i const left = _mm_loadu_si128(reinterpret_cast<__m128i const*>(a + place));
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast)
+    __m128i const right = _mm_loadu_si128(reinterpret_cast<__m128i const*>(b + place));
+    return _mm_cmpeq_epi8(left, right);
+  };
+  __m128i all = _mm_and_si128(_mm_and_si128(equal(0), equal(16)), equal(32));
+  for (std::size_t at = 48; at < size; at += sizeof(__m128i)) all = _mm_and_si128(all, equal(at));
+  return _mm_movemask_epi8(all) == 0xFFFF;
+}
+
+}  // namespace detail
+#endif
+
 /// Whether `size` bytes are the same. From sixteen on they are compared sixteen at a time, and up to 48 without a loop: names are
 /// too short for a call to pay, and how long they are differs from line to line.
 [[gnu::always_inline]] constexpr bool same_bytes(char const* a, char const* b, std::size_t size) {
   constexpr std::size_t step = 16;
-  if (size < step) return std::equal(a, a + size, b);
+  if (size < step) {
+    if (size < 8) return short_word(a, size) == short_word(b, size);
+    return ((word_at(a) ^ word_at(b)) | (word_at(a + size - 8) ^ word_at(b + size - 8))) == 0;
+  }
+#if defined(__SSE2__)
+  if (!std::is_constant_evaluated()) return detail::same_vectors(a, b, size);
+#endif
   std::uint64_t difference = 0;
   auto const compare = [&](std::size_t at) {
     std::size_t const place = std::min(at, size - step);

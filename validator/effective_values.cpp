@@ -5,6 +5,7 @@
 #include <cassert>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace axisc::validator {
@@ -93,9 +94,61 @@ std::string parameter_number(EffectiveValue const& value) {
   return schema::p_axis_text(value.row->p_axis);
 }
 
+EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment) {
+  grammar::Assignment const& line = list.tree.assignments[assignment];
+  Reading const reading = list.readings[assignment];
+  EffectiveValue value;
+  value.row = reading.row;
+  value.value = reading.value;
+  value.name_span = line.name;
+  value.value_span = line.value;
+  value.source = list.source;
+  value.line = line.line;
+  value.slot = reading.slot;
+  value.origin = list.is_default_list ? Origin::default_list : Origin::axis_list;
+  value.has_value = true;
+  value.unusable = !reading.usable();
+  return value;
+}
+
+bool stands_before(EffectiveValue const& a, EffectiveValue const& b) {
+  return std::tie(a.origin, a.line, a.slot) < std::tie(b.origin, b.line, b.slot);
+}
+
 EffectiveValues::EffectiveValues(schema::Catalogue catalogue)
     : catalogue_(std::move(catalogue)), entry_of_slot_(catalogue_.slot_count(), 0) {
   if (!catalogue_.is_built_in()) own_defaults_ = internal_defaults(catalogue_);
+}
+
+EffectiveValues::EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list)
+    : EffectiveValues(axis_list.catalogue) {
+  lists_ = {&axis_list, default_list};
+}
+
+EffectiveValue& EffectiveValues::add(EffectiveValue value) const {
+  EffectiveValue& entry = entries_.emplace_back(value);
+  entry_of_slot_[static_cast<std::size_t>(entry.slot)] = static_cast<std::uint16_t>(entries_.size());
+  return entry;
+}
+
+EffectiveValue const& EffectiveValues::look_up(schema::Slot slot) const {
+  for (LoadedList const* const list : lists_) {
+    if (list == nullptr) continue;
+    std::uint32_t const last = list->readings.last_of(slot);
+    if (last != 0) return add(value_of_line(*list, last - 1));
+  }
+  return internal_default(slot);
+}
+
+std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
+  std::vector<EffectiveValue const*> values;
+  for (std::size_t i = 0; i < entry_of_slot_.size(); ++i) {
+    auto const slot = static_cast<schema::Slot>(i);
+    if (is_set(slot)) values.push_back(&(*this)[slot]);
+  }
+  std::sort(values.begin(), values.end(),
+            [](EffectiveValue const* a, EffectiveValue const* b) { return stands_before(*a, *b); });
+  return values;
 }
 
 EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const {
@@ -111,11 +164,8 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 }
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
-  bool const is_new = entry_of_slot_[static_cast<std::size_t>(slot)] == 0;
-  EffectiveValue& entry = replace(slot, catalogue_.parameter_of(slot));
-  if (is_new) entry.value = default_value(*entry.row).value_or(Value{});
-  in_order_ = false;
-  return entry;
+  std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+  return entry != 0 ? entries_[entry - 1] : add(make_default(catalogue_, slot));
 }
 
 void EffectiveValues::refer(schema::Slot slot, Value value) {
@@ -123,36 +173,6 @@ void EffectiveValues::refer(schema::Slot slot, Value value) {
   entry.value = value;
   entry.referenced = true;
   referenced_slots_.push_back(slot);
-}
-
-void EffectiveValues::expect(std::size_t count) {
-  entries_.reserve(entries_.size() + std::min(count, catalogue_.slot_count()));
-}
-
-void EffectiveValues::order_set_values() {
-  if (in_order_) return;
-  // Not the entries themselves: those are large, and sorting moves what it sorts several times.
-  struct Key {
-    std::uint64_t line = 0;  ///< of the one that counts; then the slot
-    std::uint32_t entry = 0;
-  };
-  std::vector<Key> keys;
-  keys.reserve(entries_.size());
-  for (EffectiveValue const& value : entries_) {
-    std::uint64_t const line = std::uint64_t{static_cast<std::uint8_t>(value.origin)} << 48U |
-                               std::uint64_t{value.line} << 16U | static_cast<std::uint16_t>(value.slot);
-    keys.push_back({.line = line, .entry = static_cast<std::uint32_t>(keys.size())});
-  }
-  std::sort(keys.begin(), keys.end(), [](Key const& a, Key const& b) { return a.line < b.line; });
-  std::vector<EffectiveValue> ordered;
-  ordered.reserve(entries_.size());
-  for (Key const& key : keys) {
-    ordered.push_back(entries_[key.entry]);
-    entry_of_slot_[static_cast<std::size_t>(ordered.back().slot)] =
-        static_cast<std::uint32_t>(ordered.size());
-  }
-  entries_ = std::move(ordered);
-  in_order_ = true;
 }
 
 schema::Parameter const& row_at(std::string_view pattern) {

@@ -8,7 +8,10 @@
 #include "validator/reading.hpp"
 #include "validator/value.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -62,66 +65,67 @@ struct EffectiveValue {
 /// means "not configured".
 [[nodiscard]] bool configured(EffectiveValue const& value);
 
-/// All parameters of one axis that a list sets, and the documented defaults of the others.
+/// All parameters of one axis that a list sets, and the documented defaults of the others. Most of what lists set nobody asks
+/// for, so a value is made when it is first looked at, and stays where it is: one EffectiveValues serves one thread at a time.
 class EffectiveValues {
  public:
   explicit EffectiveValues(schema::Catalogue catalogue = {});
+  /// What the lines of the lists say, of which the first may be null; they live longer. Lines without a value of their own
+  /// are for who calls edit().
+  EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list);
+
   /// Value of one slot. Cost: constant.
   [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const {
-    std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-    return entry == 0 ? internal_default(slot) : entries_[entry - 1];
+    std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    return entry == 0 ? look_up(slot) : entries_[entry - 1];
   }
   /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
   /// range.
   [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0,
                                          std::uint32_t second_index = 0) const;
-  [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const { return *(*this)[slot].row; }
+  [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const {
+    return catalogue_.parameter_of(slot);
+  }
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
-  /// What lists set, once order_set_values() was called in the order in which the lines that count stand (default list
-  /// first).
-  [[nodiscard]] std::span<EffectiveValue const> set_values() const { return entries_; }
+  /// A list sets the parameter, perhaps in a line that cannot be used.
+  [[nodiscard]] bool is_set(schema::Slot slot) const {
+    std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    if (entry != 0) return entries_[entry - 1].set();
+    return std::any_of(lists_.begin(), lists_.end(), [slot](LoadedList const* list) {
+      return list != nullptr && list->readings.last_of(slot) != 0;
+    });
+  }
+  /// What lists set in the order in which the lines that count stand, default list first. Cost: all of them are made and
+  /// sorted.
+  [[nodiscard]] std::vector<EffectiveValue const*> set_values() const;
   /// Those whose value came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
-  /// What lists set for a slot; null where none does.
-  [[nodiscard]] EffectiveValue const* find_set(schema::Slot slot) const {
-    std::uint32_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-    return entry == 0 ? nullptr : &entries_[entry - 1];
-  }
-
-  /// The entry of a slot for writing; it starts as a copy of the internal default. Ends the validity of
-  /// references.
+  /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
   EffectiveValue& edit(schema::Slot slot);
-  /// The same for who gives it a value in any case: a new entry has none yet. `row` is that of the slot.
-  EffectiveValue& replace(schema::Slot slot, schema::Parameter const& row) {
-    std::uint32_t& entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-    if (entry != 0) {
-      in_order_ = false;
-      return entries_[entry - 1];
-    }
-    EffectiveValue& added = entries_.emplace_back();
-    added.row = &row;
-    added.slot = slot;
-    entry = static_cast<std::uint32_t>(entries_.size());
-    return added;
-  }
   /// The value of a reference, which was looked up.
   void refer(schema::Slot slot, Value value);
-  /// Makes room for so many more entries. Ends the validity of references.
-  void expect(std::size_t count);
-  /// Brings set_values() into the order of the lines; call it after the last edit().
-  void order_set_values();
 
  private:
+  EffectiveValue const& look_up(schema::Slot slot) const;
   [[nodiscard]] EffectiveValue const& internal_default(schema::Slot slot) const;
+  /// Makes the entry of a slot that has none.
+  EffectiveValue& add(EffectiveValue value) const;
 
   schema::Catalogue catalogue_;
+  std::array<LoadedList const*, 2> lists_{};  ///< the one that counts first; null where there is none
   std::vector<EffectiveValue> own_defaults_;  ///< with schema files; without them all share one table
-  std::vector<std::uint32_t> entry_of_slot_;  ///< 0: internal default, else index + 1 into entries_
-  std::vector<EffectiveValue> entries_;
+  /// 0: not yet looked at, or a default; else index + 1. There are at most schema::most_slots.
+  mutable std::vector<std::uint16_t> entry_of_slot_;
+  mutable std::deque<EffectiveValue> entries_;  ///< a deque moves none of them
   std::vector<schema::Slot> referenced_slots_;
-  bool in_order_ = true;  ///< entries_, as long as every line adds a parameter of its own
 };
+
+/// What a line of a list gives its parameter, which is known.
+[[nodiscard]] EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment);
+
+/// Whether the line that counts for `a` stands before that for `b`: by list, the default list first, and line.
+[[nodiscard]] bool stands_before(EffectiveValue const& a, EffectiveValue const& b);
 
 /// `filter[2].order`, and "P-AXIS-00140" or empty.
 [[nodiscard]] std::string parameter_name(EffectiveValue const& value);

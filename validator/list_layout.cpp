@@ -46,7 +46,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
 class Layout {
  public:
   Layout(SourceText const& source, schema::Catalogue const& catalogue)
-      : source_(source), catalogue_(catalogue), list_(parse(source)) {}
+      : source_(source), list_(read_list(source, catalogue)) {}
 
   std::string write() && {
     auto const rows = this->rows();
@@ -62,18 +62,14 @@ class Layout {
   }
 
  private:
-  static grammar::AxisList parse(SourceText const& source) {
-    return grammar::parse_axis_list(source.bytes(), source.text_begin(),
-                                    source.encoding() == Encoding::windows_1252);
-  }
-
   [[nodiscard]] std::vector<Row> rows() const {
-    Readings const readings = read_assignments(source_, list_, catalogue_);
     std::vector<Row> rows;
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-      grammar::Assignment const& assignment = list_.assignments[i];
+    for (std::size_t i = 0; i < list_.readings.size(); ++i) {
+      grammar::Assignment const& assignment = list_.tree.assignments[i];
       Span const line = source_.line_span(assignment.line);
-      Span const value = ends_at_blank(assignment, readings[i]) ? assignment.value : assignment.free_text;
+      Span const value = ends_at_blank(assignment, list_.readings[i])
+                             ? assignment.value
+                             : grammar::free_text(source_.bytes(), assignment);
       rows.push_back({.line = line,
                       .indent = source_.slice({.begin = line.begin, .end = assignment.name.begin}),
                       .name = source_.slice(assignment.name),
@@ -127,8 +123,7 @@ class Layout {
   }
 
   SourceText const& source_;
-  schema::Catalogue const& catalogue_;
-  grammar::AxisList list_;
+  ReadList list_;
   std::string out_;
   std::uint32_t copied_ = 0;
 };

@@ -1,11 +1,15 @@
+#include "grammar/axis_list_reader.hpp"
+#include "grammar/line_splitter.hpp"
+#include "grammar/plain_lines.hpp"
 #include "validator/judgement.hpp"
+#include "validator/plain_value.hpp"
 #include "validator/reading.hpp"
-#include "validator/short_number.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,85 +30,128 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
-/// The number of an assignment as nearly all of them are: a few digits, where the parameter is a number of that kind. False for
-/// every other one.
-bool read_short_number(std::string_view bytes, grammar::Assignment const& assignment,
-                       schema::Parameter const& parameter, double& number) {
-  using grammar::ValueKind;
-  bool const is_real = parameter.type == schema::DataType::real64;
-  if (!schema::is_number(parameter.type) || parameter.is_enumeration() ||
-      assignment.value.end < room_before_number_end) {
-    return false;
-  }
-  char const* const begin = bytes.data() + assignment.value.begin;
-  char const* const end = bytes.data() + assignment.value.end;
-  if (assignment.kind == ValueKind::integer) return read_short_integer(begin, end, number);
-  return assignment.kind == ValueKind::real && is_real && read_short_real(begin, end, number);
-}
-
-/// Exact for short numbers.
-bool fits(schema::Parameter const& parameter, double number) {
-  DataRange const range = data_range(parameter.type);
-  return (range.lowest <= number) & (number <= range.highest);
-}
-
 }  // namespace
 
 class ListReader {
  public:
-  ListReader(SourceText const& source, grammar::AxisList const& list, schema::Catalogue const& catalogue)
-      : source_(source), list_(list), catalogue_(catalogue), seen_(catalogue.slot_count()) {
-    result_.readings_.reserve(list.assignments.size());
+  ListReader(SourceText const& source, schema::Catalogue const& catalogue)
+      : source_(source),
+        bytes_(source.bytes()),
+        catalogue_(catalogue),
+        lines_(source.bytes(), source.encoding() == Encoding::windows_1252) {
+    result_.bytes_ = bytes_;
+    result_.catalogue_ = catalogue;
+    result_.brief_.reserve(lines_.list().assignments.capacity());
+    result_.last_of_slot_.resize(catalogue.slot_count());
   }
 
-  Readings read() && {
-    std::array<std::string_view, schema::names_at_once> names;
-    std::array<schema::ConcreteParameter, schema::names_at_once> parameters;
-    std::span<grammar::Assignment const> rest = list_.assignments;
-    while (!rest.empty()) {
-      std::size_t const count = std::min(rest.size(), names.size());
-      for (std::size_t i = 0; i < count; ++i) {
-        names[i] = {source_.bytes().data() + rest[i].name.begin, rest[i].name.size()};
-      }
-      catalogue_.find_exact(std::span(names).first(count), parameters);
-      for (std::size_t i = 0; i < count; ++i) read(rest[i], parameters[i]);
-      rest = rest.subspan(count);
-    }
+  ReadList read(grammar::Way way) && {
+    grammar::LineSplitter splitter(bytes_.substr(source_.text_begin()));
+    if (auto const* const reader = grammar::find_plain_line_reader(way)) read_plain_lines(*reader, splitter);
+    for (std::string_view line; splitter.next(line);) read_by_grammar(line, splitter.number());
     result_.has_repetitions_ = repetitions_ != 0;
-    return std::move(result_);
+    ReadList read{.tree = std::move(lines_).finish(splitter.number()), .readings = std::move(result_)};
+    read.readings.assignments_ = read.tree.assignments;
+    return read;
   }
 
  private:
-  /// `exact` has no row where the name is no parameter's as it stands.
-  void read(grammar::Assignment const& assignment, schema::ConcreteParameter exact) {
-    auto const number = static_cast<std::uint32_t>(result_.readings_.size());
-    Reading& reading = result_.readings_.emplace_back();
+  /// All lines but those near the text's end.
+  void read_plain_lines(grammar::PlainLineReader const& reader, grammar::LineSplitter& splitter) {
+    grammar::PlainLines lines;
+    std::uint32_t begin = source_.text_begin();
+    std::uint32_t number = 0;
+    while (!lines_.has_ended()) {
+      reader.find(bytes_.data(), bytes_.size(), begin, lines);
+      if (lines.count == 0) break;
+      lines.lines_before = number;
+      std::size_t const count = read_lines(reader, lines);
+      begin = lines.begins[count];
+      number += static_cast<std::uint32_t>(count);
+    }
+    splitter.go_on_at(bytes_.data() + begin, number);
+  }
+
+  /// Gives the number of lines that were read: all, or up to the end of the list.
+  std::size_t read_lines(grammar::PlainLineReader const& reader, grammar::PlainLines const& lines) {
+    std::size_t next = 0;
+    while (next < lines.count) {
+      std::size_t const count = reader.split(bytes_.data(), lines, next, batch_.data(), batch_.size());
+      if (auto const end = read_batch(lines, count)) return *end;
+      if (next == lines.count || count == batch_.size()) continue;
+      read_by_grammar(lines.line(bytes_, next), lines.number(next));
+      ++next;
+      if (lines_.has_ended()) return next;
+    }
+    return next;
+  }
+
+  /// The assignments that were cut out of their lines; where one of them ends the list, the number of lines up to that.
+  std::optional<std::size_t> read_batch(grammar::PlainLines const& lines, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      names_[i] = {bytes_.data() + batch_[i].name.begin, batch_[i].name.size()};
+    }
+    catalogue_.find_plain(std::span(names_).first(count), parameters_);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (read_plain(i)) continue;
+      keep(kept, i);
+      kept = i + 1;
+      std::size_t const line = batch_[i].line - lines.lines_before - 1;
+      read_by_grammar(lines.line(bytes_, line), batch_[i].line, parameters_[i]);
+      if (lines_.has_ended()) return line + 1;
+    }
+    keep(kept, count);
+    return std::nullopt;
+  }
+
+  /// False for a line that is left to the grammar.
+  bool read_plain(std::size_t i) {
+    schema::PlainParameter const& parameter = parameters_[i];
+    PlainValue value;
+    if (parameter.values == nullptr || !PlainValueReader(bytes_, batch_[i]).read(*parameter.values, value)) {
+      return false;
+    }
+    batch_[i].kind = value.kind;
+    readings_[i] = {.number = value.number, .other = 0, .slot = parameter.slot, .text = value.text};
+    return true;
+  }
+
+  /// Those that were read without the grammar.
+  void keep(std::size_t begin, std::size_t end) {
+    auto number = static_cast<std::uint32_t>(result_.brief_.size());
+    for (std::size_t i = begin; i < end; ++i) note_slot(parameters_[i].slot, ++number);
+    lines_.add(std::span(batch_).subspan(begin, end - begin));
+    result_.brief_.insert(result_.brief_.end(), readings_.data() + begin, readings_.data() + end);
+  }
+
+  /// `parameter` is that of the name, where it was looked up already.
+  void read_by_grammar(std::string_view line, std::uint32_t number, schema::PlainParameter parameter = {}) {
+    std::size_t const before = lines_.list().assignments.size();
+    lines_.read(line, number);
+    if (lines_.list().assignments.size() != before) look_closer(lines_.list().assignments.back(), parameter);
+  }
+
+  void look_closer(grammar::Assignment const& assignment, schema::PlainParameter parameter) {
+    auto const number = static_cast<std::uint32_t>(result_.brief_.size());
+    Reading& reading = result_.others_.emplace_back();
     reading.text = assignment.value;
-    if (exact) {
-      reading.row = exact.row;
-      reading.slot = exact.slot;
+    if (parameter.values != nullptr) {
+      reading.row = &catalogue_.parameter_of(parameter.slot);
+      reading.slot = parameter.slot;
       reading.name_status = schema::NameLookup::Status::found;
-      if (judge_short_number(assignment, reading)) return note_slot(exact.slot);
     } else {
       look_up(assignment, reading);
     }
     validator::judge(source_, assignment, reading, result_.transcoded_);
-    if (!reading.row_known()) suggest(number);
-    if (reading.usable()) note_slot(reading.slot);
+    result_.brief_.push_back({.number = reading.value.number,
+                              .other = static_cast<std::uint32_t>(result_.others_.size()),
+                              .slot = reading.slot,
+                              .text = BriefReading::no_text});
+    if (!reading.row_known()) suggest(number, assignment);
+    if (reading.known()) note_slot(reading.slot, number + 1);
+    if (reading.known() && reading.status != ReadingStatus::value) result_.without_value_.push_back(number);
     if (is_doubtful(assignment, reading)) result_.doubtful_.push_back(number);
-  }
-
-  /// False for what is judged otherwise: everything but a short number that is beyond doubt.
-  bool judge_short_number(grammar::Assignment const& assignment, Reading& reading) const {
-    schema::Parameter const& parameter = *reading.row;
-    double number = 0;
-    if (!read_short_number(source_.bytes(), assignment, parameter, number) || !fits(parameter, number) ||
-        is_outside(parameter, number) || assignment.trailer_kind == grammar::TrailerKind::text) {
-      return false;
-    }
-    reading.value.number = number;
-    reading.status = ReadingStatus::value;
-    return true;
   }
 
   void look_up(grammar::Assignment const& assignment, Reading& reading) {
@@ -115,27 +162,57 @@ class ListReader {
     reading.name_folded = lookup.case_folded;
   }
 
-  void note_slot(schema::Slot slot) {
-    std::uint8_t& seen = seen_[static_cast<std::size_t>(slot)];
-    repetitions_ |= seen;
-    seen = 1;
+  /// Of an assignment, counted from 1.
+  void note_slot(schema::Slot slot, std::uint32_t assignment) {
+    std::uint32_t& last = result_.last_of_slot_[static_cast<std::size_t>(slot)];
+    repetitions_ |= last;
+    last = assignment;
   }
 
-  void suggest(std::uint32_t number) {
+  void suggest(std::uint32_t number, grammar::Assignment const& assignment) {
     constexpr std::size_t most_suggestions = 1000;
     if (++unknown_names_ > most_suggestions) return;
-    std::vector<std::string> names = catalogue_.suggest_names(source_.slice(list_.assignments[number].name));
+    std::vector<std::string> names = catalogue_.suggest_names(source_.slice(assignment.name));
     if (!names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
   }
 
   SourceText const& source_;
-  grammar::AxisList const& list_;
+  std::string_view bytes_;
   schema::Catalogue const& catalogue_;
+  grammar::AxisListReader lines_;
   Readings result_;
-  std::vector<std::uint8_t> seen_;  ///< 1 for each slot that a line gives a value
-  std::uint8_t repetitions_ = 0;    ///< the same for a slot that several lines give one
+  // Of the lines that are read at once.
+  std::array<grammar::Assignment, schema::names_at_once> batch_;
+  std::array<std::string_view, schema::names_at_once> names_;
+  std::array<schema::PlainParameter, schema::names_at_once> parameters_;
+  std::array<BriefReading, schema::names_at_once> readings_;
+  std::uint32_t repetitions_ = 0;  ///< zero as long as every line names a parameter of its own
   std::size_t unknown_names_ = 0;
 };
+
+Reading Readings::operator[](std::size_t assignment) const {
+  BriefReading const& brief = brief_[assignment];
+  if (brief.other != 0) return others_[brief.other - 1];
+  Reading reading;
+  reading.row = &catalogue_.parameter_of(brief.slot);
+  reading.slot = brief.slot;
+  reading.name_status = schema::NameLookup::Status::found;
+  reading.status = ReadingStatus::value;
+  reading.text = assignments_[assignment].value;
+  reading.value.number = brief.number;
+  if (brief.text == BriefReading::own_text) {
+    reading.value.text = bytes_.substr(reading.text.begin, reading.text.size());
+  } else if (brief.text != BriefReading::no_text) {
+    reading.value.text = reading.row->symbols[brief.text - std::size_t{1}].word;
+  }
+  return reading;
+}
+
+std::optional<schema::Slot> Readings::slot(std::size_t assignment) const {
+  BriefReading const& brief = brief_[assignment];
+  if (brief.other != 0 && !others_[brief.other - 1].known()) return std::nullopt;
+  return brief.slot;
+}
 
 std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
   auto const found = std::lower_bound(
@@ -145,9 +222,8 @@ std::span<std::string const> Readings::suggestions(std::size_t assignment) const
   return found->names;
 }
 
-Readings read_assignments(SourceText const& source, grammar::AxisList const& list,
-                          schema::Catalogue const& catalogue) {
-  return ListReader(source, list, catalogue).read();
+ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue, grammar::Way way) {
+  return ListReader(source, catalogue).read(way);
 }
 
 }  // namespace axisc::validator

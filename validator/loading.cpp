@@ -56,9 +56,9 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   LoadedList list;
   list.source = source;
   list.catalogue = catalogue;
-  list.tree =
-      grammar::parse_axis_list(text.bytes(), text.text_begin(), text.encoding() == Encoding::windows_1252);
-  list.readings = read_assignments(text, list.tree, catalogue);
+  ReadList read = read_list(text, catalogue);
+  list.tree = std::move(read.tree);
+  list.readings = std::move(read.readings);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }

@@ -48,9 +48,7 @@ bool is_well_formed(std::string_view name) {
 std::optional<schema::Slot> slot_of_name(schema::Catalogue const& catalogue, std::string_view name) {
   using Status = schema::NameLookup::Status;
   if (!is_well_formed(name)) return std::nullopt;
-  std::array<schema::ConcreteParameter, 1> exact;
-  catalogue.find_exact({&name, 1}, exact);
-  if (exact[0]) return exact[0].slot;
+  if (schema::ConcreteParameter const exact = catalogue.find_exact(name)) return exact.slot;
   schema::NameLookup const lookup = catalogue.find(name);
   switch (lookup.status) {
     case Status::found:
@@ -86,7 +84,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     }
   }
   for (std::uint32_t const i : readings.doubtful()) {
-    Reading const& reading = readings[i];
+    Reading const reading = readings[i];
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
     if (!reading.row_known()) {

@@ -174,8 +174,10 @@ class AxisBuilder {
   }
 
   void add_values(AxisConfiguration& result) const {
-    result.values.reserve(values_.set_values().size());
-    for (EffectiveValue const& value : values_.set_values()) {
+    auto const set_values = values_.set_values();
+    result.values.reserve(set_values.size());
+    for (EffectiveValue const* const set : set_values) {
+      EffectiveValue const& value = *set;
       if (!value.value_place()) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
       result.values.push_back({.name = parameter_name(value),

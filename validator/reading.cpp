@@ -63,6 +63,7 @@ class Judge {
   }
 
  private:
+  [[nodiscard]] Span free_text() const { return grammar::free_text(source_.bytes(), assignment_); }
   [[nodiscard]] std::string_view token() const { return source_.slice(assignment_.value); }
 
   /// The bytes themselves where they are UTF-8 as they stand.
@@ -132,7 +133,7 @@ class Judge {
     }
     if (assignment_.kind != ValueKind::word) return fail(ReadingStatus::wrong_type);
     Span const word{.begin = assignment_.value.begin,
-                    .end = std::min(assignment_.value.end, assignment_.free_text.end)};
+                    .end = std::min(assignment_.value.end, free_text().end)};
     SymbolReading const symbol = read_symbol(parameter, source_.slice(word));
     if (symbol.symbol == nullptr) return fail(ReadingStatus::wrong_type);
     reading_.text = word;
@@ -154,10 +155,10 @@ class Judge {
     if (assignment_.kind == ValueKind::real) return fail(ReadingStatus::wrong_type);
     if (is_bit_mask(parameter)) return bit_mask(parameter);
 
-    Span const word = reading_.quoted
-                          ? Span{.begin = assignment_.value.begin + 1, .end = assignment_.value.end - 1}
-                          : Span{.begin = assignment_.value.begin,
-                                 .end = std::min(assignment_.value.end, assignment_.free_text.end)};
+    Span const word =
+        reading_.quoted
+            ? Span{.begin = assignment_.value.begin + 1, .end = assignment_.value.end - 1}
+            : Span{.begin = assignment_.value.begin, .end = std::min(assignment_.value.end, free_text().end)};
     SymbolReading const symbol = read_symbol(parameter, source_.slice(word));
     reading_.text = word;
     std::uint32_t const end = reading_.quoted ? assignment_.value.end : word.end;
@@ -168,9 +169,9 @@ class Judge {
   }
 
   void bit_mask(schema::Parameter const& parameter) {
-    reading_.text = assignment_.free_text;
-    if (comment_in_text(assignment_.free_text)) return;
-    std::string_view rest = source_.slice(assignment_.free_text);
+    reading_.text = free_text();
+    if (comment_in_text(free_text())) return;
+    std::string_view rest = source_.slice(free_text());
     while (true) {
       std::size_t const bar = rest.find('|');
       SymbolReading const symbol = read_symbol(parameter, trimmed(rest.substr(0, bar)));
@@ -179,7 +180,7 @@ class Judge {
       if (bar == std::string_view::npos) break;
       rest.remove_prefix(bar + 1);
     }
-    accept({.number = 0, .text = utf8(assignment_.free_text)});
+    accept({.number = 0, .text = utf8(free_text())});
   }
 
   void free_string() {
@@ -188,9 +189,9 @@ class Judge {
       accept({.number = 0, .text = utf8(content)});
       return text_behind_symbol(assignment_.value.end);
     }
-    reading_.text = assignment_.free_text;
-    if (comment_in_text(assignment_.free_text)) return;
-    accept({.number = 0, .text = utf8(assignment_.free_text)});
+    reading_.text = free_text();
+    if (comment_in_text(free_text())) return;
+    accept({.number = 0, .text = utf8(free_text())});
   }
 
   void accept(Value value) {
@@ -201,7 +202,7 @@ class Judge {
   /// What stands behind a symbol or a closing quote before a `(` opens a comment.
   [[nodiscard]] Span text_behind(std::uint32_t symbol_end) const {
     std::uint32_t const begin = reading_.quoted ? assignment_.trailer.begin : symbol_end;
-    std::uint32_t const end = reading_.quoted ? assignment_.trailer.end : assignment_.free_text.end;
+    std::uint32_t const end = reading_.quoted ? assignment_.trailer.end : free_text().end;
     if (begin >= end) return {};
     std::string_view text = source_.slice({.begin = begin, .end = end});
     text = text.substr(0, text.find('('));

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <forward_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,9 +40,6 @@ struct Reference {
 struct Reading {
   using NameStatus = schema::NameLookup::Status;
 
-  /// Written out: before a defaulted one, containers clear all the bytes, which takes as long as a look-up.
-  Reading() noexcept {}  // NOLINT(modernize-use-equals-default)
-
   schema::Parameter const* row = nullptr;  ///< null where the name is unknown; lives as long as the catalogue
   Value value;
   Reference reference;  ///< for ReadingStatus::reference
@@ -64,8 +62,21 @@ struct Reading {
   [[nodiscard]] bool row_known() const { return row != nullptr; }
 };
 
-/// The readings of one list, one for each assignment and in the same order. They look into the source and the catalogue,
-/// which live longer.
+/// What nearly all lines say: they give a known parameter a value and are beyond doubt.
+struct BriefReading {
+  /// For `text`: none, the value as the list writes it, or the symbol of the row before.
+  static constexpr std::uint8_t no_text = 0;
+  static constexpr std::uint8_t own_text = 255;
+
+  double number = 0;
+  std::uint32_t other = 0;  ///< 0, or where more has to be said: its number among the other readings, from 1
+  schema::Slot slot{};
+  std::uint8_t text = no_text;
+};
+static_assert(sizeof(BriefReading) == 16);
+
+/// The readings of one list, one for each assignment and in the same order. They look into the source, the assignments and the
+/// catalogue, which live longer.
 class Readings {
  public:
   Readings() = default;
@@ -75,15 +86,25 @@ class Readings {
   Readings& operator=(Readings&&) = default;
   ~Readings() = default;
 
-  [[nodiscard]] std::size_t size() const { return readings_.size(); }
-  [[nodiscard]] Reading const& operator[](std::size_t assignment) const { return readings_[assignment]; }
+  [[nodiscard]] std::size_t size() const { return brief_.size(); }
+  [[nodiscard]] Reading operator[](std::size_t assignment) const;
+  /// The parameter of an assignment, where it is known.
+  [[nodiscard]] std::optional<schema::Slot> slot(std::size_t assignment) const;
+
+  /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
+  [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
+    return last_of_slot_[static_cast<std::size_t>(slot)];
+  }
 
   /// The readings that a check of single lines may object to: everything but a value (or a reference) of a known name,
   /// spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of nearly
   /// all lists are beyond doubt, and no check looks at them again.
   [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
 
-  /// Several lines give the same parameter a value.
+  /// Assignments of known parameters whose value does not stand in their line: references, and what cannot be used.
+  [[nodiscard]] std::span<std::uint32_t const> without_value() const { return without_value_; }
+
+  /// Several lines name the same parameter.
   [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
 
   /// What may be meant by the unknown name of an assignment, best first.
@@ -97,17 +118,31 @@ class Readings {
     std::vector<std::string> names;
   };
 
-  std::vector<Reading> readings_;
+  std::string_view bytes_;  ///< of the source
+  std::span<grammar::Assignment const> assignments_;
+  schema::Catalogue catalogue_;
+  std::vector<BriefReading> brief_;
+  std::vector<Reading> others_;
+  std::vector<std::uint32_t> last_of_slot_;
   std::vector<std::uint32_t> doubtful_;
+  std::vector<std::uint32_t> without_value_;
   std::vector<Suggested> suggested_;  ///< in the order of the assignments
   std::forward_list<std::string>
       transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
   bool has_repetitions_ = false;
 };
 
-/// Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown names only.
-[[nodiscard]] Readings read_assignments(SourceText const& source, grammar::AxisList const& list,
-                                        schema::Catalogue const& catalogue = {});
+/// A list as it is written, and what each of its assignments means.
+struct ReadList {
+  grammar::AxisList tree;
+  Readings readings;
+};
+
+/// Reads a list. Lines that give a parameter of the catalogue a plain value are read without the grammar; in whichever way,
+/// the result is the same. Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown
+/// names only.
+[[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {},
+                                 grammar::Way way = grammar::Way::quick);
 
 /// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
 /// parameter is meant to be is unknown then, so rules that need it have to stay silent.

@@ -61,8 +61,14 @@ class Resolver {
       : values_(values), pending_(pending), rotary_(rotary) {}
 
   std::vector<ReferenceProblem> resolve_all() {
-    for (EffectiveValue const& value : values_.set_values()) {
-      if (pending_.contains(value.slot) && !states_.contains(value.slot)) follow(value.slot);
+    // In the order of their lines.
+    std::vector<Slot> slots;
+    slots.reserve(pending_.size());
+    for (auto const& [slot, reference] : pending_) slots.push_back(slot);
+    std::sort(slots.begin(), slots.end(),
+              [this](Slot a, Slot b) { return stands_before(values_[a], values_[b]); });
+    for (Slot const slot : slots) {
+      if (!states_.contains(slot)) follow(slot);
     }
     return std::move(problems_);
   }

@@ -9,6 +9,7 @@
 #include "lists/readers.hpp"
 #include "lists/rounds.hpp"
 #include "validator/check.hpp"
+#include "validator/reading.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
@@ -137,18 +138,24 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
       for (std::string const& input : inputs) read(input);
     };
   };
-  auto const parse = [](grammar::Way way) {
-    return
-        [way](std::string const& text) { findings += grammar::parse_axis_list(text, 0, false, way).lines; };
+  auto const parse = [](std::string const& text) {
+    findings += grammar::parse_axis_list(text, 0, false).lines;
+  };
+  // With their values; texts are sources already.
+  std::vector<SourceText> sources;
+  for (std::string const& text : texts) sources.emplace_back("x.lis", text);
+  auto const read = [&sources](grammar::Way way) {
+    return [&sources, way] {
+      for (SourceText const& source : sources) findings += validator::read_list(source, {}, way).tree.lines;
+    };
   };
   std::vector<Contender> contenders = {
       {"scanner by hand", size_of(texts), fleet.pairs,
        each(texts, [&table](std::string const& text) { read_by_hand(text, table); })},
-      {"axisc, grammar alone", size_of(texts), fleet.pairs, each(texts, parse(grammar::Way::by_grammar))},
-      {"axisc, regular lines, portable", size_of(texts), fleet.pairs,
-       each(texts, parse(grammar::Way::portable))},
-      {"axisc, regular lines, the best way", size_of(texts), fleet.pairs,
-       each(texts, parse(grammar::Way::quick))},
+      {"axisc, grammar alone", size_of(texts), fleet.pairs, each(texts, parse)},
+      {"axisc, values, by the grammar", size_of(texts), fleet.pairs, read(grammar::Way::by_grammar)},
+      {"axisc, values, portable", size_of(texts), fleet.pairs, read(grammar::Way::portable)},
+      {"axisc, values, the best way", size_of(texts), fleet.pairs, read(grammar::Way::quick)},
       {"axisc, single parameters", size_of(texts), fleet.pairs, [&] { check_all(texts, ranges); }},
       {"axisc, all rules", size_of(texts), fleet.pairs, [&] { check_all(texts, all); }},
       {"inih", size_of(fleet.ini), fleet.pairs,

@@ -1,11 +1,10 @@
 // 32 bytes in a vector.
 #define AXISC_LEVEL avx2
-#include "grammar/levels/regular_lines_def.hpp"
+#include "grammar/levels/plain_lines_def.hpp"
 
 namespace axisc::grammar::avx2 {
 
-std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room) {
-  return read_lines(lines, out, room);
-}
+extern PlainLineReader const plain_line_reader;
+constinit PlainLineReader const plain_line_reader{.find = find_lines, .split = split_lines};
 
 }  // namespace axisc::grammar::avx2

@@ -18,9 +18,6 @@ inline Vector every(char byte) {
   auto const* const bytes = every_byte.of[static_cast<unsigned char>(byte)];
   return _mm_load_si128(reinterpret_cast<Vector const*>(bytes));  // NOLINT: how vectors are loaded
 }
-inline Vector in_small_letters(Vector bytes) {
-  return _mm_or_si128(bytes, every(0x20));
-}
 inline Class equal(Vector bytes, char byte) {
   return _mm_cmpeq_epi8(bytes, every(byte));
 }
@@ -30,6 +27,9 @@ inline Class greater(Vector bytes, char byte) {
 }
 inline Class either(Class a, Class b) {
   return _mm_or_si128(a, b);
+}
+inline Class except(Class a, Class excepted) {
+  return _mm_andnot_si128(excepted, a);
 }
 /// Modulo 256; `byte` is ASCII.
 inline Vector plus(Vector bytes, char byte) {

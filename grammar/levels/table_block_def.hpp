@@ -10,13 +10,8 @@ enum Class : std::uint8_t {
   an_unusual,
   a_line_feed,
   a_carriage_return,
-  a_blank,
-  a_letter,
-  a_digit,
-  a_point,
-  an_opening,
-  a_closing,
-  a_mark,
+  a_space,
+  a_tab,
   class_count
 };
 
@@ -24,20 +19,12 @@ struct Classes {
   constexpr Classes() {
     for (unsigned byte = 0; byte < 256; ++byte) of[byte] = class_of(byte);
   }
-  static constexpr bool is_between(unsigned byte, unsigned first, unsigned last) {
-    return first <= byte && byte <= last;
-  }
   static constexpr Class class_of(unsigned byte) {
     if (byte == '\n') return a_line_feed;
     if (byte == '\r') return a_carriage_return;
-    if (byte == ' ' || byte == '\t') return a_blank;
-    if (byte < ' ' || byte > '~') return an_unusual;
-    if (is_between(byte, '0', '9')) return a_digit;
-    if (is_between(byte | 0x20U, 'a', 'z') || byte == '_') return a_letter;
-    if (byte == '.') return a_point;
-    if (byte == '[') return an_opening;
-    if (byte == ']') return a_closing;
-    return byte == '"' || byte == '(' ? a_mark : a_usual;
+    if (byte == ' ') return a_space;
+    if (byte == '\t') return a_tab;
+    return byte < ' ' || byte > '~' || byte == ':' ? an_unusual : a_usual;
   }
   Class of[256] = {};
 };
@@ -55,15 +42,11 @@ class TextBlock {
 
   [[nodiscard]] std::uint64_t line_feed() const { return masks_[a_line_feed]; }
   [[nodiscard]] std::uint64_t carriage_return() const { return masks_[a_carriage_return]; }
-  [[nodiscard]] std::uint64_t blank() const { return masks_[a_blank]; }
-  [[nodiscard]] std::uint64_t letter() const { return masks_[a_letter]; }
-  [[nodiscard]] std::uint64_t digit() const { return masks_[a_digit]; }
-  [[nodiscard]] std::uint64_t point() const { return masks_[a_point]; }
-  [[nodiscard]] std::uint64_t opening() const { return masks_[an_opening]; }
-  [[nodiscard]] std::uint64_t closing() const { return masks_[a_closing]; }
-  [[nodiscard]] std::uint64_t mark() const { return masks_[a_mark]; }
+  [[nodiscard]] std::uint64_t blank() const { return masks_[a_space] | masks_[a_tab]; }
+  [[nodiscard]] std::uint64_t content() const { return ~blank(); }
+  /// Also tabs and line ends, as the vectors tell it.
   [[nodiscard]] std::uint64_t unusual() const {
-    return masks_[an_unusual] | masks_[a_line_feed] | masks_[a_carriage_return];
+    return masks_[an_unusual] | masks_[a_tab] | masks_[a_line_feed] | masks_[a_carriage_return];
   }
 
  private:

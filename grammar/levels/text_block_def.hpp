@@ -40,40 +40,16 @@ class TextBlock {
   [[nodiscard]] Bits blank() const {
     return bits([](Vector bytes) { return either(equal(bytes, ' '), equal(bytes, '\t')); });
   }
-  /// A..Z, a..z, underscore.
-  [[nodiscard]] Bits letter() const {
-    return bits(
-        [](Vector bytes) { return either(between(in_small_letters(bytes), 'a', 'z'), equal(bytes, '_')); });
+  /// Neither space nor tab, where no other control character stands and no byte above 0x7F.
+  [[nodiscard]] Bits content() const {
+    return bits([](Vector bytes) { return greater(bytes, ' '); });
   }
-  [[nodiscard]] Bits digit() const {
-    return bits([](Vector bytes) { return between(bytes, '0', '9'); });
-  }
-  [[nodiscard]] Bits point() const {
-    return bits([](Vector bytes) { return equal(bytes, '.'); });
-  }
-  [[nodiscard]] Bits opening() const {
-    return bits([](Vector bytes) { return equal(bytes, '['); });
-  }
-  [[nodiscard]] Bits closing() const {
-    return bits([](Vector bytes) { return equal(bytes, ']'); });
-  }
-  /// What free text is searched for: quote, round parenthesis.
-  [[nodiscard]] Bits mark() const {
-    return bits([](Vector bytes) { return either(equal(bytes, '"'), equal(bytes, '(')); });
-  }
-  /// Control characters, also line ends, and everything above 0x7E; a tab may be among them.
+  /// Control characters, also tabs and line ends, everything above 0x7E, and the colon.
   [[nodiscard]] Bits unusual() const {
-    return ~bits([](Vector bytes) { return greater(plus(bytes, 1), ' '); });
+    return ~bits([](Vector bytes) { return except(greater(plus(bytes, 1), ' '), equal(bytes, ':')); });
   }
 
  private:
-  /// Moved so that `last` is the greatest of all bytes.
-  static Class between(Vector bytes, char first, char last) {
-    constexpr char greatest = 0x7F;
-    return greater(plus(bytes, static_cast<char>(greatest - last)),
-                   static_cast<char>(greatest - last + first - 1));
-  }
-
   static constexpr unsigned count = 64 / sizeof(Vector);
 
   template <typename Classify>

@@ -53,9 +53,9 @@ std::vector<ValueFacts> effective_values(std::string const& list) {
   auto const loaded = validator::load(files, "x.lis", options(), sources);
   auto const& values = std::get<validator::LoadedMachine>(loaded).axes.front().merged.values;
   std::map<schema::Slot, ValueFacts> facts;
-  for (auto const& value : values.set_values()) {
-    facts.emplace(value.slot,
-                  ValueFacts{value.slot, value.value.number, std::string(value.value.text), value.unusable});
+  for (validator::EffectiveValue const* const value : values.set_values()) {
+    facts.emplace(value->slot, ValueFacts{value->slot, value->value.number, std::string(value->value.text),
+                                          value->unusable});
   }
   std::vector<ValueFacts> all;
   for (auto const& [slot, fact] : facts) all.push_back(fact);

@@ -202,7 +202,6 @@ class Scanner {
     result.kind = kind;
     result.trailer = span(trailer, line.text.size());
     result.trailer_kind = trailer_kind(line, trailer);
-    result.free_text = span(value, free_text_end(line, value));
     result.line = list_.lines;
     list_.assignments.push_back(result);
     directive(line, trailer, false);
@@ -280,16 +279,6 @@ class Scanner {
       default:
         return TrailerKind::text;
     }
-  }
-
-  static std::size_t free_text_end(Line const& line, std::size_t begin) {
-    std::size_t i = begin;
-    while (i < line.text.size() && line.text[i] != '(') {
-      std::size_t const closing = line.text[i] == '"' ? line.text.find('"', i + 1) : std::string_view::npos;
-      i = closing == std::string_view::npos ? i + 1 : closing + 1;
-    }
-    while (i > begin && is_blank(line.text[i - 1])) --i;
-    return i;
   }
 
   void directive(Line const& line, std::size_t begin, bool whole_line) {

@@ -44,7 +44,8 @@ class Printer {
     if (assignment.trailer_kind != TrailerKind::none) {
       text += ", " + std::string(name_of(assignment.trailer_kind)) + " " + view(assignment.trailer);
     }
-    if (assignment.free_text != assignment.value) text += ", as text " + view(assignment.free_text);
+    Span const free_text = grammar::free_text(bytes_, assignment);
+    if (free_text != assignment.value) text += ", as text " + view(free_text);
     add(assignment.name.begin, assignment.line, text);
   }
 

@@ -73,8 +73,9 @@ void check_spans(AxisList const& list, std::string_view bytes) {
     RC_ASSERT(assignment.name.end < assignment.value.begin);
     RC_ASSERT(inside(assignment.trailer, bytes));
     RC_ASSERT(assignment.value.end <= assignment.trailer.begin);
-    RC_ASSERT(inside(assignment.free_text, bytes));
-    RC_ASSERT(assignment.free_text.begin == assignment.value.begin);
+    Span const free_text = axisc::grammar::free_text(bytes, assignment);
+    RC_ASSERT(inside(free_text, bytes));
+    RC_ASSERT(free_text.begin == assignment.value.begin);
     RC_ASSERT(assignment.line >= 1U);
     RC_ASSERT(assignment.line <= list.lines);
   }

@@ -16,7 +16,7 @@ TEST_CASE("every byte is of the same class at every place of a block") {
   using namespace axisc::grammar;
   for (unsigned byte = 0; byte < 256; ++byte) {
     for (unsigned place = 0; place < 64; ++place) {
-      std::string text(64, ';');
+      std::string text(64, ',');
       text[place] = static_cast<char>(byte);
       by_table::TextBlock const plain(text.data());
       by_vector::TextBlock const wide(text.data());
@@ -24,13 +24,7 @@ TEST_CASE("every byte is of the same class at every place of a block") {
       REQUIRE(plain.line_feed() == wide.line_feed());
       REQUIRE(plain.carriage_return() == wide.carriage_return());
       REQUIRE(plain.blank() == wide.blank());
-      REQUIRE(plain.letter() == wide.letter());
-      REQUIRE(plain.digit() == wide.digit());
-      REQUIRE(plain.point() == wide.point());
-      REQUIRE(plain.opening() == wide.opening());
-      REQUIRE(plain.closing() == wide.closing());
-      REQUIRE(plain.mark() == wide.mark());
-      REQUIRE((plain.unusual() & ~plain.blank()) == (wide.unusual() & ~wide.blank()));
+      REQUIRE(plain.unusual() == wide.unusual());
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -35,8 +36,9 @@ class Lists {
     LoadedList list;
     list.source = sources_.add(SourceText("x.lis", text));
     SourceText const& source = sources_[list.source];
-    list.tree = grammar::parse_axis_list(source.bytes(), source.text_begin(), false);
-    list.readings = read_assignments(source, list.tree);
+    ReadList read = read_list(source);
+    list.tree = std::move(read.tree);
+    list.readings = std::move(read.readings);
     list.lost = lost_assignments(source, list.tree, list.readings);
     return list;
   }
@@ -74,7 +76,9 @@ TEST_CASE("what lists set is listed by origin and line") {
   Lists const lists("filter[0].order 1\nkopf.achs_nr 1\nfilter[0].order 2\n",
                     "kopf.achs_nr 0\nfilter[1].order 1\n");
   std::vector<std::string> names;
-  for (EffectiveValue const& value : lists.merged.values.set_values()) names.push_back(parameter_name(value));
+  for (EffectiveValue const* const value : lists.merged.values.set_values()) {
+    names.push_back(parameter_name(*value));
+  }
   CHECK(names == std::vector<std::string>{"filter[1].order", "kopf.achs_nr", "filter[0].order"});
   CHECK(lists.at("filter[].order", 0).value.number == 2);
   CHECK(lists.at("filter[].order", 1).value.number == 1);
@@ -129,7 +133,9 @@ TEST_CASE("what came through a reference is known by its parameter, wherever its
   Lists const lists("kopf.achs_nr 1\ngetriebe[0].vb_eilgang P-AXIS-00212.0\n",
                     "getriebe[0].vb_eilgang 5\ngetriebe[0].dynamik.vb_max 300000\nkopf.achs_nr 0\n");
   std::vector<std::string> names;
-  for (EffectiveValue const& value : lists.merged.values.set_values()) names.push_back(parameter_name(value));
+  for (EffectiveValue const* const value : lists.merged.values.set_values()) {
+    names.push_back(parameter_name(*value));
+  }
   CHECK(names ==
         std::vector<std::string>{"getriebe[0].dynamik.vb_max", "kopf.achs_nr", "getriebe[0].vb_eilgang"});
   REQUIRE(lists.merged.values.referenced_slots().size() == 1);

@@ -19,13 +19,11 @@ std::string aligned(std::string const& list) {
 /// Everything an assignment says, without the blanks between its parts.
 std::vector<std::string> meaning(std::string const& list) {
   SourceText const source("x.lis", list);
-  auto const tree = grammar::parse_axis_list(source.bytes(), source.text_begin(),
-                                             source.encoding() == Encoding::windows_1252);
+  auto const [tree, readings] = validator::read_list(source);
   std::vector<std::string> parts;
-  auto const readings = validator::read_assignments(source, tree);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     auto const& assignment = tree.assignments[i];
-    auto const& reading = readings[i];
+    auto const reading = readings[i];
     for (Span const span : {assignment.name, assignment.value, reading.text, reading.trouble}) {
       parts.emplace_back(source.slice(span));
     }

@@ -21,10 +21,9 @@ struct Lost {
 
 std::vector<Lost> lost_in(std::string text) {
   SourceText const source("x.lis", std::move(text));
-  grammar::AxisList const list = grammar::parse_axis_list(source.bytes(), source.text_begin(), false);
-  Readings const readings = read_assignments(source, list);
+  ReadList const list = read_list(source);
   std::vector<Lost> result;
-  for (LostAssignment const& lost : lost_assignments(source, list, readings)) {
+  for (LostAssignment const& lost : lost_assignments(source, list.tree, list.readings)) {
     result.push_back({schema::slot_name(lost.slot), std::string(source.slice(lost.name)), lost.guessed});
   }
   return result;

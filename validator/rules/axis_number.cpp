@@ -29,8 +29,9 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
   if (list == nullptr) return;
   schema::Slot const slot = schema::slot_of(row_at("kopf.achs_nr"));
   for (std::size_t i = list->readings.size(); i-- > 0;) {
-    Reading const& reading = list->readings[i];
-    if (!reading.known() || reading.slot != slot || reading.status != ReadingStatus::value) continue;
+    if (list->readings.slot(i) != slot) continue;
+    Reading const reading = list->readings[i];
+    if (reading.status != ReadingStatus::value) continue;
     if (reading.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
     Finding& finding = report.add(place, *reading.row, slot,

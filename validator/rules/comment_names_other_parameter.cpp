@@ -30,7 +30,7 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
 
 /// The first P-AXIS number in the comment of a line; none where its own is among them, or where it has none.
 std::optional<Mention> other_parameter(Line const& line) {
-  Reading const& reading = line.reading();
+  Reading const reading = line.reading();
   Span const trailer = line.assignment().trailer;
   if (!reading.row_known() || reading.row->p_axis == 0 || trailer.empty()) return std::nullopt;
   std::string_view const text = line.context.source.slice(trailer);

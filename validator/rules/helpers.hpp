@@ -37,7 +37,7 @@ struct Line {
   [[nodiscard]] grammar::Assignment const& assignment() const {
     return context.list.tree.assignments[number];
   }
-  [[nodiscard]] Reading const& reading() const { return context.list.readings[number]; }
+  [[nodiscard]] Reading reading() const { return context.list.readings[number]; }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
   /// As the list writes it.
   [[nodiscard]] std::string name() const { return context.source.utf8(assignment().name); }
@@ -86,7 +86,7 @@ struct AxisLine {
     return in_default_list ? *context.default_list : context.axis_list;
   }
   [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
-  [[nodiscard]] Reading const& reading() const { return list().readings[number]; }
+  [[nodiscard]] Reading reading() const { return list().readings[number]; }
   [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
 };
 

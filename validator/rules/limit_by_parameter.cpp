@@ -98,19 +98,21 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
   }
 }
 
+void check_slot(AxisContext const& context, Report& report, Slot slot) {
+  EffectiveValue const& value = context.values[slot];
+  if (value.unusable || !value.value_place()) return;
+  for (Side const side : {Side::minimum, Side::maximum}) {
+    std::optional<Violation> const violation = violation_at(context.values, slot, side);
+    if (!violation || is_reported_at_limit(context.values, slot, *violation)) continue;
+    return add(context, report, slot, *violation);
+  }
+}
+
 }  // namespace
 
 void checks::limit_by_parameter(AxisContext const& context, Report& report) {
-  for (EffectiveValue const& value : context.values.set_values()) {
-    bool const is_limited = value.row->minimum.kind == Limit::Kind::parameter ||
-                            value.row->maximum.kind == Limit::Kind::parameter;
-    if (!is_limited || value.unusable || !value.value_place()) continue;
-    for (Side const side : {Side::minimum, Side::maximum}) {
-      std::optional<Violation> const violation = violation_at(context.values, value.slot, side);
-      if (!violation || is_reported_at_limit(context.values, value.slot, *violation)) continue;
-      add(context, report, value.slot, *violation);
-      break;
-    }
+  for (Slot const slot : context.values.catalogue().slots_limited_by_others()) {
+    if (context.values.is_set(slot)) check_slot(context, report, slot);
   }
 }
 

@@ -82,10 +82,11 @@ void checks::newer_than_build(AxisContext const& context, Report& report) {
   for (LoadedList const* const list : lists_of(context)) {
     if (list == nullptr) continue;
     for (std::size_t i = 0; i < list->readings.size(); ++i) {
-      Reading const& reading = list->readings[i];
+      Reading const reading = list->readings[i];
       if (!reading.usable() || missing_build(*reading.row, reading, build).empty()) continue;
       Place const place{.source = list->source, .span = list->tree.assignments[i].value};
-      report.later(place, [&context, &reading](Finding& finding) { describe(finding, context, reading); });
+      report.later(place,
+                   [&context, list, i](Finding& finding) { describe(finding, context, list->readings[i]); });
     }
   }
   check_spindle(context, build, report);

@@ -107,6 +107,20 @@ constexpr auto table = [] {
   return rows;
 }();
 
+constexpr std::size_t possible_codes = 10000;
+constexpr std::uint8_t no_rule = 255;
+static_assert(table.size() < no_rule);
+
+/// The number of a code's rule in the table.
+constexpr auto number_of_code = [] {
+  std::array<std::uint8_t, possible_codes> numbers{};
+  numbers.fill(no_rule);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    numbers[static_cast<std::size_t>(table[i].code)] = static_cast<std::uint8_t>(i);
+  }
+  return numbers;
+}();
+
 }  // namespace
 
 std::span<Rule const> rules() {
@@ -114,9 +128,9 @@ std::span<Rule const> rules() {
 }
 
 Rule const* find_rule(Code code) {
-  auto const* const row = std::lower_bound(table.begin(), table.end(), code,
-                                           [](Rule const& rule, Code wanted) { return rule.code < wanted; });
-  return row != table.end() && row->code == code ? &*row : nullptr;
+  auto const index = static_cast<std::size_t>(code);
+  std::uint8_t const number = index < possible_codes ? number_of_code[index] : no_rule;
+  return number == no_rule ? nullptr : &table[number];
 }
 
 }  // namespace axisc::validator

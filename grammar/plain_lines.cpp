@@ -1,4 +1,4 @@
-#include "grammar/regular_lines.hpp"
+#include "grammar/plain_lines.hpp"
 
 #include <cstddef>
 
@@ -11,11 +11,11 @@
 namespace axisc::grammar {
 
 namespace portable {
-std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room);
+extern PlainLineReader const plain_line_reader;
 }
 #if defined(AXISC_HAS_AVX2_LEVEL)
 namespace avx2 {
-std::size_t read_regular_lines(RegularLines& lines, Assignment* out, std::size_t room);
+extern PlainLineReader const plain_line_reader;
 }
 #endif
 
@@ -23,7 +23,7 @@ namespace {
 
 #if defined(AXISC_HAS_AVX2_LEVEL)
 
-RegularLineReader find_avx2_reader() {
+PlainLineReader const* find_avx2_reader() {
 #if defined(CPU_FEATURE_ACTIVE)
   bool const usable = CPU_FEATURE_ACTIVE(AVX2) && CPU_FEATURE_ACTIVE(BMI1) && CPU_FEATURE_ACTIVE(BMI2) &&
                       CPU_FEATURE_ACTIVE(LZCNT) && CPU_FEATURE_ACTIVE(POPCNT);
@@ -34,12 +34,12 @@ RegularLineReader find_avx2_reader() {
   usable = usable && __builtin_cpu_supports("lzcnt");
 #endif
 #endif
-  return usable ? avx2::read_regular_lines : nullptr;
+  return usable ? &avx2::plain_line_reader : nullptr;
 }
 
 #else
 
-RegularLineReader find_avx2_reader() {
+PlainLineReader const* find_avx2_reader() {
   return nullptr;
 }
 
@@ -47,11 +47,11 @@ RegularLineReader find_avx2_reader() {
 
 }  // namespace
 
-RegularLineReader find_regular_line_reader(Way way) {
+PlainLineReader const* find_plain_line_reader(Way way) {
   if (way == Way::by_grammar) return nullptr;
-  if (way == Way::portable) return portable::read_regular_lines;
-  RegularLineReader const wide = find_avx2_reader();
-  return wide == nullptr && way == Way::quick ? portable::read_regular_lines : wide;
+  if (way == Way::portable) return &portable::plain_line_reader;
+  PlainLineReader const* const wide = find_avx2_reader();
+  return wide == nullptr && way == Way::quick ? &portable::plain_line_reader : wide;
 }
 
 }  // namespace axisc::grammar

@@ -1,0 +1,61 @@
+// Reads a list line by line, for who can tell some of its lines without the grammar.
+#pragma once
+
+#include "grammar/axis_list.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace axisc::grammar {
+
+template <typename Kind>
+struct Failure;
+
+class AxisListReader {
+ public:
+  /// `bytes` live longer than the reader.
+  AxisListReader(std::string_view bytes, bool windows_1252);
+
+  /// One line without its line end, a piece of the text, by the grammar. `number` grows from line to line, counted from 1.
+  void read(std::string_view line, std::uint32_t number);
+  /// What stands in the next lines, which the grammar has not to look at. The list has not ended.
+  void add(std::span<Assignment const> assignments) {
+    list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.end());
+  }
+
+  /// What was read so far.
+  [[nodiscard]] AxisList const& list() const { return list_; }
+  /// Behind `Ende` the control reads no further.
+  [[nodiscard]] bool has_ended() const { return list_.end_marker.has_value(); }
+  /// The whole text was read, so many lines.
+  [[nodiscard]] AxisList finish(std::uint32_t lines) && {
+    list_.lines = lines;
+    return std::move(list_);
+  }
+
+ private:
+  void read_line(std::string_view line);
+  void read_assignment(std::string_view line);
+  void read_end(std::string_view line, std::string_view end, bool invalid);
+  void read_behind_end(std::string_view line);
+  bool report_invalid_character(std::string_view line);
+  void report(Failure<ProblemKind> const& failure, std::string_view line);
+  void report_text_behind_end(std::string_view text);
+  void problem(ProblemKind kind, std::string_view text);
+  void keep_directive(std::string_view comment, bool whole_line);
+  [[nodiscard]] Span span(std::string_view text) const;
+
+  std::string_view bytes_;
+  bool windows_1252_;
+  std::uint32_t line_ = 0;  ///< that is being read
+  AxisList list_;
+  bool text_behind_end_reported_ = false;
+};
+
+/// Identifiers joined by points, each with an index or without.
+[[nodiscard]] bool is_parameter_name(std::string_view text);
+
+}  // namespace axisc::grammar

@@ -1,0 +1,60 @@
+// Lines as nearly all of them are, taken apart without the grammar: blank lines, comments, and `name value [trailer]`.
+//
+// They are cut at their blanks and no more: whether the name is one, what the value is and whether the grammar would read the
+// line like this is for the caller to find out, who knows which parameters there are. The grammar stays the authority: a
+// line that is read without it reads the same with it (tests/validator/list_reader.test.cpp).
+//
+// Compiled once for each width of the processor's vectors (grammar/levels).
+#pragma once
+
+#include "grammar/axis_list.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axisc::grammar {
+
+/// So many bytes of the text follow the begin of every line that is found.
+inline constexpr std::size_t room_behind_line = 64;
+/// As many as a cache holds together with what is made of them.
+inline constexpr std::size_t lines_at_once = 256;
+
+/// Some lines of a text, one behind the other.
+struct PlainLines {
+  static constexpr std::size_t room = lines_at_once + room_behind_line;
+
+  /// Of each line; that of the next one is the byte behind its line feed.
+  std::array<std::uint32_t, room + 4> begins;
+  /// The line has a byte that hardly any line has: a control character, one above 0x7E, a colon (which a directive needs). The
+  /// grammar has to look at it.
+  std::array<bool, room + 4> unusual;
+  std::size_t count = 0;
+  std::uint32_t lines_before = 0;  ///< in the text
+
+  /// Without its line end.
+  [[nodiscard]] std::string_view line(std::string_view text, std::size_t index) const {
+    std::string_view line = text.substr(begins[index], begins[index + 1] - 1 - begins[index]);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    return line;
+  }
+  [[nodiscard]] std::uint32_t number(std::size_t index) const {
+    return lines_before + static_cast<std::uint32_t>(index) + 1;
+  }
+};
+
+struct PlainLineReader {
+  /// Finds the lines from `begin` on, about lines_at_once of them; none near the end of the text. Offsets have 32 bits.
+  void (*find)(char const* text, std::size_t size, std::uint32_t begin, PlainLines& lines);
+  /// Takes lines apart from `next` on, up to the first that is no plain one (a single word, a token that may go on behind its
+  /// first 64 bytes, an unusual byte, `Ende`), to the last, or until `room` assignments are written to `out`: all but their
+  /// kind. Gives the number of assignments.
+  std::size_t (*split)(char const* text, PlainLines const& lines, std::size_t& next, Assignment* out,
+                       std::size_t room);
+};
+
+/// Null for the grammar, and for a way that this processor cannot go.
+[[nodiscard]] PlainLineReader const* find_plain_line_reader(Way way);
+
+}  // namespace axisc::grammar

@@ -1,0 +1,146 @@
+// Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is not among them is
+// looked at more closely (validator/judgement.hpp), and may be right as well.
+#pragma once
+
+#include "schema/catalogue.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace axisc::schema {
+
+enum class PlainKind : std::uint8_t {
+  none,     ///< every value has to be looked at
+  integer,  ///< from `lowest` to `highest`
+  real,     ///< the same; integers are reals too
+  boolean,  ///< 0, 1, and `words`, of which the first two are FALSE and TRUE
+  symbol,   ///< one of `words`
+  text,     ///< a word of at most `longest` bytes
+};
+
+/// Of one row of the catalogue. Half a cache line, so that what look-ups need lies together.
+struct PlainValues {
+  double lowest = 0;
+  double highest = 0;
+  Symbol const* symbols = nullptr;
+  std::uint16_t longest = 0;
+  std::uint8_t symbol_count = 0;
+  PlainKind kind = PlainKind::none;
+
+  [[nodiscard]] constexpr std::span<Symbol const> words() const { return {symbols, symbol_count}; }
+};
+static_assert(sizeof(PlainValues) <= 32);
+
+namespace detail {
+
+/// The next double above; `value` is finite.
+constexpr double next_above(double value) {
+  if (value == 0) return std::numeric_limits<double>::denorm_min();
+  auto const bits = std::bit_cast<std::uint64_t>(value);
+  return std::bit_cast<double>(value > 0 ? bits + 1 : bits - 1);
+}
+
+struct TypeRange {
+  double lowest = -std::numeric_limits<double>::infinity();
+  double highest = std::numeric_limits<double>::infinity();
+};
+
+template <typename Integer>
+constexpr TypeRange range_of_integer() {
+  return {.lowest = static_cast<double>(std::numeric_limits<Integer>::min()),
+          .highest = static_cast<double>(std::numeric_limits<Integer>::max())};
+}
+
+constexpr TypeRange range_of(DataType type) {
+  constexpr double exact = 9007199254740992;  // 2^53: doubles hold all integers up to here
+  switch (type) {
+    case DataType::uns08:
+      return range_of_integer<std::uint8_t>();
+    case DataType::uns16:
+      return range_of_integer<std::uint16_t>();
+    case DataType::uns32:
+      return range_of_integer<std::uint32_t>();
+    case DataType::sgn08:
+      return range_of_integer<std::int8_t>();
+    case DataType::sgn16:
+      return range_of_integer<std::int16_t>();
+    case DataType::sgn32:
+      return range_of_integer<std::int32_t>();
+    case DataType::uns64:
+      return {.lowest = 0, .highest = exact};
+    case DataType::sgn64:
+      return {.lowest = -exact, .highest = exact};
+    case DataType::boolean:
+    case DataType::real64:
+    case DataType::string:
+      break;
+  }
+  return {};
+}
+
+/// Words that mean the numbers beside them, or none; there are not too many.
+constexpr bool has_plain_symbols(Parameter const& parameter) {
+  bool const any_too_long =
+      std::any_of(parameter.symbols.begin(), parameter.symbols.end(), [&parameter](Symbol const& symbol) {
+        bool const is_too_long = parameter.max_length != 0 && symbol.word.size() > parameter.max_length;
+        return is_too_long || (symbol.word == "TRUE" && !symbol.number);
+      });
+  return !any_too_long && parameter.symbols.size() < std::numeric_limits<std::uint8_t>::max();
+}
+
+/// Words without numbers, and a default that is none of them: they may be bits of a mask, which can be joined.
+constexpr bool may_be_bit_mask(Parameter const& parameter) {
+  return std::none_of(parameter.symbols.begin(), parameter.symbols.end(), [&parameter](Symbol const& symbol) {
+    return symbol.number.has_value() || symbol.word == parameter.default_text;
+  });
+}
+
+constexpr PlainKind plain_kind_of(Parameter const& parameter) {
+  bool const has_limits =
+      parameter.minimum.kind == Limit::Kind::number || parameter.maximum.kind == Limit::Kind::number;
+  if (parameter.type == DataType::boolean) {
+    bool const has_truth_values = parameter.symbols.size() >= 2 && parameter.symbols[0].word == "FALSE" &&
+                                  parameter.symbols[1].word == "TRUE";
+    return has_truth_values && !has_limits && has_plain_symbols(parameter) ? PlainKind::boolean
+                                                                           : PlainKind::none;
+  }
+  if (parameter.is_enumeration()) {
+    bool const is_plain = !has_limits && has_plain_symbols(parameter) && !may_be_bit_mask(parameter);
+    return is_plain ? PlainKind::symbol : PlainKind::none;
+  }
+  if (parameter.type == DataType::string) return has_limits ? PlainKind::none : PlainKind::text;
+  return parameter.type == DataType::real64 ? PlainKind::real : PlainKind::integer;
+}
+
+}  // namespace detail
+
+constexpr PlainValues plain_values_of(Parameter const& parameter) {
+  detail::TypeRange range = detail::range_of(parameter.type);
+  Limit const& minimum = parameter.minimum;
+  Limit const& maximum = parameter.maximum;
+  if (minimum.kind == Limit::Kind::number) {
+    range.lowest = std::max(range.lowest, minimum.open ? detail::next_above(minimum.number) : minimum.number);
+  }
+  if (maximum.kind == Limit::Kind::number) {
+    range.highest =
+        std::min(range.highest, maximum.open ? -detail::next_above(-maximum.number) : maximum.number);
+  }
+  PlainValues plain{.lowest = range.lowest, .highest = range.highest};
+  plain.kind = detail::plain_kind_of(parameter);
+  if (plain.kind == PlainKind::boolean || plain.kind == PlainKind::symbol) {
+    plain.symbols = parameter.symbols.data();
+    plain.symbol_count = static_cast<std::uint8_t>(parameter.symbols.size());
+  }
+  if (plain.kind == PlainKind::text) {
+    plain.longest =
+        parameter.max_length != 0 ? parameter.max_length : std::numeric_limits<std::uint16_t>::max();
+  }
+  return plain;
+}
+
+}  // namespace axisc::schema

@@ -1,0 +1,151 @@
+// Lines are found and cut at their blanks as by looking at one byte after the other.
+#include "grammar/plain_lines.hpp"
+
+#include "support/catch.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <rapidcheck.h>
+
+namespace {
+
+using namespace axisc::grammar;
+
+constexpr std::array ways = {Way::quick, Way::portable, Way::avx2};
+
+struct Found {
+  std::uint32_t begin = 0;
+  bool unusual = false;
+  friend bool operator==(Found const&, Found const&) = default;
+};
+
+std::vector<Found> found_in(PlainLineReader const& reader, std::string_view text, std::uint32_t begin) {
+  PlainLines lines;
+  reader.find(text.data(), text.size(), begin, lines);
+  std::vector<Found> found;
+  for (std::size_t i = 0; i < lines.count; ++i)
+    found.push_back({.begin = lines.begins[i], .unusual = lines.unusual[i]});
+  return found;
+}
+
+bool is_unusual(std::string_view line, std::size_t at) {
+  char const byte = line[at];
+  if (byte == '\t') return false;
+  if (byte == '\r') return at + 1 != line.size();
+  return byte < ' ' || byte > '~' || byte == ':';
+}
+
+/// All lines in whole blocks with a block behind their begin.
+std::vector<Found> plainly_found(std::string_view text, std::size_t begin) {
+  std::size_t const end = begin + (text.size() - begin) / room_behind_line * room_behind_line;
+  std::vector<Found> found;
+  for (std::size_t at = begin; at + room_behind_line <= text.size();) {
+    std::size_t const feed = text.find('\n', at);
+    if (feed >= end) break;
+    Found& line = found.emplace_back(Found{.begin = static_cast<std::uint32_t>(at)});
+    for (std::size_t i = at; i < feed; ++i) line.unusual |= is_unusual(text.substr(at, feed - at), i - at);
+    at = feed + 1;
+  }
+  return found;
+}
+
+rc::Gen<std::string> text_of(std::vector<std::string> const& pieces) {
+  return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces)),
+                      [](auto const& chosen) {
+                        std::string text;
+                        for (std::string const& each : chosen) text += each;
+                        return text;
+                      });
+}
+
+TEST_CASE("lines are found with their unusual bytes") {
+  REQUIRE(rc::check("any lines", [] {
+    std::string const text = *text_of({"\n", "\r\n", "\r", " ", "\t", "a", "0123456789", std::string(50, 'b'),
+                                       ":", "\x01", "\x7F", "\xE4", "filter[0].order 1"}) +
+                             std::string(room_behind_line, '#');
+    for (Way const way : ways) {
+      PlainLineReader const* const reader = find_plain_line_reader(way);
+      if (reader == nullptr) continue;
+      for (std::uint32_t const begin : {0U, 3U})
+        RC_ASSERT(found_in(*reader, text, begin) == plainly_found(text, begin));
+    }
+  }));
+}
+
+TEST_CASE("as many lines are found as there is room for") {
+  std::string const text(1000, '\n');
+  for (Way const way : ways) {
+    PlainLineReader const* const reader = find_plain_line_reader(way);
+    if (reader == nullptr) continue;
+    auto const found = found_in(*reader, text, 0);
+    CHECK(found.size() == lines_at_once);
+    CHECK(found.back().begin == lines_at_once - 1);
+    CHECK(found_in(*reader, "short\n", 0).empty());
+    CHECK(found_in(*reader, std::string(500, 'a') + "\n", 0).empty());
+  }
+}
+
+struct Cut {
+  std::vector<std::string> parts;
+  std::size_t lines = 0;
+};
+
+Cut cut(PlainLineReader const& reader, std::string const& text) {
+  std::string const whole = text + std::string(2 * room_behind_line, '#');
+  PlainLines lines;
+  reader.find(whole.data(), whole.size(), 0, lines);
+  std::array<Assignment, 20> assignments;
+  Cut result;
+  std::size_t const count =
+      reader.split(whole.data(), lines, result.lines, assignments.data(), assignments.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    Assignment const& each = assignments[i];
+    for (axisc::Span const span : {each.name, each.value, each.trailer}) {
+      result.parts.push_back(whole.substr(span.begin, span.size()));
+    }
+    result.parts.push_back(std::to_string(each.line) + " " +
+                           std::to_string(static_cast<int>(each.trailer_kind)));
+  }
+  return result;
+}
+
+TEST_CASE("lines are cut into name, value and trailer up to the first that is not plain") {
+  std::string const plain = "\n  \n# Kommentar\na.b  -1.5\n\tc LOWPASS ( d e \r\n=f %1 /x\r\ng 1 /* h\n";
+  std::vector<std::string> const parts = {"a.b", "-1.5", "",   "4 0", "c", "LOWPASS", "( d e", "5 1",
+                                          "=f",  "%1",   "/x", "6 4", "g", "1",       "/* h",  "7 3"};
+  for (Way const way : ways) {
+    PlainLineReader const* const reader = find_plain_line_reader(way);
+    if (reader == nullptr) continue;
+    CHECK(cut(*reader, plain).parts == parts);
+    for (std::string const& other : {std::string("Ende"), std::string("eNDE 1"), std::string("a"),
+                                     std::string("a 1 \x01"), std::string("# a: b"), std::string("\xE4 1"),
+                                     "a " + std::string(70, '1'), std::string(70, ' ') + "a"}) {
+      CAPTURE(other);
+      Cut const some = cut(*reader, plain + other + "\nz 1\n");
+      CHECK(some.parts == parts);
+      CHECK(some.lines == 7);
+    }
+    CHECK(cut(*reader, std::string("a 1\n") + std::string(30, '\n')).lines == 31);
+  }
+  CHECK(find_plain_line_reader(Way::portable) != nullptr);
+  CHECK(find_plain_line_reader(Way::by_grammar) == nullptr);
+}
+
+TEST_CASE("not more lines are cut than there is room for") {
+  std::string text;
+  for (int i = 0; i < 25; ++i) text += "a 1\n";
+  for (Way const way : ways) {
+    PlainLineReader const* const reader = find_plain_line_reader(way);
+    if (reader == nullptr) continue;
+    Cut const some = cut(*reader, text);
+    CHECK(some.lines == 20);
+    CHECK(some.parts.size() == 80);
+  }
+}
+
+}  // namespace

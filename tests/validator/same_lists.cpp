@@ -1,0 +1,65 @@
+#include "validator/same_lists.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace axisc::tests {
+namespace {
+
+using validator::Reading;
+using validator::Readings;
+
+bool same_readings(Reading const& a, Reading const& b) {
+  return a.row == b.row &&
+         std::bit_cast<std::uint64_t>(a.value.number) == std::bit_cast<std::uint64_t>(b.value.number) &&
+         a.value.text == b.value.text && a.reference.p_axis == b.reference.p_axis &&
+         a.reference.index == b.reference.index && a.text == b.text && a.trouble == b.trouble &&
+         a.slot == b.slot && a.name_status == b.name_status && a.status == b.status && a.number == b.number &&
+         a.name_folded == b.name_folded && a.symbol_folded == b.symbol_folded && a.quoted == b.quoted;
+}
+
+template <typename Range>
+bool same_ranges(Range const& a, Range const& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+bool same_readings(Readings const& a, Readings const& b, schema::Catalogue const& catalogue) {
+  if (a.size() != b.size() || a.has_repetitions() != b.has_repetitions() ||
+      !same_ranges(a.doubtful(), b.doubtful()) || !same_ranges(a.without_value(), b.without_value())) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a.slot(i) != b.slot(i) || !same_readings(a[i], b[i]) ||
+        !same_ranges(a.suggestions(i), b.suggestions(i))) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < catalogue.slot_count(); ++i) {
+    if (a.last_of(static_cast<schema::Slot>(i)) != b.last_of(static_cast<schema::Slot>(i))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool same_lists(validator::ReadList const& a, validator::ReadList const& b,
+                schema::Catalogue const& catalogue) {
+  return a.tree == b.tree && same_readings(a.readings, b.readings, catalogue);
+}
+
+bool reads_alike_in_all_ways(SourceText const& source, schema::Catalogue const& catalogue) {
+  using grammar::Way;
+  validator::ReadList const by_grammar = validator::read_list(source, catalogue, Way::by_grammar);
+  bool const is_windows = source.encoding() == Encoding::windows_1252;
+  if (by_grammar.tree != grammar::parse_axis_list(source.bytes(), source.text_begin(), is_windows))
+    return false;
+  constexpr std::array ways = {Way::quick, Way::portable, Way::avx2};
+  return std::all_of(ways.begin(), ways.end(), [&](Way way) {
+    return same_lists(validator::read_list(source, catalogue, way), by_grammar, catalogue);
+  });
+}
+
+}  // namespace axisc::tests
