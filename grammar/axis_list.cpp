@@ -26,7 +26,9 @@ std::string_view without_blanks(std::string_view text) {
 }
 
 std::string_view first_word(std::string_view line) {
-  return line.substr(0, std::min(line.find_first_of(" \t"), line.size()));
+  auto const* const end =
+      std::find_if(line.begin(), line.end(), [](char byte) { return is(character::blank, byte); });
+  return line.substr(0, static_cast<std::size_t>(end - line.begin()));
 }
 
 /// Runs one parser of the grammar from the start of `line`; no attribute, no expectations.
@@ -64,7 +66,11 @@ std::string_view up_to_parenthesis(std::string_view text) {
 /// A line that could not be read may still carry a directive: from the first thing that looks like a
 /// comment.
 std::string_view comment_of_broken(std::string_view line) {
-  std::size_t const opener = std::min({line.find('('), line.find('#'), line.find("/*"), line.size()});
+  std::size_t opener = 0;
+  for (; opener < line.size(); ++opener) {
+    char const byte = line[opener];
+    if (byte == '(' || byte == '#' || (byte == '/' && line.substr(opener + 1).starts_with('*'))) break;
+  }
   return line.substr(opener);
 }
 
@@ -189,15 +195,6 @@ Span free_text(std::string_view bytes, Assignment const& assignment) {
       bytes.substr(assignment.value.begin, assignment.trailer.end - assignment.value.begin);
   std::size_t const size = up_to_parenthesis(text).size();
   return {.begin = assignment.value.begin, .end = assignment.value.begin + static_cast<std::uint32_t>(size)};
-}
-
-bool is_parameter_name(std::string_view text) {
-  Failure<ProblemKind> failure;
-  char const* position = text.data();
-  char const* const end = text.data() + text.size();
-  bool const matches =
-      syntax::name.parse(position, end, x3::make_context<FailureTag>(failure), x3::unused, x3::unused);
-  return matches && position == end && failure.where == nullptr;
 }
 
 std::size_t longest_line_in(std::string_view bytes) {

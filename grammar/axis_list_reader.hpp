@@ -55,7 +55,4 @@ class AxisListReader {
   bool text_behind_end_reported_ = false;
 };
 
-/// Identifiers joined by points, each with an index or without.
-[[nodiscard]] bool is_parameter_name(std::string_view text);
-
 }  // namespace axisc::grammar

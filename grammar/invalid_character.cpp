@@ -1,5 +1,6 @@
 #include "grammar/invalid_character.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -43,8 +44,10 @@ std::uint32_t invalid_size(std::string_view line, std::size_t position, bool win
 std::optional<Span> find_invalid_character(std::string_view line, bool windows_1252) {
   std::size_t position = 0;
   while (position < line.size()) {
-    if (line.size() - position >= block_size && !needs_a_look(line.data() + position)) {
-      position += block_size;
+    // The last block may overlap the one before.
+    std::size_t const block = std::min(position, line.size() - std::min(line.size(), block_size));
+    if (line.size() >= block_size && !needs_a_look(line.data() + block)) {
+      position = block + block_size;
       continue;
     }
     std::size_t const stop = line.size() - position < block_size ? line.size() : position + block_size;
@@ -56,10 +59,6 @@ std::optional<Span> find_invalid_character(std::string_view line, bool windows_1
     }
   }
   return std::nullopt;
-}
-
-bool is_allowed(char const* begin, char const* end, bool windows_1252) {
-  return !find_invalid_character({begin, static_cast<std::size_t>(end - begin)}, windows_1252);
 }
 
 }  // namespace axisc::grammar

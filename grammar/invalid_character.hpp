@@ -13,8 +13,4 @@ namespace axisc::grammar {
 /// 8D, 8F, 90, 9D hex). Cost: one pass, eight bytes at a time where they are plain text.
 [[nodiscard]] std::optional<Span> find_invalid_character(std::string_view line, bool windows_1252);
 
-/// There is none from `begin` to `end`. For grammar/levels, which use no std::optional and no std::string_view: their inline
-/// functions would be compiled there once more.
-[[nodiscard]] bool is_allowed(char const* begin, char const* end, bool windows_1252);
-
 }  // namespace axisc::grammar

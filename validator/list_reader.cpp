@@ -134,6 +134,8 @@ class ListReader {
 
   void look_closer(grammar::Assignment const& assignment, schema::PlainParameter parameter) {
     auto const number = static_cast<std::uint32_t>(result_.brief_.size());
+    // In one go: where one line is wrong, many may be.
+    if (result_.others_.empty()) result_.others_.reserve(result_.brief_.capacity());
     Reading& reading = result_.others_.emplace_back();
     reading.text = assignment.value;
     if (parameter.values != nullptr) {

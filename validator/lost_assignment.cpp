@@ -84,7 +84,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     }
   }
   for (std::uint32_t const i : readings.doubtful()) {
-    Reading const reading = readings[i];
+    Reading const& reading = readings.closer(i);
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
     if (!reading.row_known()) {

@@ -16,8 +16,7 @@
 
 namespace axisc::validator {
 
-/// What a plain value says. (Handed over in registers: what is written in small pieces and read in large ones makes a
-/// processor wait.)
+/// What a plain value says.
 struct PlainValue {
   double number = 0;
   std::uint8_t text = BriefReading::no_text;
@@ -43,7 +42,7 @@ class PlainValueReader {
       case PlainKind::real:
         return (short_real(out) || short_integer(out)) && is_within(values, out.number);
       case PlainKind::boolean:
-        return digit(out) || (word(values, out) && (out.text <= 2 || comment_may_follow_word()));
+        return digit(out) || (word(values, out) && (out.text <= truth_values || comment_may_follow_word()));
       case PlainKind::symbol:
         return comment_may_follow_word() && word(values, out);
       case PlainKind::text:
@@ -56,6 +55,9 @@ class PlainValueReader {
 
  private:
   using ValueKind = grammar::ValueKind;
+
+  /// FALSE and TRUE are the first words of a boolean; behind them everything is a comment.
+  static constexpr std::uint8_t truth_values = 2;
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
 

@@ -7,6 +7,7 @@
 #include "schema/catalogue.hpp"
 #include "validator/value.hpp"
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <forward_list>
@@ -88,6 +89,11 @@ class Readings {
 
   [[nodiscard]] std::size_t size() const { return brief_.size(); }
   [[nodiscard]] Reading operator[](std::size_t assignment) const;
+  /// The same of an assignment that was looked at more closely, as all doubtful ones were.
+  [[nodiscard]] Reading const& closer(std::size_t assignment) const {
+    assert(brief_[assignment].other != 0);
+    return others_[brief_[assignment].other - 1];
+  }
   /// The parameter of an assignment, where it is known.
   [[nodiscard]] std::optional<schema::Slot> slot(std::size_t assignment) const;
 

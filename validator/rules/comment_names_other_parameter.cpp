@@ -30,9 +30,10 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
 
 /// The first P-AXIS number in the comment of a line; none where its own is among them, or where it has none.
 std::optional<Mention> other_parameter(Line const& line) {
-  Reading const reading = line.reading();
   Span const trailer = line.assignment().trailer;
-  if (!reading.row_known() || reading.row->p_axis == 0 || trailer.empty()) return std::nullopt;
+  if (trailer.empty()) return std::nullopt;
+  Reading const reading = line.context.list.readings[line.number];
+  if (!reading.row_known() || reading.row->p_axis == 0) return std::nullopt;
   std::string_view const text = line.context.source.slice(trailer);
   std::optional<Mention> first = next_mention(text, 0);
   for (std::optional<Mention> mention = first; mention; mention = next_mention(text, mention->span.end)) {
@@ -48,9 +49,10 @@ std::optional<Mention> other_parameter(Line const& line) {
 void describe(Finding& finding, Line const& line) {
   Mention const first = *other_parameter(line);
   std::string const named = line.text(first.span);
-  finding.message = message(Text::ax1011, {{"named", named},
-                                           {"parameter", line.name()},
-                                           {"own", schema::p_axis_text(line.reading().row->p_axis)}});
+  finding.message = message(
+      Text::ax1011, {{"named", named},
+                     {"parameter", line.name()},
+                     {"own", schema::p_axis_text(line.context.list.readings[line.number].row->p_axis)}});
   if (first.number > UINT16_MAX) return;
   schema::Catalogue const& catalogue = line.context.list.catalogue;
   for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {

@@ -11,7 +11,7 @@ void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot
 }
 
 void name_parameter(Finding& finding, Line const& line) {
-  Reading const reading = line.reading();
+  Reading const reading = line.context.list.readings[line.number];
   if (reading.known()) return name_parameter(finding, *reading.row, reading.slot);
   finding.parameter = line.name();
   if (reading.row_known()) finding.p_axis = schema::p_axis_text(reading.row->p_axis);

@@ -37,7 +37,8 @@ struct Line {
   [[nodiscard]] grammar::Assignment const& assignment() const {
     return context.list.tree.assignments[number];
   }
-  [[nodiscard]] Reading reading() const { return context.list.readings[number]; }
+  /// Of a line that may be wrong by itself; context.list.readings has those of all lines.
+  [[nodiscard]] Reading const& reading() const { return context.list.readings.closer(number); }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
   /// As the list writes it.
   [[nodiscard]] std::string name() const { return context.source.utf8(assignment().name); }
@@ -86,7 +87,8 @@ struct AxisLine {
     return in_default_list ? *context.default_list : context.axis_list;
   }
   [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
-  [[nodiscard]] Reading reading() const { return list().readings[number]; }
+  /// Of a line that may be wrong by itself.
+  [[nodiscard]] Reading const& reading() const { return list().readings.closer(number); }
   [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
 };
 

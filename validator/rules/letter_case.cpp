@@ -36,7 +36,7 @@ void describe_symbol(Finding& finding, Line const& line) {
 
 void checks::letter_case(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const reading = line.reading();
+    Reading const& reading = line.reading();
     if (reading.known() && reading.name_folded) {
       report_line<describe_name>(report, line, line.assignment().name);
     }

@@ -38,7 +38,7 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
 
 void checks::out_of_range(AxisContext const& context, Report& report) {
   for_each_doubtful(context, [&](AxisLine const& line) {
-    Reading const reading = line.reading();
+    Reading const& reading = line.reading();
     if (!reading.known() || reading.status != ReadingStatus::value) return;
     double const value = reading.value.number;
     if (!is_wrong(*reading.row, value) || is_number_of_default_list(line.list(), *reading.row, value)) return;

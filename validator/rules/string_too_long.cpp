@@ -23,7 +23,7 @@ void describe(Finding& finding, Line const& line) {
 
 void checks::string_too_long(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
-    Reading const reading = line.reading();
+    Reading const& reading = line.reading();
     if (!reading.row_known() || reading.status != ReadingStatus::value) return;
     std::size_t const most = reading.row->max_length;
     if (most == 0 || reading.value.text.size() <= most || characters(reading.value.text) <= most) return;
