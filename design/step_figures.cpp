@@ -5,6 +5,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -127,11 +128,15 @@ Rest rest_of(std::vector<FilterState> const& filters) {
 
 /// Rest below which nothing that is reported changes any more.
 constexpr double settled_rest = 1e-13;
+/// Where only the settling counts, as a share of the tolerance: the filters behind may amplify what is left, by far less than a
+/// hundred thousand.
+constexpr double rest_in_tolerance = 1e-5;
 constexpr std::uint64_t cycles_between_checks = 32;
 
-}  // namespace
-
-StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance) {
+/// Looks at the step response until `is_enough(rest)`.
+template <typename IsEnough>
+StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance,
+                        IsEnough is_enough) {
   std::vector<FilterState> filters(chain.begin(), chain.end());
   double final_value = 1;
   for (FilterDesign const& filter : chain) final_value *= filter.dc_gain;
@@ -148,12 +153,28 @@ StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t long
     if (!(std::abs(y.value - final_value) <= tolerance)) settling = n + 1;
     if (n % cycles_between_checks == 0 || n + 1 == longest) {
       rest = rest_of(filters);
-      if (rest.value <= std::min(settled_rest, tolerance) && rest.path <= settled_rest) break;
+      if (is_enough(rest)) break;
     }
   }
   if (final_value > 0) figures.overshoot = std::max(0.0, highest / final_value - 1);
   if (settling < longest && rest.value <= tolerance) figures.settling_cycles = settling;
   return figures;
+}
+
+}  // namespace
+
+StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance) {
+  return follow_step(chain, longest, tolerance, [tolerance](Rest const& rest) {
+    return rest.value <= std::min(settled_rest, tolerance) && rest.path <= settled_rest;
+  });
+}
+
+std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain, std::uint64_t longest,
+                                             double tolerance) {
+  auto const is_enough = [tolerance](Rest const& rest) {
+    return rest.value <= rest_in_tolerance * tolerance;
+  };
+  return follow_step(chain, longest, tolerance, is_enough).settling_cycles;
 }
 
 }  // namespace axisc::design

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +82,8 @@ struct alignas(64) Parameter {
       number_names;             ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
   std::string_view axis_types;  ///< "TR" where the parameter is not for every type; empty means all
   std::string_view since;       ///< build that introduced it; empty where it is as old as the catalogue
+  /// What default_text says, where it is a decimal number and was read already; else not a number.
+  double default_number = std::numeric_limits<double>::quiet_NaN();
 
   [[nodiscard]] std::size_t index_count() const { return array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U; }
   [[nodiscard]] constexpr bool is_enumeration() const {

@@ -77,7 +77,7 @@ class ListReader {
     std::size_t next = 0;
     while (next < lines.count) {
       std::size_t const count = reader.split(bytes_.data(), lines, next, batch_.data(), batch_.size());
-      if (auto const end = read_batch(lines, count)) return *end;
+      read_batch(lines, count);
       if (next == lines.count || count == batch_.size()) continue;
       read_by_grammar(lines.line(bytes_, next), lines.number(next));
       ++next;
@@ -86,8 +86,8 @@ class ListReader {
     return next;
   }
 
-  /// The assignments that were cut out of their lines; where one of them ends the list, the number of lines up to that.
-  std::optional<std::size_t> read_batch(grammar::PlainLines const& lines, std::size_t count) {
+  /// The assignments that were cut out of their lines, of which none ends the list.
+  void read_batch(grammar::PlainLines const& lines, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       names_[i] = {bytes_.data() + batch_[i].name.begin, batch_[i].name.size()};
     }
@@ -99,10 +99,8 @@ class ListReader {
       kept = i + 1;
       std::size_t const line = batch_[i].line - lines.lines_before - 1;
       read_by_grammar(lines.line(bytes_, line), batch_[i].line, parameters_[i]);
-      if (lines_.has_ended()) return line + 1;
     }
     keep(kept, count);
-    return std::nullopt;
   }
 
   /// False for a line that is left to the grammar.

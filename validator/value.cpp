@@ -201,6 +201,7 @@ std::optional<Value> default_value(schema::Parameter const& parameter) {
   if (parameter.type == schema::DataType::string && !is_bit_mask(parameter)) {
     return Value{.number = 0, .text = text};
   }
+  if (!std::isnan(parameter.default_number)) return Value{.number = parameter.default_number, .text = {}};
   // Catalogue defaults such as 0x0001 or 1.000000e+002 are numbers in the same forms as in a list.
   NumberReading const reading = read_real(text);
   if (reading.status != NumberStatus::good) return std::nullopt;

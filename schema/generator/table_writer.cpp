@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -17,6 +18,8 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <tuple>
 #include <vector>
 
@@ -36,6 +39,29 @@ std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
   return text;
+}
+
+/// Of a text that is a decimal number as lists write them; everything else is read where it is asked for.
+std::optional<double> decimal_number(std::string const& text) {
+  std::string_view digits = text;
+  if (digits.starts_with('-')) digits.remove_prefix(1);
+  bool const has_leading_zero =
+      digits.size() > 1 && digits[0] == '0' && std::isdigit(static_cast<unsigned char>(digits[1])) != 0;
+  if (digits.empty() || has_leading_zero ||
+      digits.find_first_not_of("0123456789.eE+-") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  double number = 0;
+  auto const [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+/// That reads as the same number again.
+std::string shortest_text(double number) {
+  std::array<char, 32> text{};
+  auto const [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
+  return {text.data(), end};
 }
 
 /// One concrete parameter.
@@ -157,6 +183,9 @@ class TableWriter {
     out_ << ", .number_names = " << set_names_[2 * row + 1];
     write_text("axis_types", parameter.axis_types);
     write_text("since", parameter.since);
+    if (auto const number = decimal_number(parameter.default_text.value_or(""))) {
+      out_ << ", .default_number = " << shortest_text(*number);
+    }
     out_ << "},\n";
     return slots;
   }

@@ -5,7 +5,11 @@
 #include "tests/design/specifications.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
+#include <span>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -125,6 +129,35 @@ TEST_CASE("step figures of simple chains") {
                                               one_millisecond, Precision::exact);
   CHECK(step_figures({&highpass, 1}, 10'000, 1e-4).overshoot == 0);
   CHECK(step_figures({&highpass, 1}, 10'000, 1e-4).settling_cycles);
+}
+
+TEST_CASE("settling alone is what step figures say of it") {
+  std::vector<FilterDesign> const all = mixed_chain();
+  for (std::size_t length = 0; length <= all.size(); ++length) {
+    std::span const chain = std::span(all).first(length);
+    for (double const tolerance : {1e-2, 1e-4, 1e-6}) {
+      for (std::uint64_t const longest : {10U, 100U, 1000U, 100'000U}) {
+        CAPTURE(length, tolerance, longest);
+        CHECK(settling_cycles(chain, longest, tolerance) ==
+              step_figures(chain, longest, tolerance).settling_cycles);
+      }
+    }
+  }
+  // Slow ones in series, whose rests the last one amplifies.
+  for (double const frequency : {0.5, 2.0, 7.0}) {
+    std::vector<FilterDesign> chain;
+    for (auto const& [type, prototype, order] :
+         {std::tuple{FilterType::lowpass, Prototype::critical_damping, 6U},
+          std::tuple{FilterType::bandstop, Prototype::butterworth, 3U},
+          std::tuple{FilterType::bandpass, Prototype::butterworth, 3U}}) {
+      chain.push_back(
+          design_filter(filter_of(type, prototype, order, frequency), one_millisecond, Precision::exact));
+    }
+    CAPTURE(frequency);
+    auto const settled = settling_cycles(chain, 1'000'000, 1e-4);
+    CHECK(settled);
+    CHECK(settled == step_figures(chain, 1'000'000, 1e-4).settling_cycles);
+  }
 }
 
 TEST_CASE("what does not settle in time is said so") {

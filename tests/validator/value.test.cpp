@@ -2,6 +2,8 @@
 
 #include "support/catch.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -117,4 +119,17 @@ TEST_CASE("documented defaults in every form") {
   CHECK(default_value(parameter("lr_param.add_interface.enable"))->flag());
   CHECK(default_value(parameter("kopf.log_achs_name"))->text == "X_Achse");
   CHECK_FALSE(default_value(parameter("getriebe[0].dynamik.a_w_max")).has_value());
+}
+
+TEST_CASE("defaults that were read when the program was built are what their texts say") {
+  std::size_t count = 0;
+  for (axisc::schema::Parameter const& parameter : axisc::schema::parameters()) {
+    if (std::isnan(parameter.default_number)) continue;
+    INFO(parameter.name << " " << parameter.default_text);
+    NumberReading const reading = read_real(parameter.default_text);
+    CHECK(reading.status == NumberStatus::good);
+    CHECK(reading.number == parameter.default_number);
+    ++count;
+  }
+  CHECK(count > 400);
 }

@@ -43,9 +43,9 @@ Result settling(std::vector<ChainLink> const& chain, double radius, design::Cycl
   if (decay > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const filters = designs(chain);
   auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
-  auto const figures = design::step_figures(filters, longest, tolerance);
-  if (!figures.settling_cycles) return {.settling = Settling::late, .seconds = std::nullopt};
-  auto const cycles = static_cast<double>(*figures.settling_cycles);
+  auto const settled = design::settling_cycles(filters, longest, tolerance);
+  if (!settled) return {.settling = Settling::late, .seconds = std::nullopt};
+  auto const cycles = static_cast<double>(*settled);
   if (cycles <= allowed) return {};
   return {.settling = Settling::late, .seconds = cycles * cycle_time.seconds()};
 }
