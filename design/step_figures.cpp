@@ -68,7 +68,7 @@ class FilterState {
         sections_(filter.sections.begin(), filter.sections.end()),
         line_(filter.delay_cycles) {}
 
-  Signal step(Signal x) {
+  [[gnu::always_inline]] Signal step(Signal x) {
     switch (realisation_) {
       case Realisation::pass_through:
         return x;

@@ -30,6 +30,18 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
+/// Of a token of letters, digits and what may stand between them; none where the grammar has to look at it.
+std::optional<grammar::ValueKind> simple_kind(std::string_view token) {
+  using namespace grammar;
+  auto const is_simple = [](char byte) { return is(character::letter | character::digit, byte); };
+  if (!std::all_of(token.begin(), token.end(), is_simple)) return std::nullopt;
+  if (is(character::letter, token.front())) return ValueKind::word;
+  bool const is_number =
+      std::all_of(token.begin(), token.end(), [](char byte) { return is(character::digit, byte); });
+  bool const has_leading_zero = token.size() > 1 && token.front() == '0';
+  return is_number && !has_leading_zero ? std::optional(ValueKind::integer) : std::nullopt;
+}
+
 }  // namespace
 
 class ListReader {
@@ -97,8 +109,7 @@ class ListReader {
       if (read_plain(i)) continue;
       keep(kept, i);
       kept = i + 1;
-      std::size_t const line = batch_[i].line - lines.lines_before - 1;
-      read_by_grammar(lines.line(bytes_, line), batch_[i].line, parameters_[i]);
+      read_closer(lines, i);
     }
     keep(kept, count);
   }
@@ -113,6 +124,19 @@ class ListReader {
     batch_[i].kind = value.kind;
     readings_[i] = {.number = value.number, .other = 0, .slot = parameter.slot, .text = value.text};
     return true;
+  }
+
+  /// One that is no plain one. What the grammar would make of it can be told where its name is known and its value looks simple.
+  void read_closer(grammar::PlainLines const& lines, std::size_t i) {
+    grammar::Assignment& assignment = batch_[i];
+    auto const kind = simple_kind(source_.slice(assignment.value));
+    if (parameters_[i].values == nullptr || !kind) {
+      std::size_t const line = assignment.line - lines.lines_before - 1;
+      return read_by_grammar(lines.line(bytes_, line), assignment.line, parameters_[i]);
+    }
+    assignment.kind = *kind;
+    lines_.add({&assignment, 1});
+    look_closer(assignment, parameters_[i]);
   }
 
   /// Those that were read without the grammar.
