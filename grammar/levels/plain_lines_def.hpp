@@ -33,6 +33,7 @@ inline Bits lowest(Bits bits) {
 inline Bits first_run(Bits bits) {
   return bits & ~(bits + lowest(bits));
 }
+/// Those of the first `count` places, also of more than there are.
 inline Bits first_of(Bits bits, std::uint32_t count) {
 #if defined(__BMI2__)
   return _bzhi_u64(bits, count < block_size ? count : block_size);
@@ -57,7 +58,7 @@ void find_lines(char const* text, std::size_t size, std::uint32_t begin, PlainLi
   Bits returned = 0;  // The byte before the block is a carriage return.
   for (std::size_t at = begin; at + block_size <= size && count < lines_at_once; at += block_size) {
     // A text that lay idle comes from farther away than a processor looks ahead by itself.
-    __builtin_prefetch(text + at + bytes_ahead);
+    __builtin_prefetch(text + (at + bytes_ahead < size ? at + bytes_ahead : at));
     TextBlock const block(text + at);
     Bits feeds = block.line_feed();
     Bits const others = block.unusual() & ~feeds;
