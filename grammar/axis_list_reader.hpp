@@ -3,7 +3,6 @@
 
 #include "grammar/axis_list.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>

@@ -1,7 +1,5 @@
 #include "grammar/plain_lines.hpp"
 
-#include <cstddef>
-
 // The C library has asked the processor already: in a virtual machine every question costs microseconds, more than wider
 // vectors save in a short list. (Clang does not read this header as C++.)
 #if defined(AXISC_HAS_AVX2_LEVEL) && __has_include(<sys/platform/x86.h>) && !defined(__clang__)

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string_view>
 
 namespace axisc::schema {
 
@@ -82,6 +80,8 @@ constexpr TypeRange range_of(DataType type) {
   }
   return {};
 }
+
+// What follows says less than the closer look does (validator/value.hpp): where it is in doubt, there is nothing plain.
 
 /// Words that mean the numbers beside them, or none; there are not too many.
 constexpr bool has_plain_symbols(Parameter const& parameter) {

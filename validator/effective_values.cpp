@@ -126,6 +126,7 @@ EffectiveValues::EffectiveValues(LoadedList const* default_list, LoadedList cons
 }
 
 EffectiveValue& EffectiveValues::add(EffectiveValue value) const {
+  assert(entries_.size() < schema::most_slots);
   EffectiveValue& entry = entries_.emplace_back(value);
   entry_of_slot_[static_cast<std::size_t>(entry.slot)] = static_cast<std::uint16_t>(entries_.size());
   return entry;

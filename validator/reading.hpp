@@ -65,12 +65,13 @@ struct Reading {
 
 /// What nearly all lines say: they give a known parameter a value and are beyond doubt.
 struct BriefReading {
-  /// For `text`: none, the value as the list writes it, or the symbol of the row before.
+  /// For `text`, which else is the number of a symbol of the row, counted from 1: none, the value as the list writes it.
   static constexpr std::uint8_t no_text = 0;
   static constexpr std::uint8_t own_text = 255;
 
   double number = 0;
-  std::uint32_t other = 0;  ///< 0, or where more has to be said: its number among the other readings, from 1
+  std::uint32_t other =
+      0;  ///< 0, or where more has to be said: its number among the other readings, from 1, which say all
   schema::Slot slot{};
   std::uint8_t text = no_text;
 };
@@ -99,6 +100,7 @@ class Readings {
 
   /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
   [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
+    assert(static_cast<std::size_t>(slot) < last_of_slot_.size());
     return last_of_slot_[static_cast<std::size_t>(slot)];
   }
 
@@ -138,14 +140,15 @@ class Readings {
   bool has_repetitions_ = false;
 };
 
-/// A list as it is written, and what each of its assignments means.
+/// A list as it is written, and what each of its assignments means. The readings look into the tree: it may be moved, and
+/// a copy of it is no substitute.
 struct ReadList {
   grammar::AxisList tree;
   Readings readings;
 };
 
-/// Reads a list. Lines that give a parameter of the catalogue a plain value are read without the grammar; in whichever way,
-/// the result is the same. Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown
+/// Reads a list. Lines that give a parameter of the catalogue a plain value, or another one that looks simple, are read without
+/// the grammar; in whichever way, the result is the same. Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown
 /// names only.
 [[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {},
                                  grammar::Way way = grammar::Way::quick);

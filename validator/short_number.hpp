@@ -1,8 +1,8 @@
 // Decimal numbers of a few digits, as nearly all numbers of a list are, eight digits at a time.
 //
 // How many digits a number has differs from line to line, so a loop over them ends where no processor expects it. What is read
-// here reads the same in validator/value.hpp, which reads everything else too. The texts are what the grammar calls an integer or a
-// real, so none has a leading zero.
+// here reads the same in validator/value.hpp, which reads everything else too. The texts may be any tokens; what no
+// number may have, a leading zero, is for the caller to find.
 #pragma once
 
 #include <array>

@@ -61,7 +61,9 @@ std::optional<double> decimal_number(std::string const& text) {
 std::string shortest_text(double number) {
   std::array<char, 32> text{};
   auto const [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
-  return {text.data(), end};
+  std::string shortest(text.data(), end);
+  if (shortest.find_first_of(".e") == std::string::npos) shortest += ".0";
+  return shortest;
 }
 
 /// One concrete parameter.

@@ -257,12 +257,20 @@ TEST_CASE("rows of schema files read alike") {
   added.type = schema::DataType::string;
   added.array = {3, 0};
   added.symbols = {{"ONE", 1}, {"TWO", std::nullopt}};
-  schema::Catalogue const catalogue = schema::Catalogue().with({changed, added});
+  schema::ParameterRow larger =
+      schema::ParameterRow::from(schema::parameter(schema::find("filter[0].order").parameter));
+  larger.array = {12, 0};
+  schema::ParameterRow direction;
+  direction.name = "own.direction";
+  direction.type = schema::DataType::boolean;
+  direction.symbols = {{"FALSE", 0}, {"TRUE", 1}, {"LEFT", 0}, {"RIGHT", 1}};
+  schema::Catalogue const catalogue = schema::Catalogue().with({changed, added, larger, direction});
   std::string text;
-  for (std::string const name :
-       {"kopf.achs_nr", "own[0].words", "own[00].words", "own[2].words", "own[3].words", "own[1]].words",
-        "own[1].words.", "filter[0].order", "filter[1].type"}) {
-    for (std::string const value : {"0.5", "0.6", "1", "7", "ONE", "TWO", "one", "LOWPASS"}) {
+  for (std::string const name : {"kopf.achs_nr", "own[0].words", "own[00].words", "own[2].words",
+                                 "own[3].words", "own[1]].words", "own[1].words.", "filter[0].order",
+                                 "filter[11].order", "filter[12].order", "filter[1].type", "own.direction"}) {
+    for (std::string const value : {"0.5", "0.6", "1", "7", "ONE", "TWO", "one", "LOWPASS", "TRUE # a",
+                                    "LEFT", "LEFT # a", "RIGHT ( a", "left"}) {
       text.append(name).append(" ").append(value).append("\n");
     }
   }

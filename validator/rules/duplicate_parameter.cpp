@@ -29,8 +29,9 @@ void checks::duplicate_parameter(ListContext const& context, Report& report) {
   Readings const& readings = context.list.readings;
   for (std::uint32_t i = 0; i < readings.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
-    if (!readings[i].usable()) continue;
-    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(readings[i].slot)], i + 1);
+    Reading const reading = readings[i];
+    if (!reading.usable()) continue;
+    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(reading.slot)], i + 1);
     if (before == 0) continue;
     std::uint32_t const earlier = before - 1;
     Place const place = place_of(context, context.list.tree.assignments[earlier].value);
