@@ -56,8 +56,9 @@ constexpr auto plain_table = [] {
 
 constexpr std::size_t limited_slots = [] {
   std::size_t count = 0;
-  for (Parameter const& parameter : parameter_table)
-    count += is_limited_by_another(parameter) ? parameter.slots : 0U;
+  for (Parameter const& parameter : parameter_table) {
+    if (is_limited_by_another(parameter)) count += parameter.slots;
+  }
   return count;
 }();
 

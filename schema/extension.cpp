@@ -125,8 +125,9 @@ PlainParameter Extension::find_plain(std::string_view name) const {
   ConcreteParameter const built_in = schema::find_exact(name);
   if (built_in) {
     ParameterId const id = schema::parameter_of(built_in.slot);
-    if (!own_ids_.contains(id))
+    if (!own_ids_.contains(id)) {
       return {.values = &plain_[static_cast<std::size_t>(id)], .slot = built_in.slot};
+    }
   }
   NameLookup const lookup = find_as_written(name);
   bool const is_exact =

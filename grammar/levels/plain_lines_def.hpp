@@ -43,13 +43,13 @@ inline Bits first_of(Bits bits, std::uint32_t count) {
 }
 
 /// Notes the lines that the unusual bytes of a block stand in; `line` is the one that reaches into the block.
-__attribute__((noinline)) void note_unusual(Bits unusual, Bits line_feeds, bool* line) {
+__attribute__((noinline)) inline void note_unusual(Bits unusual, Bits line_feeds, bool* line) {
   for (; unusual != 0; unusual &= unusual - 1) {
     line[__builtin_popcountll(line_feeds & (lowest(unusual) - 1))] = true;
   }
 }
 
-void find_lines(char const* text, std::size_t size, std::uint32_t begin, PlainLines& lines) {
+inline void find_lines(char const* text, std::size_t size, std::uint32_t begin, PlainLines& lines) {
   std::uint32_t* const begins = lines.begins.data();
   bool* const unusual_lines = lines.unusual.data();
   std::memset(unusual_lines, 0, sizeof lines.unusual);
@@ -145,8 +145,8 @@ AXISC_INLINE Shape split_line(char const* text, std::uint32_t origin, std::uint3
   return Shape::assignment;
 }
 
-std::size_t split_lines(char const* text, PlainLines const& lines, std::size_t& given_next, Assignment* out,
-                        std::size_t room) {
+inline std::size_t split_lines(char const* text, PlainLines const& lines, std::size_t& given_next,
+                               Assignment* out, std::size_t room) {
   std::uint32_t const* const begins = lines.begins.data();
   bool const* const unusual = lines.unusual.data();
   std::size_t count = 0;
