@@ -143,12 +143,25 @@ EffectiveValue const& EffectiveValues::look_up(schema::Slot slot) const {
 
 std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
   std::vector<EffectiveValue const*> values;
-  for (std::size_t i = 0; i < entry_of_slot_.size(); ++i) {
-    auto const slot = static_cast<schema::Slot>(i);
-    if (is_set(slot)) values.push_back(&(*this)[slot]);
+  for (LoadedList const* const list : {lists_[1], lists_[0]}) {
+    if (list == nullptr) continue;
+    for (std::size_t i = 0; i < list->readings.size(); ++i) {
+      auto const slot = list->readings.slot(i);
+      if (!slot) continue;
+      EffectiveValue const& value = (*this)[*slot];
+      bool const counts = value.source == list->source && value.line == list->tree.assignments[i].line;
+      if (counts) values.push_back(&value);
+    }
   }
-  std::sort(values.begin(), values.end(),
-            [](EffectiveValue const* a, EffectiveValue const* b) { return stands_before(*a, *b); });
+  // Lines that were meant for a parameter and are no assignments.
+  std::size_t const assigned = values.size();
+  for (EffectiveValue const& value : entries_) {
+    if (value.set() && !value.has_value) values.push_back(&value);
+  }
+  if (values.size() != assigned) {
+    std::sort(values.begin(), values.end(),
+              [](EffectiveValue const* a, EffectiveValue const* b) { return stands_before(*a, *b); });
+  }
   return values;
 }
 

@@ -216,3 +216,16 @@ TEST_CASE("a boolean may be a number, however it is written and wherever it stan
     }
   }
 }
+
+TEST_CASE("broken lines and lines of both lists stand in their order") {
+  Lists const lists("filter[0].order 1,5\nfilter[2.order 2\nkopf.achs_nr 1\n",
+                    "filter[1].order 1\nfilter[0].order 2\nfilter[1].order\nfilter[0].fg_f0 20\n");
+  std::vector<std::string> shown;
+  for (EffectiveValue const* const value : lists.merged.values.set_values()) {
+    shown.push_back(parameter_name(*value) + (value->unusable ? " unusable " : " ") +
+                    std::to_string(value->line));
+  }
+  CHECK(shown == std::vector<std::string>{"filter[1].order unusable 1", "filter[0].fg_f0 4",
+                                          "filter[0].order unusable 1", "filter[2].order unusable 2",
+                                          "kopf.achs_nr 3"});
+}
