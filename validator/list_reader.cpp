@@ -30,7 +30,7 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
-/// Of a token of letters, digits and what may stand between them; none where the grammar has to look at it.
+/// Of a token of letters and digits alone, underscores among them; none where the grammar has to look at it.
 std::optional<grammar::ValueKind> simple_kind(std::string_view token) {
   using namespace grammar;
   auto const is_simple = [](char byte) { return is(character::letter | character::digit, byte); };
