@@ -15,6 +15,29 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+/// Lines are found by counting in blocks: an entry for each line would be written for a thousand lines to point at one.
+constexpr std::size_t block_size = 512;
+
+/// In pieces whose number fits a byte and whose size is fixed, so that compilers count many at once.
+std::uint32_t count_line_ends_of_block(char const* block) {
+  constexpr std::size_t piece = 128;
+  std::uint32_t count = 0;
+  for (std::size_t begin = 0; begin < block_size; begin += piece) {
+    unsigned char inside = 0;
+    for (std::size_t i = 0; i < piece; ++i) {
+      inside = static_cast<unsigned char>(inside + static_cast<unsigned char>(block[begin + i] == '\n'));
+    }
+    count += inside;
+  }
+  return count;
+}
+
+std::uint32_t count_line_ends(std::string_view text) {
+  std::uint32_t count = 0;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) ++count;
+  return count;
+}
+
 Encoding encoding_of(std::string_view bytes, bool is_ascii) {
   if (is_ascii) return Encoding::utf8;
   if (valid_utf8_prefix(bytes) != bytes.size()) return Encoding::windows_1252;
@@ -40,36 +63,57 @@ SourceText::SourceText(std::string name, Excerpt excerpt)
   numbers_.push_back(numbers_.empty() ? 1 : numbers_.back() + 1);
 }
 
-std::vector<std::uint32_t> const& SourceText::line_starts() const {
-  if (line_starts_.empty()) {
-    constexpr std::size_t usual_line = 32;
-    line_starts_.reserve(bytes_.size() / usual_line + 1);
-    line_starts_.push_back(0);
-    std::string_view const text = bytes_;
-    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) {
-      line_starts_.push_back(static_cast<std::uint32_t>(end + 1));
-    }
+void SourceText::count_lines() const {
+  if (!line_ends_before_.empty()) return;
+  line_ends_before_.reserve(bytes_.size() / block_size + 2);
+  std::uint32_t count = 0;
+  std::string_view rest = bytes_;
+  for (; rest.size() >= block_size; rest.remove_prefix(block_size)) {
+    line_ends_before_.push_back(count);
+    count += count_line_ends_of_block(rest.data());
   }
-  return line_starts_;
+  line_ends_before_.push_back(count);
+  line_ends_before_.push_back(count + count_line_ends(rest));
 }
 
-std::uint32_t SourceText::line_at(std::uint32_t offset) const {
-  auto const& starts = line_starts();
-  bool const is_last = last_line_ == starts.size();
-  if (offset < starts[last_line_ - 1] || (!is_last && offset >= starts[last_line_])) {
-    auto const behind = std::upper_bound(starts.begin(), starts.end(), offset);
-    last_line_ = static_cast<std::uint32_t>(behind - starts.begin());
-  }
+SourceText::Line const& SourceText::keep_line(std::uint32_t number, std::size_t begin) const {
+  std::size_t const end = std::min(std::string_view(bytes_).find('\n', begin), bytes_.size());
+  last_line_ = {.number = number,
+                .begin = static_cast<std::uint32_t>(begin),
+                .end = static_cast<std::uint32_t>(end)};
   return last_line_;
+}
+
+SourceText::Line const& SourceText::line_at(std::uint32_t offset) const {
+  bool const is_last_line = last_line_.number != 0 && last_line_.begin <= offset && offset <= last_line_.end;
+  if (is_last_line) return last_line_;
+  count_lines();
+  std::size_t const block = offset / block_size;
+  std::string_view const before = std::string_view(bytes_).substr(0, offset);
+  std::uint32_t const ends = line_ends_before_[block] + count_line_ends(before.substr(block * block_size));
+  std::size_t const last_end = before.rfind('\n');
+  return keep_line(ends + 1, last_end == std::string_view::npos ? 0 : last_end + 1);
+}
+
+SourceText::Line const& SourceText::line_numbered(std::uint32_t number) const {
+  if (last_line_.number == number) return last_line_;
+  count_lines();
+  // It begins behind the line end `number - 1`, in the last block before which stand fewer.
+  std::uint32_t ends = number - 1;
+  auto const behind = std::lower_bound(line_ends_before_.begin(), line_ends_before_.end() - 1, ends);
+  auto const block = behind == line_ends_before_.begin() ? behind : behind - 1;
+  std::size_t begin = static_cast<std::size_t>(block - line_ends_before_.begin()) * block_size;
+  for (ends -= *block; ends > 0; --ends) begin = bytes_.find('\n', begin) + 1;
+  return keep_line(number, number == 1 ? 0 : begin);
 }
 
 Position SourceText::position(std::uint32_t offset) const {
   std::uint32_t const at = std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
-  auto const& starts = line_starts();
-  std::uint32_t const line = line_at(at);
-  std::uint32_t const begin = std::max(starts[line - 1], text_begin_);
+  Line const& line = line_at(at);
+  std::uint32_t const begin = std::max(line.begin, text_begin_);
 
-  Position position{.line = numbers_.empty() ? line : numbers_[line - 1], .column = at - begin + 1};
+  Position position{.line = numbers_.empty() ? line.number : numbers_[line.number - 1],
+                    .column = at - begin + 1};
   if (encoding_ != Encoding::windows_1252 && !is_ascii_) {
     // Continuation bytes up to and including `at` belong to characters that began before.
     std::string_view const before = slice({.begin = begin, .end = at});
@@ -80,23 +124,23 @@ Position SourceText::position(std::uint32_t offset) const {
   return position;
 }
 
-Span SourceText::line_span(std::uint32_t line) const {
+Span SourceText::line_span(std::uint32_t number) const {
   auto const size = static_cast<std::uint32_t>(bytes_.size());
-  auto const& starts = line_starts();
   if (is_excerpt()) {
-    auto const number = std::lower_bound(numbers_.begin(), numbers_.end(), line);
-    bool const is_held = number != numbers_.end() && *number == line;
-    line = is_held ? static_cast<std::uint32_t>(number - numbers_.begin()) + 1 : 0;
+    auto const held = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+    bool const is_held = held != numbers_.end() && *held == number;
+    number = is_held ? static_cast<std::uint32_t>(held - numbers_.begin()) + 1 : 0;
   }
-  if (line == 0 || line > starts.size()) return {.begin = size, .end = size};
-  bool const is_last = line == starts.size();
-  Span span{.begin = std::max(starts[line - 1], text_begin_), .end = is_last ? size : starts[line] - 1};
-  if (!is_last && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
+  if (number == 0 || number > line_count()) return {.begin = size, .end = size};
+  Line const& line = line_numbered(number);
+  Span span{.begin = std::max(line.begin, text_begin_), .end = line.end};
+  if (line.end < size && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
   return span;
 }
 
 std::uint32_t SourceText::line_count() const {
-  return static_cast<std::uint32_t>(line_starts().size());
+  count_lines();
+  return line_ends_before_.back() + 1;
 }
 
 bool SourceText::is_utf8(Span span) const {

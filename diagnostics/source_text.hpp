@@ -43,9 +43,8 @@ class SourceText {
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
   /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
-  /// place behind it. Cost: a binary search over line starts, unless the line is that of the call before, and the code
-  /// points of one line. The line table is built at the first call (one pass), so one SourceText serves one thread at a
-  /// time.
+  /// place behind it. Cost: a look at up to half a thousand bytes, unless the line is that of the call before, and the code
+  /// points of one line. Lines are counted at the first call (one pass), so one SourceText serves one thread at a time.
   [[nodiscard]] Position position(std::uint32_t offset) const;
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
   /// the end of the file for a line that is not there, or not in the excerpt.
@@ -65,9 +64,18 @@ class SourceText {
   [[nodiscard]] std::string encode(std::string_view text) const;
 
  private:
-  std::vector<std::uint32_t> const& line_starts() const;
-  /// In line_starts(), from 1.
-  std::uint32_t line_at(std::uint32_t offset) const;
+  /// A line of the bytes, counted from 1, of an excerpt too: its begin, and where its LF stands, or the end of the bytes.
+  struct Line {
+    std::uint32_t number = 0;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+
+  void count_lines() const;
+  /// The line of a byte, and the line of a number between 1 and the number of all lines. Both stay in last_line_.
+  Line const& line_at(std::uint32_t offset) const;
+  Line const& line_numbered(std::uint32_t number) const;
+  Line const& keep_line(std::uint32_t number, std::size_t begin) const;
   [[nodiscard]] bool is_utf8(Span span) const;
 
   std::string name_;
@@ -76,8 +84,9 @@ class SourceText {
   Encoding encoding_;
   std::uint32_t text_begin_;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
-  mutable std::vector<std::uint32_t> line_starts_;
-  mutable std::uint32_t last_line_ = 1;  ///< that line_at() found
+  /// How many LF stand before each block of the bytes, and as the last one how many there are; empty until somebody asks.
+  mutable std::vector<std::uint32_t> line_ends_before_;
+  mutable Line last_line_;  ///< that was asked for, number 0 where none was
 };
 
 enum class SourceId : std::uint32_t {};

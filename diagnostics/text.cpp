@@ -7,7 +7,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace axisc {
 namespace {
@@ -36,28 +35,6 @@ void append_value(std::string& text, std::string_view placeholder, std::span<Arg
   text += placeholder;
 }
 
-void append_filled(std::string& text, std::string_view sentence, std::span<Argument const> arguments,
-                   Values values) {
-  while (true) {
-    // Each on its own: the search for one byte is a fast one.
-    std::size_t const open = std::min(sentence.find('{'), sentence.size());
-    std::size_t const close = std::min(sentence.find('}'), sentence.size());
-    std::size_t const brace = std::min(open, close);
-    text += sentence.substr(0, brace);
-    if (brace == sentence.size()) return;
-    bool const is_doubled = sentence.substr(brace + 1).starts_with(sentence[brace]);
-    std::size_t end = brace + 1;
-    if (is_doubled || brace == close || close == sentence.size()) {
-      text += sentence[brace];
-      if (is_doubled) ++end;
-    } else {
-      end = close + 1;
-      append_value(text, sentence.substr(brace, end - brace), arguments, values);
-    }
-    sentence.remove_prefix(end);
-  }
-}
-
 }  // namespace
 
 std::string_view text_template(Text text, Language language) {
@@ -69,15 +46,17 @@ std::string_view text_key(Text text) {
   return entries.at(static_cast<std::size_t>(text)).key;
 }
 
-std::string fill(std::string_view sentence, std::vector<Argument> const& arguments) {
-  std::string filled;
-  append_filled(filled, sentence, arguments, Values::as_given);
-  return filled;
-}
-
 void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments, Language language,
                      Values values) {
-  append_filled(text, text_template(sentence, language), arguments, values);
+  std::string_view rest = text_template(sentence, language);
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    text += rest.substr(0, open);
+    rest.remove_prefix(open);
+    std::string_view const placeholder = rest.substr(0, std::min(rest.find('}'), rest.size() - 1) + 1);
+    append_value(text, placeholder, arguments, values);
+    rest.remove_prefix(placeholder.size());
+  }
+  text += rest;
 }
 
 void append_rendered(std::string& text, Message const& message, Language language, Values values) {

@@ -4,8 +4,7 @@
 //     AXISC_TEXT(ax3005, "the delay must be shorter than {limit}", "die Verzögerung muss kürzer als {limit}
 //     sein")
 // which makes Text::ax3005. `{limit}` is a placeholder that a Message fills; both languages name the same
-// ones.
-// `{{` and `}}` print single braces. Names: `axNNNN` for the headline of a code, `axNNNN_…` for what stands
+// ones. Braces stand for nothing else. Names: `axNNNN` for the headline of a code, `axNNNN_…` for what stands
 // beside it.
 #pragma once
 
@@ -54,7 +53,5 @@ void append_rendered(std::string& text, Message const& message, Language languag
                      Values values = Values::as_given);
 void append_rendered(std::string& text, Text sentence, std::span<Argument const> arguments, Language language,
                      Values values = Values::as_given);
-/// The same for a template that stands elsewhere.
-[[nodiscard]] std::string fill(std::string_view sentence, std::vector<Argument> const& arguments);
 
 }  // namespace axisc

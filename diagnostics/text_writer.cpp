@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/compile.h>
+#include <fmt/format.h>
 
 namespace axisc {
 namespace {
@@ -57,11 +57,6 @@ class TextWriter {
     if (finding.place) location_ = locate(*finding.place, sources);
     if (finding.fix) blocks_ = preview(*finding.fix, sources);
     gutter_width_ = digits_of(largest_line_number());
-    bar_.assign(gutter_width_ + 1, ' ');
-    paint_.append(bar_, Style::gutter, "|");
-    equals_.assign(gutter_width_ + 1, ' ');
-    paint_.append(equals_, Style::gutter, "=");
-    equals_ += ' ';
   }
 
   void write() && {
@@ -124,15 +119,24 @@ class TextWriter {
   void write_arrow(std::string_view arrow, std::string_view file, Position position) {
     begin_arrow(arrow);
     append_printable(out_, file);
-    fmt::format_to(std::back_inserter(out_), FMT_COMPILE(":{}:{}\n"), position.line, position.column);
+    fmt::memory_buffer place;
+    fmt::format_to(fmt::appender(place), FMT_COMPILE(":{}:{}\n"), position.line, position.column);
+    out_.append(place.data(), place.size());
   }
 
-  void write_empty_gutter() { (out_ += bar_) += '\n'; }
+  /// The gutter of a line without a number, with a sign, and what stands behind it.
+  void write_gutter(std::string_view sign, std::string_view behind) {
+    out_.append(gutter_width_ + 1, ' ');
+    paint_.append(out_, Style::gutter, sign);
+    out_ += behind;
+  }
+  void write_empty_gutter() { write_gutter("|", "\n"); }
 
   /// The number of a line, as wide as the gutter, and what stands behind it.
   void write_line_number(std::uint32_t line, std::string_view behind) {
-    out_.append(gutter_width_ - digits_of(line), ' ');
-    fmt::format_to(std::back_inserter(out_), FMT_COMPILE("{} {}"), line, behind);
+    fmt::format_int const number(line);
+    out_.append(gutter_width_ - number.size(), ' ');
+    (out_.append(number.data(), number.size()) += ' ') += behind;
   }
 
   /// `label` may be null.
@@ -152,7 +156,8 @@ class TextWriter {
     paint_.end(out_);
     out_ += ' ';
     shown.append_text(out_);
-    ((out_ += '\n') += bar_) += ' ';
+    out_ += '\n';
+    write_gutter("|", " ");
     shown.append_indent(out_);
     paint_.begin(out_, pointer.style);
     out_.append(shown.width(), pointer.mark);
@@ -188,7 +193,7 @@ class TextWriter {
 
   /// A colon separates `head` from the rest, where there is a head.
   void begin_line_below(std::string_view head) {
-    out_ += equals_;
+    write_gutter("=", " ");
     if (head.empty()) return;
     paint_.begin(out_, Style::strong);
     (out_ += head) += ": ";
@@ -241,8 +246,6 @@ class TextWriter {
   Location location_;  ///< of the finding's own place
   std::vector<PreviewBlock> blocks_;
   std::size_t gutter_width_ = 1;
-  std::string bar_;     ///< the gutter of a line without a number
-  std::string equals_;  ///< what a line below the place begins with
 };
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "validator/effective_values.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,38 +16,6 @@ EffectiveValue make_default(schema::Catalogue const& catalogue, schema::Slot slo
   value.value = default_value(*value.row).value_or(Value{});
   return value;
 }
-
-std::vector<EffectiveValue> internal_defaults(schema::Catalogue const& catalogue) {
-  std::vector<EffectiveValue> defaults;
-  defaults.reserve(catalogue.slot_count());
-  for (std::size_t i = 0; i < catalogue.slot_count(); ++i) {
-    defaults.push_back(make_default(catalogue, static_cast<schema::Slot>(i)));
-  }
-  return defaults;
-}
-
-/// The defaults of the built-in catalogue, each made when it is first asked for: rules look at a hundred of them, and to
-/// make them all would take as long as to read a list. Threads may make the same one, of which the first stays. They are
-/// there until the program ends.
-class BuiltInDefaults {
- public:
-  BuiltInDefaults() : places_(schema::slot_count()) {}
-  BuiltInDefaults(BuiltInDefaults const&) = delete;
-  BuiltInDefaults& operator=(BuiltInDefaults const&) = delete;
-  ~BuiltInDefaults() = delete;
-
-  EffectiveValue const& operator[](schema::Slot slot) {
-    std::atomic<EffectiveValue const*>& place = places_[static_cast<std::size_t>(slot)];
-    EffectiveValue const* known = place.load(std::memory_order_acquire);
-    if (known != nullptr) return *known;
-    auto made = std::make_unique<EffectiveValue const>(make_default({}, slot));
-    if (place.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel)) return *made.release();
-    return *known;
-  }
-
- private:
-  std::vector<std::atomic<EffectiveValue const*>> places_;
-};
 
 /// `filter[].order` with its indices.
 std::string concrete_name(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {
@@ -116,9 +82,7 @@ bool stands_before(EffectiveValue const& a, EffectiveValue const& b) {
 }
 
 EffectiveValues::EffectiveValues(schema::Catalogue catalogue)
-    : catalogue_(std::move(catalogue)), entry_of_slot_(catalogue_.slot_count(), 0) {
-  if (!catalogue_.is_built_in()) own_defaults_ = internal_defaults(catalogue_);
-}
+    : catalogue_(std::move(catalogue)), entry_of_slot_(catalogue_.slot_count(), 0) {}
 
 EffectiveValues::EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list)
     : EffectiveValues(axis_list.catalogue) {
@@ -126,10 +90,12 @@ EffectiveValues::EffectiveValues(LoadedList const* default_list, LoadedList cons
 }
 
 EffectiveValue& EffectiveValues::add(EffectiveValue value) const {
-  assert(entries_.size() < schema::most_slots);
-  EffectiveValue& entry = entries_.emplace_back(value);
-  entry_of_slot_[static_cast<std::size_t>(entry.slot)] = static_cast<std::uint16_t>(entries_.size());
-  return entry;
+  if (blocks_.empty() || blocks_.back().size() == block_size) blocks_.emplace_back().reserve(block_size);
+  std::vector<EffectiveValue>& block = blocks_.back();
+  std::size_t const entry = (blocks_.size() - 1) * block_size + block.size() + 1;
+  assert(entry <= schema::most_slots);
+  entry_of_slot_[static_cast<std::size_t>(value.slot)] = static_cast<std::uint16_t>(entry);
+  return block.emplace_back(value);
 }
 
 EffectiveValue const& EffectiveValues::look_up(schema::Slot slot) const {
@@ -138,7 +104,7 @@ EffectiveValue const& EffectiveValues::look_up(schema::Slot slot) const {
     std::uint32_t const last = list->readings.last_of(slot);
     if (last != 0) return add(value_of_line(*list, last - 1));
   }
-  return internal_default(slot);
+  return add(make_default(catalogue_, slot));
 }
 
 std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
@@ -155,19 +121,16 @@ std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
   }
   // Lines that were meant for a parameter and are no assignments.
   std::size_t const assigned = values.size();
-  for (EffectiveValue const& value : entries_) {
-    if (value.set() && !value.has_value) values.push_back(&value);
+  for (std::vector<EffectiveValue> const& block : blocks_) {
+    for (EffectiveValue const& value : block) {
+      if (value.set() && !value.has_value) values.push_back(&value);
+    }
   }
   if (values.size() != assigned) {
     std::sort(values.begin(), values.end(),
               [](EffectiveValue const* a, EffectiveValue const* b) { return stands_before(*a, *b); });
   }
   return values;
-}
-
-EffectiveValue const& EffectiveValues::internal_default(schema::Slot slot) const {
-  static BuiltInDefaults& built_in = *new BuiltInDefaults;
-  return own_defaults_.empty() ? built_in[slot] : own_defaults_[static_cast<std::size_t>(slot)];
 }
 
 EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_t first_index,
@@ -179,7 +142,7 @@ EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-  return entry != 0 ? entries_[entry - 1] : add(make_default(catalogue_, slot));
+  return entry != 0 ? value_at(entry - 1) : add(make_default(catalogue_, slot));
 }
 
 void EffectiveValues::refer(schema::Slot slot, Value value) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,8 +63,8 @@ struct EffectiveValue {
 /// means "not configured".
 [[nodiscard]] bool configured(EffectiveValue const& value);
 
-/// All parameters of one axis that a list sets, and the documented defaults of the others. Most of what lists set nobody asks
-/// for, so a value is made when it is first looked at, and stays where it is: one EffectiveValues serves one thread at a time.
+/// All parameters of one axis that a list sets, and the documented defaults of the others. Of both, most nobody asks for, so
+/// a value is made when it is first looked at, and stays where it is: one EffectiveValues serves one thread at a time.
 class EffectiveValues {
  public:
   explicit EffectiveValues(schema::Catalogue catalogue = {});
@@ -76,7 +75,7 @@ class EffectiveValues {
   /// Value of one slot. Cost: constant.
   [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-    return entry == 0 ? look_up(slot) : entries_[entry - 1];
+    return entry == 0 ? look_up(slot) : value_at(entry - 1);
   }
   /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
   /// range.
@@ -89,7 +88,7 @@ class EffectiveValues {
   /// A list sets the parameter, perhaps in a line that cannot be used.
   [[nodiscard]] bool is_set(schema::Slot slot) const {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
-    if (entry != 0) return entries_[entry - 1].set();
+    if (entry != 0) return value_at(entry - 1).set();
     return std::any_of(lists_.begin(), lists_.end(), [slot](LoadedList const* list) {
       return list != nullptr && list->readings.last_of(slot) != 0;
     });
@@ -106,17 +105,21 @@ class EffectiveValues {
   void refer(schema::Slot slot, Value value);
 
  private:
+  /// Values lie in blocks that never grow, so that none of them moves.
+  static constexpr std::size_t block_size = 64;
+
   EffectiveValue const& look_up(schema::Slot slot) const;
-  [[nodiscard]] EffectiveValue const& internal_default(schema::Slot slot) const;
   /// Makes the entry of a slot that has none.
   EffectiveValue& add(EffectiveValue value) const;
+  [[nodiscard]] EffectiveValue& value_at(std::size_t index) const {
+    return blocks_[index / block_size][index % block_size];
+  }
 
   schema::Catalogue catalogue_;
   std::array<LoadedList const*, 2> lists_{};  ///< the one that counts first; null where there is none
-  std::vector<EffectiveValue> own_defaults_;  ///< with schema files; without them all share one table
-  /// 0: not yet looked at, or a default; else index + 1. There are at most schema::most_slots.
+  /// 0: not yet looked at; else index + 1. There are at most schema::most_slots.
   mutable std::vector<std::uint16_t> entry_of_slot_;
-  mutable std::deque<EffectiveValue> entries_;  ///< a deque moves none of them
+  mutable std::vector<std::vector<EffectiveValue>> blocks_;
   std::vector<schema::Slot> referenced_slots_;
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 /// Whether a rule that needs T has anything to look at: an active standard filter, a configured FIR or HSC filter, an
 /// enabled Improved Position Control.
-bool uses_cycle_time(AxisContext const& axis, std::vector<FilterView> const& filters) {
-  for (FilterView const& filter : filters) {
+bool uses_cycle_time(AxisContext const& axis) {
+  for (FilterView const& filter : axis.filters) {
     if (filter.active() || (filter.port == FilterPort::setpoint && filter.is_hsc())) return true;
   }
   return axis.fir.type.value.number != 0 || axis.position_control.enable.value.flag();
@@ -23,13 +23,17 @@ bool uses_cycle_time(AxisContext const& axis, std::vector<FilterView> const& fil
 
 /// What the rules about one axis see; it lives until their findings are told.
 struct AxisScope {
+  std::vector<FilterView> filters;
+  FilterDesigns designs;
   FirView fir;
   PositionControlView position_control;
   AxisContext context;
 
   AxisScope(LoadedMachine const& machine, std::size_t index, design::CycleTime cycle_time,
             SourceSet const& sources)
-      : fir(machine.axes[index].merged.values),
+      : filters(touched_filters(machine.axes[index].merged.values)),
+        designs(filters, cycle_time),
+        fir(machine.axes[index].merged.values),
         position_control(machine.axes[index].merged.values),
         context{.machine = machine,
                 .index = index,
@@ -41,6 +45,8 @@ struct AxisScope {
                 .default_list = machine.list_of_defaults(),
                 .axis_list = machine.lists[machine.axes[index].list].list,
                 .reference_problems = machine.axes[index].merged.reference_problems,
+                .filters = filters,
+                .designs = designs,
                 .fir = fir,
                 .position_control = position_control} {}
   AxisScope(AxisScope const&) = delete;
@@ -141,11 +147,10 @@ class Engine {
 
   void run_axis(std::size_t index) {
     AxisContext const& context = axis_scopes_.emplace_back(machine_, index, cycle_time_, sources_).context;
-    std::vector<FilterView> const filters = touched_filters(context.values);
-    cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context, filters);
+    cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context);
     std::vector<Subject const*> subjects;
-    subjects.reserve(filters.size());
-    for (FilterView const& filter : filters) {
+    subjects.reserve(context.filters.size());
+    for (FilterView const& filter : context.filters) {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
     }
@@ -154,9 +159,9 @@ class Engine {
       if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
         call(rule, *check, context, context.name, nullptr);
       } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
-        for (std::size_t i = 0; i < filters.size(); ++i) {
-          call(rule, *filter_check, FilterContext{.axis = context, .filter = filters[i]}, context.name,
-               subjects[i]);
+        for (std::size_t i = 0; i < context.filters.size(); ++i) {
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
+               context.name, subjects[i]);
         }
       }
     }

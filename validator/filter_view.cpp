@@ -37,11 +37,20 @@ Slots look_up_slots() {
 }
 
 /// Views are made by the thousand; the names are looked up once.
+std::array<schema::Slot, member_names.size()> const& slots_of(FilterPort port, std::uint32_t index) {
+  static Slots const slots = look_up_slots();
+  return slots[port == FilterPort::setpoint ? index : setpoint_filters + index];
+}
+
 EffectiveValue const& value_of(EffectiveValues const& values, FilterPort port, std::uint32_t index,
                                Member member) {
-  static Slots const slots = look_up_slots();
-  return values[slots[port == FilterPort::setpoint ? index : setpoint_filters + index]
-                     [static_cast<std::size_t>(member)]];
+  return values[slots_of(port, index)[static_cast<std::size_t>(member)]];
+}
+
+bool is_touched(EffectiveValues const& values, FilterPort port, std::uint32_t index) {
+  auto const& slots = slots_of(port, index);
+  return std::any_of(slots.begin(), slots.end(),
+                     [&values](schema::Slot slot) { return values.is_set(slot); });
 }
 
 bool is_standard(int type) {
@@ -74,11 +83,6 @@ FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uin
       quality(value_of(values, port_, index_, Member::quality)),
       share(value_of(values, port_, index_, Member::share)),
       time_constant(value_of(values, port_, index_, Member::time_constant)) {}
-
-bool FilterView::touched() const {
-  auto const values = all();
-  return std::any_of(values.begin(), values.end(), [](EffectiveValue const* value) { return value->set(); });
-}
 
 bool FilterView::is_hsc() const {
   return !prototype.unusable && static_cast<int>(prototype.value.number) == hsc_prototype;
@@ -162,8 +166,7 @@ std::vector<FilterView> touched_filters(EffectiveValues const& values) {
   std::vector<FilterView> filters;
   auto const add = [&](FilterPort port, std::uint32_t count) {
     for (std::uint32_t index = 0; index < count; ++index) {
-      FilterView const filter(values, port, index);
-      if (filter.touched()) filters.push_back(filter);
+      if (is_touched(values, port, index)) filters.emplace_back(values, port, index);
     }
   };
   add(FilterPort::setpoint, setpoint_filters);

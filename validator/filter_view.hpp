@@ -32,8 +32,6 @@ struct FilterView {
   [[nodiscard]] std::array<EffectiveValue const*, 8> all() const {
     return {&enable, &order, &prototype, &type, &frequency, &quality, &share, &time_constant};
   }
-  /// A list sets at least one of the parameters.
-  [[nodiscard]] bool touched() const;
   [[nodiscard]] bool is_hsc() const;  ///< prototype HSC
   /// Number of P-AXIS-00204: the configured type; where none is set, its default (8 with prototype HSC, else
   /// 1; PT2 for the additional interface).
@@ -57,7 +55,7 @@ struct FilterView {
   [[nodiscard]] std::optional<design::FilterSpecification> specification(design::CycleTime cycle_time) const;
 };
 
-/// Every standard filter that a list touches: filter[0..2], then those of the additional interface.
+/// Every standard filter of whose parameters a list sets at least one: filter[0..2], then those of the additional interface.
 [[nodiscard]] std::vector<FilterView> touched_filters(EffectiveValues const& values);
 
 }  // namespace axisc::validator

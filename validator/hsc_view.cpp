@@ -10,8 +10,11 @@ bool is_configured_hsc(FilterView const& filter) {
 }
 
 std::vector<FilterView> configured_hsc(EffectiveValues const& values) {
+  return configured_hsc(touched_filters(values));
+}
+
+std::vector<FilterView> configured_hsc(std::span<FilterView const> filters) {
   std::vector<FilterView> found;
-  auto const filters = touched_filters(values);
   std::copy_if(filters.begin(), filters.end(), std::back_inserter(found), is_configured_hsc);
   return found;
 }

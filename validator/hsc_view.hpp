@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace axisc::validator {
@@ -18,6 +19,8 @@ enum class HscType : std::uint8_t { mean = 8, novib = 12 };
 
 /// Every configured HSC filter, in order of i; the control accepts one, in filter[0].
 [[nodiscard]] std::vector<FilterView> configured_hsc(EffectiveValues const& values);
+/// The same of touched_filters().
+[[nodiscard]] std::vector<FilterView> configured_hsc(std::span<FilterView const> filters);
 
 /// Its type; none where it cannot be used or is no HSC type, and for everything that is no configured HSC filter.
 [[nodiscard]] std::optional<HscType> hsc_type(FilterView const& filter);

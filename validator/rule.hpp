@@ -11,6 +11,7 @@
 #include "diagnostics/finding.hpp"
 #include "validator/command_check.hpp"
 #include "validator/effective_values.hpp"
+#include "validator/filter_designs.hpp"
 #include "validator/filter_view.hpp"
 #include "validator/fir_view.hpp"
 #include "validator/loading.hpp"
@@ -81,6 +82,8 @@ struct AxisContext {
   LoadedList const* default_list;  ///< may be null
   LoadedList const& axis_list;
   std::vector<ReferenceProblem> const& reference_problems;
+  std::span<FilterView const> filters;  ///< those that a list touches: see touched_filters()
+  FilterDesigns const& designs;         ///< of these
   FirView const& fir;
   PositionControlView const& position_control;
 };
@@ -88,7 +91,7 @@ struct AxisContext {
 /// What a rule about one standard filter sees; every filter that a list touches is shown once.
 struct FilterContext {
   AxisContext const& axis;
-  FilterView const& filter;
+  FilterView const& filter;  ///< one of axis.filters
 };
 
 /// What a filter rule may need beside the values.

@@ -28,6 +28,7 @@ void measure(std::vector<Contender> const& contenders, std::size_t reference, st
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       // Whoever runs behind the slowest one shall not always be the same.
       std::size_t const turn = (i + round) % contenders.size();
+      if (contenders[turn].prepare) contenders[turn].prepare();
       double const seconds = seconds_of(contenders[turn].run);
       // The first round fills caches.
       if (round > 0) times[turn].push_back(seconds);

@@ -13,6 +13,7 @@ struct Contender {
   std::size_t bytes = 0;  ///< of the text that one run reads, 0 where that says nothing
   std::size_t items = 0;  ///< what one run gets through: pairs, machines, mistakes
   std::function<void()> run;
+  std::function<void()> prepare = {};  ///< before each run and not measured; may be empty
 };
 
 /// Runs and prints: medians of time, bytes and items per second, and how many items the contender gets through in the time

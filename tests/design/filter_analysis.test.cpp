@@ -160,6 +160,49 @@ TEST_CASE("settling alone is what step figures say of it") {
   }
 }
 
+TEST_CASE("a chain settles before its bound") {
+  std::vector<FilterDesign> filters;
+  for (FilterType const type : every_type) {
+    for (double const frequency : {0.3, 3.0, 40.0, 300.0}) {
+      for (Prototype const prototype :
+           {Prototype::bessel, Prototype::butterworth, Prototype::critical_damping}) {
+        auto specification = filter_of(type, prototype, 3, frequency, 2);
+        specification.time_constant = {type == FilterType::time_delay ? 4300.0 : 1e6 / frequency};
+        specification.share_percent = frequency == 3.0 ? 30 : 100;
+        filters.push_back(design_filter(specification, one_millisecond, Precision::quick));
+      }
+    }
+  }
+  // Each alone, twice (poles in one place), and behind one of another kind.
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    for (auto const& chain :
+         {std::vector{filters[i]}, std::vector{filters[i], filters[i]},
+          std::vector{filters[(7 * i + 5) % filters.size()], filters[i], filters[(5 * i + 3) % filters.size()]}}) {
+      for (double const tolerance : {1e-2, 1e-4}) {
+        auto const settled = settling_cycles(chain, 100'000, tolerance);
+        if (!settled) continue;
+        CAPTURE(i, chain.size(), tolerance);
+        CHECK(static_cast<double>(*settled) <= std::ceil(settling_bound(chain, tolerance)));
+      }
+    }
+  }
+  CHECK(settling_bound({}, 1e-4) >= 0);
+}
+
+TEST_CASE("the bound of settling decides what filters of machines need") {
+  constexpr double ten_seconds = 10'000;
+  std::vector<FilterDesign> chain;
+  chain.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::butterworth, 6, 10), one_millisecond,
+                                Precision::quick));
+  CHECK(settling_bound(chain, 1e-4) < ten_seconds);
+  chain.push_back(design_filter(filter_of(FilterType::bandstop, Prototype::critical_damping, 3, 25, 3),
+                                one_millisecond, Precision::quick));
+  CHECK(settling_bound(chain, 1e-4) < ten_seconds);
+  FilterDesign const slow = design_filter(filter_of(FilterType::bandstop, Prototype::butterworth, 3, 0.1, 10),
+                                          one_millisecond, Precision::quick);
+  CHECK(settling_bound({&slow, 1}, 1e-4) > ten_seconds);
+}
+
 TEST_CASE("what does not settle in time is said so") {
   FilterDesign const slow = design_filter(filter_of(FilterType::bandstop, Prototype::butterworth, 3, 0.1, 10),
                                           one_millisecond, Precision::quick);

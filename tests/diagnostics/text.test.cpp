@@ -14,24 +14,20 @@ using axisc::test::say;
 
 namespace {
 
-// The names of a template's placeholders; nothing when its braces are not balanced.
+// The names of a template's placeholders; nothing when its braces are not balanced, or stand for something else.
 std::optional<std::set<std::string>> placeholders(std::string_view text) {
   std::set<std::string> names;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '{' && text[i] != '}') continue;
-    if (i + 1 < text.size() && text[i + 1] == text[i]) {
-      ++i;
-      continue;
-    }
-    std::size_t const close = text.find('}', i);
-    if (text[i] == '}' || close == std::string_view::npos) return std::nullopt;
-    std::string const name(text.substr(i + 1, close - i - 1));
+  for (std::size_t open = text.find_first_of("{}"); open != std::string_view::npos;
+       open = text.find_first_of("{}")) {
+    std::size_t const close = text.find('}', open);
+    if (text[open] == '}' || close == std::string_view::npos) return std::nullopt;
+    std::string const name(text.substr(open + 1, close - open - 1));
     if (name.empty() ||
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
       return std::nullopt;
     }
     names.insert(name);
-    i = close;
+    text.remove_prefix(close + 1);
   }
   return names;
 }
@@ -95,15 +91,16 @@ TEST_CASE("a placeholder without a value stays") {
                Language::english) == "{text}");
 }
 
-TEST_CASE("doubled braces print single ones") {
-  std::vector<Argument> const arguments{{.name = "a", .value = "1"}, {.name = "b", .value = "2"}};
-  CHECK(fill("{a} of {b}", arguments) == "1 of 2");
-  CHECK(fill("{b}{a}{b}", arguments) == "212");
-  CHECK(fill("{{a}} is {a}", arguments) == "{a} is 1");
-  CHECK(fill("{{{a}}}", arguments) == "{1}");
-  CHECK(fill("}} {{", arguments) == "} {");
-  CHECK(fill("a lone } or { stays", arguments) == "a lone } or { stays");
-  CHECK(fill("", arguments).empty());
+TEST_CASE("values stand where their placeholders stood") {
+  Message const message{.text = Text::ax3001, .arguments = {{"order", "7"}, {"type", "LOWPASS"}}};
+  std::string const sentence(text_template(Text::ax3001, Language::english));
+  std::string const rendered = render(message, Language::english);
+  CHECK(rendered.size() == sentence.size() - std::string("{order}{type}").size() + 8);
+  CHECK(rendered.find_first_of("{}") == std::string::npos);
+  CHECK(rendered.find('7') == sentence.find("{order}"));
+  CHECK(render({.text = Text::ax3001, .arguments = {{"type", "{order}"}, {"order", "{type}"}}},
+               Language::english)
+            .find("{type}") == sentence.find("{order}"));
 }
 
 TEST_CASE("keys are the names of the enumeration") {

@@ -36,8 +36,9 @@ void describe(Finding& finding, AxisContext const& context, EffectiveValue const
 void check_row(AxisContext const& context, schema::Parameter const& row, Report& report) {
   if (row.axis_types.find(letter(context.type)) != std::string_view::npos) return;
   for (std::uint16_t i = 0; i < row.slots; ++i) {
-    EffectiveValue const& value =
-        context.values[static_cast<schema::Slot>(static_cast<unsigned>(row.first_slot) + i)];
+    auto const slot = static_cast<schema::Slot>(static_cast<unsigned>(row.first_slot) + i);
+    if (!context.values.is_set(slot)) continue;
+    EffectiveValue const& value = context.values[slot];
     // A default list serves axes of every type.
     if (value.origin != Origin::axis_list || !value.value_place()) continue;
     report.later(*value.value_place(),

@@ -1,6 +1,6 @@
-#include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/step_overshoot.hpp"
 
 namespace axisc::validator::checks {
 namespace {
@@ -13,7 +13,7 @@ void bandstop_overshoot(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!filter.active() || filter.port != FilterPort::setpoint) return;
   if (filter.standard_type() != design::FilterType::bandstop) return;
-  auto const overshoot = step_overshoot(filter, context.axis.cycle_time);
+  auto const overshoot = step_overshoot(context);
   if (!overshoot || *overshoot <= noticeable) return;
   Finding& finding =
       report.add(filter.anchor(filter.type),

@@ -18,8 +18,8 @@ bool uses_frequency(FilterView const& filter) {
   return hsc_type(filter) == HscType::novib;
 }
 
-void add_standard_filters(EffectiveValues const& values, Frequencies& found) {
-  for (FilterView const& filter : touched_filters(values)) {
+void add_standard_filters(std::span<FilterView const> filters, Frequencies& found) {
+  for (FilterView const& filter : filters) {
     if (filter.frequency.unusable || !uses_frequency(filter)) continue;
     found.push_back({filter.frequency, filter.anchor(filter.frequency), std::string(filter.type_word()),
                      filter.port == FilterPort::setpoint ? path_message : position_controller_message});
@@ -46,7 +46,7 @@ void add_stages(PositionControlView const& position_control, Frequencies& found)
 
 std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis) {
   Frequencies found;
-  add_standard_filters(axis.values, found);
+  add_standard_filters(axis.filters, found);
   add_windowed_sinc(axis.fir, found);
   add_stages(axis.position_control, found);
   return found;

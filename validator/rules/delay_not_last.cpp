@@ -9,7 +9,7 @@ void delay_not_last(FilterContext const& context, Report& report) {
   FilterView const& delay = context.filter;
   bool const is_delay = delay.standard_type() == design::FilterType::time_delay;
   if (delay.port != FilterPort::setpoint || !delay.active() || !is_delay) return;
-  std::vector<FilterView> const filters = touched_filters(context.axis.values);
+  auto const filters = context.axis.filters;
   auto const next = std::find_if(filters.begin(), filters.end(), [&](FilterView const& filter) {
     return filter.port == FilterPort::setpoint && filter.index > delay.index && filter.active();
   });

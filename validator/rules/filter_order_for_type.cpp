@@ -80,7 +80,7 @@ Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::st
 }  // namespace
 
 void filter_order_for_type(AxisContext const& axis, Report& report) {
-  for (FilterView const& filter : touched_filters(axis.values)) {
+  for (FilterView const& filter : axis.filters) {
     if (filter.type_unusable()) continue;
     auto const allowed = allowed_order(filter);
     if (!allowed) continue;

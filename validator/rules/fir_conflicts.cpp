@@ -14,7 +14,7 @@ bool guards(EffectiveValue const& active) {
 }  // namespace
 
 void fir_with_hsc(AxisContext const& axis, Report& report) {
-  std::vector<FilterView> const hsc = configured_hsc(axis.values);
+  std::vector<FilterView> const hsc = configured_hsc(axis.filters);
   FirView const& fir = axis.fir;
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (hsc.empty() || (!fir.configured() && !guards(guard))) return;

@@ -27,7 +27,7 @@ void hsc_not_first(FilterContext const& context, Report& report) {
 
 void hsc_more_than_one(FilterContext const& context, Report& report) {
   if (!is_configured_hsc(context.filter)) return;
-  std::vector<FilterView> const filters = configured_hsc(context.axis.values);
+  std::vector<FilterView> const filters = configured_hsc(context.axis.filters);
   auto const last = std::max_element(filters.begin(), filters.end(), stands_before);
   if (filters.size() < 2 || last->index != context.filter.index) return;
   Finding& finding =

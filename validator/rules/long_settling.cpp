@@ -1,6 +1,5 @@
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"
-#include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
 
@@ -17,9 +16,6 @@ constexpr double longest_seconds = 10;
 constexpr double measured_seconds = 40;
 constexpr double tolerance = 1e-4;
 
-// Repeated and neighbouring poles settle later than one pole of their radius, by less than this factor: 18
-// equal poles, the most that three filters have, need 4.4 times as long.
-constexpr double repeated_poles = 16;
 // A pole that decays a hundred times slower than allowed has hardly begun to move after ten seconds.
 constexpr double hopeless = 100;
 
@@ -38,10 +34,9 @@ double decay_cycles(double radius) {
 
 Result settling(std::vector<ChainLink> const& chain, double radius, design::CycleTime cycle_time) {
   double const allowed = longest_seconds / cycle_time.seconds();
-  double const decay = decay_cycles(radius);
-  if (decay * repeated_poles <= allowed) return {};
-  if (decay > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
+  if (decay_cycles(radius) > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const filters = designs(chain);
+  if (design::settling_bound(filters, tolerance) <= allowed) return {};
   auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
   auto const settled = design::settling_cycles(filters, longest, tolerance);
   if (!settled) return {.settling = Settling::late, .seconds = std::nullopt};
@@ -53,16 +48,16 @@ Result settling(std::vector<ChainLink> const& chain, double radius, design::Cycl
 }  // namespace
 
 void long_settling(AxisContext const& axis, Report& report) {
-  auto const chain = setpoint_chain(axis.values, axis.cycle_time);
+  auto const chain = axis.designs.setpoint_chain();
   if (chain.empty()) return;
   auto const slowest =
       std::max_element(chain.begin(), chain.end(), [](ChainLink const& left, ChainLink const& right) {
-        return left.design.pole_radius < right.design.pole_radius;
+        return left.design->pole_radius < right.design->pole_radius;
       });
-  Result const result = settling(chain, slowest->design.pole_radius, axis.cycle_time);
+  Result const result = settling(chain, slowest->design->pole_radius, axis.cycle_time);
   if (result.settling == Settling::in_time) return;
 
-  FilterView const& filter = slowest->filter;
+  FilterView const& filter = *slowest->filter;
   Finding& finding = report.add(filter.anchor(filter.enable), {Text::ax6003, {}});
   finding.label = result.seconds
                       ? Message{Text::ax6003_measured, {{"seconds", format_rounded(*result.seconds, 3)}}}

@@ -66,7 +66,7 @@ void describe(Finding& finding, AxisContext const& context, Reading const& readi
 
 void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
   if (context.type != AxisType::spindle || build >= builds::spindle_filters) return;
-  for (FilterView const& filter : touched_filters(context.values)) {
+  for (FilterView const& filter : context.filters) {
     bool const on = !filter.enable.unusable && filter.enable.value.flag();
     if (filter.port != FilterPort::setpoint || !on) continue;
     report.add(filter.enable, message(Text::ax2016_spindle, {{"needed", to_text(builds::spindle_filters)},

@@ -1,6 +1,6 @@
-#include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/step_overshoot.hpp"
 
 namespace axisc::validator::checks {
 
@@ -17,7 +17,7 @@ void overshooting_prototype(FilterContext const& context, Report& report) {
       filter.anchor(filter.prototype),
       {Text::ax3013,
        {{"prototype", symbol_word(filter.prototype)}, {"order", number(filter.order.value.number)}}});
-  if (auto const overshoot = step_overshoot(filter, context.axis.cycle_time)) {
+  if (auto const overshoot = step_overshoot(context)) {
     finding.label = Message{Text::filter_overshoot, {{"overshoot", percent(*overshoot)}}};
   }
   finding.notes.push_back({butterworth ? Text::ax3013_butterworth : Text::ax3013_bessel,

@@ -1,6 +1,5 @@
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"
-#include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
 
@@ -16,21 +15,22 @@ constexpr double settled = 1e-4;
 }  // namespace
 
 void peak_gain(AxisContext const& axis, Report& report) {
-  auto const chain = setpoint_chain(axis.values, axis.cycle_time);
+  auto const chain = axis.designs.setpoint_chain();
   if (chain.empty()) return;
   auto const longest = static_cast<std::uint64_t>(longest_seconds / axis.cycle_time.seconds());
   auto const filters = designs(chain);
   double const gain = design::step_figures(filters, longest, settled).peak_gain;
   if (gain <= noticeable) return;
-  FilterView const& last = chain.back().filter;
+  FilterView const& last = *chain.back().filter;
   Finding& finding =
       report.add(last.anchor(last.enable), {Text::ax6005, {{"gain", format_rounded(gain, 3)}}});
   finding.label = Message{Text::ax6005_label, {{"gain", format_rounded(gain, 3)}}};
   finding.notes.push_back({Text::ax6005_note, {}});
   for (ChainLink const& link : chain) {
-    if (link.filter.index == last.index || !link.filter.enable.value_place()) continue;
-    finding.related.push_back({*link.filter.enable.value_place(),
-                               {Text::ax6005_filter_here, {{"filter", filter_name(link.filter)}}}});
+    FilterView const& filter = *link.filter;
+    if (filter.index == last.index || !filter.enable.value_place()) continue;
+    finding.related.push_back(
+        {*filter.enable.value_place(), {Text::ax6005_filter_here, {{"filter", filter_name(filter)}}}});
   }
 }
 

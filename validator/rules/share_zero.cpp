@@ -23,7 +23,7 @@ void check(EffectiveValue const& share, std::string filter, EffectiveValue const
 }  // namespace
 
 void share_zero(AxisContext const& axis, Report& report) {
-  for (FilterView const& filter : touched_filters(axis.values)) {
+  for (FilterView const& filter : axis.filters) {
     if (works(filter)) check(filter.share, filter_name(filter), filter.enable, report);
   }
   FirView const& fir = axis.fir;

@@ -27,13 +27,13 @@ set(axisc_rules_text_and_parameter
 
 # Filters and what was designed from them: AX3, AX6.
 set(axisc_rules_filter
+  filter_designs.cpp
   filter_view.cpp
   rules/allpass_prototype.cpp
   rules/bandstop_overshoot.cpp
   rules/blocks_constant_part.cpp
   rules/characteristic_frequency.cpp
   rules/delay_too_long.cpp
-  rules/designed_filter.cpp
   rules/enabled_without_order.cpp
   rules/filter_order_for_type.cpp
   rules/filter_words.cpp
@@ -47,6 +47,7 @@ set(axisc_rules_filter
   rules/peak_gain.cpp
   rules/share_zero.cpp
   rules/stability_reserve.cpp
+  rules/step_overshoot.cpp
   rules/time_constant_below_cycle.cpp
   rules/undocumented_type.cpp
   rules/unused_parameter.cpp

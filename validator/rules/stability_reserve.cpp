@@ -1,5 +1,4 @@
 #include "diagnostics/format_number.hpp"
-#include "validator/rules/designed_filter.hpp"
 #include "validator/rules/filter_checks.hpp"
 #include "validator/rules/filter_words.hpp"
 
@@ -12,8 +11,8 @@ constexpr double smallest_reserve = 1e-9;
 
 void stability_reserve(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  auto const design = designed(filter, context.axis.cycle_time);
-  if (!design) return;
+  design::FilterDesign const* const design = context.axis.designs.of(filter);
+  if (design == nullptr) return;
   double const reserve = 1 - design->pole_radius;
   if (reserve >= smallest_reserve) return;
   bool const by_frequency = design::uses_frequency(*filter.standard_type());

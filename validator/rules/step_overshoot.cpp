@@ -1,0 +1,34 @@
+#include "validator/rules/step_overshoot.hpp"
+
+#include "design/filter_analysis.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace axisc::validator::checks {
+namespace {
+
+// A thousand cycles per period: the peak between two samples is missed by less than 1e-5 of its height.
+constexpr double lowest_measured = 1e-3;
+constexpr double measured_periods = 20;
+constexpr double settled = 1e-4;
+
+}  // namespace
+
+std::optional<double> step_overshoot(FilterContext const& context) {
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  auto specification = context.filter.specification(cycle_time);
+  if (!specification) return std::nullopt;
+  double const slowest = lowest_measured / cycle_time.seconds();
+  bool const is_slower = specification->frequency.value < slowest;
+  if (is_slower) specification->frequency = {slowest};
+  std::array const chain{is_slower
+                             ? design::design_filter(*specification, cycle_time, design::Precision::quick)
+                             : *context.axis.designs.of(context.filter)};
+  double const cycles_per_period = 1 / (specification->frequency.value * cycle_time.seconds());
+  auto const longest = static_cast<std::uint64_t>(std::ceil(measured_periods * cycles_per_period)) + 1;
+  return design::step_figures(chain, longest, settled).overshoot;
+}
+
+}  // namespace axisc::validator::checks
