@@ -51,7 +51,9 @@ struct StepFigures {
 /// Cost: about 5 ns per section and cycle.
 [[nodiscard]] StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest,
                                        double tolerance);
-/// StepFigures::settling_cycles alone, for which less has to be looked at. Cost: half of step_figures().
+/// StepFigures::overshoot alone, for which less has to be looked at. Cost: half of step_figures().
+[[nodiscard]] double step_overshoot(std::span<FilterDesign const> chain, std::uint64_t longest);
+/// StepFigures::settling_cycles alone. Cost: as above.
 [[nodiscard]] std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain,
                                                            std::uint64_t longest, double tolerance);
 

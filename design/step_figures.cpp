@@ -128,12 +128,12 @@ Rest rest_of(std::vector<FilterState> const& filters) {
 
 /// Rest below which nothing that is reported changes any more.
 constexpr double settled_rest = 1e-13;
-/// Where only the settling counts, as a share of the tolerance: the filters behind may amplify what is left, by far less than a
-/// hundred thousand.
-constexpr double rest_in_tolerance = 1e-5;
+/// Where only one figure counts, as a share of what would change it: the filters behind may amplify what is left, by far less
+/// than a hundred thousand.
+constexpr double negligible_rest = 1e-5;
 constexpr std::uint64_t cycles_between_checks = 32;
 
-/// Looks at the step response until `is_enough(rest)`.
+/// Looks at the step response until `is_enough(rest, excess)`, of which the latter is the largest above the final value so far.
 template <typename IsEnough>
 StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance,
                         IsEnough is_enough) {
@@ -153,7 +153,7 @@ StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longe
     if (!(std::abs(y.value - final_value) <= tolerance)) settling = n + 1;
     if (n % cycles_between_checks == 0 || n + 1 == longest) {
       rest = rest_of(filters);
-      if (is_enough(rest)) break;
+      if (is_enough(rest, highest - final_value)) break;
     }
   }
   if (final_value > 0) figures.overshoot = std::max(0.0, highest / final_value - 1);
@@ -164,15 +164,22 @@ StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longe
 }  // namespace
 
 StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance) {
-  return follow_step(chain, longest, tolerance, [tolerance](Rest const& rest) {
+  return follow_step(chain, longest, tolerance, [tolerance](Rest const& rest, double /*excess*/) {
     return rest.value <= std::min(settled_rest, tolerance) && rest.path <= settled_rest;
   });
 }
 
+double step_overshoot(std::span<FilterDesign const> chain, std::uint64_t longest) {
+  auto const is_enough = [](Rest const& rest, double excess) {
+    return rest.value <= std::max(settled_rest, negligible_rest * excess);
+  };
+  return follow_step(chain, longest, 0, is_enough).overshoot;
+}
+
 std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain, std::uint64_t longest,
                                              double tolerance) {
-  auto const is_enough = [tolerance](Rest const& rest) {
-    return rest.value <= rest_in_tolerance * tolerance;
+  auto const is_enough = [tolerance](Rest const& rest, double /*excess*/) {
+    return rest.value <= negligible_rest * tolerance;
   };
   return follow_step(chain, longest, tolerance, is_enough).settling_cycles;
 }

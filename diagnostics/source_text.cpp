@@ -16,18 +16,13 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// Lines are found by counting in blocks: an entry for each line would be written for a thousand lines to point at one.
-constexpr std::size_t block_size = 512;
+constexpr std::size_t block_size = 128;
 
-/// In pieces whose number fits a byte and whose size is fixed, so that compilers count many at once.
+/// The number fits a byte and the size is fixed, so that compilers count many at once.
 std::uint32_t count_line_ends_of_block(char const* block) {
-  constexpr std::size_t piece = 128;
-  std::uint32_t count = 0;
-  for (std::size_t begin = 0; begin < block_size; begin += piece) {
-    unsigned char inside = 0;
-    for (std::size_t i = 0; i < piece; ++i) {
-      inside = static_cast<unsigned char>(inside + static_cast<unsigned char>(block[begin + i] == '\n'));
-    }
-    count += inside;
+  unsigned char count = 0;
+  for (std::size_t i = 0; i < block_size; ++i) {
+    count = static_cast<unsigned char>(count + static_cast<unsigned char>(block[i] == '\n'));
   }
   return count;
 }
@@ -85,8 +80,14 @@ SourceText::Line const& SourceText::keep_line(std::uint32_t number, std::size_t 
 }
 
 SourceText::Line const& SourceText::line_at(std::uint32_t offset) const {
-  bool const is_last_line = last_line_.number != 0 && last_line_.begin <= offset && offset <= last_line_.end;
-  if (is_last_line) return last_line_;
+  // Findings come in the order of their lines.
+  constexpr std::uint32_t few_lines = 3;
+  if (last_line_.number != 0 && last_line_.begin <= offset) {
+    for (std::uint32_t further = 0; offset > last_line_.end && further < few_lines; ++further) {
+      keep_line(last_line_.number + 1, last_line_.end + std::size_t{1});
+    }
+    if (offset <= last_line_.end) return last_line_;
+  }
   count_lines();
   std::size_t const block = offset / block_size;
   std::string_view const before = std::string_view(bytes_).substr(0, offset);

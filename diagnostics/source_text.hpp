@@ -43,7 +43,7 @@ class SourceText {
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
   /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
-  /// place behind it. Cost: a look at up to half a thousand bytes, unless the line is that of the call before, and the code
+  /// place behind it. Cost: a look at a hundred bytes, unless the line is that of the call before, and the code
   /// points of one line. Lines are counted at the first call (one pass), so one SourceText serves one thread at a time.
   [[nodiscard]] Position position(std::uint32_t offset) const;
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at

@@ -30,6 +30,7 @@ enum class Style : std::uint8_t { error, warning, note, gutter, strong, added, r
 class Painter {
  public:
   explicit Painter(bool color) : color_(color) {}
+  [[nodiscard]] bool colors() const { return color_; }
   [[nodiscard]] std::string operator()(Style style, std::string_view text) const;
   /// The same behind `out`.
   void append(std::string& out, Style style, std::string_view text) const {

@@ -48,6 +48,12 @@ struct Pointer {
   Style style;
 };
 
+/// Gutters of lines without a number: blanks, a sign, and what stands behind it.
+constexpr std::size_t widest_gutter = 12;
+constexpr std::string_view empty_line = "            |\n";
+constexpr std::string_view line_below = "            | ";
+constexpr std::string_view remark = "            = ";
+
 constexpr Pointer related_pointer{.arrow = ":::", .mark = '-', .style = Style::gutter};
 
 class TextWriter {
@@ -124,13 +130,19 @@ class TextWriter {
     out_.append(place.data(), place.size());
   }
 
-  /// The gutter of a line without a number, with a sign, and what stands behind it.
-  void write_gutter(std::string_view sign, std::string_view behind) {
-    out_.append(gutter_width_ + 1, ' ');
-    paint_.append(out_, Style::gutter, sign);
-    out_ += behind;
+  /// The gutter of a line without a number. `wide` is that of a number of any length.
+  void write_gutter(std::string_view wide) {
+    std::size_t const width = gutter_width_ + 1;
+    std::string_view const behind = wide.substr(widest_gutter);
+    if (!paint_.colors()) {
+      out_ += wide.substr(widest_gutter - width);
+      return;
+    }
+    out_.append(width, ' ');
+    paint_.append(out_, Style::gutter, behind.substr(0, 1));
+    out_ += behind.substr(1);
   }
-  void write_empty_gutter() { write_gutter("|", "\n"); }
+  void write_empty_gutter() { write_gutter(empty_line); }
 
   /// The number of a line, as wide as the gutter, and what stands behind it.
   void write_line_number(std::uint32_t line, std::string_view behind) {
@@ -157,7 +169,7 @@ class TextWriter {
     out_ += ' ';
     shown.append_text(out_);
     out_ += '\n';
-    write_gutter("|", " ");
+    write_gutter(line_below);
     shown.append_indent(out_);
     paint_.begin(out_, pointer.style);
     out_.append(shown.width(), pointer.mark);
@@ -193,7 +205,7 @@ class TextWriter {
 
   /// A colon separates `head` from the rest, where there is a head.
   void begin_line_below(std::string_view head) {
-    write_gutter("=", " ");
+    write_gutter(remark);
     if (head.empty()) return;
     paint_.begin(out_, Style::strong);
     (out_ += head) += ": ";

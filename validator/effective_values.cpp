@@ -21,15 +21,14 @@ EffectiveValue make_default(schema::Catalogue const& catalogue, schema::Slot slo
 std::string concrete_name(std::string_view pattern, std::uint32_t first_index, std::uint32_t second_index) {
   std::string name;
   name.reserve(pattern.size() + 4);
-  std::uint32_t index = first_index;
-  for (char const c : pattern) {
-    if (c == ']') {
-      name += std::to_string(index);
-      index = second_index;
-    }
-    name += c;
+  for (std::uint32_t const index : {first_index, second_index}) {
+    std::size_t const bracket = pattern.find(']');
+    if (bracket == std::string_view::npos) break;
+    name += pattern.substr(0, bracket);
+    (name += std::to_string(index)) += ']';
+    pattern.remove_prefix(bracket + 1);
   }
-  return name;
+  return name.append(pattern);
 }
 
 template <typename Find>

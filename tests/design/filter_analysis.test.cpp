@@ -160,6 +160,23 @@ TEST_CASE("settling alone is what step figures say of it") {
   }
 }
 
+TEST_CASE("overshoot alone is what step figures say of it") {
+  for (FilterType const type : every_type) {
+    for (double const frequency : {0.4, 4.0, 60.0, 300.0}) {
+      for (Prototype const prototype :
+           {Prototype::bessel, Prototype::butterworth, Prototype::critical_damping}) {
+        FilterDesign const filter = design_filter(filter_of(type, prototype, 3, frequency, 4), one_millisecond,
+                                                  Precision::quick);
+        for (std::vector<FilterDesign> const& chain :
+             {std::vector{filter}, std::vector{filter, mixed_chain()[0]}, std::vector{mixed_chain()[2], filter}}) {
+          CAPTURE(type, prototype, frequency, chain.size());
+          CHECK(step_overshoot(chain, 50'000) == step_figures(chain, 50'000, 1e-4).overshoot);
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("a chain settles before its bound") {
   std::vector<FilterDesign> filters;
   for (FilterType const type : every_type) {

@@ -12,7 +12,6 @@ namespace {
 // A thousand cycles per period: the peak between two samples is missed by less than 1e-5 of its height.
 constexpr double lowest_measured = 1e-3;
 constexpr double measured_periods = 20;
-constexpr double settled = 1e-4;
 
 }  // namespace
 
@@ -28,7 +27,7 @@ std::optional<double> step_overshoot(FilterContext const& context) {
                              : *context.axis.designs.of(context.filter)};
   double const cycles_per_period = 1 / (specification->frequency.value * cycle_time.seconds());
   auto const longest = static_cast<std::uint64_t>(std::ceil(measured_periods * cycles_per_period)) + 1;
-  return design::step_figures(chain, longest, settled).overshoot;
+  return design::step_overshoot(chain, longest);
 }
 
 }  // namespace axisc::validator::checks
