@@ -44,18 +44,23 @@ Encoding encoding_of(std::string_view bytes, bool is_ascii) {
 SourceText::SourceText(std::string name, std::string bytes)
     : name_(std::move(name)),
       bytes_(std::move(bytes)),
-      is_ascii_(ascii_prefix(bytes_) == bytes_.size()),
-      encoding_(encoding_of(bytes_, is_ascii_)),
       text_begin_(std::string_view(bytes_).starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
 
 SourceText::SourceText(std::string name, Excerpt excerpt)
     : name_(std::move(name)),
       bytes_(std::move(excerpt.bytes)),
-      is_ascii_(ascii_prefix(bytes_) == bytes_.size()),
-      encoding_(excerpt.encoding),
       text_begin_(0),
-      numbers_(std::move(excerpt.numbers)) {
+      numbers_(std::move(excerpt.numbers)),
+      characters_({.are_ascii = ascii_prefix(bytes_) == bytes_.size(), .encoding = excerpt.encoding}) {
   numbers_.push_back(numbers_.empty() ? 1 : numbers_.back() + 1);
+}
+
+SourceText::Characters const& SourceText::characters() const {
+  if (!characters_) {
+    bool const are_ascii = ascii_prefix(bytes_) == bytes_.size();
+    characters_ = {.are_ascii = are_ascii, .encoding = encoding_of(bytes_, are_ascii)};
+  }
+  return *characters_;
 }
 
 void SourceText::count_lines() const {
@@ -115,7 +120,7 @@ Position SourceText::position(std::uint32_t offset) const {
 
   Position position{.line = numbers_.empty() ? line.number : numbers_[line.number - 1],
                     .column = at - begin + 1};
-  if (encoding_ != Encoding::windows_1252 && !is_ascii_) {
+  if (!characters().are_ascii && encoding() != Encoding::windows_1252) {
     // Continuation bytes up to and including `at` belong to characters that began before.
     std::string_view const before = slice({.begin = begin, .end = at});
     std::size_t inside = count_continuation_bytes(before);
@@ -145,8 +150,8 @@ std::uint32_t SourceText::line_count() const {
 }
 
 bool SourceText::is_utf8(Span span) const {
-  if (is_ascii_) return true;
-  if (encoding_ == Encoding::windows_1252 || is_excerpt()) return false;
+  if (characters().are_ascii) return true;
+  if (encoding() == Encoding::windows_1252 || is_excerpt()) return false;
   // The whole text is well-formed, so that a part of it is unless a character is cut.
   bool const begins_inside = span.begin < span.end && is_continuation_byte(bytes_[span.begin]);
   bool const ends_inside = span.end < bytes_.size() && is_continuation_byte(bytes_[span.end]);
@@ -157,7 +162,7 @@ std::string_view SourceText::utf8(Span span, std::string& room) const {
   std::string_view const bytes = slice(span);
   if (is_utf8(span)) return bytes;
   room.clear();
-  if (encoding_ == Encoding::windows_1252) {
+  if (encoding() == Encoding::windows_1252) {
     for (char const byte : bytes) append_utf8(room, decode_windows_1252(byte));
   } else {
     append_repaired(room, bytes);
@@ -173,7 +178,7 @@ std::string SourceText::utf8(Span span) const {
 }
 
 std::string SourceText::encode(std::string_view text) const {
-  if (encoding_ != Encoding::windows_1252) return std::string(text);
+  if (encoding() != Encoding::windows_1252) return std::string(text);
   std::string bytes;
   bytes.reserve(text.size());
   while (!text.empty()) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,12 +24,12 @@ struct Excerpt {
   Encoding encoding = Encoding::utf8;  ///< of the whole text
 };
 
-/// The text of one source. Offsets count bytes from the start of the file, the byte order mark included.
+/// The text of one source. Offsets count bytes from the start of the file, the byte order mark included. What has to be found
+/// out about the text is found out when it is asked for, so one SourceText serves one thread at a time.
 class SourceText {
  public:
   /// `name` is what findings show: the path as the user or the machine file wrote it. `bytes` are at most 4
-  /// GiB - 1 long (offsets have 32 bits; the reader of files refuses long before). Cost: one pass that finds
-  /// the encoding.
+  /// GiB - 1 long (offsets have 32 bits; the reader of files refuses long before).
   SourceText(std::string name, std::string bytes);
   /// Offsets count the bytes of the excerpt, lines those of the whole text.
   SourceText(std::string name, Excerpt excerpt);
@@ -37,14 +38,15 @@ class SourceText {
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
   /// True where bytes() are some lines only: such a text can be shown, not edited.
   [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
-  [[nodiscard]] Encoding encoding() const { return encoding_; }
+  /// Cost: one pass at the first call, of this or of what depends on it.
+  [[nodiscard]] Encoding encoding() const { return characters().encoding; }
   /// Offset of the first byte behind a byte order mark. A marked file whose bytes are not all UTF-8 is
   /// windows-1252, but its mark is no text either.
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
   /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
   /// place behind it. Cost: a look at a hundred bytes, unless the line is that of the call before, and the code
-  /// points of one line. Lines are counted at the first call (one pass), so one SourceText serves one thread at a time.
+  /// points of one line. Lines are counted at the first call (one pass).
   [[nodiscard]] Position position(std::uint32_t offset) const;
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
   /// the end of the file for a line that is not there, or not in the excerpt.
@@ -71,6 +73,12 @@ class SourceText {
     std::uint32_t end = 0;
   };
 
+  struct Characters {
+    bool are_ascii = false;
+    Encoding encoding = Encoding::utf8;
+  };
+
+  Characters const& characters() const;
   void count_lines() const;
   /// The line of a byte, and the line of a number between 1 and the number of all lines. Both stay in last_line_.
   Line const& line_at(std::uint32_t offset) const;
@@ -80,10 +88,9 @@ class SourceText {
 
   std::string name_;
   std::string bytes_;
-  bool is_ascii_;
-  Encoding encoding_;
   std::uint32_t text_begin_;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
+  mutable std::optional<Characters> characters_;
   /// How many LF stand before each block of the bytes, and as the last one how many there are; empty until somebody asks.
   mutable std::vector<std::uint32_t> line_ends_before_;
   mutable Line last_line_;  ///< that was asked for, number 0 where none was

@@ -80,13 +80,13 @@ std::string_view view(syntax::Range const& range) {
 
 }  // namespace
 
-AxisListReader::AxisListReader(std::string_view bytes, bool windows_1252)
-    : bytes_(bytes), windows_1252_(windows_1252) {
+AxisListReader::AxisListReader(std::string_view bytes) : bytes_(bytes) {
   list_.assignments.reserve(std::min(bytes.size() / typical_line, largest_reservation));
 }
 
-void AxisListReader::read(std::string_view line, std::uint32_t number) {
+void AxisListReader::read(std::string_view line, std::uint32_t number, bool windows_1252) {
   line_ = number;
+  windows_1252_ = windows_1252;
   std::string_view const text = without_blanks(line);
   if (text.empty()) return;
   if (has_ended()) {
@@ -184,9 +184,9 @@ Span AxisListReader::span(std::string_view text) const {
 }
 
 AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252) {
-  AxisListReader reader(bytes, windows_1252);
+  AxisListReader reader(bytes);
   LineSplitter splitter(bytes.substr(text_begin));
-  for (std::string_view line; splitter.next(line);) reader.read(line, splitter.number());
+  for (std::string_view line; splitter.next(line);) reader.read(line, splitter.number(), windows_1252);
   return std::move(reader).finish(splitter.number());
 }
 

@@ -16,10 +16,11 @@ struct Failure;
 class AxisListReader {
  public:
   /// `bytes` live longer than the reader.
-  AxisListReader(std::string_view bytes, bool windows_1252);
+  explicit AxisListReader(std::string_view bytes);
 
   /// One line without its line end, a piece of the text, by the grammar. `number` grows from line to line, counted from 1.
-  void read(std::string_view line, std::uint32_t number);
+  /// `windows_1252` counts for a line with bytes above 0x7F only.
+  void read(std::string_view line, std::uint32_t number, bool windows_1252);
   /// What stands in the next lines, which the grammar has not to look at. The list has not ended.
   void add(std::span<Assignment const> assignments) {
     list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.end());
@@ -48,7 +49,7 @@ class AxisListReader {
   [[nodiscard]] Span span(std::string_view text) const;
 
   std::string_view bytes_;
-  bool windows_1252_;
+  bool windows_1252_ = false;
   std::uint32_t line_ = 0;  ///< that is being read
   AxisList list_;
   bool text_behind_end_reported_ = false;

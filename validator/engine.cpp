@@ -64,13 +64,16 @@ class Engine {
          SourceSet const& sources)
       : machine_(machine),
         options_(options),
+        enabled_(rules().size()),
         sources_(sources),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
         reported_(std::move(reported)) {
-    for (Rule const& rule : rules()) enabled_.push_back(options.pedantic || rule.severity != Severity::note);
+    for (Rule const& rule : rules()) {
+      enabled_[number_of(rule)] = static_cast<char>(options.pedantic || rule.severity != Severity::note);
+    }
     for (Code const code : options.disabled) {
       Rule const* const rule = find_rule(code);
-      if (rule != nullptr) enabled_[number_of(*rule)] = false;
+      if (rule != nullptr) enabled_[number_of(*rule)] = 0;
     }
     // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
     std::size_t expected = reported_.findings.size();
@@ -98,7 +101,7 @@ class Engine {
     return static_cast<std::size_t>(&rule - rules().data());
   }
 
-  [[nodiscard]] bool enabled(Rule const& rule) const { return enabled_[number_of(rule)]; }
+  [[nodiscard]] bool enabled(Rule const& rule) const { return enabled_[number_of(rule)] != 0; }
 
   /// Calls a check and keeps what it reports.
   template <typename CheckFunction, typename Context>
@@ -138,9 +141,8 @@ class Engine {
       LoadedList const& list = machine_.lists[i].list;
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
       std::string_view const owner = owner_of(i);
-      for (Rule const& rule : rules()) {
-        auto const* const check = std::get_if<ListCheck>(&rule.check);
-        if (check != nullptr && enabled(rule)) call(rule, *check, context, owner, nullptr);
+      for (Rule const* const rule : rules_with<ListCheck>()) {
+        if (enabled(*rule)) call(*rule, std::get<ListCheck>(rule->check), context, owner, nullptr);
       }
     }
   }
@@ -154,13 +156,13 @@ class Engine {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
     }
-    for (Rule const& rule : rules()) {
-      if (!enabled(rule)) continue;
-      if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
-        call(rule, *check, context, context.name, nullptr);
-      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
+    for (Rule const* const rule : rules_with<AxisCheck, FilterCheck>()) {
+      if (!enabled(*rule)) continue;
+      if (auto const* const check = std::get_if<AxisCheck>(&rule->check)) {
+        call(*rule, *check, context, context.name, nullptr);
+      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule->check)) {
         for (std::size_t i = 0; i < context.filters.size(); ++i) {
-          call(rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
+          call(*rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
                context.name, subjects[i]);
         }
       }
@@ -169,13 +171,13 @@ class Engine {
 
   void run_machine_checks() {
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
-    for (Rule const& rule : rules()) {
-      if (!enabled(rule)) continue;
-      if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
-        call(rule, *check, whole, {}, nullptr);
-      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
+    for (Rule const* const rule : rules_with<MachineCheck, GroupCheck>()) {
+      if (!enabled(*rule)) continue;
+      if (auto const* const check = std::get_if<MachineCheck>(&rule->check)) {
+        call(*rule, *check, whole, {}, nullptr);
+      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule->check)) {
         for (LoadedGroup const& group : machine_.groups) {
-          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
+          call(*rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
         }
       }
     }
@@ -347,7 +349,7 @@ class Engine {
 
   LoadedMachine const& machine_;
   CheckOptions const& options_;
-  std::vector<bool> enabled_;  ///< of each rule of the table
+  std::vector<char> enabled_;  ///< of each rule of the table, as bools
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
   bool cycle_time_needed_ = false;

@@ -1,3 +1,4 @@
+#include "diagnostics/utf8.hpp"
 #include "grammar/axis_list_reader.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/plain_lines.hpp"
@@ -50,7 +51,7 @@ class ListReader {
       : source_(source),
         bytes_(source.bytes()),
         catalogue_(catalogue),
-        lines_(source.bytes(), source.encoding() == Encoding::windows_1252) {
+        lines_(source.bytes()) {
     result_.bytes_ = bytes_;
     result_.catalogue_ = catalogue;
     result_.brief_.reserve(lines_.list().assignments.capacity());
@@ -150,7 +151,9 @@ class ListReader {
   /// `parameter` is that of the name, where it was looked up already.
   void read_by_grammar(std::string_view line, std::uint32_t number, schema::PlainParameter parameter = {}) {
     std::size_t const before = lines_.list().assignments.size();
-    lines_.read(line, number);
+    // Most texts nobody has to ask for their encoding.
+    bool const is_ascii = ascii_prefix(line) == line.size();
+    lines_.read(line, number, !is_ascii && source_.encoding() == Encoding::windows_1252);
     if (lines_.list().assignments.size() != before) look_closer(lines_.list().assignments.back(), parameter);
   }
 

@@ -62,10 +62,25 @@ Slots look_up_slots() {
 }
 
 /// Views are made by the thousand; the names are looked up once.
+Slots const& stage_slots() {
+  static Slots const slots = look_up_slots();
+  return slots;
+}
+
 EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t stage, Member member,
                                   std::uint32_t filter = 0) {
-  static Slots const slots = look_up_slots();
-  return values[slots[stage][static_cast<std::size_t>(member)][filter]];
+  return values[stage_slots()[stage][static_cast<std::size_t>(member)][filter]];
+}
+
+bool is_any_set(EffectiveValues const& values) {
+  for (auto const& stage : stage_slots()) {
+    for (FilterSlots const& member : stage) {
+      if (std::any_of(member.begin(), member.end(), [&](schema::Slot slot) { return values.is_set(slot); })) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 StageFilterType kind_of(EffectiveValue const& type, std::uint32_t filter) {
@@ -146,8 +161,11 @@ EffectiveValue const& StageView::damping() const {
 
 PositionControlView::PositionControlView(EffectiveValues const& values)
     : enable(values.at("lr_param.improved_position_control.enable")),
-      limit(values.at("lr_param.improved_position_control.v_add_max_fact")),
-      stages{StageView(values, 0), StageView(values, 1), StageView(values, 2)} {}
+      limit(values.at("lr_param.improved_position_control.v_add_max_fact")) {
+  if (!enable.set() && !is_any_set(values)) return;
+  stages.reserve(position_control_stages);
+  for (std::uint32_t stage = 0; stage < position_control_stages; ++stage) stages.emplace_back(values, stage);
+}
 
 std::vector<StageView> PositionControlView::active_stages() const {
   std::vector<StageView> active;

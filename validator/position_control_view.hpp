@@ -55,7 +55,8 @@ struct StageView {
 struct PositionControlView {
   EffectiveValue const& enable;
   EffectiveValue const& limit;  ///< v_add_max_fact
-  std::array<StageView, position_control_stages> stages;
+  /// All, or none where no list sets a parameter of the function.
+  std::vector<StageView> stages;
 
   explicit PositionControlView(EffectiveValues const& values);
 

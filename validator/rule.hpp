@@ -126,6 +126,15 @@ inline constexpr std::array<Code, sizeof...(numbers)> codes{static_cast<Code>(nu
 
 /// All rules, by rising code.
 [[nodiscard]] std::span<Rule const> rules();
+/// Those with a check of one of the given kinds.
+template <typename... Checks>
+[[nodiscard]] std::span<Rule const* const> rules_with();
+template <>
+std::span<Rule const* const> rules_with<ListCheck>();
+template <>
+std::span<Rule const* const> rules_with<AxisCheck, FilterCheck>();
+template <>
+std::span<Rule const* const> rules_with<MachineCheck, GroupCheck>();
 /// The row of a code; null when there is none.
 [[nodiscard]] Rule const* find_rule(Code code);
 

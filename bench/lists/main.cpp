@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -72,7 +73,7 @@ validator::CheckOptions single_parameters() {
   return options;
 }
 
-/// A file that lies in memory already, as the texts of the other readers do: it is handed over and not copied.
+/// A file that was read already, as the texts of the other readers were: it is handed over and not copied.
 class ReadFile final : public validator::Files {
  public:
   explicit ReadFile(std::string& content) : content_(content) {}
@@ -84,28 +85,40 @@ class ReadFile final : public validator::Files {
   std::string& content_;
 };
 
-/// As commands do: each finding is put into words and gone before the next. `text` is used up.
+/// As commands do: each finding is put into words and gone before the next. `text` is moved to `sources`.
 template <typename Take>
-void check(std::string& text, validator::CheckOptions const& options, Take take) {
+void check(std::string& text, validator::CheckOptions const& options, SourceSet& sources, Take take) {
   static std::string const path("x.lis");
-  SourceSet sources;
   ReadFile file(text);
   (void)validator::check(file, path, options, sources, take);
 }
 
 std::size_t findings = 0;  ///< so that nothing is optimised away
 
-void check_all(std::vector<std::string>& texts, validator::CheckOptions const& options) {
-  for (std::string& text : texts) {
-    check(text, options, [](Finding const& finding) { findings += finding.message.arguments.size(); });
+/// Texts that a check moves out of, and where it moves them: copied before it and freed behind it, for other readers find
+/// and leave theirs as well.
+struct ReadFiles {
+  std::vector<std::string> files;
+  std::deque<SourceSet> sources;
+
+  void read(std::vector<std::string> const& texts) {
+    sources.clear();
+    files = texts;
   }
-}
+  void check_all(validator::CheckOptions const& options) {
+    for (std::string& file : files) {
+      check(file, options, sources.emplace_back(),
+            [](Finding const& finding) { findings += finding.message.arguments.size(); });
+    }
+  }
+};
 
 /// How often each code is found: a made-up fleet should be sound.
 void print_codes(char const* title, std::vector<std::string> texts) {
   std::map<Code, std::size_t> counts;
+  SourceSet sources;
   for (std::string& text : texts) {
-    check(text, all_rules(), [&counts](Finding const& finding) { ++counts[finding.code]; });
+    check(text, all_rules(), sources, [&counts](Finding const& finding) { ++counts[finding.code]; });
   }
   std::printf("%s:", title);
   for (auto const& [code, count] : counts) std::printf(" %s %zu", code_text(code).c_str(), count);
@@ -145,46 +158,43 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
   Simdjson simdjson;
   auto const ranges = single_parameters();
   auto const all = all_rules();
-  auto const each = [](std::vector<std::string> const& inputs, auto read) {
-    return [&inputs, read] {
+  auto const reading = [&](char const* name, std::vector<std::string> const& inputs, auto read) {
+    auto const run = [&inputs, read] {
       for (std::string const& input : inputs) read(input);
     };
+    return Contender{name, size_of(inputs), fleet.pairs, run};
   };
   auto const parse = [](std::string const& text) {
     findings += grammar::parse_axis_list(text, 0, false).lines;
   };
-  // Texts that are used up: whoever reads a file owns its bytes.
-  std::vector<std::string> files;
-  auto const read_files = [&files, &texts] { files = texts; };
+  std::vector<SourceText> sources;
+  for (std::string const& text : texts) sources.emplace_back("x.lis", text);
   auto const values = [&](char const* name, grammar::Way way) {
-    auto const read = [&files, way] {
-      for (std::string& file : files) {
-        SourceText const source("x.lis", std::move(file));
-        findings += validator::read_list(source, {}, way).tree.lines;
-      }
+    auto const run = [&sources, way] {
+      for (SourceText const& source : sources) findings += validator::read_list(source, {}, way).tree.lines;
     };
-    return Contender{name, size_of(texts), fleet.pairs, read, read_files};
+    return Contender{name, size_of(texts), fleet.pairs, run};
   };
-  auto const whole_check = [&](char const* name, validator::CheckOptions const& options) {
-    return Contender{name, size_of(texts), fleet.pairs, [&] { check_all(files, options); }, read_files};
+  ReadFiles files;
+  auto const whole_check = [&](char const* name, std::vector<std::string> const& inputs,
+                               validator::CheckOptions const& options) {
+    return Contender{name, size_of(inputs), fleet.pairs, [&] { files.check_all(options); },
+                     [&] { files.read(inputs); }};
   };
   std::vector<Contender> contenders = {
-      {"scanner by hand", size_of(texts), fleet.pairs,
-       each(texts, [&table](std::string const& text) { read_by_hand(text, table); })},
-      {"axisc, grammar alone", size_of(texts), fleet.pairs, each(texts, parse)},
+      reading("scanner by hand", texts, [&](std::string const& file) { read_by_hand(file, table); }),
+      reading("axisc, grammar alone", texts, parse),
       values("axisc, values, by the grammar", grammar::Way::by_grammar),
       values("axisc, values, portable", grammar::Way::portable),
       values("axisc, values, the best way", grammar::Way::quick),
-      whole_check("axisc, single parameters", ranges),
-      whole_check("axisc, all rules", all),
-      {"inih", size_of(fleet.ini), fleet.pairs,
-       each(fleet.ini, [&table](std::string const& text) { read_with_inih(text, table); })},
-      {"nlohmann-json", size_of(fleet.json), fleet.pairs,
-       each(fleet.json, [&table](std::string const& text) { read_with_nlohmann(text, table); })},
-      {"simdjson, document", size_of(fleet.json), fleet.pairs,
-       each(fleet.json, [&](std::string const& text) { simdjson.read_document(text, table); })},
-      {"simdjson, on demand", size_of(fleet.json), fleet.pairs,
-       each(fleet.json, [&](std::string const& text) { simdjson.read_on_demand(text, table); })},
+      whole_check("axisc, single parameters", texts, ranges),
+      whole_check("axisc, all rules", texts, all),
+      reading("inih", fleet.ini, [&](std::string const& file) { read_with_inih(file, table); }),
+      reading("nlohmann-json", fleet.json, [&](std::string const& file) { read_with_nlohmann(file, table); }),
+      reading("simdjson, document", fleet.json,
+                [&](std::string const& file) { simdjson.read_document(file, table); }),
+      reading("simdjson, on demand", fleet.json,
+                [&](std::string const& file) { simdjson.read_on_demand(file, table); }),
   };
   std::erase_if(contenders, [only](Contender const& contender) {
     return std::string_view(contender.name).find(only) == std::string_view::npos;
@@ -192,10 +202,9 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
   if (!contenders.empty()) measure(contenders, 0, rounds, "pairs/s");
 
   if (only.empty() || only == "mistakes") print_codes("a mistake in every line", fleet.mistakes);
-  std::vector<Contender> storm = {
-      whole_check("axisc, all rules, sound", all),
-      {"axisc, all rules, mistakes", size_of(fleet.mistakes), fleet.pairs, [&] { check_all(files, all); },
-       [&] { files = fleet.mistakes; }},
+  std::vector<Contender> const storm = {
+      whole_check("axisc, all rules, sound", texts, all),
+      whole_check("axisc, all rules, mistakes", fleet.mistakes, all),
   };
   if (only.empty() || only == "mistakes") measure(storm, 0, rounds, "lines/s");
 }

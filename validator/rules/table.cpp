@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 namespace axisc::validator {
 namespace {
@@ -121,10 +122,41 @@ constexpr auto number_of_code = [] {
   return numbers;
 }();
 
+template <typename... Checks>
+constexpr bool has_check_of(Rule const& rule) {
+  return (std::holds_alternative<Checks>(rule.check) || ...);
+}
+
+template <typename... Checks>
+constexpr auto selected = [] {
+  constexpr auto count = std::count_if(table.begin(), table.end(), has_check_of<Checks...>);
+  std::array<Rule const*, static_cast<std::size_t>(count)> rows{};
+  auto* next = rows.begin();
+  for (Rule const& rule : table) {
+    if (has_check_of<Checks...>(rule)) *next++ = &rule;
+  }
+  return rows;
+}();
+
 }  // namespace
 
 std::span<Rule const> rules() {
   return table;
+}
+
+template <>
+std::span<Rule const* const> rules_with<ListCheck>() {
+  return selected<ListCheck>;
+}
+
+template <>
+std::span<Rule const* const> rules_with<AxisCheck, FilterCheck>() {
+  return selected<AxisCheck, FilterCheck>;
+}
+
+template <>
+std::span<Rule const* const> rules_with<MachineCheck, GroupCheck>() {
+  return selected<MachineCheck, GroupCheck>;
 }
 
 Rule const* find_rule(Code code) {
