@@ -70,16 +70,17 @@ double bound_on(Circle circle, std::span<FilterDesign const> chain, double toler
 
 }  // namespace
 
-double settling_bound(std::span<FilterDesign const> chain, double tolerance) {
+double settling_bound(std::span<FilterDesign const> chain, double tolerance, double enough) {
   double bound = std::numeric_limits<double>::infinity();
   double pole_radius = 0;
   for (FilterDesign const& filter : chain) pole_radius = std::max(pole_radius, filter.pole_radius);
   if (pole_radius >= 1) return bound;
   // The closer to the poles, the faster what is missing shrinks, and the larger it may be at first.
-  for (double const share : {0.5, 0.7, 0.85, 0.95}) {
+  for (double const share : {0.7, 0.5, 0.85, 0.95}) {
     double const radius = 1 - share * (1 - pole_radius);
     double const candidate = bound_on({.radius = radius, .inverse = 1 / radius}, chain, tolerance);
     if (candidate < bound) bound = candidate;  // never where it is no number
+    if (bound <= enough) break;
   }
   return bound;
 }

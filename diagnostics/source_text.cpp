@@ -29,7 +29,8 @@ std::uint32_t count_line_ends_of_block(char const* block) {
 
 std::uint32_t count_line_ends(std::string_view text) {
   std::uint32_t count = 0;
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) ++count;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1))
+    ++count;
   return count;
 }
 
@@ -78,9 +79,8 @@ void SourceText::count_lines() const {
 
 SourceText::Line const& SourceText::keep_line(std::uint32_t number, std::size_t begin) const {
   std::size_t const end = std::min(std::string_view(bytes_).find('\n', begin), bytes_.size());
-  last_line_ = {.number = number,
-                .begin = static_cast<std::uint32_t>(begin),
-                .end = static_cast<std::uint32_t>(end)};
+  last_line_ = {
+      .number = number, .begin = static_cast<std::uint32_t>(begin), .end = static_cast<std::uint32_t>(end)};
   return last_line_;
 }
 

@@ -32,6 +32,8 @@ struct PlainLines {
   std::array<bool, room + 4> unusual;
   std::size_t count = 0;
   std::uint32_t lines_before = 0;  ///< in the text
+  /// "P-" stands in these lines or in those that were found before, as in the number of a parameter.
+  bool may_name_numbers = false;
 
   /// Without its line end.
   [[nodiscard]] std::string_view line(std::string_view text, std::size_t index) const {

@@ -32,13 +32,13 @@ std::string concrete_name(std::string_view pattern, std::uint32_t first_index, s
 }
 
 template <typename Find>
-schema::NameLookup find_pattern(std::string_view pattern, std::uint32_t first_index,
-                                std::uint32_t second_index, Find find) {
+schema::ConcreteParameter find_pattern(std::string_view pattern, std::uint32_t first_index,
+                                       std::uint32_t second_index, Find find) {
   bool const has_indices = pattern.find('[') != std::string_view::npos;
-  schema::NameLookup const lookup =
+  schema::ConcreteParameter const found =
       has_indices ? find(concrete_name(pattern, first_index, second_index)) : find(pattern);
-  assert(lookup.status == schema::NameLookup::Status::found);
-  return lookup;
+  assert(found);
+  return found;
 }
 
 }  // namespace
@@ -134,9 +134,8 @@ std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
 
 EffectiveValue const& EffectiveValues::at(std::string_view pattern, std::uint32_t first_index,
                                           std::uint32_t second_index) const {
-  return (*this)[find_pattern(pattern, first_index, second_index, [this](std::string_view name) {
-                   return catalogue_.find(name);
-                 }).slot];
+  auto const find = [this](std::string_view name) { return catalogue_.find_exact(name); };
+  return (*this)[find_pattern(pattern, first_index, second_index, find).slot];
 }
 
 EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
@@ -152,7 +151,7 @@ void EffectiveValues::refer(schema::Slot slot, Value value) {
 }
 
 schema::Parameter const& row_at(std::string_view pattern) {
-  return *find_pattern(pattern, 0, 0, schema::find).row;
+  return *find_pattern(pattern, 0, 0, schema::find_exact).row;
 }
 
 }  // namespace axisc::validator

@@ -71,6 +71,12 @@ class EffectiveValues {
   /// What the lines of the lists say, of which the first may be null; they live longer. Lines without a value of their own
   /// are for who calls edit().
   EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list);
+  /// Moving leaves the values where they are.
+  EffectiveValues(EffectiveValues&&) noexcept = default;
+  EffectiveValues& operator=(EffectiveValues&&) noexcept = default;
+  EffectiveValues(EffectiveValues const&) = delete;
+  EffectiveValues& operator=(EffectiveValues const&) = delete;
+  ~EffectiveValues() = default;
 
   /// Value of one slot. Cost: constant.
   [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const {
@@ -89,9 +95,10 @@ class EffectiveValues {
   [[nodiscard]] bool is_set(schema::Slot slot) const {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
     if (entry != 0) return value_at(entry - 1).set();
-    return std::any_of(lists_.begin(), lists_.end(), [slot](LoadedList const* list) {
+    auto const sets = [slot](LoadedList const* list) {
       return list != nullptr && list->readings.last_of(slot) != 0;
-    });
+    };
+    return sets(lists_[0]) || sets(lists_[1]);
   }
   /// What lists set in the order in which the lines that count stand, default list first. Cost: all of them are made and
   /// sorted.

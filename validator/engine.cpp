@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <list>
 #include <utility>
 #include <vector>
 
@@ -75,6 +76,7 @@ class Engine {
       Rule const* const rule = find_rule(code);
       if (rule != nullptr) enabled_[number_of(*rule)] = 0;
     }
+    list_contexts_.reserve(machine.lists.size());
     // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
     std::size_t expected = reported_.findings.size();
     for (NamedList const& named : machine.lists) {
@@ -116,7 +118,7 @@ class Engine {
       finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
       if (!finding.said) continue;
       // What a check said of its own, whichever way.
-      Finding const& said = reported_.said[*finding.said];
+      Finding const& said = *reported_.said[*finding.said];
       finding.axis = said.axis;
       finding.severity = said.severity;
       finding.place = said.place.value_or(finding.place);
@@ -354,8 +356,8 @@ class Engine {
   design::CycleTime cycle_time_;
   bool cycle_time_needed_ = false;
   // What findings refer to until they are told.
-  std::deque<ListContext> list_contexts_;
-  std::deque<AxisScope> axis_scopes_;
+  std::vector<ListContext> list_contexts_;  ///< one per list
+  std::list<AxisScope> axis_scopes_;
   std::deque<Subject> subjects_;
   ReportedFindings reported_;
 };

@@ -13,12 +13,13 @@ bool is_image(std::string_view bytes) {
   return bytes.substr(0, 4) == "AXIM" && bytes.substr(0, 64).find('\0') != std::string_view::npos;
 }
 
-/// With its mark, or with a zero byte beside nearly every character.
-bool is_utf16(std::string_view bytes) {
+bool has_utf16_mark(std::string_view bytes) {
   std::string_view const mark = bytes.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF") return true;
-  std::string_view const head = bytes.substr(0, judged_beginning);
-  if (head.find('\0') == std::string_view::npos) return false;
+  return mark == "\xFF\xFE" || mark == "\xFE\xFF";
+}
+
+/// A zero byte stands beside nearly every character.
+bool is_utf16(std::string_view head) {
   std::size_t zeros_at_even = 0;
   std::size_t zeros_at_odd = 0;
   for (std::size_t i = 0; i < head.size(); ++i) {
@@ -34,26 +35,25 @@ bool is_utf16(std::string_view bytes) {
 std::size_t count_controls(std::string_view text) {
   auto const is_control = [](char c) {
     auto const byte = static_cast<unsigned char>(c);
-    auto const below_blank = static_cast<unsigned>(byte < 0x20);
-    auto const white = static_cast<unsigned>(c == '\t') | static_cast<unsigned>(c == '\n') |
-                       static_cast<unsigned>(c == '\r');
-    return static_cast<unsigned char>((below_blank & ~white) | static_cast<unsigned>(byte == 0x7F));
+    bool const is_white = byte == '\t' || byte == '\n' || byte == '\r';
+    return static_cast<unsigned char>((byte < 0x20 && !is_white) || byte == 0x7F);
   };
-  constexpr std::size_t piece = 64;
+  constexpr std::size_t piece = 128;
+  // A text that lay idle comes from farther away than a processor looks ahead by itself.
+  constexpr std::size_t line_of_cache = 64;
+  constexpr std::size_t ahead = 2048;
   std::size_t count = 0;
   for (; text.size() >= piece; text.remove_prefix(piece)) {
+    if (text.size() > ahead + line_of_cache) {
+      __builtin_prefetch(text.data() + ahead);
+      __builtin_prefetch(text.data() + ahead + line_of_cache);
+    }
     unsigned char inside = 0;
     for (std::size_t i = 0; i < piece; ++i) inside = static_cast<unsigned char>(inside + is_control(text[i]));
     count += inside;
   }
   for (char const c : text) count += is_control(c);
   return count;
-}
-
-bool is_binary(std::string_view bytes) {
-  std::string_view const head = bytes.substr(0, judged_beginning);
-  std::size_t const controls = count_controls(head);
-  return controls >= 16 && controls * 20 >= head.size();
 }
 
 }  // namespace
@@ -67,8 +67,13 @@ std::optional<FileError> Files::read_pieces(std::string const& path, PieceReceiv
 
 std::optional<FileError> check_beginning(std::string_view bytes) {
   if (is_image(bytes)) return FileError::image;
-  if (is_utf16(bytes)) return FileError::utf16;
-  if (is_binary(bytes)) return FileError::binary;
+  if (has_utf16_mark(bytes)) return FileError::utf16;
+  std::string_view const head = bytes.substr(0, judged_beginning);
+  std::size_t const controls = count_controls(head);
+  // As in nearly every text.
+  if (controls == 0) return std::nullopt;
+  if (is_utf16(head)) return FileError::utf16;
+  if (controls >= 16 && controls * 20 >= head.size()) return FileError::binary;
   return std::nullopt;
 }
 

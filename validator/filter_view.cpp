@@ -82,7 +82,10 @@ FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uin
       frequency(value_of(values, port_, index_, Member::frequency)),
       quality(value_of(values, port_, index_, Member::quality)),
       share(value_of(values, port_, index_, Member::share)),
-      time_constant(value_of(values, port_, index_, Member::time_constant)) {}
+      time_constant(value_of(values, port_, index_, Member::time_constant)) {
+  int const number = type_number();
+  if (!is_hsc() && is_standard(number)) standard_type = static_cast<design::FilterType>(number);
+}
 
 bool FilterView::is_hsc() const {
   return !prototype.unusable && static_cast<int>(prototype.value.number) == hsc_prototype;
@@ -101,14 +104,8 @@ std::string_view FilterView::type_word() const {
   return symbol == symbols.end() ? type.value.text : symbol->word;
 }
 
-std::optional<design::FilterType> FilterView::standard_type() const {
-  int const number = type_number();
-  if (is_hsc() || !is_standard(number)) return std::nullopt;
-  return static_cast<design::FilterType>(number);
-}
-
 bool FilterView::active() const {
-  return !unusable() && enable.value.flag() && order.value.number > 0 && standard_type().has_value();
+  return !unusable() && enable.value.flag() && order.value.number > 0 && standard_type.has_value();
 }
 
 bool FilterView::type_unusable() const {
@@ -134,7 +131,7 @@ EffectiveValue const& FilterView::anchor(EffectiveValue const& wanted) const {
 std::optional<design::FilterSpecification> FilterView::specification(design::CycleTime cycle_time) const {
   if (!active() || share.unusable) return std::nullopt;
   design::FilterSpecification specification;
-  specification.type = *standard_type();
+  specification.type = *standard_type;
   if (!order_fits(specification.type, order.value.number)) return std::nullopt;
   specification.order = static_cast<std::uint32_t>(order.value.number);
   specification.share_percent = share.value.number;
@@ -164,6 +161,7 @@ std::optional<design::FilterSpecification> FilterView::specification(design::Cyc
 
 std::vector<FilterView> touched_filters(EffectiveValues const& values) {
   std::vector<FilterView> filters;
+  filters.reserve(setpoint_filters + interface_filters);
   auto const add = [&](FilterPort port, std::uint32_t count) {
     for (std::uint32_t index = 0; index < count; ++index) {
       if (is_touched(values, port, index)) filters.emplace_back(values, port, index);

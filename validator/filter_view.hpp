@@ -26,6 +26,8 @@ struct FilterView {
   EffectiveValue const& quality;
   EffectiveValue const& share;
   EffectiveValue const& time_constant;
+  /// The type as a standard filter; none for HSC and undocumented types, and with prototype HSC.
+  std::optional<design::FilterType> standard_type;
 
   FilterView(EffectiveValues const& values, FilterPort port, std::uint32_t index);
 
@@ -38,8 +40,6 @@ struct FilterView {
   [[nodiscard]] int type_number() const;
   /// The type's word, "LOWPASS".
   [[nodiscard]] std::string_view type_word() const;
-  /// The type as a standard filter; none for HSC and undocumented types, and with prototype HSC.
-  [[nodiscard]] std::optional<design::FilterType> standard_type() const;
   /// enable = 1 and order > 0, a standard type, and nothing that decides it unusable.
   [[nodiscard]] bool active() const;
   /// The type cannot be told: it is unusable, or its default depends on a prototype that is.

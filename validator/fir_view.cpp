@@ -13,16 +13,32 @@ constexpr std::array kernels{
     design::KernelType::time_delay,
 };
 
+/// Views are made by the thousand; the names are looked up once.
+struct Slots {
+  schema::Slot enable = row_at("filter_fir.enable").first_slot;
+  schema::Slot type = row_at("filter_fir.type").first_slot;
+  schema::Slot order = row_at("filter_fir.order").first_slot;
+  schema::Slot order_time = row_at("filter_fir.order_time").first_slot;
+  schema::Slot share = row_at("filter_fir.share").first_slot;
+  schema::Slot frequency = row_at("filter_fir.fcut").first_slot;
+  schema::Slot quality = row_at("filter_fir.quality").first_slot;
+};
+
+Slots const& slots() {
+  static Slots const known;
+  return known;
+}
+
 }  // namespace
 
 FirView::FirView(EffectiveValues const& values)
-    : enable(values.at("filter_fir.enable")),
-      type(values.at("filter_fir.type")),
-      order(values.at("filter_fir.order")),
-      order_time(values.at("filter_fir.order_time")),
-      share(values.at("filter_fir.share")),
-      frequency(values.at("filter_fir.fcut")),
-      quality(values.at("filter_fir.quality")) {}
+    : enable(values[slots().enable]),
+      type(values[slots().type]),
+      order(values[slots().order]),
+      order_time(values[slots().order_time]),
+      share(values[slots().share]),
+      frequency(values[slots().frequency]),
+      quality(values[slots().quality]) {}
 
 FirType FirView::configured_type() const {
   double const number = type.value.number;

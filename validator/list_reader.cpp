@@ -48,10 +48,7 @@ std::optional<grammar::ValueKind> simple_kind(std::string_view token) {
 class ListReader {
  public:
   ListReader(SourceText const& source, schema::Catalogue const& catalogue)
-      : source_(source),
-        bytes_(source.bytes()),
-        catalogue_(catalogue),
-        lines_(source.bytes()) {
+      : source_(source), bytes_(source.bytes()), catalogue_(catalogue), lines_(source.bytes()) {
     result_.bytes_ = bytes_;
     result_.catalogue_ = catalogue;
     result_.brief_.reserve(lines_.list().assignments.capacity());
@@ -82,6 +79,7 @@ class ListReader {
       begin = lines.begins[count];
       number += static_cast<std::uint32_t>(count);
     }
+    result_.may_name_numbers_ |= lines.may_name_numbers;
     splitter.go_on_at(bytes_.data() + begin, number);
   }
 
@@ -151,6 +149,7 @@ class ListReader {
   /// `parameter` is that of the name, where it was looked up already.
   void read_by_grammar(std::string_view line, std::uint32_t number, schema::PlainParameter parameter = {}) {
     std::size_t const before = lines_.list().assignments.size();
+    result_.may_name_numbers_ |= line.find("P-") != std::string_view::npos;
     // Most texts nobody has to ask for their encoding.
     bool const is_ascii = ascii_prefix(line) == line.size();
     lines_.read(line, number, !is_ascii && source_.encoding() == Encoding::windows_1252);

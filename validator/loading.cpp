@@ -89,10 +89,10 @@ Text text_of(FileError error) {
 
 class Loader {
  public:
-  Loader(Files& files, CheckOptions const& options, SourceSet& sources)
-      : files_(files), options_(options), sources_(sources) {}
+  Loader(Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
+      : files_(files), options_(options), sources_(sources), machine_(machine) {}
 
-  std::variant<LoadedMachine, FileError> load(std::string const& path) {
+  std::optional<FileError> load(std::string const& path) {
     machine_.path = path;
     machine_.name = without_extension(file_name(path));
     machine_.files.push_back(path);
@@ -106,7 +106,7 @@ class Loader {
     machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
     machine_.build = options_.build;
-    return std::move(machine_);
+    return std::nullopt;
   }
 
  private:
@@ -293,7 +293,7 @@ class Loader {
   Files& files_;
   CheckOptions const& options_;
   SourceSet& sources_;
-  LoadedMachine machine_;
+  LoadedMachine& machine_;
   std::map<std::string, std::size_t> by_path_;
   std::map<std::string, std::size_t> programs_by_path_;
   std::vector<std::size_t> common_programs_;  ///< those that every group runs
@@ -320,7 +320,10 @@ bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
 
 std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
                                             CheckOptions const& options, SourceSet& sources) {
-  return Loader(files, options, sources).load(path);
+  std::variant<LoadedMachine, FileError> loaded;
+  auto const error = Loader(files, options, sources, std::get<LoadedMachine>(loaded)).load(path);
+  if (error) loaded = *error;
+  return loaded;
 }
 
 }  // namespace axisc::validator

@@ -64,12 +64,12 @@ struct LoadedMachine {
   std::string name;
   std::string path;  ///< the input
   std::optional<design::CycleTime> cycle_time;
-  std::deque<NamedList> lists;  ///< each file once, in the order in which they were read
+  std::deque<NamedList> lists;  ///< each file once, in the order in which they were read; none is moved
   std::optional<std::size_t> default_list;
-  bool default_list_missing = false;   ///< one is named and could not be read: effective values are not known
-  bool complete = true;                ///< every file that is named was read
-  std::deque<LoadedAxis> axes;         ///< never copied: their values stay where they are
-  std::deque<LoadedProgram> programs;  ///< each file once
+  bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
+  bool complete = true;               ///< every file that is named was read
+  std::vector<LoadedAxis> axes;
+  std::vector<LoadedProgram> programs;   ///< each file once
   std::vector<LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
   std::vector<LoadedGroup> groups;       ///< without any in the machine file: all axes but spindles
   std::vector<LoadedGantry> gantries;

@@ -74,9 +74,10 @@ EffectiveValue const& stage_value(EffectiveValues const& values, std::uint32_t s
 
 bool is_any_set(EffectiveValues const& values) {
   for (auto const& stage : stage_slots()) {
-    for (FilterSlots const& member : stage) {
-      if (std::any_of(member.begin(), member.end(), [&](schema::Slot slot) { return values.is_set(slot); })) {
-        return true;
+    for (std::size_t member = 0; member < members.size(); ++member) {
+      std::size_t const count = members[member].per_filter ? filters_per_stage : 1;
+      for (std::size_t filter = 0; filter < count; ++filter) {
+        if (values.is_set(stage[member][filter])) return true;
       }
     }
   }

@@ -70,7 +70,7 @@ class Judge {
   std::string_view utf8(Span span) {
     std::string_view const bytes = source_.slice(span);
     auto const is_ascii = [](char byte) { return (static_cast<unsigned char>(byte) & 0x80U) == 0; };
-    if (source_.encoding() != Encoding::windows_1252 || std::all_of(bytes.begin(), bytes.end(), is_ascii)) {
+    if (std::all_of(bytes.begin(), bytes.end(), is_ascii) || source_.encoding() != Encoding::windows_1252) {
       return bytes;
     }
     return transcoded_.emplace_front(source_.utf8(span));

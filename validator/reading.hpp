@@ -115,6 +115,9 @@ class Readings {
   /// Several lines name the same parameter.
   [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
 
+  /// "P-" stands in the list, so that a line may name the number of a parameter.
+  [[nodiscard]] bool may_name_numbers() const { return may_name_numbers_; }
+
   /// What may be meant by the unknown name of an assignment, best first.
   [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
 
@@ -138,6 +141,7 @@ class Readings {
   std::forward_list<std::string>
       transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
   bool has_repetitions_ = false;
+  bool may_name_numbers_ = false;
 };
 
 /// A list as it is written, and what each of its assignments means. The readings look into the tree: it may be moved, and

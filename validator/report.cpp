@@ -2,6 +2,7 @@
 
 #include "validator/rule.hpp"
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,7 @@ Finding new_finding(Rule const& rule) {
 Finding tell(ReportedFindings& reported, Reported const& finding) {
   // A copy: it may be a view of the finding that is moved.
   std::string axis(finding.axis);
-  Finding told = finding.said ? std::move(reported.said[*finding.said]) : new_finding(*finding.rule);
+  Finding told = finding.said ? std::move(*reported.said[*finding.said]) : new_finding(*finding.rule);
   told.place = finding.place;
   told.severity = finding.severity;
   told.axis = std::move(axis);
@@ -42,7 +43,7 @@ Reported& Report::later(Place place, Words words) {
 
 Finding& Report::add(Place place, Message message) {
   later(place, nullptr).said = reported_.said.size();
-  Finding& finding = reported_.said.emplace_back(new_finding(rule_));
+  Finding& finding = *reported_.said.emplace_back(std::make_unique<Finding>(new_finding(rule_)));
   finding.place = place;
   finding.message = std::move(message);
   finding.axis = axis;

@@ -9,8 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -50,7 +50,7 @@ struct Reported {
 /// Findings as their rules reported them, before the engine decides.
 struct ReportedFindings {
   std::vector<Reported> findings;
-  std::deque<Finding> said;
+  std::vector<std::unique_ptr<Finding>> said;  ///< a reference to one stays good
 };
 
 /// Puts a finding into words. Once for each: what was said already is moved out.

@@ -192,9 +192,9 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
       reading("inih", fleet.ini, [&](std::string const& file) { read_with_inih(file, table); }),
       reading("nlohmann-json", fleet.json, [&](std::string const& file) { read_with_nlohmann(file, table); }),
       reading("simdjson, document", fleet.json,
-                [&](std::string const& file) { simdjson.read_document(file, table); }),
+              [&](std::string const& file) { simdjson.read_document(file, table); }),
       reading("simdjson, on demand", fleet.json,
-                [&](std::string const& file) { simdjson.read_on_demand(file, table); }),
+              [&](std::string const& file) { simdjson.read_on_demand(file, table); }),
   };
   std::erase_if(contenders, [only](Contender const& contender) {
     return std::string_view(contender.name).find(only) == std::string_view::npos;

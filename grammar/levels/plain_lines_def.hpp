@@ -56,6 +56,8 @@ inline void find_lines(char const* text, std::size_t size, std::uint32_t begin, 
   begins[0] = begin;
   std::size_t count = 0;
   Bits returned = 0;  // The byte before the block is a carriage return.
+  Bits letter_p = 0;  // The same of a P.
+  Bits numbers = 0;
   for (std::size_t at = begin; at + block_size <= size && count < lines_at_once; at += block_size) {
     // A text that lay idle comes from farther away than a processor looks ahead by itself.
     __builtin_prefetch(text + (at + bytes_ahead < size ? at + bytes_ahead : at));
@@ -69,6 +71,8 @@ inline void find_lines(char const* text, std::size_t size, std::uint32_t begin, 
       returned = returns >> 63U;
       if (unusual != 0) note_unusual(unusual, feeds, unusual_lines + count);
     }
+    numbers |= (block.letter_p() << 1U | letter_p) & block.dash();
+    letter_p = block.letter_p() >> 63U;
     // Hardly any block has more than three.
     std::uint32_t* next = begins + count + 1;
     count += static_cast<std::size_t>(__builtin_popcountll(feeds));
@@ -78,6 +82,7 @@ inline void find_lines(char const* text, std::size_t size, std::uint32_t begin, 
   }
   while (count != 0 && begins[count - 1] + std::size_t{block_size} > size) --count;
   lines.count = count;
+  lines.may_name_numbers |= numbers != 0;
 }
 
 /// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, blanks or the line's end stand

@@ -12,6 +12,8 @@ enum Class : std::uint8_t {
   a_carriage_return,
   a_space,
   a_tab,
+  a_letter_p,
+  a_dash,
   class_count
 };
 
@@ -24,6 +26,8 @@ struct Classes {
     if (byte == '\r') return a_carriage_return;
     if (byte == ' ') return a_space;
     if (byte == '\t') return a_tab;
+    if (byte == 'P') return a_letter_p;
+    if (byte == '-') return a_dash;
     return byte < ' ' || byte > '~' || byte == ':' ? an_unusual : a_usual;
   }
   Class of[256] = {};
@@ -42,6 +46,8 @@ class TextBlock {
 
   [[nodiscard]] std::uint64_t line_feed() const { return masks_[a_line_feed]; }
   [[nodiscard]] std::uint64_t carriage_return() const { return masks_[a_carriage_return]; }
+  [[nodiscard]] std::uint64_t letter_p() const { return masks_[a_letter_p]; }
+  [[nodiscard]] std::uint64_t dash() const { return masks_[a_dash]; }
   [[nodiscard]] std::uint64_t blank() const { return masks_[a_space] | masks_[a_tab]; }
   [[nodiscard]] std::uint64_t content() const { return ~blank(); }
   /// Also tabs and line ends, as the vectors tell it.

@@ -36,6 +36,12 @@ class TextBlock {
   [[nodiscard]] Bits carriage_return() const {
     return bits([](Vector bytes) { return equal(bytes, '\r'); });
   }
+  [[nodiscard]] Bits letter_p() const {
+    return bits([](Vector bytes) { return equal(bytes, 'P'); });
+  }
+  [[nodiscard]] Bits dash() const {
+    return bits([](Vector bytes) { return equal(bytes, '-'); });
+  }
   /// Space, tab.
   [[nodiscard]] Bits blank() const {
     return bits([](Vector bytes) { return either(equal(bytes, ' '), equal(bytes, '\t')); });

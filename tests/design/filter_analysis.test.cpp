@@ -165,10 +165,11 @@ TEST_CASE("overshoot alone is what step figures say of it") {
     for (double const frequency : {0.4, 4.0, 60.0, 300.0}) {
       for (Prototype const prototype :
            {Prototype::bessel, Prototype::butterworth, Prototype::critical_damping}) {
-        FilterDesign const filter = design_filter(filter_of(type, prototype, 3, frequency, 4), one_millisecond,
-                                                  Precision::quick);
+        FilterDesign const filter =
+            design_filter(filter_of(type, prototype, 3, frequency, 4), one_millisecond, Precision::quick);
         for (std::vector<FilterDesign> const& chain :
-             {std::vector{filter}, std::vector{filter, mixed_chain()[0]}, std::vector{mixed_chain()[2], filter}}) {
+             {std::vector{filter}, std::vector{filter, mixed_chain()[0]},
+              std::vector{mixed_chain()[2], filter}}) {
           CAPTURE(type, prototype, frequency, chain.size());
           CHECK(step_overshoot(chain, 50'000) == step_figures(chain, 50'000, 1e-4).overshoot);
         }
@@ -192,9 +193,9 @@ TEST_CASE("a chain settles before its bound") {
   }
   // Each alone, twice (poles in one place), and behind one of another kind.
   for (std::size_t i = 0; i < filters.size(); ++i) {
-    for (auto const& chain :
-         {std::vector{filters[i]}, std::vector{filters[i], filters[i]},
-          std::vector{filters[(7 * i + 5) % filters.size()], filters[i], filters[(5 * i + 3) % filters.size()]}}) {
+    for (auto const& chain : {std::vector{filters[i]}, std::vector{filters[i], filters[i]},
+                              std::vector{filters[(7 * i + 5) % filters.size()], filters[i],
+                                          filters[(5 * i + 3) % filters.size()]}}) {
       for (double const tolerance : {1e-2, 1e-4}) {
         auto const settled = settling_cycles(chain, 100'000, tolerance);
         if (!settled) continue;
@@ -209,8 +210,8 @@ TEST_CASE("a chain settles before its bound") {
 TEST_CASE("the bound of settling decides what filters of machines need") {
   constexpr double ten_seconds = 10'000;
   std::vector<FilterDesign> chain;
-  chain.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::butterworth, 6, 10), one_millisecond,
-                                Precision::quick));
+  chain.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::butterworth, 6, 10),
+                                one_millisecond, Precision::quick));
   CHECK(settling_bound(chain, 1e-4) < ten_seconds);
   chain.push_back(design_filter(filter_of(FilterType::bandstop, Prototype::critical_damping, 3, 25, 3),
                                 one_millisecond, Precision::quick));

@@ -77,6 +77,37 @@ TEST_CASE("lines are found with their unusual bytes") {
   }));
 }
 
+TEST_CASE("wherever a number may be named it is seen") {
+  constexpr std::uint32_t size = 4 * room_behind_line;
+  for (Way const way : ways) {
+    PlainLineReader const* const reader = find_plain_line_reader(way);
+    if (reader == nullptr) continue;
+    auto const is_seen = [reader](std::string const& text, std::uint32_t begin) {
+      PlainLines lines;
+      reader->find(text.data(), text.size(), begin, lines);
+      return lines.may_name_numbers;
+    };
+    for (std::uint32_t const begin : {0U, 5U}) {
+      std::size_t const end = begin + (size - begin) / room_behind_line * room_behind_line;
+      for (std::size_t at = begin; at + 2 <= end; ++at) {
+        std::string text(size, '-');
+        text[at] = 'P';
+        CAPTURE(begin, at);
+        CHECK(is_seen(text, begin));
+        text[at + 1] = 'P';
+        text[at + 2 == size ? at : at + 2] = 'x';
+        CHECK_FALSE(is_seen(text, begin));
+      }
+    }
+    CHECK_FALSE(is_seen(std::string(size, 'P'), 0));
+    // What was seen before stays.
+    PlainLines lines;
+    lines.may_name_numbers = true;
+    reader->find(std::string(size, 'x').c_str(), size, 0, lines);
+    CHECK(lines.may_name_numbers);
+  }
+}
+
 TEST_CASE("as many lines are found as there is room for") {
   std::string const text(1000, '\n');
   for (Way const way : ways) {

@@ -90,7 +90,7 @@ TEST_CASE("prototype HSC makes HSC mean the default type of a setpoint filter") 
   CHECK(values.setpoint().is_hsc());
   CHECK(values.setpoint().type_number() == 8);
   CHECK(values.setpoint().type_word() == "HSC_MEAN");
-  CHECK_FALSE(values.setpoint().standard_type());
+  CHECK_FALSE(values.setpoint().standard_type);
   values.set("filter[0].type", 12);
   CHECK(values.setpoint().type_number() == 12);
 }
@@ -101,7 +101,7 @@ TEST_CASE("only documented standard types are standard") {
     values.set("filter[0].type", type);
     bool const standard = type <= 6 || type == 10 || type == 11;
     INFO("type " << type);
-    CHECK(values.setpoint().standard_type().has_value() == standard);
+    CHECK(values.setpoint().standard_type.has_value() == standard);
   }
 }
 

@@ -5,7 +5,7 @@ namespace axisc::validator::checks {
 
 void allpass_prototype(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (!filter.active() || filter.standard_type() != design::FilterType::allpass) return;
+  if (!filter.active() || filter.standard_type != design::FilterType::allpass) return;
   if (filter.prototype.unusable || filter.order.value.number <= 1) return;
   constexpr auto bessel = static_cast<double>(design::Prototype::bessel);
   if (filter.prototype.value.number == bessel) return;

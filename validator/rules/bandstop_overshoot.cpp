@@ -12,7 +12,7 @@ constexpr double noticeable = 0.01;
 void bandstop_overshoot(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!filter.active() || filter.port != FilterPort::setpoint) return;
-  if (filter.standard_type() != design::FilterType::bandstop) return;
+  if (filter.standard_type != design::FilterType::bandstop) return;
   auto const overshoot = step_overshoot(context);
   if (!overshoot || *overshoot <= noticeable) return;
   Finding& finding =

@@ -14,7 +14,7 @@ constexpr std::string_view path_message = "50557";
 constexpr std::string_view position_controller_message = "70420";
 
 bool uses_frequency(FilterView const& filter) {
-  if (filter.active()) return design::uses_frequency(*filter.standard_type());
+  if (filter.active()) return design::uses_frequency(*filter.standard_type);
   return hsc_type(filter) == HscType::novib;
 }
 

@@ -64,7 +64,7 @@ void describe(Finding& finding, Line const& line) {
 }  // namespace
 
 void checks::comment_names_other_parameter(ListContext const& context, Report& report) {
-  if (context.source.bytes().find(prefix) == std::string_view::npos) return;
+  if (!context.list.readings.may_name_numbers()) return;
   for (std::uint32_t number = 0; number < context.list.readings.size(); ++number) {
     Line const line{context, number};
     if (auto const first = other_parameter(line)) report_line<describe>(report, line, first->span);

@@ -7,7 +7,7 @@ namespace axisc::validator::checks {
 
 void delay_not_last(FilterContext const& context, Report& report) {
   FilterView const& delay = context.filter;
-  bool const is_delay = delay.standard_type() == design::FilterType::time_delay;
+  bool const is_delay = delay.standard_type == design::FilterType::time_delay;
   if (delay.port != FilterPort::setpoint || !delay.active() || !is_delay) return;
   auto const filters = context.axis.filters;
   auto const next = std::find_if(filters.begin(), filters.end(), [&](FilterView const& filter) {

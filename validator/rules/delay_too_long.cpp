@@ -14,7 +14,7 @@ void delay_too_long(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   EffectiveValue const& time = filter.time_constant;
   if (filter.type_unusable() || time.unusable) return;
-  if (filter.standard_type() != design::FilterType::time_delay) return;
+  if (filter.standard_type != design::FilterType::time_delay) return;
   if (!filter.active() && !configured(time)) return;
   design::CycleTime const cycle_time = context.axis.cycle_time;
   double const cycles = cycle_time.cycles({time.value.number});

@@ -5,7 +5,7 @@ namespace axisc::validator::checks {
 
 void enabled_without_order(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (filter.unusable() || !filter.standard_type()) return;
+  if (filter.unusable() || !filter.standard_type) return;
   if (!filter.enable.value.flag() || filter.order.value.number > 0) return;
   Finding& finding = report.add(filter.enable, {Text::ax3007, {{"filter", filter_name(filter)}}});
   if (filter.order.value_place()) {

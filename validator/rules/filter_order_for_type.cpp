@@ -28,12 +28,12 @@ constexpr double longest_fir_delay = 100;
 std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
   using design::FilterType;
   bool const interface = filter.port == FilterPort::additional_interface;
-  if (!filter.standard_type()) {
+  if (!filter.standard_type) {
     bool const kernel = filter.is_hsc() || filter.type_number() == 8 || filter.type_number() == 12;
     if (interface || !kernel) return std::nullopt;
     return AllowedOrder{.highest = longest_kernel, .reaction = Reaction::clipped};
   }
-  switch (*filter.standard_type()) {
+  switch (*filter.standard_type) {
     case FilterType::lowpass:
     case FilterType::highpass:
     case FilterType::allpass:

@@ -8,7 +8,7 @@ void interface_filter_invalid_default(FilterContext const& context, Report& repo
   if (filter.port != FilterPort::additional_interface || !filter.active()) return;
   EffectiveValue const& time = filter.time_constant;
   if (time.unusable || time.value.number != 0) return;
-  if (filter.standard_type() != design::FilterType::pt2) return;
+  if (filter.standard_type != design::FilterType::pt2) return;
   Finding& finding = report.add(filter.anchor(time), {Text::ax3040, {}});
   finding.label = Message{Text::ax3040_label, {}};
   finding.notes.push_back({Text::ax3040_limit, {{"p_axis", parameter_number(time)}}});

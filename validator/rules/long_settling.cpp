@@ -36,7 +36,7 @@ Result settling(std::vector<ChainLink> const& chain, double radius, design::Cycl
   double const allowed = longest_seconds / cycle_time.seconds();
   if (decay_cycles(radius) > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const filters = designs(chain);
-  if (design::settling_bound(filters, tolerance) <= allowed) return {};
+  if (design::settling_bound(filters, tolerance, allowed) <= allowed) return {};
   auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
   auto const settled = design::settling_cycles(filters, longest, tolerance);
   if (!settled) return {.settling = Settling::late, .seconds = std::nullopt};
@@ -65,7 +65,7 @@ void long_settling(AxisContext const& axis, Report& report) {
   if (chain.size() > 1) {
     finding.notes.push_back({Text::ax6003_slowest, {{"filter", filter_name(filter)}}});
   }
-  bool const by_frequency = design::uses_frequency(*filter.standard_type());
+  bool const by_frequency = design::uses_frequency(*filter.standard_type);
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
   finding.notes.push_back({by_frequency ? Text::ax6003_frequency : Text::ax6003_time,
                            {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});

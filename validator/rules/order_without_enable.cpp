@@ -5,7 +5,7 @@ namespace axisc::validator::checks {
 
 void order_without_enable(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (filter.unusable() || !filter.standard_type()) return;
+  if (filter.unusable() || !filter.standard_type) return;
   if (filter.enable.value.flag() || !filter.order.set() || filter.order.value.number <= 0) return;
   Finding& finding = report.add(
       filter.order,

@@ -7,7 +7,7 @@ namespace axisc::validator::checks {
 void overshooting_prototype(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!filter.active() || filter.port != FilterPort::setpoint) return;
-  if (filter.standard_type() != design::FilterType::lowpass) return;
+  if (filter.standard_type != design::FilterType::lowpass) return;
   if (filter.prototype.unusable || filter.order.value.number <= 1) return;
   auto const prototype = static_cast<design::Prototype>(static_cast<int>(filter.prototype.value.number));
   if (prototype == design::Prototype::critical_damping) return;

@@ -15,7 +15,7 @@ void stability_reserve(FilterContext const& context, Report& report) {
   if (design == nullptr) return;
   double const reserve = 1 - design->pole_radius;
   if (reserve >= smallest_reserve) return;
-  bool const by_frequency = design::uses_frequency(*filter.standard_type());
+  bool const by_frequency = design::uses_frequency(*filter.standard_type);
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
   Finding& finding =
       report.add(filter.anchor(filter.enable),

@@ -8,7 +8,7 @@ namespace axisc::validator::checks {
 namespace {
 
 bool is_lag(FilterView const& filter) {
-  auto const type = filter.standard_type();
+  auto const type = filter.standard_type;
   return type == design::FilterType::pt1 || type == design::FilterType::pt2;
 }
 
