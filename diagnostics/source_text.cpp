@@ -29,8 +29,9 @@ std::uint32_t count_line_ends_of_block(char const* block) {
 
 std::uint32_t count_line_ends(std::string_view text) {
   std::uint32_t count = 0;
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1))
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n', end + 1)) {
     ++count;
+  }
   return count;
 }
 
@@ -130,17 +131,17 @@ Position SourceText::position(std::uint32_t offset) const {
   return position;
 }
 
-Span SourceText::line_span(std::uint32_t number) const {
+Span SourceText::line_span(std::uint32_t line) const {
   auto const size = static_cast<std::uint32_t>(bytes_.size());
   if (is_excerpt()) {
-    auto const held = std::lower_bound(numbers_.begin(), numbers_.end(), number);
-    bool const is_held = held != numbers_.end() && *held == number;
-    number = is_held ? static_cast<std::uint32_t>(held - numbers_.begin()) + 1 : 0;
+    auto const number = std::lower_bound(numbers_.begin(), numbers_.end(), line);
+    bool const is_held = number != numbers_.end() && *number == line;
+    line = is_held ? static_cast<std::uint32_t>(number - numbers_.begin()) + 1 : 0;
   }
-  if (number == 0 || number > line_count()) return {.begin = size, .end = size};
-  Line const& line = line_numbered(number);
-  Span span{.begin = std::max(line.begin, text_begin_), .end = line.end};
-  if (line.end < size && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
+  if (line == 0 || line > line_count()) return {.begin = size, .end = size};
+  Line const& found = line_numbered(line);
+  Span span{.begin = std::max(found.begin, text_begin_), .end = found.end};
+  if (found.end < size && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
   return span;
 }
 

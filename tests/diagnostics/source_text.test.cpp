@@ -4,6 +4,7 @@
 
 #include <random>
 #include <string>
+#include <vector>
 
 using namespace axisc;
 
@@ -164,6 +165,35 @@ TEST_CASE("positions do not depend on which was asked for before") {
       auto const offset = static_cast<std::uint32_t>(random() % (bytes.size() + 2));
       CHECK(asked_often.position(offset) == source(bytes).position(offset));
     }
+  }
+}
+
+TEST_CASE("lines of a long text are found in any order") {
+  std::mt19937 random(7);
+  for (int round = 0; round < 60; ++round) {
+    // Lines of all lengths, also many empty ones and none; some texts end with a line end.
+    std::vector<std::string> lines;
+    std::string bytes = round % 5 == 0 ? "\xEF\xBB\xBF" : "";
+    for (std::size_t i = random() % 120; i > 0; --i) {
+      bool const is_long = random() % 9 == 0;
+      lines.emplace_back(is_long ? random() % 700 : random() % (round % 3 == 0 ? 3U : 40U), 'a');
+      bytes += lines.back() + (random() % 2 == 0 ? "\n" : "\r\n");
+    }
+    lines.emplace_back(random() % 3 == 0 ? "end" : "");
+    bytes += lines.back();
+    SourceText const text = source(bytes);
+    for (int question = 0; question < 300; ++question) {
+      CAPTURE(round, question);
+      auto const number = static_cast<std::uint32_t>(random() % (lines.size() + 3));
+      bool const is_there = number >= 1 && number <= lines.size();
+      Span const span = text.line_span(number);
+      CHECK(text.slice(span) == (is_there ? lines[number - 1] : ""));
+      if (!is_there) continue;
+      std::uint32_t const inside =
+          span.size() == 0 ? 0 : static_cast<std::uint32_t>(random() % (span.size() + 1));
+      CHECK(text.position(span.begin + inside) == at(number, inside + 1));
+    }
+    CHECK(text.line_count() == lines.size());
   }
 }
 
