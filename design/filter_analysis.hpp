@@ -59,7 +59,7 @@ struct StepFigures {
 
 /// A number of cycles after which the step response certainly stays within `tolerance` of its final value; infinite where
 /// none can be told. Often three times what is needed, but found without simulating (Cauchy's estimate of the error's
-/// z-transform on circles around its poles). No lower one is looked for than `enough`. Cost: less than 1 µs.
+/// z-transform on circles around its poles). No lower one is looked for than `enough`. Cost: about 1 µs.
 [[nodiscard]] double settling_bound(std::span<FilterDesign const> chain, double tolerance, double enough = 0);
 
 /// Group delay at 0 Hz of the chain in cycles.

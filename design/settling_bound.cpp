@@ -1,10 +1,9 @@
 #include "design/filter_analysis.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <utility>
 
@@ -33,10 +32,14 @@ double least_denominator(IncrementSection const& section, Circle circle) {
 /// for narrow filters, through which most passes unchanged.
 double most_of_section(IncrementSection const& section, bool blocks_constant, Circle circle) {
   double const denominator = least_denominator(section, circle);
+  // Rounding may part a double pole, so that one of the two lies outside.
+  if (!(denominator > 0)) return std::numeric_limits<double>::infinity();
   double const w = circle.inverse;
   double const increment = (std::abs(section.p) + std::abs(section.q) * w) * (1 + w) / denominator;
   DirectSection const direct = direct_form(section, blocks_constant);
-  double const numerator = std::abs(direct.b0) + std::abs(direct.b1) * w + std::abs(direct.b2) * w * w;
+  double const rounding = 8 * std::numeric_limits<double>::epsilon() * (1 + w + w * w);
+  double const numerator =
+      std::abs(direct.b0) + std::abs(direct.b1) * w + std::abs(direct.b2) * w * w + rounding;
   return std::min(increment + (blocks_constant ? 0 : 1), numerator / denominator);
 }
 
@@ -65,7 +68,8 @@ double bound_on(Circle circle, std::span<FilterDesign const> chain, double toler
     final_value *= filter.dc_gain;
   }
   double const error = (std::abs(final_value) + most) / (circle.inverse - 1);
-  return std::max(0.0, std::log(tolerance / error) / std::log(circle.radius));
+  double const cycles = std::log(tolerance / error) / std::log(circle.radius);
+  return cycles < 0 ? 0 : cycles;  // what is no number stays none
 }
 
 }  // namespace
@@ -79,7 +83,7 @@ double settling_bound(std::span<FilterDesign const> chain, double tolerance, dou
   for (double const share : {0.7, 0.5, 0.85, 0.95}) {
     double const radius = 1 - share * (1 - pole_radius);
     double const candidate = bound_on({.radius = radius, .inverse = 1 / radius}, chain, tolerance);
-    if (candidate < bound) bound = candidate;  // never where it is no number
+    if (candidate < bound) bound = candidate;
     if (bound <= enough) break;
   }
   return bound;

@@ -163,7 +163,7 @@ EffectiveValue const& StageView::damping() const {
 PositionControlView::PositionControlView(EffectiveValues const& values)
     : enable(values.at("lr_param.improved_position_control.enable")),
       limit(values.at("lr_param.improved_position_control.v_add_max_fact")) {
-  if (!enable.set() && !is_any_set(values)) return;
+  if (!enabled() && !enable.set() && !is_any_set(values)) return;
   stages.reserve(position_control_stages);
   for (std::uint32_t stage = 0; stage < position_control_stages; ++stage) stages.emplace_back(values, stage);
 }

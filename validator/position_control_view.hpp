@@ -55,7 +55,7 @@ struct StageView {
 struct PositionControlView {
   EffectiveValue const& enable;
   EffectiveValue const& limit;  ///< v_add_max_fact
-  /// All, or none where no list sets a parameter of the function.
+  /// All; none where the function is off by default and no list sets `enable` or a parameter of a stage.
   std::vector<StageView> stages;
 
   explicit PositionControlView(EffectiveValues const& values);

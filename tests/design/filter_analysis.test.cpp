@@ -207,6 +207,24 @@ TEST_CASE("a chain settles before its bound") {
   CHECK(settling_bound({}, 1e-4) >= 0);
 }
 
+TEST_CASE("a double pole that rounding parts gives no bound") {
+  // Next to the Nyquist frequency, where one of the two comes to lie outside of the circle.
+  constexpr CycleTime cycle_time{20'000};
+  std::vector<FilterDesign> chain;
+  chain.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::critical_damping, 2, 24999.9976),
+                                cycle_time, Precision::quick));
+  chain.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::butterworth, 1, 0.05), cycle_time,
+                                Precision::quick));
+  CHECK(settling_bound(chain, 1e-4) > 500'000);
+  // What passes nothing in the end has nothing to settle to, but has to come to rest.
+  std::vector<FilterDesign> blocked;
+  blocked.push_back(design_filter(filter_of(FilterType::lowpass, Prototype::butterworth, 1, 1e-4), cycle_time,
+                                  Precision::quick));
+  blocked.push_back(design_filter(filter_of(FilterType::highpass, Prototype::butterworth, 1, 1e-4),
+                                  cycle_time, Precision::quick));
+  CHECK(settling_bound(blocked, 1e-4) > 0);
+}
+
 TEST_CASE("the bound of settling decides what filters of machines need") {
   constexpr double ten_seconds = 10'000;
   std::vector<FilterDesign> chain;

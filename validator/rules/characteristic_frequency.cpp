@@ -5,6 +5,8 @@
 #include "validator/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 
+#include <span>
+
 namespace axisc::validator::checks {
 namespace {
 

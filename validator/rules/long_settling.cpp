@@ -36,7 +36,7 @@ Result settling(std::vector<ChainLink> const& chain, double radius, design::Cycl
   double const allowed = longest_seconds / cycle_time.seconds();
   if (decay_cycles(radius) > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
   auto const filters = designs(chain);
-  if (design::settling_bound(filters, tolerance, allowed) <= allowed) return {};
+  if (std::ceil(design::settling_bound(filters, tolerance, std::floor(allowed))) <= allowed) return {};
   auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
   auto const settled = design::settling_cycles(filters, longest, tolerance);
   if (!settled) return {.settling = Settling::late, .seconds = std::nullopt};
