@@ -1,6 +1,8 @@
 #include "validator/filter_designs.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cstddef>
 
 namespace axisc::validator {
 
@@ -8,9 +10,11 @@ FilterDesigns::FilterDesigns(std::span<FilterView const> filters, design::CycleT
     : filters_(filters), cycle_time_(cycle_time), entries_(filters.size()) {}
 
 design::FilterDesign const* FilterDesigns::of(FilterView const& filter) const {
-  auto const number = static_cast<std::size_t>(&filter - filters_.data());
-  assert(number < entries_.size());
-  Entry& entry = entries_[number];
+  auto const known = std::find_if(filters_.begin(), filters_.end(), [&filter](FilterView const& view) {
+    return view.port == filter.port && view.index == filter.index;
+  });
+  assert(known != filters_.end());
+  Entry& entry = entries_[static_cast<std::size_t>(known - filters_.begin())];
   if (!entry.looked_at) {
     entry.looked_at = true;
     if (auto const specification = filter.specification(cycle_time_)) {
