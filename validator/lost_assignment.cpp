@@ -20,24 +20,6 @@ bool is_digit(char c) {
   return grammar::is(grammar::character::digit, c);
 }
 
-/// The name that a line begins with, where all its indices are whole as they stand.
-std::optional<std::string_view> whole_name(std::string_view line) {
-  std::size_t size = 0;
-  while (size < line.size()) {
-    if (is_name_character(line[size])) {
-      ++size;
-      continue;
-    }
-    if (line[size] != '[') break;
-    std::size_t const begin = size + 1;
-    size = begin;
-    while (size < line.size() && is_digit(line[size])) ++size;
-    if (size == begin || size == line.size() || line[size] != ']') return std::nullopt;
-    ++size;
-  }
-  return line.substr(0, size);
-}
-
 /// Makes `name` that of the line with every index made whole: `filter[0.order` and `filter[ 0 ].order` are
 /// filter[0].order; an index without number is 0.
 void read_with_whole_indices(std::string_view line, std::string& name) {
@@ -88,7 +70,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
                                              Readings const& readings, schema::Catalogue const& catalogue) {
   using grammar::ProblemKind;
   std::vector<LostAssignment> lost;
-  std::string made_whole;
+  std::string name;
   for (grammar::Problem const& problem : list.problems) {
     if (problem.kind == ProblemKind::text_after_end || problem.kind == ProblemKind::expected_name) continue;
     Span line = source.line_span(problem.line);
@@ -96,13 +78,9 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     std::size_t const blanks = text.find_first_not_of(" \t");
     if (blanks == std::string_view::npos) continue;
     line.begin += static_cast<std::uint32_t>(blanks);
-    std::optional<std::string_view> name = whole_name(source.slice(line));
-    if (!name) {
-      read_with_whole_indices(source.slice(line), made_whole);
-      name = made_whole;
-    }
-    line.end = std::min(line.end, line.begin + static_cast<std::uint32_t>(name->size()));
-    if (auto const slot = slot_of_name(catalogue, *name)) {
+    read_with_whole_indices(source.slice(line), name);
+    line.end = std::min(line.end, line.begin + static_cast<std::uint32_t>(name.size()));
+    if (auto const slot = slot_of_name(catalogue, name)) {
       lost.push_back({.slot = *slot, .name = line, .line = problem.line, .guessed = false});
     }
   }
