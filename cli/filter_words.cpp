@@ -16,7 +16,8 @@ std::string_view word_of(std::string_view parameter, int number) {
 }  // namespace
 
 std::string_view type_word(design::FilterType type) {
-  return word_of("filter[0].type", static_cast<int>(type));
+  auto const* const kind = design::find_filter_kind(static_cast<int>(type));
+  return kind == nullptr ? "?" : kind->word;
 }
 
 std::string_view prototype_word(design::Prototype prototype) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "codegen/image_contents.hpp"
-#include "design/filter_specification.hpp"
+#include "design/filter_kinds.hpp"
 
 #include <span>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "codegen/runtime_host.hpp"
 #include "design/filter_analysis.hpp"
+#include "design/filter_kinds.hpp"
 #include "design/kernel_analysis.hpp"
 
 #include <algorithm>
@@ -112,9 +113,9 @@ std::vector<design::Hertz> characteristic_frequencies(ImageContents const& conte
   std::vector<design::Hertz> frequencies;
   for (ImageFilter const& filter : contents.axes[axis].filters) {
     auto const& wanted = filter.specification;
-    if (design::uses_frequency(wanted.type)) {
-      frequencies.push_back(wanted.frequency);
-    } else if (wanted.type != design::FilterType::time_delay) {
+    auto const& kind = design::kind_of(wanted.type);
+    if (kind.uses_frequency) frequencies.push_back(wanted.frequency);
+    if (kind.time_constant && kind.time_constant->meaning == design::TimeMeaning::lag) {
       frequencies.push_back({1e6 / (2 * std::numbers::pi * wanted.time_constant.value)});
     }
   }

@@ -3,76 +3,14 @@
 #pragma once
 
 #include "design/filter_design.hpp"
-#include "design/pi_def.hpp"
-#include "design/prototypes_def.hpp"
+#include "design/filter_kinds.hpp"
+#include "design/filter_realisations_def.hpp"
 #include "design/section_def.hpp"
-#include "design/thiran_def.hpp"
-#include "design/transformations_def.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace axisc::design {
-
-/// A delay this close to whole cycles is a pure delay.
-inline constexpr double integer_delay_tolerance = 1e-9;
-
-[[nodiscard]] constexpr bool blocks_constant(FilterType type) {
-  return type == FilterType::highpass || type == FilterType::bandpass;
-}
-
-/// t = tan(π f T), the pre-warped characteristic frequency as the bilinear transform needs it.
-template <typename Number>
-[[nodiscard]] Number prewarped(Hertz frequency, CycleTime cycle_time) {
-  using std::tan;
-  return tan(pi<Number>() * cycle_time.periods_in<Number>(frequency));
-}
-
-/// The same for the cut-off frequency 1/(2π τ): t = tan(T/(2 τ)).
-template <typename Number>
-[[nodiscard]] Number prewarped(Microseconds time_constant, CycleTime cycle_time) {
-  using std::tan;
-  return tan(1 / (2 * cycle_time.cycles_in<Number>(time_constant)));
-}
-
-/// Q_a = sin(2π f0 T)/(2 tan(π (f0/Q) T)) puts the digital -3 dB edges f0/Q apart; sin 2α = 2 tan α/(1 + tan²
-/// α).
-template <typename Number>
-[[nodiscard]] Number analogue_quality(FilterSpecification const& specification, CycleTime cycle_time,
-                                      Number const& t) {
-  using std::tan;
-  Number const bandwidth =
-      cycle_time.periods_in<Number>(specification.frequency) / Number(specification.quality);
-  return t / ((1 + t * t) * tan(pi<Number>() * bandwidth));
-}
-
-template <typename Number>
-[[nodiscard]] std::vector<Section<Number>> frequency_sections(FilterSpecification const& specification,
-                                                              CycleTime cycle_time) {
-  auto const poles = prototype_poles<Number>(specification.prototype, specification.order);
-  auto const t = prewarped<Number>(specification.frequency, cycle_time);
-  switch (specification.type) {
-    case FilterType::highpass:
-      return highpass(poles, t);
-    case FilterType::allpass:
-      return allpass(poles, t);
-    case FilterType::bandpass:
-      return bandpass(poles, analogue_quality(specification, cycle_time, t), t);
-    case FilterType::bandstop:
-      return bandstop(poles, analogue_quality(specification, cycle_time, t), t);
-    default:
-      return lowpass(poles, t);
-  }
-}
-
-/// PT1 and PT2: poles at -1/τ.
-template <typename Number>
-[[nodiscard]] std::vector<Section<Number>> lag_sections(std::uint32_t order, Microseconds time_constant,
-                                                        CycleTime cycle_time) {
-  return lowpass(Poles<Number>(order, {Number(-1), Number(0)}), prewarped<Number>(time_constant, cycle_time));
-}
 
 /// What the image's loader demands of the stored numbers.
 [[nodiscard]] inline bool is_stable(IncrementSection const& section) {
@@ -113,8 +51,6 @@ template <typename Number>
 
 template <typename Number>
 [[nodiscard]] FilterDesign design_in(FilterSpecification const& specification, CycleTime cycle_time) {
-  using std::abs;
-  using std::floor;
   FilterDesign design;
   Number const share = Number(specification.share_percent) / 100;
   if (share == 0) return design;
@@ -122,30 +58,18 @@ template <typename Number>
   design.share.filtered = static_cast<double>(share);
   design.share.direct = static_cast<double>(direct);
   design.share.direct_low = static_cast<double>(Number(direct - Number(design.share.direct)));
-  design.blocks_constant = blocks_constant(specification.type);
+  design.blocks_constant = kind_of(specification.type).blocks_constant;
 
+  FilterRealisation<Number> const made = realise<Number>(specification, cycle_time);
   Number slope{0};
-  if (specification.type == FilterType::time_delay) {
-    auto const D = cycle_time.cycles_in<Number>(specification.time_constant);
-    Number const whole = floor(D + Number(0.5));
-    if (abs(D - whole) <= Number(integer_delay_tolerance)) {
-      if (whole == 0) return {};
-      design.realisation = Realisation::delay;
-      design.delay_cycles = static_cast<std::uint32_t>(static_cast<double>(whole));
-      slope = -whole;
-    } else {
-      auto const sections = thiran(D);
-      store_sections(sections, design);
-      slope = slope_at_zero(sections, false);
-    }
+  if (!made.sections.empty()) {
+    store_sections(made.sections, design);
+    slope = slope_at_zero(made.sections, design.blocks_constant);
   } else {
-    auto const sections = uses_frequency(specification.type)
-                              ? frequency_sections<Number>(specification, cycle_time)
-                          : specification.type == FilterType::pt1
-                              ? lag_sections<Number>(1, specification.time_constant, cycle_time)
-                              : lag_sections<Number>(2, specification.time_constant, cycle_time);
-    store_sections(sections, design);
-    slope = slope_at_zero(sections, design.blocks_constant);
+    if (made.delay_cycles == 0) return {};
+    design.realisation = Realisation::delay;
+    design.delay_cycles = made.delay_cycles;
+    slope = -Number(made.delay_cycles);
   }
 
   Number const dc_gain = design.blocks_constant ? direct : Number(1);

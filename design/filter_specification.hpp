@@ -22,10 +22,8 @@ enum class FilterType : std::uint8_t {
 /// Values are the numbers of P-AXIS-00153.
 enum class Prototype : std::uint8_t { critical_damping = 1, butterworth = 2, bessel = 3 };
 
-/// Ranges are those of spec and manual; design_filter() expects them to hold:
-/// order 1..6 (low-, high-, all-pass) or 1..3 (band filters), ignored by PT1, PT2 and TIME_DELAY;
-/// 0 < frequency < 0.5/T where the type uses it; quality 1..10 for band filters;
-/// time_constant ≥ T for PT1 and PT2, 0 ≤ time_constant < 6 T for TIME_DELAY; share_percent 0..100.
+/// Which of the values a type uses, and in which ranges, says its row in design/filter_kinds.hpp. design_filter()
+/// expects them to hold, and share_percent 0..100.
 struct FilterSpecification {
   FilterType type = FilterType::lowpass;
   Prototype prototype = Prototype::critical_damping;
@@ -37,21 +35,5 @@ struct FilterSpecification {
 
   friend constexpr bool operator==(FilterSpecification const&, FilterSpecification const&) = default;
 };
-
-[[nodiscard]] constexpr bool uses_frequency(FilterType type) {
-  return type <= FilterType::allpass;
-}
-[[nodiscard]] constexpr bool uses_prototype(FilterType type) {
-  return type <= FilterType::allpass;
-}
-[[nodiscard]] constexpr bool uses_quality(FilterType type) {
-  return type == FilterType::bandpass || type == FilterType::bandstop;
-}
-[[nodiscard]] constexpr bool uses_time_constant(FilterType type) {
-  return type >= FilterType::pt1;
-}
-[[nodiscard]] constexpr bool computes_order(FilterType type) {
-  return type >= FilterType::pt1;
-}
 
 }  // namespace axisc::design

@@ -1,12 +1,26 @@
 #include "validator/check.hpp"
 
+#include "validator/axis_views.hpp"
 #include "validator/engine.hpp"
 #include "validator/loading.hpp"
 #include "validator/machine_build.hpp"
 
+#include <deque>
 #include <utility>
 
 namespace axisc::validator {
+namespace {
+
+/// None where a default list is missing: effective values are not known.
+std::deque<AxisViews> views_of(LoadedMachine const& machine) {
+  std::deque<AxisViews> views;
+  if (machine.default_list_missing) return views;
+  design::CycleTime const cycle_time = machine.cycle_time.value_or(design::CycleTime{});
+  for (LoadedAxis const& axis : machine.axes) views.emplace_back(axis.merged.values, cycle_time);
+  return views;
+}
+
+}  // namespace
 
 CheckResult check(Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources,
                   FindingSink const& sink) {
@@ -19,10 +33,11 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
   auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
 
-  EngineResult const judged = run_rules(machine, std::move(machine.findings), options, sources, sink);
+  std::deque<AxisViews> const views = views_of(machine);
+  EngineResult const judged = run_rules(machine, views, std::move(machine.findings), options, sources, sink);
   result.cycle_time_assumed = judged.cycle_time_assumed;
   if (options.machine && !judged.has_errors && machine.complete && !machine.axes.empty()) {
-    BuiltMachine built = build_machine(machine, sources, files);
+    BuiltMachine built = build_machine(machine, views, sources, files);
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);
   }

@@ -1,12 +1,12 @@
 #include "validator/engine.hpp"
 
+#include "validator/axis_views.hpp"
 #include "validator/channel.hpp"
 #include "validator/precedence.hpp"
 #include "validator/suppression.hpp"
 
 #include <algorithm>
 #include <deque>
-#include <list>
 #include <utility>
 #include <vector>
 
@@ -22,48 +22,33 @@ bool uses_cycle_time(AxisContext const& axis) {
   return axis.fir.type.value.number != 0 || axis.position_control.enable.value.flag();
 }
 
-/// What the rules about one axis see; it lives until their findings are told.
-struct AxisScope {
-  std::vector<FilterView> filters;
-  FilterDesigns designs;
-  FirView fir;
-  PositionControlView position_control;
-  AxisContext context;
-
-  AxisScope(LoadedMachine const& machine, std::size_t index, design::CycleTime cycle_time,
-            SourceSet const& sources)
-      : filters(touched_filters(machine.axes[index].merged.values)),
-        designs(filters, cycle_time),
-        fir(machine.axes[index].merged.values),
-        position_control(machine.axes[index].merged.values),
-        context{.machine = machine,
-                .index = index,
-                .name = machine.axes[index].name,
-                .type = machine.axes[index].type,
-                .values = machine.axes[index].merged.values,
-                .cycle_time = cycle_time,
-                .sources = sources,
-                .default_list = machine.list_of_defaults(),
-                .axis_list = machine.lists[machine.axes[index].list].list,
-                .reference_problems = machine.axes[index].merged.reference_problems,
-                .filters = filters,
-                .designs = designs,
-                .fir = fir,
-                .position_control = position_control} {}
-  AxisScope(AxisScope const&) = delete;
-  AxisScope(AxisScope&&) = delete;
-  AxisScope& operator=(AxisScope const&) = delete;
-  AxisScope& operator=(AxisScope&&) = delete;
-  ~AxisScope() = default;
-};
+AxisContext context_of(LoadedMachine const& machine, std::size_t index, AxisViews const& views,
+                       design::CycleTime cycle_time, SourceSet const& sources) {
+  LoadedAxis const& axis = machine.axes[index];
+  return {.machine = machine,
+          .index = index,
+          .name = axis.name,
+          .type = axis.type,
+          .values = axis.merged.values,
+          .cycle_time = cycle_time,
+          .sources = sources,
+          .default_list = machine.list_of_defaults(),
+          .axis_list = machine.lists[axis.list].list,
+          .reference_problems = axis.merged.reference_problems,
+          .filters = views.filters,
+          .designs = views.designs,
+          .fir = views.fir,
+          .position_control = views.position_control};
+}
 
 constexpr Code cycle_time_assumed{9006};
 
 class Engine {
  public:
-  Engine(LoadedMachine const& machine, ReportedFindings reported, CheckOptions const& options,
-         SourceSet const& sources)
+  Engine(LoadedMachine const& machine, std::deque<AxisViews> const& views, ReportedFindings reported,
+         CheckOptions const& options, SourceSet const& sources)
       : machine_(machine),
+        views_(views),
         options_(options),
         enabled_(rules().size()),
         sources_(sources),
@@ -150,7 +135,8 @@ class Engine {
   }
 
   void run_axis(std::size_t index) {
-    AxisContext const& context = axis_scopes_.emplace_back(machine_, index, cycle_time_, sources_).context;
+    AxisContext const& context =
+        axis_contexts_.emplace_back(context_of(machine_, index, views_[index], cycle_time_, sources_));
     cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context);
     std::vector<Subject const*> subjects;
     subjects.reserve(context.filters.size());
@@ -350,6 +336,7 @@ class Engine {
   }
 
   LoadedMachine const& machine_;
+  std::deque<AxisViews> const& views_;
   CheckOptions const& options_;
   std::vector<char> enabled_;  ///< of each rule of the table, as bools
   SourceSet const& sources_;
@@ -357,16 +344,17 @@ class Engine {
   bool cycle_time_needed_ = false;
   // What findings refer to until they are told.
   std::vector<ListContext> list_contexts_;  ///< one per list
-  std::list<AxisScope> axis_scopes_;
+  std::deque<AxisContext> axis_contexts_;
   std::deque<Subject> subjects_;
   ReportedFindings reported_;
 };
 
 }  // namespace
 
-EngineResult run_rules(LoadedMachine const& machine, ReportedFindings loading, CheckOptions const& options,
-                       SourceSet const& sources, FindingSink const& sink) {
-  return Engine(machine, std::move(loading), options, sources).run(sink);
+EngineResult run_rules(LoadedMachine const& machine, std::deque<AxisViews> const& views,
+                       ReportedFindings loading, CheckOptions const& options, SourceSet const& sources,
+                       FindingSink const& sink) {
+  return Engine(machine, views, std::move(loading), options, sources).run(sink);
 }
 
 }  // namespace axisc::validator

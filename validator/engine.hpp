@@ -1,9 +1,12 @@
 // Runs the table of rules over lists, axes, filters, channels and programs, and decides which findings stand.
 #pragma once
 
+#include "validator/axis_views.hpp"
 #include "validator/check.hpp"
 #include "validator/loading.hpp"
 #include "validator/rule.hpp"
+
+#include <deque>
 
 namespace axisc::validator {
 
@@ -12,9 +15,11 @@ struct EngineResult {
   bool cycle_time_assumed = false;  ///< nothing gives it, and a rule that needs it looked at something
 };
 
-/// Every rule over everything that was loaded; `loading` is what was found on the way. What stands is told to `sink` in
+/// Every rule over everything that was loaded; `views` has one entry per axis, and may be empty where a default list is
+/// missing; `loading` is what was found on the way. What stands is told to `sink` in
 /// output order, AX9006 first. Cost: one pass of each rule over what it looks at, plus sorting.
-EngineResult run_rules(LoadedMachine const& machine, ReportedFindings loading, CheckOptions const& options,
-                       SourceSet const& sources, FindingSink const& sink);
+EngineResult run_rules(LoadedMachine const& machine, std::deque<AxisViews> const& views,
+                       ReportedFindings loading, CheckOptions const& options, SourceSet const& sources,
+                       FindingSink const& sink);
 
 }  // namespace axisc::validator

@@ -9,7 +9,7 @@ namespace axisc::validator {
 FilterDesigns::FilterDesigns(std::span<FilterView const> filters, design::CycleTime cycle_time)
     : filters_(filters), cycle_time_(cycle_time), entries_(filters.size()) {}
 
-design::FilterDesign const* FilterDesigns::of(FilterView const& filter) const {
+FilterDesigns::Entry& FilterDesigns::entry_of(FilterView const& filter) const {
   auto const known = std::find_if(filters_.begin(), filters_.end(), [&filter](FilterView const& view) {
     return view.port == filter.port && view.index == filter.index;
   });
@@ -17,10 +17,21 @@ design::FilterDesign const* FilterDesigns::of(FilterView const& filter) const {
   Entry& entry = entries_[static_cast<std::size_t>(known - filters_.begin())];
   if (!entry.looked_at) {
     entry.looked_at = true;
-    if (auto const specification = filter.specification(cycle_time_)) {
-      entry.design = std::make_unique<design::FilterDesign const>(
-          design::design_filter(*specification, cycle_time_, design::Precision::quick));
-    }
+    entry.specification = filter.specification(cycle_time_);
+  }
+  return entry;
+}
+
+std::optional<design::FilterSpecification> const& FilterDesigns::specification(
+    FilterView const& filter) const {
+  return entry_of(filter).specification;
+}
+
+design::FilterDesign const* FilterDesigns::of(FilterView const& filter) const {
+  Entry& entry = entry_of(filter);
+  if (entry.specification && !entry.design) {
+    entry.design = std::make_unique<design::FilterDesign const>(
+        design::design_filter(*entry.specification, cycle_time_, design::Precision::quick));
   }
   return entry.design.get();
 }

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,13 +19,16 @@ struct ChainLink {
   design::FilterDesign const* design;
 };
 
-/// Designs of the filters that a list touches, each made when it is first asked for: several rules look at the same one. One
-/// FilterDesigns serves one thread at a time.
+/// Specifications and designs of the filters that a list touches, each made when it is first asked for and once: several
+/// rules look at the same one, and the machine is built of them. One FilterDesigns serves one thread at a time.
 class FilterDesigns {
  public:
   /// `filters` live longer and stay where they are.
   FilterDesigns(std::span<FilterView const> filters, design::CycleTime cycle_time);
 
+  /// Of one of the filters: FilterView::specification().
+  [[nodiscard]] std::optional<design::FilterSpecification> const& specification(
+      FilterView const& filter) const;
   /// Of one of the filters; null where it is not active or a value is out of range.
   [[nodiscard]] design::FilterDesign const* of(FilterView const& filter) const;
   /// The chain that the setpoint passes; empty where no filter is active, or where one of them cannot be
@@ -34,8 +38,12 @@ class FilterDesigns {
  private:
   struct Entry {
     bool looked_at = false;
+    std::optional<design::FilterSpecification> specification;
     std::unique_ptr<design::FilterDesign const> design;
   };
+
+  /// With its specification.
+  [[nodiscard]] Entry& entry_of(FilterView const& filter) const;
 
   std::span<FilterView const> filters_;
   design::CycleTime cycle_time_;

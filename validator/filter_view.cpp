@@ -53,23 +53,6 @@ bool is_touched(EffectiveValues const& values, FilterPort port, std::uint32_t in
                      [&values](schema::Slot slot) { return values.is_set(slot); });
 }
 
-bool is_standard(int type) {
-  return (type >= static_cast<int>(design::FilterType::lowpass) &&
-          type <= static_cast<int>(design::FilterType::pt1)) ||
-         type == static_cast<int>(design::FilterType::pt2) ||
-         type == static_cast<int>(design::FilterType::time_delay);
-}
-
-bool order_fits(design::FilterType type, double order) {
-  if (design::computes_order(type)) return order >= 1;
-  return order >= 1 && order <= (design::uses_quality(type) ? 3 : 6);
-}
-
-bool time_constant_fits(design::FilterType type, design::Microseconds time, design::CycleTime cycle_time) {
-  double const cycles = cycle_time.cycles(time);
-  return type == design::FilterType::time_delay ? cycles >= 0 && cycles < 6 : cycles >= 1;
-}
-
 }  // namespace
 
 FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uint32_t index_)
@@ -83,8 +66,8 @@ FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uin
       quality(value_of(values, port_, index_, Member::quality)),
       share(value_of(values, port_, index_, Member::share)),
       time_constant(value_of(values, port_, index_, Member::time_constant)) {
-  int const number = type_number();
-  if (!is_hsc() && is_standard(number)) standard_type = static_cast<design::FilterType>(number);
+  if (is_hsc()) return;
+  if (auto const* const kind = design::find_filter_kind(type_number())) standard_type = kind->type;
 }
 
 bool FilterView::is_hsc() const {
@@ -130,33 +113,29 @@ EffectiveValue const& FilterView::anchor(EffectiveValue const& wanted) const {
 
 std::optional<design::FilterSpecification> FilterView::specification(design::CycleTime cycle_time) const {
   if (!active() || share.unusable) return std::nullopt;
+  design::FilterKind const& kind = design::kind_of(*standard_type);
+  if (!kind.order.fits(order.value.number)) return std::nullopt;
   design::FilterSpecification specification;
-  specification.type = *standard_type;
-  if (!order_fits(specification.type, order.value.number)) return std::nullopt;
+  specification.type = kind.type;
   specification.order = static_cast<std::uint32_t>(order.value.number);
   specification.share_percent = share.value.number;
-  if (specification.share_percent < 0 || specification.share_percent > 100) return std::nullopt;
-
-  if (design::uses_prototype(specification.type)) {
+  if (kind.uses_prototype) {
     if (prototype.unusable) return std::nullopt;
     specification.prototype = static_cast<design::Prototype>(static_cast<int>(prototype.value.number));
   }
-  if (design::uses_frequency(specification.type)) {
-    specification.frequency = design::Hertz{frequency.value.number};
-    bool const fits = frequency.value.number > 0 && frequency.value.number < cycle_time.nyquist().value;
-    if (frequency.unusable || !fits) return std::nullopt;
+  if (kind.uses_frequency) {
+    if (frequency.unusable) return std::nullopt;
+    specification.frequency = {frequency.value.number};
   }
-  if (design::uses_quality(specification.type)) {
+  if (kind.quality) {
+    if (quality.unusable) return std::nullopt;
     specification.quality = quality.value.number;
-    bool const fits = specification.quality >= 1 && specification.quality <= 10;
-    if (quality.unusable || !fits) return std::nullopt;
   }
-  if (design::uses_time_constant(specification.type)) {
-    specification.time_constant = design::Microseconds{time_constant.value.number};
-    bool const fits = time_constant_fits(specification.type, specification.time_constant, cycle_time);
-    if (time_constant.unusable || !fits) return std::nullopt;
+  if (kind.time_constant) {
+    if (time_constant.unusable) return std::nullopt;
+    specification.time_constant = {time_constant.value.number};
   }
-  return specification;
+  return design::is_in_range(specification, cycle_time) ? std::optional(specification) : std::nullopt;
 }
 
 std::vector<FilterView> touched_filters(EffectiveValues const& values) {

@@ -1,7 +1,7 @@
 // The parameters of one standard filter, seen together: filter[i] or lr_param.add_interface.filter[i].
 #pragma once
 
-#include "design/filter_specification.hpp"
+#include "design/filter_kinds.hpp"
 #include "validator/effective_values.hpp"
 
 #include <array>

@@ -16,10 +16,11 @@ namespace {
 
 class AxisBuilder {
  public:
-  AxisBuilder(LoadedMachine const& machine, LoadedAxis const& axis, SourceSet const& sources,
-              std::vector<NotCompiled>& not_compiled)
+  AxisBuilder(LoadedMachine const& machine, LoadedAxis const& axis, AxisViews const& views,
+              SourceSet const& sources, std::vector<NotCompiled>& not_compiled)
       : machine_(machine),
         axis_(axis),
+        views_(views),
         values_(axis.merged.values),
         sources_(sources),
         not_compiled_(not_compiled),
@@ -59,10 +60,10 @@ class AxisBuilder {
 
   void add_filters(AxisConfiguration& result) {
     bool const interface_on = values_.at("lr_param.add_interface.enable").value.flag();
-    for (FilterView const& filter : touched_filters(values_)) {
+    for (FilterView const& filter : views_.filters) {
       bool const setpoint = filter.port == FilterPort::setpoint;
       if ((!setpoint && !interface_on) || is_configured_hsc(filter)) continue;
-      std::optional<design::FilterSpecification> const specification = filter.specification(cycle_time_);
+      auto const& specification = views_.designs.specification(filter);
       if (specification) {
         auto& filters = setpoint ? result.filters : result.interface_filters;
         filters.push_back({.index = filter.index, .specification = *specification});
@@ -75,8 +76,8 @@ class AxisBuilder {
   }
 
   void add_kernel(AxisConfiguration& result) {
-    for (FilterView const& filter : configured_hsc(values_)) add_hsc(filter, result);
-    FirView const fir(values_);
+    for (FilterView const& filter : configured_hsc(views_.filters)) add_hsc(filter, result);
+    FirView const& fir = views_.fir;
     if (!fir.configured() && !fir.type.unusable) return;
     auto const specification = fir.specification(cycle_time_);
     if (specification && !result.kernel) {
@@ -104,7 +105,7 @@ class AxisBuilder {
   }
 
   void add_position_control(AxisConfiguration& result) {
-    PositionControlView const view(values_);
+    PositionControlView const& view = views_.position_control;
     PositionControl control;
     control.limit_factor = view.limit.value.number;
     for (StageView const& stage : view.active_stages()) {
@@ -145,23 +146,19 @@ class AxisBuilder {
 
   /// Decisions of the filter mathematics: the band-pass has the Butterworth prototype, the all-pass Bessel's.
   [[nodiscard]] std::optional<design::FilterSpecification> stage_filter(StageFilterView const& filter) const {
+    constexpr double highest_order = 3;
     bool const bandpass = filter.kind == StageFilterType::bandpass;
     double const order = filter.order.value.number;
-    double const frequency = filter.frequency.value.number;
-    double const quality = filter.quality.value.number;
     bool const usable =
         !filter.order.unusable && !filter.frequency.unusable && !(bandpass && filter.quality.unusable);
-    bool const in_range = order >= 1 && order <= 3 && frequency > 0 &&
-                          frequency < cycle_time_.nyquist().value &&
-                          (!bandpass || (quality >= 1 && quality <= 10));
-    if (!usable || !in_range) return std::nullopt;
+    if (!usable || !(order >= 1 && order <= highest_order)) return std::nullopt;
     design::FilterSpecification specification;
     specification.type = bandpass ? design::FilterType::bandpass : design::FilterType::allpass;
     specification.prototype = bandpass ? design::Prototype::butterworth : design::Prototype::bessel;
     specification.order = static_cast<std::uint32_t>(order);
-    specification.frequency = {frequency};
-    if (bandpass) specification.quality = quality;
-    return specification;
+    specification.frequency = {filter.frequency.value.number};
+    if (bandpass) specification.quality = filter.quality.value.number;
+    return design::is_in_range(specification, cycle_time_) ? std::optional(specification) : std::nullopt;
   }
 
   [[nodiscard]] DriveScaling drive_scaling() const {
@@ -189,6 +186,7 @@ class AxisBuilder {
 
   LoadedMachine const& machine_;
   LoadedAxis const& axis_;
+  AxisViews const& views_;
   EffectiveValues const& values_;
   SourceSet const& sources_;
   std::vector<NotCompiled>& not_compiled_;
@@ -207,7 +205,8 @@ StoredContent stored_content(LoadedProgram const& program, Files& files) {
 
 }  // namespace
 
-BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources, Files& files) {
+BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
+                           SourceSet const& sources, Files& files) {
   BuiltMachine built;
   built.machine.name = loaded.name;
   built.machine.inch = loaded.inch;
@@ -221,8 +220,9 @@ BuiltMachine build_machine(LoadedMachine const& loaded, SourceSet const& sources
     built.machine.lists.push_back(
         {.name = program.name, .content = {}, .is_program = true, .stored = stored_content(program, files)});
   }
-  for (LoadedAxis const& axis : loaded.axes) {
-    built.machine.axes.push_back(AxisBuilder(loaded, axis, sources, built.not_compiled).build());
+  for (std::size_t axis = 0; axis < loaded.axes.size(); ++axis) {
+    built.machine.axes.push_back(
+        AxisBuilder(loaded, loaded.axes[axis], views[axis], sources, built.not_compiled).build());
   }
   for (LoadedGantry const& gantry : loaded.gantries) {
     for (std::size_t const slave : gantry.slaves) built.machine.axes[slave].gantry_master = gantry.master;

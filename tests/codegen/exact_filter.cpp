@@ -14,21 +14,7 @@ namespace {
 namespace mp = boost::multiprecision;
 using Exact = mp::number<mp::cpp_bin_float<128, mp::digit_base_2>, mp::et_off>;
 using design::FilterSpecification;
-using design::FilterType;
 using Sections = std::vector<design::Section<Exact>>;
-
-Sections exact_sections(FilterSpecification const& specification, design::CycleTime cycle_time) {
-  switch (specification.type) {
-    case FilterType::pt1:
-      return design::lag_sections<Exact>(1, specification.time_constant, cycle_time);
-    case FilterType::pt2:
-      return design::lag_sections<Exact>(2, specification.time_constant, cycle_time);
-    case FilterType::time_delay:
-      return design::thiran(cycle_time.cycles_in<Exact>(specification.time_constant));
-    default:
-      return design::frequency_sections<Exact>(specification, cycle_time);
-  }
-}
 
 struct Signal {
   Exact value, increment;
@@ -38,9 +24,9 @@ class ExactFilter {
  public:
   /// A delay is meant to be fractional.
   ExactFilter(FilterSpecification const& specification, design::CycleTime cycle_time)
-      : sections_(exact_sections(specification, cycle_time)),
+      : sections_(design::realise<Exact>(specification, cycle_time).sections),
         states_(sections_.size()),
-        blocks_constant_(design::blocks_constant(specification.type)),
+        blocks_constant_(design::kind_of(specification.type).blocks_constant),
         share_(Exact(specification.share_percent) / 100) {}
 
   Signal step(Signal const& x) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "design/filter_design.hpp"
+#include "design/filter_kinds.hpp"
 
 #include <algorithm>
 #include <array>

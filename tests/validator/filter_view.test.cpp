@@ -70,6 +70,19 @@ TEST_CASE("a filter that no list mentions is not touched") {
   CHECK(filters[1].port == FilterPort::additional_interface);
 }
 
+TEST_CASE("the words of the filter types are the catalogue's symbols") {
+  for (char const* const name : {"filter[0].type", "lr_param.add_interface.filter[0].type"}) {
+    auto const& row = axisc::schema::parameter(axisc::schema::find(name).parameter);
+    for (axisc::design::FilterKind const& kind : axisc::design::filter_kinds) {
+      INFO(name << ' ' << kind.word);
+      auto const* const symbol =
+          axisc::validator::symbol_of_number(row, static_cast<double>(static_cast<int>(kind.type)));
+      REQUIRE(symbol != nullptr);
+      CHECK(symbol->word == kind.word);
+    }
+  }
+}
+
 TEST_CASE("the two ports have defaults of their own") {
   Values const values;
   FilterView const setpoint = values.setpoint();

@@ -6,8 +6,7 @@ namespace axisc::validator::checks {
 void blocks_constant_part(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!filter.active() || filter.port != FilterPort::setpoint) return;
-  auto const type = filter.standard_type;
-  if (type != design::FilterType::highpass && type != design::FilterType::bandpass) return;
+  if (!design::kind_of(*filter.standard_type).blocks_constant) return;
   Finding& finding =
       report.add(filter.anchor(filter.type), {Text::ax3017, {{"type", std::string(filter.type_word())}}});
   if (!filter.share.unusable) {

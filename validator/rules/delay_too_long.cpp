@@ -6,7 +6,8 @@
 namespace axisc::validator::checks {
 namespace {
 
-constexpr double shortest_refused_cycles = 6;
+constexpr double shortest_refused_cycles =
+    design::kind_of(design::FilterType::time_delay).time_constant->limit;
 
 }  // namespace
 

@@ -26,32 +26,18 @@ constexpr double longest_fir_delay = 100;
 
 // None where any order is good, or where the type is reported anyway.
 std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
-  using design::FilterType;
   bool const interface = filter.port == FilterPort::additional_interface;
   if (!filter.standard_type) {
     bool const kernel = filter.is_hsc() || filter.type_number() == 8 || filter.type_number() == 12;
     if (interface || !kernel) return std::nullopt;
     return AllowedOrder{.highest = longest_kernel, .reaction = Reaction::clipped};
   }
-  switch (*filter.standard_type) {
-    case FilterType::lowpass:
-    case FilterType::highpass:
-    case FilterType::allpass:
-      return AllowedOrder{.highest = 6};
-    case FilterType::bandpass:
-    case FilterType::bandstop:
-      return AllowedOrder{.highest = 3};
-    case FilterType::pt1:
-      // The additional interface computes the order of PT1 and PT2 itself.
-      if (!interface) return AllowedOrder{.highest = 1, .range = Range::zero_or};
-      break;
-    case FilterType::pt2:
-      if (!interface) return AllowedOrder{.highest = 2, .range = Range::zero_or};
-      break;
-    case FilterType::time_delay:
-      break;
-  }
-  return std::nullopt;
+  design::OrderRange const& order = design::kind_of(*filter.standard_type).order;
+  if (order.source == design::OrderSource::configured)
+    return AllowedOrder{.highest = static_cast<double>(order.highest)};
+  // The additional interface computes the order of PT1 and PT2 itself.
+  if (interface || order.source == design::OrderSource::computed) return std::nullopt;
+  return AllowedOrder{.highest = static_cast<double>(order.highest), .range = Range::zero_or};
 }
 
 Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::string const& type,

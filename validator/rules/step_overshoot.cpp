@@ -17,7 +17,7 @@ constexpr double measured_periods = 20;
 
 std::optional<double> step_overshoot(FilterContext const& context) {
   design::CycleTime const cycle_time = context.axis.cycle_time;
-  auto specification = context.filter.specification(cycle_time);
+  auto specification = context.axis.designs.specification(context.filter);
   if (!specification) return std::nullopt;
   double const slowest = lowest_measured / cycle_time.seconds();
   bool const is_slower = specification->frequency.value < slowest;

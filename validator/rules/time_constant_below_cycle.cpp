@@ -8,8 +8,9 @@ namespace axisc::validator::checks {
 namespace {
 
 bool is_lag(FilterView const& filter) {
-  auto const type = filter.standard_type;
-  return type == design::FilterType::pt1 || type == design::FilterType::pt2;
+  if (!filter.standard_type) return false;
+  auto const& time = design::kind_of(*filter.standard_type).time_constant;
+  return time && time->meaning == design::TimeMeaning::lag;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 namespace axisc::validator::checks {
 namespace {
@@ -22,11 +23,12 @@ struct Use {
 Use use_of(int type) {
   if (type == hsc_mean) return {.frequency = false, .prototype = true, .time_constant = true};
   if (type == hsc_novib) return {.frequency = true, .prototype = true, .time_constant = true};
-  auto const standard = static_cast<design::FilterType>(type);
-  return {.frequency = design::uses_frequency(standard),
-          .prototype = design::uses_prototype(standard),
-          .time_constant = design::uses_time_constant(standard),
-          .quality = design::uses_quality(standard)};
+  design::FilterKind const* const kind = design::find_filter_kind(type);
+  if (kind == nullptr) return {};
+  return {.frequency = kind->uses_frequency,
+          .prototype = kind->uses_prototype,
+          .time_constant = kind->time_constant.has_value(),
+          .quality = kind->quality.has_value()};
 }
 
 bool has_kernel(FilterView const& filter) {
@@ -35,37 +37,49 @@ bool has_kernel(FilterView const& filter) {
          (type == hsc_mean || type == hsc_novib);
 }
 
-Finding* check(EffectiveValue const& parameter, bool used, std::string const& type, Text users,
-               Report& report) {
-  if (used || !configured(parameter)) return nullptr;
-  Finding& finding =
-      report.add(parameter, {Text::ax3009, {{"type", type}, {"parameter", parameter_name(parameter)}}});
-  std::string const value =
-      parameter.value.text.empty() ? number(parameter.value.number) : std::string(parameter.value.text);
-  finding.label = Message{Text::ax3009_label, {{"value", value}}};
-  finding.notes.push_back({users, {{"p_axis", parameter_number(parameter)}}});
-  react(finding, "", {Text::ax3009_reaction, {}});
-  return &finding;
+/// The standard types for which `uses` is true: "BANDPASS, BANDSTOP".
+std::string types_with(bool (*uses)(design::FilterType)) {
+  std::string types;
+  for (design::FilterKind const& kind : design::filter_kinds) {
+    if (uses(kind.type)) types.append(types.empty() ? "" : ", ").append(kind.word);
+  }
+  return types;
 }
 
 struct Candidate {
   EffectiveValue const& parameter;
   bool used;
   Text users;
+  bool (*uses)(design::FilterType) = nullptr;  ///< which standard types use it; null for filter_fir
 };
+
+Finding* check(Candidate const& candidate, std::string const& type, Report& report) {
+  EffectiveValue const& parameter = candidate.parameter;
+  if (candidate.used || !configured(parameter)) return nullptr;
+  Finding& finding =
+      report.add(parameter, {Text::ax3009, {{"type", type}, {"parameter", parameter_name(parameter)}}});
+  std::string const value =
+      parameter.value.text.empty() ? number(parameter.value.number) : std::string(parameter.value.text);
+  finding.label = Message{Text::ax3009_label, {{"value", value}}};
+  Message users{candidate.users, {{"p_axis", parameter_number(parameter)}}};
+  if (candidate.uses != nullptr) users.arguments.push_back({"types", types_with(candidate.uses)});
+  finding.notes.push_back(std::move(users));
+  react(finding, "", {Text::ax3009_reaction, {}});
+  return &finding;
+}
 
 void check_filter(FilterView const& filter, Report& report) {
   if (!filter.active() && !has_kernel(filter)) return;
   Use const use = use_of(filter.type_number());
   std::array const candidates{
-      Candidate{filter.frequency, use.frequency, Text::ax3009_frequency},
-      Candidate{filter.prototype, use.prototype, Text::ax3009_prototype},
-      Candidate{filter.time_constant, use.time_constant, Text::ax3009_time_constant},
-      Candidate{filter.quality, use.quality, Text::ax3009_quality},
+      Candidate{filter.frequency, use.frequency, Text::ax3009_frequency, design::uses_frequency},
+      Candidate{filter.prototype, use.prototype, Text::ax3009_prototype, design::uses_prototype},
+      Candidate{filter.time_constant, use.time_constant, Text::ax3009_time_constant,
+                design::uses_time_constant},
+      Candidate{filter.quality, use.quality, Text::ax3009_quality, design::uses_quality},
   };
   for (Candidate const& candidate : candidates) {
-    Finding* const finding =
-        check(candidate.parameter, candidate.used, std::string(filter.type_word()), candidate.users, report);
+    Finding* const finding = check(candidate, std::string(filter.type_word()), report);
     if (finding != nullptr) relate_type(*finding, filter);
   }
 }
@@ -79,7 +93,7 @@ void check_fir(FirView const& fir, Report& report) {
       Candidate{fir.quality, type == FirType::gaussian, Text::ax3009_fir_quality},
   };
   for (Candidate const& candidate : candidates) {
-    Finding* const finding = check(candidate.parameter, candidate.used, name, candidate.users, report);
+    Finding* const finding = check(candidate, name, report);
     if (finding != nullptr && fir.type.value_place()) {
       finding->related.push_back({*fir.type.value_place(), {Text::filter_type_here, {}}});
     }
