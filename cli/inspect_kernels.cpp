@@ -2,6 +2,7 @@
 #include "cli/inspect_writer.hpp"
 #include "cli/text_table.hpp"
 #include "design/kernel_analysis.hpp"
+#include "design/kernel_kinds.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -27,10 +28,6 @@ Text type_text(design::KernelType type) {
       break;
   }
   return Text::inspect_novib;
-}
-
-bool uses_frequency(design::KernelType type) {
-  return type == design::KernelType::windowed_sinc || type == design::KernelType::novib;
 }
 
 bool concerns(codegen::ImageGroup const& group, std::span<std::size_t const> axes) {
@@ -89,8 +86,8 @@ std::vector<std::string> InspectWriter::kernel_row(std::size_t index) const {
           say(type_text(wanted.type)),
           std::to_string(wanted.order),
           std::to_string(kernel.design.taps.size()),
-          uses_frequency(wanted.type) ? format_exact(wanted.frequency.value) + " Hz" : "-",
-          wanted.type == design::KernelType::gaussian ? format_exact(wanted.quality) : "-",
+          design::kind_of(wanted.type).uses_frequency ? format_exact(wanted.frequency.value) + " Hz" : "-",
+          design::kind_of(wanted.type).uses_quality ? format_exact(wanted.quality) : "-",
           format_exact(wanted.share_percent) + " %",
           delay(kernel.design.group_delay_cycles),
           rounded(kernel.overshoot * 100) + " %",

@@ -3,6 +3,7 @@
 #include "cli/filter_words.hpp"
 #include "cli/image_file.hpp"
 #include "design/kernel_analysis.hpp"
+#include "design/kernel_kinds.hpp"
 
 namespace axisc::cli {
 
@@ -89,11 +90,10 @@ ordered_json slot_json(codegen::ImageSlot const& slot) {
 
 ordered_json kernel_json(codegen::ImageKernel const& kernel, design::CycleTime cycle_time) {
   auto const& wanted = kernel.specification;
+  auto const& kind = design::kind_of(wanted.type);
   ordered_json json{{"type", type_name(wanted.type)}, {"order", wanted.order}};
-  if (wanted.type == design::KernelType::windowed_sinc || wanted.type == design::KernelType::novib) {
-    json["frequency_hz"] = wanted.frequency.value;
-  }
-  if (wanted.type == design::KernelType::gaussian) json["quality"] = wanted.quality;
+  if (kind.uses_frequency) json["frequency_hz"] = wanted.frequency.value;
+  if (kind.uses_quality) json["quality"] = wanted.quality;
   json["share_percent"] = wanted.share_percent;
   json["half_width"] = kernel.design.half_width;
   json["delay_cycles"] = kernel.design.delay_cycles;

@@ -4,6 +4,7 @@
 #include "design/filter_analysis.hpp"
 #include "design/filter_kinds.hpp"
 #include "design/kernel_analysis.hpp"
+#include "design/kernel_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,10 +121,8 @@ std::vector<design::Hertz> characteristic_frequencies(ImageContents const& conte
     }
   }
   if (ImageKernel const* const kernel = kernel_at_start(contents, axis)) {
-    auto const type = kernel->specification.type;
-    if (type == design::KernelType::windowed_sinc || type == design::KernelType::novib) {
-      frequencies.push_back(kernel->specification.frequency);
-    }
+    auto const& wanted = kernel->specification;
+    if (design::kind_of(wanted.type).uses_frequency) frequencies.push_back(wanted.frequency);
   }
   sort_frequencies(frequencies);
   return frequencies;

@@ -1,5 +1,7 @@
 #include "codegen/compiled_kernels.hpp"
 
+#include "design/kernel_kinds.hpp"
+
 #include <algorithm>
 
 namespace axisc::codegen {
@@ -9,12 +11,10 @@ namespace {
 design::KernelSpecification normalised(design::KernelSpecification specification,
                                        design::CycleTime cycle_time) {
   design::KernelSpecification const defaults;
-  using design::KernelType;
-  bool const uses_frequency =
-      specification.type == KernelType::windowed_sinc || specification.type == KernelType::novib;
-  if (!uses_frequency) specification.frequency = defaults.frequency;
-  if (specification.type != KernelType::gaussian) specification.quality = defaults.quality;
-  if (specification.type == KernelType::novib) {
+  design::KernelKind const& kind = design::kind_of(specification.type);
+  if (!kind.uses_frequency) specification.frequency = defaults.frequency;
+  if (!kind.uses_quality) specification.quality = defaults.quality;
+  if (kind.computes_order) {
     specification.order = design::novib_order(specification.frequency, cycle_time);
   }
   return specification;

@@ -1,6 +1,7 @@
 #include "design/kernel_design.hpp"
 
 #include "design/kernel_design_def.hpp"
+#include "design/kernel_kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ KernelDesign design_kernel(KernelSpecification const& specification, CycleTime c
 }
 
 bool passes_unchanged(KernelSpecification const& specification) {
-  bool const computes_order = specification.type == KernelType::novib;
+  bool const computes_order = kind_of(specification.type).computes_order;
   return specification.share_percent == 0 || (specification.order == 0 && !computes_order);
 }
 
@@ -52,9 +53,12 @@ std::uint32_t half_width(KernelSpecification const& specification, CycleTime cyc
       return 0;
     case KernelType::novib:
       return novib_order(specification.frequency, cycle_time) / 2;
-    default:
-      return specification.order / 2 + specification.order % 2;
+    case KernelType::moving_average:
+    case KernelType::gaussian:
+    case KernelType::windowed_sinc:
+      break;
   }
+  return specification.order / 2 + specification.order % 2;
 }
 
 double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time) {

@@ -5,6 +5,7 @@
 #include "design/kernel_shapes_def.hpp"
 #include "design/pi_def.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -29,9 +30,13 @@ template <typename Number>
       return windowed_sinc(h, angle_per_cycle<Number>(specification.frequency, cycle_time));
     case KernelType::novib:
       return novib(h / 2, angle_per_cycle<Number>(specification.frequency, cycle_time));
-    default:
+    case KernelType::moving_average:
       return moving_average<Number>(h);
+    case KernelType::time_delay:  // not symmetrical
+      break;
   }
+  assert(false);
+  return {};
 }
 
 /// The nearest double; 0 below the normal ones, with which processors disagree.

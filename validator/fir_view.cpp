@@ -1,5 +1,7 @@
 #include "validator/fir_view.hpp"
 
+#include "design/kernel_kinds.hpp"
+
 #include <array>
 #include <cstddef>
 
@@ -47,8 +49,9 @@ FirType FirView::configured_type() const {
 }
 
 std::uint32_t FirView::longest_order() const {
-  return configured_type() == FirType::time_delay ? design::longest_kernel_delay
-                                                  : design::longest_kernel_order;
+  FirType const kind = configured_type();
+  if (kind == FirType::none) return design::longest_kernel_order;
+  return design::kind_of(kernels[static_cast<std::size_t>(kind) - 1]).longest_order;
 }
 
 double FirView::resulting_order(design::CycleTime cycle_time) const {
@@ -60,21 +63,21 @@ std::optional<design::KernelSpecification> FirView::specification(design::CycleT
   if (!configured() || enable.unusable || order.unusable || order_time.unusable || share.unusable) {
     return std::nullopt;
   }
-  FirType const kind = configured_type();
+  design::KernelKind const& kind = design::kind_of(kernels[static_cast<std::size_t>(configured_type()) - 1]);
   double const resulting = resulting_order(cycle_time);
   design::KernelSpecification specification;
-  specification.type = kernels[static_cast<std::size_t>(kind) - 1];
+  specification.type = kind.type;
   specification.share_percent = share.value.number;
   bool const in_range = resulting <= longest_order() && share.value.number >= 0 && share.value.number <= 100;
   if (!in_range) return std::nullopt;
   specification.order = static_cast<std::uint32_t>(resulting);
-  if (kind == FirType::windowed_sinc) {
+  if (kind.uses_frequency) {
     specification.frequency = {frequency.value.number};
     bool const fits =
         frequency.value.number > 0 && specification.frequency.value < cycle_time.nyquist().value;
     if (frequency.unusable || !fits) return std::nullopt;
   }
-  if (kind == FirType::gaussian) {
+  if (kind.uses_quality) {
     specification.quality = quality.value.number;
     bool const fits = quality.value.number > 0 && quality.value.number <= 1;
     if (quality.unusable || !fits) return std::nullopt;

@@ -1,5 +1,6 @@
 #include "machines.hpp"
 
+#include "design/filter_kinds.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>
@@ -92,11 +93,8 @@ validator::Machine machine_with(std::vector<FilterSpecification> const& filters,
 }
 
 FilterSpecification random_filter(Random& random, design::CycleTime cycle_time, design::Hertz lowest) {
-  constexpr std::array types = {FilterType::lowpass,  FilterType::highpass,  FilterType::bandpass,
-                                FilterType::bandstop, FilterType::allpass,   FilterType::pt1,
-                                FilterType::pt2,      FilterType::time_delay};
   FilterSpecification filter;
-  filter.type = types[random.below(types.size())];
+  filter.type = design::filter_kinds[random.below(design::filter_kinds.size())].type;
   filter.prototype = static_cast<Prototype>(1 + random.below(3));
   filter.order = 1 + random.below(design::uses_quality(filter.type) ? 3 : 6);
   // Low frequencies are the common and the hard ones: an octave first, up to 95 % of 0.5/T. Powers of two instead of

@@ -21,16 +21,13 @@ struct AllowedOrder {
   }
 };
 
-constexpr double longest_kernel = 200;
-constexpr double longest_fir_delay = 100;
-
 // None where any order is good, or where the type is reported anyway.
 std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
   bool const interface = filter.port == FilterPort::additional_interface;
   if (!filter.standard_type) {
     bool const kernel = filter.is_hsc() || filter.type_number() == 8 || filter.type_number() == 12;
     if (interface || !kernel) return std::nullopt;
-    return AllowedOrder{.highest = longest_kernel, .reaction = Reaction::clipped};
+    return AllowedOrder{.highest = design::longest_kernel_order, .reaction = Reaction::clipped};
   }
   design::OrderRange const& order = design::kind_of(*filter.standard_type).order;
   if (order.source == design::OrderSource::configured)
@@ -76,7 +73,7 @@ void filter_order_for_type(AxisContext const& axis, Report& report) {
   FirView const& fir = axis.fir;
   if (fir.type.unusable) return;
   bool const delay = fir.configured_type() == FirType::time_delay;
-  check(fir.order, {.highest = delay ? longest_fir_delay : longest_kernel, .reaction = Reaction::clipped},
+  check(fir.order, {.highest = static_cast<double>(fir.longest_order()), .reaction = Reaction::clipped},
         delay ? "filter_fir.type 4" : "filter_fir", report);
 }
 
