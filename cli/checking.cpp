@@ -3,7 +3,8 @@
 #include "cli/failure.hpp"
 #include "cli/finding_codes.hpp"
 #include "cli/quantities.hpp"
-#include "cli/suggestion.hpp"
+#include "diagnostics/ascii.hpp"
+#include "schema/closest_word.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
@@ -15,14 +16,6 @@ namespace {
 
 constexpr std::uint64_t most_threads = 1024;
 
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& character : result) {
-    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
-  }
-  return result;
-}
-
 Code parse_code(std::string const& word) {
   std::vector<std::string> codes;
   if (auto const code = find_code(word)) return *code;
@@ -31,13 +24,13 @@ Code parse_code(std::string const& word) {
     codes.emplace_back(rule.name);
   }
   std::vector<std::string_view> const known(codes.begin(), codes.end());
-  auto const meant = closest(word, known);
+  auto const meant = schema::closest_word(word, known);
   throw Failure({.text = meant.empty() ? Text::cli_unknown_code : Text::cli_unknown_code_meant,
                  .arguments = {{"code", word}, {"meant", std::string(meant)}}});
 }
 
 validator::AxisType parse_axis_type(std::string const& word) {
-  auto const letter = upper(word);
+  auto const letter = ascii::upper_case(word);
   if (letter == "T") return validator::AxisType::translatory;
   if (letter == "R") return validator::AxisType::rotary;
   if (letter == "S") return validator::AxisType::spindle;

@@ -2,9 +2,9 @@
 
 #include "axisrt.h"
 #include "cli/failure.hpp"
-#include "cli/suggestion.hpp"
 #include "cli/text_table.hpp"
 #include "runtime/format/image_format.h"
+#include "schema/closest_word.hpp"
 
 #include <algorithm>
 
@@ -194,7 +194,7 @@ void CommandLine::refuse_unknown() const {
       rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
   }
-  auto const meant = closest(unknown, known);
+  auto const meant = schema::closest_word(unknown, known);
   throw Failure({.text = meant.empty() ? Text::cli_unknown_option : Text::cli_unknown_option_meant,
                  .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }

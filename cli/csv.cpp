@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/quantities.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/utf8.hpp"
 
@@ -17,10 +18,6 @@ constexpr std::size_t piece = std::size_t{1} << 16U;
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_shown = 40;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-bool is_blank(char character) {
-  return character == ' ' || character == '\t';
-}
 
 std::uint32_t code_points(std::string_view text) {
   return static_cast<std::uint32_t>(
@@ -84,7 +81,7 @@ bool CsvReader::next_line() {
       line_.remove_prefix(byte_order_mark.size());
     }
     if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
-    if (!std::all_of(line_.begin(), line_.end(), is_blank)) return true;
+    if (!std::all_of(line_.begin(), line_.end(), ascii::is_blank)) return true;
   }
 }
 
@@ -92,7 +89,7 @@ void CsvReader::split_line() {
   fields_.clear();
   std::uint32_t column = 1;
   for (std::string_view rest = line_;;) {
-    while (!rest.empty() && is_blank(rest.front())) {
+    while (!rest.empty() && ascii::is_blank(rest.front())) {
       rest.remove_prefix(1);
       ++column;
     }
@@ -102,7 +99,7 @@ void CsvReader::split_line() {
     auto const comma = rest.find(',', quoted ? closing : 0);
     auto const raw = rest.substr(0, comma);
     auto text = raw;
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    while (!text.empty() && ascii::is_blank(text.back())) text.remove_suffix(1);
     if (quoted && text.back() == '"' && text.size() == closing + 1) {
       text.remove_prefix(1);
       text.remove_suffix(1);

@@ -8,19 +8,12 @@
 #include "cli/finding_codes.hpp"
 #include "cli/quantities.hpp"
 #include "cli/settings.hpp"
-#include "cli/suggestion.hpp"
+#include "diagnostics/ascii.hpp"
+#include "schema/closest_word.hpp"
 
 namespace axisc::cli {
 
 namespace {
-
-std::string upper(std::string_view text) {
-  std::string result(text);
-  for (char& character : result) {
-    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
-  }
-  return result;
-}
 
 /// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
 validator::Rule const* rule_of(std::string const& word) {
@@ -33,7 +26,7 @@ validator::Rule const* rule_of(std::string const& word) {
 std::span<schema::ParameterId const> rows_of_number(schema::Catalogue const& catalogue,
                                                     std::string const& word) {
   constexpr std::string_view prefix = "P-AXIS-";
-  auto const text = upper(word);
+  auto const text = ascii::upper_case(word);
   if (text.substr(0, prefix.size()) != prefix) return {};
   auto const number = parse_count(std::string_view(text).substr(prefix.size()));
   if (!number || *number > 0xFFFFU) return {};
@@ -59,7 +52,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
       texts.emplace_back(rule.name);
     }
     std::vector<std::string_view> const known(texts.begin(), texts.end());
-    meant = closest(word, known);
+    meant = schema::closest_word(word, known);
   }
   throw Failure({.text = meant.empty() ? Text::cli_unknown_subject : Text::cli_unknown_subject_meant,
                  .arguments = {{"word", word}, {"meant", meant}}});

@@ -1,14 +1,12 @@
 #include "cli/finding_codes.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "validator/rule.hpp"
 
 namespace axisc::cli {
 
 std::optional<Code> find_code(std::string const& word) {
-  std::string upper(word);
-  for (char& character : upper) {
-    if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');
-  }
+  std::string const upper = ascii::upper_case(word);
   for (auto const& rule : validator::rules()) {
     if (code_text(rule.code) == upper || rule.name == word) return rule.code;
   }

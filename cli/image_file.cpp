@@ -2,7 +2,6 @@
 
 #include "cli/codes.hpp"
 #include "cli/disk_files.hpp"
-#include "cli/suggestion.hpp"
 
 #include <array>
 #include <span>

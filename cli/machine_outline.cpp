@@ -1,5 +1,7 @@
 #include "cli/machine_outline.hpp"
 
+#include "diagnostics/ascii.hpp"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -47,10 +49,7 @@ MachineOutline read_machine_outline(std::string_view json) {
 
 bool has_extension(std::string_view path, std::string_view extension) {
   if (path.size() <= extension.size()) return false;
-  auto const end = path.substr(path.size() - extension.size());
-  return std::equal(end.begin(), end.end(), extension.begin(), [](char left, char right) {
-    return (left >= 'A' && left <= 'Z' ? static_cast<char>(left - 'A' + 'a') : left) == right;
-  });
+  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
 }  // namespace axisc::cli

@@ -3,7 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/file_descriptor.hpp"
-#include "cli/suggestion.hpp"
+#include "schema/closest_word.hpp"
 #include "validator/files.hpp"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
     }
     names.push_back(command.name);
   }
-  auto const meant = closest(word, names);
+  auto const meant = schema::closest_word(word, names);
   throw Failure({.text = meant.empty() ? Text::cli_unknown_command : Text::cli_unknown_command_meant,
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
 }

@@ -1,6 +1,7 @@
 #include "cli/schema_row.hpp"
 
 #include "cli/schema_words.hpp"
+#include "diagnostics/ascii.hpp"
 #include "schema/indexed_name.hpp"
 #include "validator/build_version.hpp"
 #include "validator/reading.hpp"
@@ -215,7 +216,8 @@ class EntryReader {
       if ((highest || text.starts_with("MIN(")) && text.ends_with(")")) {
         auto const type = parse_data_type(text.substr(4, text.size() - 5));
         if (type && is_number(*type)) {
-          return {.number = data_type_limit(*type, highest), .kind = Kind::number, .open = open};
+          schema::DataRange const range = schema::data_range(*type);
+          return {.number = highest ? range.highest : range.lowest, .kind = Kind::number, .open = open};
         }
       }
     }
@@ -254,7 +256,7 @@ class EntryReader {
       auto const& number = file_[symbol.value];
       bool const is_word =
           !symbol.key.empty() && std::all_of(symbol.key.begin(), symbol.key.end(), [](char c) {
-            return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+            return ascii::is_capital(c) || ascii::is_digit(c) || c == '_';
           });
       bool const is_null = number.kind == JsonKind::null;
       if (!is_word || !seen.insert(symbol.key).second || !(is_null || is_whole(number, 0, highest_symbol))) {

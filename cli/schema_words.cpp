@@ -1,9 +1,9 @@
 #include "cli/schema_words.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "validator/value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstddef>
 #include <limits>
@@ -15,40 +15,26 @@ namespace {
 
 using schema::DataType;
 
-constexpr std::array data_types = {DataType::boolean, DataType::uns08,  DataType::uns16, DataType::uns32,
-                                   DataType::uns64,   DataType::sgn08,  DataType::sgn16, DataType::sgn32,
-                                   DataType::sgn64,   DataType::real64, DataType::string};
-
 bool is_lower_case_name(std::string_view part) {
   if (part.ends_with("[]")) part.remove_suffix(2);
-  auto const is_letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-  return !part.empty() && is_letter(part.front()) && std::all_of(part.begin(), part.end(), [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9');
-  });
+  auto const is_letter = [](char c) { return ascii::is_small(c) || c == '_'; };
+  return !part.empty() && is_letter(part.front()) &&
+         std::all_of(part.begin(), part.end(), [&](char c) { return is_letter(c) || ascii::is_digit(c); });
 }
 
 }  // namespace
 
 std::optional<DataType> parse_data_type(std::string_view word) {
-  for (auto const type : data_types) {
-    if (schema::data_type_name(type) == word) return type;
+  for (auto const& row : schema::data_types) {
+    if (row.name == word) return row.type;
   }
   return std::nullopt;
 }
 
 std::string data_type_names() {
   std::string names;
-  for (auto const type : data_types) {
-    names.append(names.empty() ? "" : ", ").append(schema::data_type_name(type));
-  }
+  for (auto const& row : schema::data_types) names.append(names.empty() ? "" : ", ").append(row.name);
   return names;
-}
-
-double data_type_limit(DataType type, bool highest) {
-  using Limits = std::numeric_limits<double>;
-  if (type == DataType::real64) return highest ? Limits::max() : Limits::lowest();
-  auto const range = validator::data_range(type);
-  return highest ? range.highest : range.lowest;
 }
 
 bool is_parameter_pattern(std::string_view name) {

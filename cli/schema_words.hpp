@@ -14,8 +14,6 @@ namespace axisc::cli {
 [[nodiscard]] std::optional<schema::DataType> parse_data_type(std::string_view word);
 /// All of them, separated by commas.
 [[nodiscard]] std::string data_type_names();
-/// The lowest or highest value of a type of numbers.
-[[nodiscard]] double data_type_limit(schema::DataType type, bool highest);
 
 /// `getriebe[].dynamik.vb_max`: as in lists, with [] for an index, two of them at most.
 [[nodiscard]] bool is_parameter_pattern(std::string_view name);

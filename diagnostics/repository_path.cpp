@@ -1,5 +1,7 @@
 #include "diagnostics/repository_path.hpp"
 
+#include "diagnostics/ascii.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -11,9 +13,8 @@ namespace axisc {
 namespace {
 
 bool may_stand_in_uri(char character) {
-  bool const is_letter = (character >= 'A' && character <= 'Z') || (character >= 'a' && character <= 'z');
-  bool const is_digit = character >= '0' && character <= '9';
-  return is_letter || is_digit || std::string_view("-._~/").find(character) != std::string_view::npos;
+  return ascii::is_letter(character) || ascii::is_digit(character) ||
+         std::string_view("-._~/").find(character) != std::string_view::npos;
 }
 
 /// The names of a path behind `names`, as one goes from folder to folder.

@@ -1,6 +1,8 @@
 // Text for a terminal: colours, and nothing from a file that could steer it.
 #pragma once
 
+#include "diagnostics/ascii.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,7 +20,7 @@ void append_printable(std::string& shown, char32_t character);
 
 /// ASCII that printable() leaves as it is: neither a control character nor part of a longer one.
 [[nodiscard]] constexpr bool is_plain(char byte) {
-  return byte >= 0x20 && byte < 0x7F;
+  return ascii::is_printable(byte);
 }
 
 /// Every character is plain. Cost: linear, eight bytes at a time.

@@ -1,6 +1,6 @@
 #include "schema/catalogue.hpp"
 
-#include "schema/ascii.hpp"
+#include "diagnostics/ascii.hpp"
 #include "schema/extension.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/name_hash.hpp"
@@ -120,7 +120,7 @@ template <typename Find>
 NameLookup find_folding(std::string_view name, Find find_as_it_stands) {
   NameLookup lookup = find_as_it_stands(name);
   if (lookup.status != NameLookup::Status::unknown || is_lower_case(name)) return lookup;
-  lookup = find_as_it_stands(lower_case(name));
+  lookup = find_as_it_stands(ascii::lower_case(name));
   lookup.case_folded = lookup.status != NameLookup::Status::unknown;
   return lookup;
 }
@@ -157,12 +157,6 @@ std::span<Slot const> slots_limited_by_others() {
 NameLookup find_as_written(std::string_view name) {
   if (auto const exact = find_exact(name)) return found(exact.slot);
   return find_row(name);
-}
-
-std::string_view data_type_name(DataType type) {
-  constexpr std::array<std::string_view, 11> names = {"BOOLEAN", "UNS08", "UNS16", "UNS32",  "UNS64", "SGN08",
-                                                      "SGN16",   "SGN32", "SGN64", "REAL64", "STRING"};
-  return names.at(static_cast<std::size_t>(type));
 }
 
 std::span<Parameter const> parameters() {

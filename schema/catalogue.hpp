@@ -5,6 +5,8 @@
 // add to them or say them anew: class Catalogue.
 #pragma once
 
+#include "schema/data_type.hpp"
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,30 +18,6 @@
 #include <vector>
 
 namespace axisc::schema {
-
-enum class DataType : std::uint8_t {
-  boolean,
-  uns08,
-  uns16,
-  uns32,
-  uns64,
-  sgn08,
-  sgn16,
-  sgn32,
-  sgn64,
-  real64,
-  string
-};
-
-/// "UNS32".
-[[nodiscard]] std::string_view data_type_name(DataType type);
-[[nodiscard]] constexpr bool is_integer(DataType type) {
-  return type >= DataType::uns08 && type <= DataType::sgn64;
-}
-/// An integer or a real.
-[[nodiscard]] constexpr bool is_number(DataType type) {
-  return is_integer(type) || type == DataType::real64;
-}
 
 /// A word of an enumeration; some have no documented number.
 struct Symbol {

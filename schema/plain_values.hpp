@@ -43,42 +43,13 @@ constexpr double next_above(double value) {
   return std::bit_cast<double>(value > 0 ? bits + 1 : bits - 1);
 }
 
-struct TypeRange {
-  double lowest = -std::numeric_limits<double>::infinity();
-  double highest = std::numeric_limits<double>::infinity();
-};
-
-template <typename Integer>
-constexpr TypeRange range_of_integer() {
-  return {.lowest = static_cast<double>(std::numeric_limits<Integer>::min()),
-          .highest = static_cast<double>(std::numeric_limits<Integer>::max())};
-}
-
-constexpr TypeRange range_of(DataType type) {
+/// Of the numbers that doubles tell apart.
+constexpr DataRange plain_range_of(DataType type) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double exact = 9007199254740992;  // 2^53: doubles hold all integers up to here
-  switch (type) {
-    case DataType::uns08:
-      return range_of_integer<std::uint8_t>();
-    case DataType::uns16:
-      return range_of_integer<std::uint16_t>();
-    case DataType::uns32:
-      return range_of_integer<std::uint32_t>();
-    case DataType::sgn08:
-      return range_of_integer<std::int8_t>();
-    case DataType::sgn16:
-      return range_of_integer<std::int16_t>();
-    case DataType::sgn32:
-      return range_of_integer<std::int32_t>();
-    case DataType::uns64:
-      return {.lowest = 0, .highest = exact};
-    case DataType::sgn64:
-      return {.lowest = -exact, .highest = exact};
-    case DataType::boolean:
-    case DataType::real64:
-    case DataType::string:
-      break;
-  }
-  return {};
+  if (!is_integer(type)) return {.lowest = -infinite, .highest = infinite};
+  DataRange const range = data_range(type);
+  return {.lowest = std::max(range.lowest, -exact), .highest = std::min(range.highest, exact)};
 }
 
 // What follows says less than the closer look does (validator/value.hpp): where it is in doubt, there is nothing plain.
@@ -120,7 +91,7 @@ constexpr PlainKind plain_kind_of(Parameter const& parameter) {
 }  // namespace detail
 
 constexpr PlainValues plain_values_of(Parameter const& parameter) {
-  detail::TypeRange range = detail::range_of(parameter.type);
+  DataRange range = detail::plain_range_of(parameter.type);
   Limit const& minimum = parameter.minimum;
   Limit const& maximum = parameter.maximum;
   if (minimum.kind == Limit::Kind::number) {

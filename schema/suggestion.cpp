@@ -1,10 +1,11 @@
-#include "schema/ascii.hpp"
+#include "diagnostics/ascii.hpp"
 #include "schema/catalogue.hpp"
 #include "schema/edit_distance.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/name_candidates.hpp"
 #include "schema/part_comparison.hpp"
 #include "schema/vocabulary.hpp"
+#include "schema/words.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -87,7 +88,7 @@ std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string
   if (name.size() > longest_compared) return {};
   std::string folded;
   if (!is_lower_case(name)) {
-    folded = lower_case(name);
+    folded = ascii::lower_case(name);
     name = folded;
   }
   auto const parts = split_name(name);
@@ -113,10 +114,10 @@ std::vector<std::string> suggest_names(std::string_view name) {
 
 std::vector<std::string_view> suggest_symbols(Parameter const& parameter, std::string_view word) {
   if (word.size() > longest_compared) return {};
-  std::string const folded = lower_case(word);
+  std::string const folded = ascii::lower_case(word);
   std::vector<std::pair<std::size_t, std::string_view>> near;
   for (Symbol const& symbol : parameter.symbols) {
-    if (auto const distance = symbol_distance(folded, lower_case(symbol.word))) {
+    if (auto const distance = symbol_distance(folded, ascii::lower_case(symbol.word))) {
       near.emplace_back(*distance, symbol.word);
     }
   }

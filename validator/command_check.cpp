@@ -1,7 +1,8 @@
 #include "validator/command_check.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/number.hpp"
-#include "validator/closest_word.hpp"
+#include "schema/closest_word.hpp"
 #include "validator/command_keywords.hpp"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ class CommandCheck {
       usable_ = false;
       std::string_view const written = slice(text_, command_.problem->span);
       for (std::string_view const known : {"ON", "OFF"}) {
-        if (equal_ignoring_case(written, known)) mistake.better = known;
+        if (ascii::equal_ignoring_case(written, known)) mistake.better = known;
       }
     }
   }
@@ -137,7 +138,7 @@ class CommandCheck {
     for (std::string_view const word : known) all.append(all.empty() ? "" : ", ").append(word);
     if (command_.kind == CommandKind::filter) all.append(", ").append(hsc);
     mistake.notes.push_back({.text = Text::ax5002_known, .arguments = {{"keywords", std::move(all)}}});
-    std::string_view const closest = closest_word(name, known);
+    std::string_view const closest = schema::closest_word(name, known);
     if (closest.empty()) return;
     mistake.better = closest;
     mistake.help.push_back(

@@ -1,7 +1,7 @@
 #include "validator/loading.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
-#include "validator/closest_word.hpp"
 #include "validator/command_check.hpp"
 #include "validator/gantry.hpp"
 #include "validator/rule.hpp"
@@ -39,7 +39,7 @@ std::string beside(std::string const& path, std::string const& name) {
 
 bool ends_in(std::string_view path, std::string_view extension) {
   if (path.size() < extension.size()) return false;
-  return equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
 std::variant<std::string, FileError> read_text(Files& files, std::string const& path) {

@@ -1,3 +1,4 @@
+#include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
 #include "validator/reading.hpp"
 
@@ -16,10 +17,6 @@ bool is_name_character(char c) {
   return c == '.' || grammar::is(grammar::character::letter | grammar::character::digit, c);
 }
 
-bool is_digit(char c) {
-  return grammar::is(grammar::character::digit, c);
-}
-
 /// Makes `name` that of the line with every index made whole: `filter[0.order` and `filter[ 0 ].order` are
 /// filter[0].order; an index without number is 0.
 void read_with_whole_indices(std::string_view line, std::string& name) {
@@ -34,8 +31,8 @@ void read_with_whole_indices(std::string_view line, std::string& name) {
     std::string_view const index = line.substr(0, line.find_first_of(".]"));
     line.remove_prefix(index.size());
     name += '[';
-    if (std::none_of(index.begin(), index.end(), is_digit)) name += '0';
-    std::copy_if(index.begin(), index.end(), std::back_inserter(name), is_digit);
+    if (std::none_of(index.begin(), index.end(), ascii::is_digit)) name += '0';
+    std::copy_if(index.begin(), index.end(), std::back_inserter(name), ascii::is_digit);
     name += ']';
     if (line.starts_with(']')) line.remove_prefix(1);
   }

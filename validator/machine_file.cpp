@@ -1,7 +1,8 @@
 #include "validator/machine_file.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
-#include "validator/closest_word.hpp"
+#include "schema/closest_word.hpp"
 #include "validator/drive.hpp"
 #include "validator/located_json.hpp"
 #include "validator/rule.hpp"
@@ -130,7 +131,7 @@ class MachineFileReader {
   }
 
   static void suggest(Finding& finding, std::string_view written, Words const& known) {
-    std::string_view const closest = closest_word(written, known);
+    std::string_view const closest = schema::closest_word(written, known);
     if (closest.empty()) return;
     std::string const word(closest);
     finding.help.push_back({.text = Text::ax4020_did_you_mean, .arguments = {{"suggestion", word}}});
@@ -167,7 +168,7 @@ class MachineFileReader {
     std::optional<LocatedText> written = text(object, key);
     if (!written) return std::nullopt;
     for (std::string_view const word : allowed) {
-      if (equal_ignoring_case(word, written->text)) {
+      if (ascii::equal_ignoring_case(word, written->text)) {
         written->text = word;
         return written;
       }

@@ -1,5 +1,6 @@
 #include "validator/reading.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "validator/judgement.hpp"
 #include "validator/short_number.hpp"
 
@@ -11,12 +12,6 @@ namespace axisc::validator {
 namespace {
 
 using grammar::ValueKind;
-
-std::string_view trimmed(std::string_view text) {
-  std::size_t const begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
 
 bool is_integer_kind(ValueKind kind) {
   return kind == ValueKind::integer || kind == ValueKind::hexadecimal;
@@ -174,7 +169,7 @@ class Judge {
     std::string_view rest = source_.slice(free_text());
     while (true) {
       std::size_t const bar = rest.find('|');
-      SymbolReading const symbol = read_symbol(parameter, trimmed(rest.substr(0, bar)));
+      SymbolReading const symbol = read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
       if (symbol.symbol == nullptr) return fail(ReadingStatus::unknown_symbol);
       reading_.symbol_folded = reading_.symbol_folded || symbol.folded;
       if (bar == std::string_view::npos) break;
@@ -206,7 +201,7 @@ class Judge {
     if (begin >= end) return {};
     std::string_view text = source_.slice({.begin = begin, .end = end});
     text = text.substr(0, text.find('('));
-    std::string_view const content = trimmed(text);
+    std::string_view const content = ascii::trimmed(text);
     if (content.empty()) return {};
     std::uint32_t const first = begin + static_cast<std::uint32_t>(content.data() - text.data());
     return {.begin = first, .end = first + static_cast<std::uint32_t>(content.size())};

@@ -111,7 +111,7 @@ class Resolver {
     schema::Parameter const& from = values_.row(target);
     if (!types_agree(to, from, *value)) return fail(slot, ReferenceTrouble::wrong_type);
     if (schema::is_integer(to.type)) {
-      DataRange const range = data_range(to.type);
+      schema::DataRange const range = schema::data_range(to.type);
       if (value->number < range.lowest || value->number > range.highest) {
         fail(slot, ReferenceTrouble::out_of_data_range);
         problems_.back().number = value->number;

@@ -1,5 +1,6 @@
 #include "validator/suppression.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ struct Word {
 };
 
 bool is_code_character(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+  return ascii::is_letter(c) || ascii::is_digit(c);
 }
 
 /// Offset behind `axisc: allow`; npos where the comment says something else.

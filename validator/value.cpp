@@ -1,7 +1,8 @@
 #include "validator/value.hpp"
 
+#include "diagnostics/ascii.hpp"
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -11,19 +12,6 @@
 
 namespace axisc::validator {
 namespace {
-
-constexpr char fold(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool equal_folded(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return fold(x) == fold(y); });
-}
-
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 struct Digits {
   bool negative = false;
@@ -37,7 +25,7 @@ Digits split_integer(std::string_view text) {
     digits.negative = text.front() == '-';
     digits.text.remove_prefix(1);
   }
-  if (digits.text.size() > 2 && digits.text[0] == '0' && fold(digits.text[1]) == 'x') {
+  if (digits.text.size() > 2 && digits.text[0] == '0' && ascii::lower_case(digits.text[1]) == 'x') {
     digits.base = 16;
     digits.text.remove_prefix(2);
   }
@@ -45,45 +33,7 @@ Digits split_integer(std::string_view text) {
 }
 
 bool has_leading_zero(Digits const& digits) {
-  return digits.base == 10 && digits.text.size() > 1 && digits.text[0] == '0' && is_digit(digits.text[1]);
-}
-
-struct ExactRange {
-  std::int64_t lowest = 0;
-  std::uint64_t highest = 0;
-};
-
-/// In the order of schema::DataType; reals and strings, which have no such range, hold what 64 bits hold.
-constexpr std::array<ExactRange, 11> exact_ranges = [] {
-  using Wide = std::numeric_limits<std::int64_t>;
-  constexpr ExactRange widest{.lowest = Wide::min(), .highest = static_cast<std::uint64_t>(Wide::max())};
-  return std::array<ExactRange, 11>{{{.lowest = 0, .highest = 1},
-                                     {.lowest = 0, .highest = std::numeric_limits<std::uint8_t>::max()},
-                                     {.lowest = 0, .highest = std::numeric_limits<std::uint16_t>::max()},
-                                     {.lowest = 0, .highest = std::numeric_limits<std::uint32_t>::max()},
-                                     {.lowest = 0, .highest = std::numeric_limits<std::uint64_t>::max()},
-                                     {.lowest = -128, .highest = 127},
-                                     {.lowest = -32768, .highest = 32767},
-                                     {.lowest = -2147483648LL, .highest = 2147483647},
-                                     widest,
-                                     widest,
-                                     widest}};
-}();
-static_assert(static_cast<std::size_t>(schema::DataType::boolean) == 0 &&
-              static_cast<std::size_t>(schema::DataType::sgn08) == 5 &&
-              static_cast<std::size_t>(schema::DataType::string) + 1 == exact_ranges.size());
-
-constexpr std::array<DataRange, exact_ranges.size()> data_ranges = [] {
-  std::array<DataRange, exact_ranges.size()> rounded;
-  std::transform(exact_ranges.begin(), exact_ranges.end(), rounded.begin(), [](ExactRange const& range) {
-    return DataRange{.lowest = static_cast<double>(range.lowest),
-                     .highest = static_cast<double>(range.highest)};
-  });
-  return rounded;
-}();
-
-ExactRange const& exact_range(schema::DataType type) {
-  return exact_ranges[static_cast<std::size_t>(type)];
+  return digits.base == 10 && ascii::has_leading_zero(digits.text);
 }
 
 constexpr std::size_t digits_without_overflow = 19;
@@ -92,13 +42,13 @@ constexpr std::size_t digits_without_overflow = 19;
 std::optional<std::uint64_t> read_decimal_digits(std::string_view digits) {
   std::uint64_t value = 0;
   for (char const digit : digits) {
-    if (!is_digit(digit)) return std::nullopt;
+    if (!ascii::is_digit(digit)) return std::nullopt;
     value = value * 10 + static_cast<std::uint64_t>(digit - '0');
   }
   return value;
 }
 
-bool fits(std::uint64_t magnitude, bool negative, ExactRange const& range) {
+bool fits(std::uint64_t magnitude, bool negative, schema::IntegerRange const& range) {
   if (!negative) return magnitude <= range.highest;
   // -lowest as an unsigned number, also for the lowest of all
   std::uint64_t const room = std::uint64_t{0} - static_cast<std::uint64_t>(range.lowest);
@@ -122,7 +72,7 @@ NumberReading read_integer(std::string_view text, schema::DataType type) {
     if (stop != end || error == std::errc::invalid_argument) return {};
     overflow = error != std::errc{};
   }
-  bool const good = !overflow && fits(magnitude, digits.negative, exact_range(type));
+  bool const good = !overflow && fits(magnitude, digits.negative, schema::row_of(type).integers);
   double const size = overflow ? std::numeric_limits<double>::infinity() : static_cast<double>(magnitude);
   return {.status = good ? NumberStatus::good : NumberStatus::out_of_data_range,
           .number = digits.negative ? -size : size};
@@ -138,7 +88,7 @@ NumberReading read_real(std::string_view text) {
     return hexadecimal;
   }
   if (has_leading_zero(digits)) return {.status = NumberStatus::leading_zero, .number = 0};
-  if (digits.text.empty() || !(is_digit(digits.text.front()) || digits.text.front() == '.')) return {};
+  if (digits.text.empty() || !(ascii::is_digit(digits.text.front()) || digits.text.front() == '.')) return {};
   double value = 0;
   char const* const end = digits.text.data() + digits.text.size();
   auto const [stop, error] = std::from_chars(digits.text.data(), end, value);
@@ -156,16 +106,12 @@ bool is_complete_number(std::string_view text) {
   return read_real(text).status == NumberStatus::good;
 }
 
-DataRange data_range(schema::DataType type) {
-  return data_ranges[static_cast<std::size_t>(type)];
-}
-
 SymbolReading read_symbol(schema::Parameter const& parameter, std::string_view word) {
   for (schema::Symbol const& symbol : parameter.symbols) {
     if (symbol.word == word) return {.symbol = &symbol, .folded = false};
   }
   for (schema::Symbol const& symbol : parameter.symbols) {
-    if (equal_folded(symbol.word, word)) return {.symbol = &symbol, .folded = true};
+    if (ascii::equal_ignoring_case(symbol.word, word)) return {.symbol = &symbol, .folded = true};
   }
   return {};
 }

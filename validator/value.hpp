@@ -40,13 +40,6 @@ struct NumberReading {
 /// True where the whole of `text` is one integer or real, as a second value behind the first would be.
 [[nodiscard]] bool is_complete_number(std::string_view text);
 
-struct DataRange {
-  double lowest = 0;
-  double highest = 0;
-};
-/// Range of an integer type; exact but for the 64-bit types, whose limits are rounded to double.
-[[nodiscard]] DataRange data_range(schema::DataType type);
-
 /// `open`: the limit itself is not allowed.
 [[nodiscard]] inline bool violates_minimum(double value, double limit, bool open) {
   return open ? value <= limit : value < limit;

@@ -40,7 +40,7 @@ bool is_limit_of_another(Parameter const& parameter) {
 /// Two limits drawn inwards, so that a real with few digits stays inside.
 double between(Parameter const& parameter, double largest, double lowest, Random& random) {
   bool const is_integer = schema::is_integer(parameter.type);
-  validator::DataRange const all = validator::data_range(parameter.type);
+  schema::DataRange const all = schema::data_range(parameter.type);
   double low = parameter.minimum.kind == Limit::Kind::number ? parameter.minimum.number : lowest;
   double high = parameter.maximum.kind == Limit::Kind::number ? parameter.maximum.number : largest;
   if (is_integer) low = std::max(low + (parameter.minimum.open ? 1 : 0), all.lowest);

@@ -1,12 +1,12 @@
 #include "schema/generator/catalogue_data.hpp"
 
+#include "schema/data_type.hpp"
 #include "schema/generator/consistency.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,23 +55,16 @@ std::uint16_t p_axis_number(std::string const& identifier) {
   return number;
 }
 
-template <typename Number>
-std::pair<double, double> range_of() {
-  using Limits = std::numeric_limits<Number>;
-  return {static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max())};
-}
-
 /// MAX(UNS32) and the like.
-double data_type_limit(std::string const& text) {
-  static std::map<std::string, std::pair<double, double>, std::less<>> const ranges = {
-      {"UNS08", range_of<std::uint8_t>()},  {"UNS16", range_of<std::uint16_t>()},
-      {"UNS32", range_of<std::uint32_t>()}, {"UNS64", range_of<std::uint64_t>()},
-      {"SGN08", range_of<std::int8_t>()},   {"SGN16", range_of<std::int16_t>()},
-      {"SGN32", range_of<std::int32_t>()},  {"SGN64", range_of<std::int64_t>()},
-      {"REAL64", range_of<double>()}};
+double data_type_limit(std::string_view text) {
   std::size_t const begin = text.find('(') + 1;
-  auto const range = ranges.at(text.substr(begin, text.size() - begin - 1));
-  return text.starts_with("MIN") ? range.first : range.second;
+  std::string_view const name = text.substr(begin, text.size() - begin - 1);
+  auto const row = std::find_if(data_types.begin(), data_types.end(),
+                                [name](DataTypeRow const& known) { return known.name == name; });
+  if (row == data_types.end() || !is_number(row->type))
+    throw DataError(std::string(text) + " is not a limit");
+  DataRange const range = data_range(row->type);
+  return text.starts_with("MIN") ? range.lowest : range.highest;
 }
 
 std::optional<LimitData> read_limit(Json const& row, std::string const& closed_key) {

@@ -1,5 +1,6 @@
 #include "schema/generator/table_writer.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "schema/generator/perfect_hash.hpp"
 #include "schema/indexed_name.hpp"
 
@@ -35,19 +36,11 @@ std::string quoted(std::string const& text) {
   return literal + '"';
 }
 
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char byte) { return static_cast<char>(std::tolower(byte)); });
-  return text;
-}
-
 /// Of a text that is a decimal number as lists write them; everything else is read where it is asked for.
 std::optional<double> decimal_number(std::string const& text) {
   std::string_view digits = text;
   if (digits.starts_with('-')) digits.remove_prefix(1);
-  bool const has_leading_zero =
-      digits.size() > 1 && digits[0] == '0' && std::isdigit(static_cast<unsigned char>(digits[1])) != 0;
-  if (digits.empty() || has_leading_zero ||
+  if (digits.empty() || ascii::has_leading_zero(digits) ||
       digits.find_first_not_of("0123456789.eE+-") != std::string_view::npos) {
     return std::nullopt;
   }
@@ -173,7 +166,8 @@ class TableWriter {
     out_ << "    {";
     write_limit("minimum", parameter.minimum);
     write_limit("maximum", parameter.maximum);
-    out_ << ".symbols = " << set_names_[2 * row] << ", .type = DataType::" << lower_case(parameter.type)
+    out_ << ".symbols = " << set_names_[2 * row]
+         << ", .type = DataType::" << ascii::lower_case(parameter.type)
          << ", .has_default = " << (parameter.default_text ? "true" : "false")
          << ", .p_axis = " << parameter.p_axis << ", .max_length = " << parameter.max_length
          << ", .first_slot = Slot{" << first_slot << "}, .slots = " << slots << ", .array = {" << array[0]

@@ -2,7 +2,6 @@
 
 #include "cli/depfile.hpp"
 #include "cli/failure.hpp"
-#include "cli/suggestion.hpp"
 #include "support/catch.hpp"
 
 #include <array>
@@ -102,15 +101,6 @@ TEST_CASE("help rows break between words") {
 TEST_CASE("lists are split at commas") {
   CHECK(split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
   CHECK(split_list("").empty());
-}
-
-TEST_CASE("the closest word is suggested, or none") {
-  constexpr std::array<std::string_view, 3> known = {"lint", "compile", "inspect"};
-  CHECK(closest("lnit", known) == "lint");
-  CHECK(closest("Compil", known) == "compile");
-  CHECK(closest("run", known).empty());
-  CHECK(edit_distance("abcd", "acbd") == 1);
-  CHECK(edit_distance("", "abc") == 3);
 }
 
 TEST_CASE("dependency rules are escaped for make") {

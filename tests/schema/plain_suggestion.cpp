@@ -1,6 +1,6 @@
 #include "schema/plain_suggestion.hpp"
 
-#include "schema/ascii.hpp"
+#include "diagnostics/ascii.hpp"
 #include "schema/catalogue.hpp"
 #include "schema/edit_distance.hpp"
 #include "schema/indexed_name.hpp"
@@ -94,7 +94,7 @@ std::vector<std::uint32_t> indices_of_name(IndexedName const& name) {
 
 std::vector<std::string> suggest_names_plainly(std::string_view name) {
   if (name.size() > longest_compared) return {};
-  std::string const folded = lower_case(name);
+  std::string const folded = ascii::lower_case(name);
   auto const split = split_name(folded);
   if (!split || split->parts.empty()) return {};
   std::string const bare = bare_name(folded);

@@ -1,8 +1,10 @@
 #include "schema/words.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "support/catch.hpp"
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +38,21 @@ TEST_CASE("texts of different sizes are not the same") {
   CHECK(same_bytes("abc", "abc"));
   CHECK_FALSE(same_bytes("abc", "abcd"));
   CHECK_FALSE(same_bytes("", "a"));
+}
+
+TEST_CASE("every byte at every place of short texts is told to be a capital or not") {
+  for (std::size_t size = 1; size <= 20; ++size) {
+    for (std::size_t at = 0; at < size; ++at) {
+      for (int byte = 0; byte < 256; ++byte) {
+        std::string text(size, '_');
+        text[at] = static_cast<char>(byte);
+        if (at > 0) text[at - 1] = static_cast<char>(255 - byte);
+        INFO(size << " " << at << " " << byte);
+        REQUIRE(is_lower_case(text) == (axisc::ascii::lower_case(text) == text));
+      }
+    }
+  }
+  CHECK(is_lower_case(""));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
+#include "diagnostics/ascii.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
-
-#include <algorithm>
 
 namespace axisc::validator {
 namespace {
@@ -17,19 +16,13 @@ void describe(Finding& finding, std::string written, std::string const& expected
                            message_of(Text::ax1010_fix, Argument{"expected", expected}), FixSafety::safe);
 }
 
-std::string upper_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return text;
-}
-
 void describe_name(Finding& finding, Line const& line) {
   describe(finding, line.name(), schema::slot_name(*line.reading().row, line.reading().slot));
 }
 
 void describe_symbol(Finding& finding, Line const& line) {
   std::string const written = line.text(line.reading().text);
-  describe(finding, written, upper_case(written));
+  describe(finding, written, ascii::upper_case(written));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 std::string limit_text(schema::DataType type, bool highest) {
   if (type == schema::DataType::uns64 && highest) return "18446744073709551615";
   if (type == schema::DataType::sgn64) return highest ? "9223372036854775807" : "-9223372036854775808";
-  DataRange const range = data_range(type);
+  schema::DataRange const range = schema::data_range(type);
   double const limit = highest ? range.highest : range.lowest;
   return schema::is_integer(type) ? std::to_string(static_cast<std::int64_t>(limit)) : format_exact(limit);
 }
@@ -30,7 +30,7 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, s
   finding.notes.push_back(message_of(Text::ax2004_range, Argument{"type", std::move(type_name)},
                                      Argument{"lowest", std::move(lowest)},
                                      Argument{"highest", std::move(highest)}));
-  DataRange const range = data_range(row.type);
+  schema::DataRange const range = schema::data_range(row.type);
   add_physical(finding, row, context.type, positive ? range.highest : range.lowest);
 }
 

@@ -1,3 +1,4 @@
+#include "diagnostics/ascii.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 
@@ -5,10 +6,6 @@
 
 namespace axisc::validator {
 namespace {
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// P-AXIS-00212 or P-AXIS-00212.0.
 bool is_reference(std::string_view word) {
@@ -18,17 +15,14 @@ bool is_reference(std::string_view word) {
   std::string_view const number = word.substr(0, word.find('.'));
   std::string_view const index = word.substr(std::min(number.size() + 1, word.size()));
   bool const has_index = number.size() < word.size();
-  return !number.empty() && std::all_of(number.begin(), number.end(), is_digit) &&
-         has_index == !index.empty() && std::all_of(index.begin(), index.end(), is_digit);
-}
-
-bool is_upper_case(std::string_view word) {
-  return std::none_of(word.begin(), word.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  return !number.empty() && std::all_of(number.begin(), number.end(), ascii::is_digit) &&
+         has_index == !index.empty() && std::all_of(index.begin(), index.end(), ascii::is_digit);
 }
 
 bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word) {
   return is_complete_number(word) || is_reference(word) ||
-         (is_upper_case(word) && catalogue.is_symbol_of_any_parameter(word));
+         (std::none_of(word.begin(), word.end(), ascii::is_small) &&
+          catalogue.is_symbol_of_any_parameter(word));
 }
 
 /// Behind numbers, booleans and references the control reads over everything; behind words AX1009 looks.

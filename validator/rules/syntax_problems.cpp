@@ -1,4 +1,5 @@
 // What the grammar finds: AX1001 to AX1004, AX1008, AX1012.
+#include "diagnostics/ascii.hpp"
 #include "validator/rules/checks.hpp"
 #include "validator/rules/helpers.hpp"
 
@@ -39,7 +40,7 @@ bool opens_foreign_comment(std::string_view word) {
 std::string repaired_index(std::string_view index) {
   std::string digits;
   for (char const character : index) {
-    if (character >= '0' && character <= '9') digits += character;
+    if (ascii::is_digit(character)) digits += character;
   }
   bool const only_blanks_beside = index.find_first_not_of("[]0123456789 \t") == std::string_view::npos &&
                                   index.find('[', 1) == std::string_view::npos;
