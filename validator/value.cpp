@@ -1,5 +1,7 @@
 #include "validator/value.hpp"
 
+#include "grammar/lexical.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,7 +24,7 @@ bool equal_folded(std::string_view a, std::string_view b) {
 }
 
 constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+  return grammar::is(grammar::character::digit, c);
 }
 
 struct Digits {
@@ -37,15 +39,16 @@ Digits split_integer(std::string_view text) {
     digits.negative = text.front() == '-';
     digits.text.remove_prefix(1);
   }
-  if (digits.text.size() > 2 && digits.text[0] == '0' && fold(digits.text[1]) == 'x') {
+  constexpr std::size_t prefix = grammar::lexical::hexadecimal_prefix.size();
+  if (digits.text.size() > prefix && grammar::lexical::begins_hexadecimal(digits.text)) {
     digits.base = 16;
-    digits.text.remove_prefix(2);
+    digits.text.remove_prefix(prefix);
   }
   return digits;
 }
 
 bool has_leading_zero(Digits const& digits) {
-  return digits.base == 10 && digits.text.size() > 1 && digits.text[0] == '0' && is_digit(digits.text[1]);
+  return digits.base == 10 && grammar::lexical::has_leading_zero(digits.text);
 }
 
 struct ExactRange {
@@ -209,7 +212,7 @@ std::optional<Value> default_value(schema::Parameter const& parameter) {
 }
 
 std::uint16_t default_reference(schema::Parameter const& parameter) {
-  constexpr std::string_view prefix = "P-AXIS-";
+  constexpr std::string_view prefix = grammar::lexical::reference_prefix;
   std::uint16_t number = 0;
   if (parameter.default_text.substr(0, prefix.size()) != prefix) return 0;
   std::string_view const digits = parameter.default_text.substr(prefix.size());
