@@ -30,11 +30,11 @@ function(axisc_compile_options target)
 endfunction()
 
 # Sources of the program alone, never of the runtime, which others link. Nothing of a static program moves: tables of pointers
-# need no relocation, and functions in sections of their own can be put in order (cmake/text_order.ld).
+# need no relocation.
 function(axisc_program_options target)
   axisc_compile_options(${target})
   if(AXISC_STATIC)
-    target_compile_options(${target} PRIVATE -fno-pie -ffunction-sections)
+    target_compile_options(${target} PRIVATE -fno-pie)
     target_link_options(${target} INTERFACE -no-pie)
   endif()
 endfunction()

@@ -4,6 +4,7 @@
 #include "grammar/axis_list_reader.hpp"
 #include "grammar/character_class.hpp"
 #include "grammar/invalid_character.hpp"
+#include "grammar/lexical.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/must.hpp"
 
@@ -58,7 +59,8 @@ std::string_view up_to_parenthesis(std::string_view text) {
   std::size_t position = find_mark(text, 0);
   while (position < text.size() && text[position] == '"') {
     std::size_t const closing = text.find('"', position + 1);
-    position = closing == std::string_view::npos ? text.find('(', position) : find_mark(text, closing + 1);
+    position = closing == std::string_view::npos ? text.find(lexical::parenthesis, position)
+                                                 : find_mark(text, closing + 1);
   }
   return without_blanks(text.substr(0, position));
 }
@@ -67,10 +69,7 @@ std::string_view up_to_parenthesis(std::string_view text) {
 /// comment.
 std::string_view comment_of_broken(std::string_view line) {
   std::size_t opener = 0;
-  for (; opener < line.size(); ++opener) {
-    char const byte = line[opener];
-    if (byte == '(' || byte == '#' || (byte == '/' && line.substr(opener + 1).starts_with('*'))) break;
-  }
+  while (opener < line.size() && !lexical::opens_comment(line.substr(opener))) ++opener;
   return line.substr(opener);
 }
 
@@ -98,7 +97,7 @@ void AxisListReader::read(std::string_view line, std::uint32_t number, bool wind
 
 void AxisListReader::read_line(std::string_view line) {
   bool const invalid = report_invalid_character(line);
-  if (line.front() == '#') {
+  if (line.front() == lexical::hash) {
     keep_directive(line, true);
   } else if (std::string_view const end = matched(syntax::end_marker, line); !end.empty()) {
     read_end(line, end, invalid);
@@ -152,7 +151,7 @@ void AxisListReader::read_end(std::string_view line, std::string_view end, bool 
   list_.end_marker = span(end);
   std::string_view const behind = without_blanks(line.substr(end.size()));
   if (behind.empty()) return;
-  if (behind.front() == '#' || behind.front() == '(') {
+  if (behind.front() == lexical::hash || behind.front() == lexical::parenthesis) {
     keep_directive(behind, false);
   } else if (!invalid) {
     report_text_behind_end(behind);
@@ -161,7 +160,7 @@ void AxisListReader::read_end(std::string_view line, std::string_view end, bool 
 
 /// The control does not read on, so neither characters nor syntax matter here.
 void AxisListReader::read_behind_end(std::string_view line) {
-  if (line.front() != '#') report_text_behind_end(line);
+  if (line.front() != lexical::hash) report_text_behind_end(line);
 }
 
 void AxisListReader::report_text_behind_end(std::string_view text) {

@@ -85,15 +85,6 @@ inline constexpr std::size_t longest_line = 1U << 20U;
 /// checked that no line is longer than `longest_line` (see `longest_line_in`).
 [[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
 
-/// How the lines are read of which a reader with a catalogue (validator/reading.hpp) can tell what they say; tests read them
-/// in all ways and get the same.
-enum class Way : std::uint8_t {
-  quick,       ///< the best of those below that the processor has
-  by_grammar,  ///< every line, as parse_axis_list() does
-  portable,    ///< plain lines without the grammar, in what every processor has
-  avx2,        ///< the same with wider vectors; by the grammar on a processor without
-};
-
 /// Length of the longest line of `bytes`.
 [[nodiscard]] std::size_t longest_line_in(std::string_view bytes);
 

@@ -1,4 +1,4 @@
-// The grammar of one line of an axis list, in Spirit X3. Comment lines and blank lines never reach it, blanks
+// The grammar of one line of an axis list, in Spirit X3, over the lexical facts of lexical.hpp. Comment lines and blank lines never reach it, blanks
 // around the line are cut off, and which character is allowed at all has been checked.
 //
 //   line       = end | assignment
@@ -12,6 +12,7 @@
 #include "grammar/axis_list.hpp"
 #include "grammar/character_class.hpp"
 #include "grammar/character_parsers.hpp"
+#include "grammar/lexical.hpp"
 #include "grammar/must.hpp"
 
 #include <boost/fusion/include/adapt_struct.hpp>
@@ -55,11 +56,11 @@ using x3::raw;
 // Blanks and where a token stops.
 inline constexpr auto blanks = some_of<character::blank>;
 inline constexpr auto token_end = &one_of<character::blank> | eoi;
-inline constexpr auto word_end = &one_of<character::blank | character::parenthesis> | eoi;
-inline constexpr auto comment_opener = lit('(') | '#' | "/*";
+inline constexpr auto word_end = &one_of<lexical::ends_word> | eoi;
+inline constexpr auto comment_opener = where<lexical::opens_comment>;
 
 // Names.
-inline constexpr auto identifier = one_of<character::letter> >> any_of<character::letter | character::digit>;
+inline constexpr auto identifier = one_of<lexical::begins_name> >> any_of<lexical::continues_name>;
 inline constexpr auto index = lit('[') >> some_of<character::digit> >> ']' >> !lit('[');
 inline constexpr auto segment = identifier >> -(&lit('[') >> must<ProblemKind::malformed_index>[index]);
 inline constexpr auto name = raw[segment >> *('.' >> segment) >> token_end];
@@ -71,28 +72,27 @@ inline constexpr auto closed_index =
 inline constexpr auto open_index = '[' >> any_of<character::letter | character::digit | character::sign>;
 inline constexpr auto broken_index = +(closed_index | open_index);
 
-// Numbers. The control takes no leading zeros: `whole` stops behind a leading one, and then the token has not
-// ended.
+// Numbers. The control takes no leading zeros.
 inline constexpr auto digits = some_of<character::digit>;
 inline constexpr auto sign = -one_of<character::sign>;
-inline constexpr auto whole = '0' | digits;
-inline constexpr auto exponent = (lit('e') | 'E') >> sign >> digits;
+inline constexpr auto point = lit(lexical::decimal_point);
+inline constexpr auto whole = !where<lexical::has_leading_zero> >> digits;
+inline constexpr auto exponent = any_case("e") >> sign >> digits;
 inline constexpr auto integer = sign >> whole;
-inline constexpr auto hexadecimal = '0' >> (lit('x') | 'X') >> some_of<character::hexadecimal>;
-inline constexpr auto fraction = (whole >> '.' >> any_of<character::digit>) | ('.' >> digits);
+inline constexpr auto hexadecimal = any_case(lexical::hexadecimal_prefix) >> some_of<character::hexadecimal>;
+inline constexpr auto fraction = (whole >> point >> any_of<character::digit>) | (point >> digits);
 inline constexpr auto real = sign >> ((fraction >> -exponent) | (whole >> exponent));
 inline constexpr auto decimal_comma = sign >> whole >> ',' >> digits >> -exponent;
-inline constexpr auto number_like = sign >>
-                                    -lit('.') >> one_of<character::digit> >> any_until<character::blank>;
+inline constexpr auto number_like = sign >> -point >> one_of<character::digit> >> any_until<character::blank>;
 
 // The value of another parameter, with the index of its first array dimension.
-inline constexpr auto reference = lit("P-AXIS-") >> x3::repeat(5)[one_of<character::digit>] >>
+inline constexpr auto reference = exactly(lexical::reference_prefix) >>
+                                  x3::repeat(lexical::reference_digits)[one_of<character::digit>] >>
                                   -('.' >> digits);
 
 // Words end at a parenthesis also without a blank: behind them only `(` opens a comment. Quotes protect
 // blanks and parentheses, and a quotation with text directly behind it is no string.
-inline constexpr auto word =
-    one_of<character::letter | character::high> >> any_until<character::blank | character::parenthesis>;
+inline constexpr auto word = one_of<lexical::begins_word> >> any_until<lexical::ends_word>;
 inline constexpr auto quotation = '"' >> any_until<character::quote> >> '"';
 inline constexpr auto quoted = quotation >> word_end;
 inline constexpr auto closed_if_quoted = (!lit('"')) | must<ProblemKind::unterminated_string>[&quotation];
@@ -112,17 +112,17 @@ inline constexpr auto value = x3::rule<struct ValueRule, ValueToken>{"value"} =
     | attr(ValueKind::other) >> raw[other];
 
 inline constexpr auto trailer = x3::rule<struct TrailerRule, Trailer>{"trailer"} =
-    omit[any_of<character::blank>] >> (attr(TrailerKind::none) >> raw[eoi]                         //
-                                       | attr(TrailerKind::parenthesis) >> raw[&lit('(') >> rest]  //
-                                       | attr(TrailerKind::hash) >> raw[&lit('#') >> rest]         //
-                                       | attr(TrailerKind::slash_star) >> raw[&lit("/*") >> rest]  //
-                                       | attr(TrailerKind::text) >> raw[rest]);
+    omit[any_of<character::blank>] >>
+    (attr(TrailerKind::none) >> raw[eoi]                                            //
+     | attr(TrailerKind::parenthesis) >> raw[&lit(lexical::parenthesis) >> rest]    //
+     | attr(TrailerKind::hash) >> raw[&lit(lexical::hash) >> rest]                  //
+     | attr(TrailerKind::slash_star) >> raw[&exactly(lexical::slash_star) >> rest]  //
+     | attr(TrailerKind::text) >> raw[rest]);
 
 inline constexpr auto assignment = x3::rule<struct AssignmentRule, AssignmentLine>{"assignment"} =
     must<ProblemKind::expected_name>[name] >> must<ProblemKind::expected_value>[blanks >> !comment_opener] >>
     closed_if_quoted >> value >> trailer;
 
-inline constexpr auto end_marker =
-    raw[(lit('E') | 'e') >> (lit('N') | 'n') >> (lit('D') | 'd') >> (lit('E') | 'e') >> token_end];
+inline constexpr auto end_marker = raw[any_case(lexical::end_marker) >> token_end];
 
 }  // namespace axisc::grammar::syntax

@@ -5,6 +5,11 @@
 #pragma once
 
 #include "grammar/character_class.hpp"
+#include "grammar/lexical.hpp"
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
 
 #include <boost/spirit/home/x3.hpp>
 
@@ -60,6 +65,41 @@ struct Rest : x3::parser<Rest> {
   }
 };
 
+/// Matches `text`, or the same but for the case of its ASCII letters; no attribute.
+template <bool in_any_case>
+struct Text : x3::parser<Text<in_any_case>> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+
+  std::string_view text;
+
+  constexpr explicit Text(std::string_view expected) : text(expected) {}
+
+  template <typename Iterator, typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, Iterator const& last, Context const& /*context*/, RuleContext& /*rule_context*/,
+             Attribute& /*attribute*/) const {
+    if (static_cast<std::size_t>(last - first) < text.size()) return false;
+    std::string_view const found(&*first, text.size());
+    if (in_any_case ? !lexical::same_in_any_case(found, text) : found != text) return false;
+    first += static_cast<std::ptrdiff_t>(text.size());
+    return true;
+  }
+};
+
+/// Matches nothing, where `fact` says so of the text from here on; no attribute.
+template <auto fact>
+struct Where : x3::parser<Where<fact>> {
+  using attribute_type = x3::unused_type;
+  static bool const has_attribute = false;
+
+  template <typename Iterator, typename Context, typename RuleContext, typename Attribute>
+  bool parse(Iterator& first, Iterator const& last, Context const& /*context*/, RuleContext& /*rule_context*/,
+             Attribute& /*attribute*/) const {
+    return fact(first == last ? std::string_view()
+                              : std::string_view(&*first, static_cast<std::size_t>(last - first)));
+  }
+};
+
 template <CharacterClasses classes>
 inline constexpr OneOf<classes> one_of{};
 template <CharacterClasses classes>
@@ -73,5 +113,13 @@ inline constexpr RunOf<classes, false, 1> some_until{};
 template <CharacterClasses classes>
 inline constexpr RunOf<classes, false, 0> any_until{};
 inline constexpr Rest rest{};
+constexpr Text<false> exactly(std::string_view text) {
+  return Text<false>(text);
+}
+constexpr Text<true> any_case(std::string_view text) {
+  return Text<true>(text);
+}
+template <auto fact>
+inline constexpr Where<fact> where{};
 
 }  // namespace axisc::grammar

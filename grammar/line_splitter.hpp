@@ -2,6 +2,8 @@
 // any grammar looks at the text.
 #pragma once
 
+#include "grammar/lexical.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -20,10 +22,11 @@ class LineSplitter {
   [[nodiscard]] bool next(std::string_view& line) {
     if (position_ == end_) return false;
     auto const remaining = static_cast<std::size_t>(end_ - position_);
-    auto const* const line_feed = static_cast<char const*>(std::memchr(position_, '\n', remaining));
+    auto const* const line_feed =
+        static_cast<char const*>(std::memchr(position_, lexical::line_feed, remaining));
     char const* const line_end = line_feed != nullptr ? line_feed : end_;
     line = {position_, static_cast<std::size_t>(line_end - position_)};
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (!line.empty() && line.back() == lexical::carriage_return) line.remove_suffix(1);
     position_ = line_feed != nullptr ? line_feed + 1 : end_;
     ++number_;
     return true;
@@ -34,6 +37,10 @@ class LineSplitter {
     position_ = position;
     number_ = number;
   }
+
+  /// Where the next line begins.
+  [[nodiscard]] char const* position() const { return position_; }
+  [[nodiscard]] bool at_end() const { return position_ == end_; }
 
   /// Number of the line that next() returned last, from 1.
   [[nodiscard]] std::uint32_t number() const { return number_; }

@@ -15,6 +15,8 @@ constexpr std::size_t gap = 2;
 constexpr std::size_t tab_width = 8;
 /// A longer value does not push the comments of its neighbours away.
 constexpr std::size_t widest_value = 32;
+/// A longer line stays as it is: its neighbours would grow with it, in the end beyond what can be read.
+constexpr std::size_t longest_aligned_line = 1024;
 
 /// An assignment in three parts; `comment` may be empty.
 struct Row {
@@ -46,7 +48,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
 class Layout {
  public:
   Layout(SourceText const& source, schema::Catalogue const& catalogue)
-      : source_(source), list_(read_list(source, catalogue)) {}
+      : source_(source), list_(judge_list(source, parse_list(source), catalogue)) {}
 
   std::string write() && {
     auto const rows = this->rows();
@@ -67,9 +69,12 @@ class Layout {
     for (std::size_t i = 0; i < list_.readings.size(); ++i) {
       grammar::Assignment const& assignment = list_.tree.assignments[i];
       Span const line = source_.line_span(assignment.line);
-      Span const value = ends_at_blank(assignment, list_.readings[i])
-                             ? assignment.value
-                             : grammar::free_text(source_.bytes(), assignment);
+      if (line.size() > longest_aligned_line) continue;
+      Reading const reading = list_.readings[i];
+      Span const value = ends_at_blank(assignment, reading) ? assignment.value
+                                                            : grammar::free_text(source_.bytes(), assignment);
+      // `4(` is not a number, and must not become one.
+      if (!reading.usable() && value.end < assignment.value.end) continue;
       rows.push_back({.line = line,
                       .indent = source_.slice({.begin = line.begin, .end = assignment.name.begin}),
                       .name = source_.slice(assignment.name),

@@ -1,5 +1,6 @@
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list_reader.hpp"
+#include "grammar/lexical.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/plain_lines.hpp"
 #include "validator/judgement.hpp"
@@ -31,16 +32,8 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
-/// Of a token of letters and digits alone, underscores among them; none where the grammar has to look at it.
-std::optional<grammar::ValueKind> simple_kind(std::string_view token) {
-  using namespace grammar;
-  auto const is_simple = [](char byte) { return is(character::letter | character::digit, byte); };
-  if (!std::all_of(token.begin(), token.end(), is_simple)) return std::nullopt;
-  if (is(character::letter, token.front())) return ValueKind::word;
-  bool const is_number =
-      std::all_of(token.begin(), token.end(), [](char byte) { return is(character::digit, byte); });
-  bool const has_leading_zero = token.size() > 1 && token.front() == '0';
-  return is_number && !has_leading_zero ? std::optional(ValueKind::integer) : std::nullopt;
+bool may_name_numbers(std::string_view text) {
+  return text.find(grammar::lexical::parameter_number_prefix) != std::string_view::npos;
 }
 
 }  // namespace
@@ -51,31 +44,46 @@ class ListReader {
       : source_(source), bytes_(source.bytes()), catalogue_(catalogue), lines_(source.bytes()) {
     result_.bytes_ = bytes_;
     result_.catalogue_ = catalogue;
-    result_.brief_.reserve(lines_.list().assignments.capacity());
     result_.last_of_slot_.resize(catalogue.slot_count());
   }
 
-  ReadList read(grammar::Way way) && {
+  ReadList read() && {
+    result_.brief_.reserve(lines_.list().assignments.capacity());
     grammar::LineSplitter splitter(bytes_.substr(source_.text_begin()));
-    if (auto const* const reader = grammar::find_plain_line_reader(way)) read_plain_lines(*reader, splitter);
-    for (std::string_view line; splitter.next(line);) read_by_grammar(line, splitter.number());
+    std::string_view line;
+    do {
+      read_plain_lines(splitter);
+      // Near the text's end, and where a line is too long to be plain.
+      if (splitter.next(line)) read_by_grammar(line, splitter.number());
+    } while (!splitter.at_end());
+    return finish(std::move(lines_).finish(splitter.number()));
+  }
+
+  ReadList judge(grammar::AxisList tree) && {
+    result_.brief_.reserve(tree.assignments.size());
+    result_.may_name_numbers_ = may_name_numbers(bytes_);
+    for (grammar::Assignment const& assignment : tree.assignments) look_closer(assignment, {});
+    return finish(std::move(tree));
+  }
+
+ private:
+  ReadList finish(grammar::AxisList tree) {
     result_.has_repetitions_ = repetitions_ != 0;
-    ReadList read{.tree = std::move(lines_).finish(splitter.number()), .readings = std::move(result_)};
+    ReadList read{.tree = std::move(tree), .readings = std::move(result_)};
     read.readings.assignments_ = read.tree.assignments;
     return read;
   }
 
- private:
-  /// All lines but those near the text's end.
-  void read_plain_lines(grammar::PlainLineReader const& reader, grammar::LineSplitter& splitter) {
+  /// From the next line on: all but those near the text's end.
+  void read_plain_lines(grammar::LineSplitter& splitter) {
     grammar::PlainLines lines;
-    std::uint32_t begin = source_.text_begin();
-    std::uint32_t number = 0;
+    auto begin = static_cast<std::uint32_t>(splitter.position() - bytes_.data());
+    std::uint32_t number = splitter.number();
     while (!lines_.has_ended()) {
-      reader.find(bytes_.data(), bytes_.size(), begin, lines);
+      grammar::find_lines(bytes_, begin, lines);
       if (lines.count == 0) break;
       lines.lines_before = number;
-      std::size_t const count = read_lines(reader, lines);
+      std::size_t const count = read_lines(lines);
       begin = lines.begins[count];
       number += static_cast<std::uint32_t>(count);
     }
@@ -84,10 +92,10 @@ class ListReader {
   }
 
   /// Gives the number of lines that were read: all, or up to the end of the list.
-  std::size_t read_lines(grammar::PlainLineReader const& reader, grammar::PlainLines const& lines) {
+  std::size_t read_lines(grammar::PlainLines const& lines) {
     std::size_t next = 0;
     while (next < lines.count) {
-      std::size_t const count = reader.split(bytes_.data(), lines, next, batch_.data(), batch_.size());
+      std::size_t const count = grammar::split_lines(bytes_, lines, next, batch_);
       read_batch(lines, count);
       if (next == lines.count || count == batch_.size()) continue;
       read_by_grammar(lines.line(bytes_, next), lines.number(next));
@@ -128,7 +136,7 @@ class ListReader {
   /// One that is no plain one. What the grammar would make of it can be told where its name is known and its value looks simple.
   void read_closer(grammar::PlainLines const& lines, std::size_t i) {
     grammar::Assignment& assignment = batch_[i];
-    auto const kind = simple_kind(source_.slice(assignment.value));
+    auto const kind = grammar::lexical::simple_kind(source_.slice(assignment.value));
     if (parameters_[i].values == nullptr || !kind) {
       std::size_t const line = assignment.line - lines.lines_before - 1;
       return read_by_grammar(lines.line(bytes_, line), assignment.line, parameters_[i]);
@@ -149,7 +157,7 @@ class ListReader {
   /// `parameter` is that of the name, where it was looked up already.
   void read_by_grammar(std::string_view line, std::uint32_t number, schema::PlainParameter parameter = {}) {
     std::size_t const before = lines_.list().assignments.size();
-    result_.may_name_numbers_ |= line.find("P-") != std::string_view::npos;
+    result_.may_name_numbers_ |= may_name_numbers(line);
     // Most texts nobody has to ask for their encoding.
     bool const is_ascii = ascii_prefix(line) == line.size();
     lines_.read(line, number, !is_ascii && source_.encoding() == Encoding::windows_1252);
@@ -216,8 +224,19 @@ class ListReader {
   std::size_t unknown_names_ = 0;
 };
 
-ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue, grammar::Way way) {
-  return ListReader(source, catalogue).read(way);
+ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue) {
+  return ListReader(source, catalogue).read();
+}
+
+grammar::AxisList parse_list(SourceText const& source) {
+  // The encoding is asked for only where a byte depends on it.
+  bool const is_ascii = ascii_prefix(source.bytes()) == source.bytes().size();
+  return grammar::parse_axis_list(source.bytes(), source.text_begin(),
+                                  !is_ascii && source.encoding() == Encoding::windows_1252);
+}
+
+ReadList judge_list(SourceText const& source, grammar::AxisList tree, schema::Catalogue const& catalogue) {
+  return ListReader(source, catalogue).judge(std::move(tree));
 }
 
 }  // namespace axisc::validator

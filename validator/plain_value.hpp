@@ -5,6 +5,7 @@
 
 #include "grammar/axis_list.hpp"
 #include "grammar/character_class.hpp"
+#include "grammar/lexical.hpp"
 #include "schema/plain_values.hpp"
 #include "schema/words.hpp"
 #include "validator/reading.hpp"
@@ -71,10 +72,9 @@ class PlainValueReader {
     return trailer_ == grammar::TrailerKind::none || trailer_ == grammar::TrailerKind::parenthesis;
   }
 
-  /// A zero and a digit behind it, which no number begins with.
   [[nodiscard]] bool has_leading_zero() const {
     char const* const first = begin_ + (digits::is_sign(*begin_) ? 1 : 0);
-    return first[0] == '0' && grammar::is(grammar::character::digit, first[1]);
+    return grammar::lexical::has_leading_zero({first, end_});
   }
 
   bool short_integer(PlainValue& out) const {
@@ -89,9 +89,10 @@ class PlainValueReader {
 
   /// Of at most thirteen digits, which a double holds exactly.
   bool hexadecimal(PlainValue& out) const {
-    if (size() - 3 >= 13 || begin_[0] != '0' || (begin_[1] | 0x20) != 'x') return false;
+    constexpr std::size_t prefix = grammar::lexical::hexadecimal_prefix.size();
+    if (size() - prefix - 1 >= 13 || !grammar::lexical::begins_hexadecimal({begin_, end_})) return false;
     std::uint64_t number = 0;
-    for (char const* byte = begin_ + 2; byte != end_; ++byte) {
+    for (char const* byte = begin_ + prefix; byte != end_; ++byte) {
       if (!grammar::is(grammar::character::hexadecimal, *byte)) return false;
       // Letters are 0x41 to 0x46 and 0x61 to 0x66, digits 0x30 to 0x39.
       auto const code = static_cast<unsigned char>(*byte);
@@ -127,12 +128,14 @@ class PlainValueReader {
   /// Letters, digits and what may stand between them; no reference.
   bool text(schema::PlainValues const& values, PlainValue& out) const {
     using namespace grammar;
-    if (!is(character::letter, *begin_) || (begin_[0] == 'P' && begin_[1] == '-') ||
-        size() > values.longest) {
-      return false;
-    }
+    bool const may_be_reference =
+        std::string_view(begin_, end_).starts_with(lexical::parameter_number_prefix);
+    if (!is(character::letter, *begin_) || may_be_reference || size() > values.longest) return false;
     for (char const* byte = begin_ + 1; byte != end_; ++byte) {
-      if (!is(character::letter | character::digit | character::sign, *byte) && *byte != '.') return false;
+      if (!is(character::letter | character::digit | character::sign, *byte) &&
+          *byte != lexical::decimal_point) {
+        return false;
+      }
     }
     out = {.number = 0, .text = BriefReading::own_text, .kind = ValueKind::word};
     return true;

@@ -1,6 +1,7 @@
 #include "validator/reading.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "grammar/lexical.hpp"
 #include "validator/judgement.hpp"
 #include "validator/short_number.hpp"
 
@@ -17,10 +18,14 @@ bool is_integer_kind(ValueKind kind) {
   return kind == ValueKind::integer || kind == ValueKind::hexadecimal;
 }
 
+bool was_meant_for_comment(std::string_view text) {
+  return text.starts_with(grammar::lexical::hash) || text.starts_with(grammar::lexical::slash_star);
+}
+
 /// The place of the first `#` or `/*`; the end where there is none. Texts are short, too short for a search to pay.
 std::size_t comment_opener(std::string_view text) {
   std::size_t place = 0;
-  while (place < text.size() && text[place] != '#' && !text.substr(place).starts_with("/*")) ++place;
+  while (place < text.size() && !was_meant_for_comment(text.substr(place))) ++place;
   return place;
 }
 
@@ -200,7 +205,7 @@ class Judge {
     std::uint32_t const end = reading_.quoted ? assignment_.trailer.end : free_text().end;
     if (begin >= end) return {};
     std::string_view text = source_.slice({.begin = begin, .end = end});
-    text = text.substr(0, text.find('('));
+    text = text.substr(0, text.find(grammar::lexical::parenthesis));
     std::string_view const content = ascii::trimmed(text);
     if (content.empty()) return {};
     std::uint32_t const first = begin + static_cast<std::uint32_t>(content.data() - text.data());
@@ -217,8 +222,7 @@ class Judge {
   void unknown_symbol(std::uint32_t symbol_end) {
     fail(ReadingStatus::unknown_symbol);
     Span const text = text_behind(symbol_end);
-    std::string_view const opener = source_.slice(text).substr(0, 2);
-    if (opener.substr(0, 1) == "#" || opener == "/*") reading_.trouble = text;
+    if (was_meant_for_comment(source_.slice(text))) reading_.trouble = text;
   }
 
   /// True where a `#` or `/*` in a free string was meant to open a comment.
@@ -241,7 +245,7 @@ class Judge {
 
 Reference read_reference(std::string_view text) {
   Reference reference;
-  constexpr std::size_t prefix = std::string_view("P-AXIS-").size();
+  constexpr std::size_t prefix = grammar::lexical::reference_prefix.size();
   char const* const end = text.data() + text.size();
   auto const number = std::from_chars(text.data() + std::min(prefix, text.size()), end, reference.p_axis);
   if (number.ptr != end && *number.ptr == '.') {

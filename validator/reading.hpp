@@ -152,10 +152,15 @@ struct ReadList {
 };
 
 /// Reads a list. Lines that give a parameter of the catalogue a plain value, or another one that looks simple, are read without
-/// the grammar; in whichever way, the result is the same. Cost: one look-up and one conversion per line; suggestions are made for the first thousand unknown
-/// names only.
-[[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {},
-                                 grammar::Way way = grammar::Way::quick);
+/// the grammar; the result is that of judge_list(). Cost: one look-up and one conversion per line; suggestions are made for
+/// the first thousand unknown names only.
+[[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {});
+
+/// The list as the grammar reads it, line by line, whatever it means.
+[[nodiscard]] grammar::AxisList parse_list(SourceText const& source);
+/// What the assignments of a list mean that parse_list() has read. Cost: twice to three times that of read_list(), together.
+[[nodiscard]] ReadList judge_list(SourceText const& source, grammar::AxisList tree,
+                                  schema::Catalogue const& catalogue = {});
 
 /// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
 /// parameter is meant to be is unknown then, so rules that need it have to stay silent.

@@ -169,9 +169,9 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
   };
   std::vector<SourceText> sources;
   for (std::string const& text : texts) sources.emplace_back("x.lis", text);
-  auto const values = [&](char const* name, grammar::Way way) {
-    auto const run = [&sources, way] {
-      for (SourceText const& source : sources) findings += validator::read_list(source, {}, way).tree.lines;
+  auto const values = [&](char const* name, auto read) {
+    auto const run = [&sources, read] {
+      for (SourceText const& source : sources) findings += read(source).tree.lines;
     };
     return Contender{name, size_of(texts), fleet.pairs, run};
   };
@@ -184,9 +184,11 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
   std::vector<Contender> contenders = {
       reading("scanner by hand", texts, [&](std::string const& file) { read_by_hand(file, table); }),
       reading("axisc, grammar alone", texts, parse),
-      values("axisc, values, by the grammar", grammar::Way::by_grammar),
-      values("axisc, values, portable", grammar::Way::portable),
-      values("axisc, values, the best way", grammar::Way::quick),
+      values("axisc, values, by the grammar",
+             [](SourceText const& source) {
+               return validator::judge_list(source, validator::parse_list(source));
+             }),
+      values("axisc, values", [](SourceText const& source) { return validator::read_list(source); }),
       whole_check("axisc, single parameters", texts, ranges),
       whole_check("axisc, all rules", texts, all),
       reading("inih", fleet.ini, [&](std::string const& file) { read_with_inih(file, table); }),

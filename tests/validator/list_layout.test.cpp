@@ -5,7 +5,11 @@
 #include "support/random_lists.hpp"
 #include "validator/reading.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -38,6 +42,53 @@ std::vector<std::string> meaning(std::string const& list) {
     parts.push_back(std::to_string(problem.line) + ' ' + std::string(source.slice(problem.span)));
   }
   return parts;
+}
+
+/// What each line gives its parameter, or why it gives none.
+std::vector<std::string> effect(std::string const& list) {
+  SourceText const source("x.lis", list);
+  auto const [tree, readings] = validator::read_list(source);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    auto const reading = readings[i];
+    std::string line = std::to_string(tree.assignments[i].line) + ' ' +
+                       std::string(source.slice(tree.assignments[i].name)) + ' ' +
+                       std::string(reading.value.text);
+    for (double const number :
+         {reading.value.number, static_cast<double>(reading.status), static_cast<double>(reading.number),
+          static_cast<double>(reading.name_status), static_cast<double>(reading.symbol_folded),
+          static_cast<double>(reading.quoted), static_cast<double>(reading.reference.p_axis),
+          static_cast<double>(reading.reference.index)}) {
+      line += ' ' + std::to_string(number);
+    }
+    lines.push_back(line + ' ' + std::string(source.slice(reading.trouble)));
+  }
+  for (auto const& problem : tree.problems) {
+    lines.push_back(std::to_string(problem.line) + ' ' + std::string(source.slice(problem.span)));
+  }
+  return lines;
+}
+
+/// Some bytes are lost, come twice, or become others that mean something.
+std::string mutated(std::string list, std::uint32_t seed) {
+  constexpr std::string_view meaningful = " \t(#/*\".,+-0123456789xXeEP[]=|:\r\n\xE4";
+  std::mt19937 random(seed);
+  for (std::size_t count = 1 + random() % 12; count > 0 && !list.empty(); --count) {
+    std::size_t const place = random() % list.size();
+    char const byte = meaningful[random() % meaningful.size()];
+    switch (random() % 3) {
+      case 0:
+        list.erase(place, 1);
+        break;
+      case 1:
+        list.insert(place, 1, byte);
+        break;
+      default:
+        list[place] = byte;
+        break;
+    }
+  }
+  return list;
 }
 
 }  // namespace
@@ -85,5 +136,40 @@ TEST_CASE("aligning never changes what a list means, and twice is once") {
     INFO(list << "\n---\n" << once);
     CHECK(meaning(once) == meaning(list));
     CHECK(aligned(once) == once);
+  }
+}
+
+TEST_CASE("a number that a parenthesis follows is none, and stays none") {
+  // A blank between them would make a number of it.
+  for (std::string const value : {"4( P-AXIS-00140", "0x1F(", "1,5(", "1.5e3(x", "-1e-999(", "007(a b"}) {
+    CAPTURE(value);
+    for (std::string const name : {"filter[0].order", "filter[0].fg_f0", "filter[0].type", "kopf.hugo"}) {
+      std::string const line = name + " " + value + "  \n";
+      CHECK(aligned(line) == line);
+      CHECK(aligned("kopf.achs_nr 1\n" + line + "a 1\n") == "kopf.achs_nr  1\n" + line + "a  1\n");
+    }
+  }
+  CHECK(aligned("filter[0].order 4 ( a\n") == "filter[0].order  4  ( a\n");
+  CHECK(aligned("kopf.log_achs_name 4(a\n") == "kopf.log_achs_name  4  (a\n");
+  CHECK(aligned("getriebe[0].dynamik.a_max P-AXIS-00212(a\n") ==
+        "getriebe[0].dynamik.a_max  P-AXIS-00212  (a\n");
+}
+
+TEST_CASE("a long line stays and does not push its neighbours away") {
+  // Otherwise a line might grow beyond what can be read.
+  std::string const name = "a" + std::string(5000, 'b') + " 1\n";
+  std::string const indent = std::string(5000, '\t') + "a 1\n";
+  for (std::string const& line : {name, indent}) {
+    CHECK(aligned("kopf.achs_nr 1\n" + line + "a 1\n") == "kopf.achs_nr  1\n" + line + "a  1\n");
+  }
+}
+
+TEST_CASE("whatever a list has become, aligning does not change its effect") {
+  for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+    auto const list = mutated(tests::random_list(seed), seed);
+    auto const once = aligned(list);
+    INFO(list << "\n---\n" << once);
+    REQUIRE(effect(once) == effect(list));
+    REQUIRE(aligned(once) == once);
   }
 }

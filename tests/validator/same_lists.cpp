@@ -1,10 +1,10 @@
 #include "validator/same_lists.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace axisc::tests {
 namespace {
@@ -28,7 +28,8 @@ bool same_ranges(Range const& a, Range const& b) {
 
 bool same_readings(Readings const& a, Readings const& b, schema::Catalogue const& catalogue) {
   if (a.size() != b.size() || a.has_repetitions() != b.has_repetitions() ||
-      !same_ranges(a.doubtful(), b.doubtful()) || !same_ranges(a.without_value(), b.without_value())) {
+      a.may_name_numbers() != b.may_name_numbers() || !same_ranges(a.doubtful(), b.doubtful()) ||
+      !same_ranges(a.without_value(), b.without_value())) {
     return false;
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -50,16 +51,12 @@ bool same_lists(validator::ReadList const& a, validator::ReadList const& b,
   return a.tree == b.tree && same_readings(a.readings, b.readings, catalogue);
 }
 
-bool reads_alike_in_all_ways(SourceText const& source, schema::Catalogue const& catalogue) {
-  using grammar::Way;
-  validator::ReadList const by_grammar = validator::read_list(source, catalogue, Way::by_grammar);
+bool reads_as_by_the_grammar(SourceText const& source, schema::Catalogue const& catalogue) {
   bool const is_windows = source.encoding() == Encoding::windows_1252;
-  if (by_grammar.tree != grammar::parse_axis_list(source.bytes(), source.text_begin(), is_windows))
-    return false;
-  constexpr std::array ways = {Way::quick, Way::portable, Way::avx2};
-  return std::all_of(ways.begin(), ways.end(), [&](Way way) {
-    return same_lists(validator::read_list(source, catalogue, way), by_grammar, catalogue);
-  });
+  auto tree = grammar::parse_axis_list(source.bytes(), source.text_begin(), is_windows);
+  return tree == validator::parse_list(source) &&
+         same_lists(validator::read_list(source, catalogue),
+                    validator::judge_list(source, std::move(tree), catalogue), catalogue);
 }
 
 }  // namespace axisc::tests

@@ -10,7 +10,7 @@ namespace axisc::tests {
 [[nodiscard]] bool same_lists(validator::ReadList const& a, validator::ReadList const& b,
                               schema::Catalogue const& catalogue = {});
 
-/// Read in every way that this processor can go; the others read by the grammar.
-[[nodiscard]] bool reads_alike_in_all_ways(SourceText const& source, schema::Catalogue const& catalogue = {});
+/// The quick reader says of every line what the grammar and the closer look say.
+[[nodiscard]] bool reads_as_by_the_grammar(SourceText const& source, schema::Catalogue const& catalogue = {});
 
 }  // namespace axisc::tests
