@@ -4,6 +4,7 @@
 // dependent on the surroundings nor slower for a larger class.
 #pragma once
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
 #include "grammar/lexical.hpp"
 
@@ -80,7 +81,7 @@ struct Text : x3::parser<Text<in_any_case>> {
              Attribute& /*attribute*/) const {
     if (static_cast<std::size_t>(last - first) < text.size()) return false;
     std::string_view const found(&*first, text.size());
-    if (in_any_case ? !lexical::same_in_any_case(found, text) : found != text) return false;
+    if (in_any_case ? !ascii::equal_ignoring_case(found, text) : found != text) return false;
     first += static_cast<std::ptrdiff_t>(text.size());
     return true;
   }

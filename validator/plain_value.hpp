@@ -3,6 +3,7 @@
 // (validator/judgement.hpp) read the same.
 #pragma once
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "grammar/character_class.hpp"
 #include "grammar/lexical.hpp"
@@ -74,7 +75,7 @@ class PlainValueReader {
 
   [[nodiscard]] bool has_leading_zero() const {
     char const* const first = begin_ + (digits::is_sign(*begin_) ? 1 : 0);
-    return grammar::lexical::has_leading_zero({first, end_});
+    return ascii::has_leading_zero({first, end_});
   }
 
   bool short_integer(PlainValue& out) const {
