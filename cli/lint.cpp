@@ -31,6 +31,7 @@ class Lint {
         threads_(asked_threads(words.checking.threads)),
         inputs_(expand_inputs(words.named)) {
     job_.options = check_options(words.checking);
+    job_.options.machine = false;
     job_.quiet = words.checking.quiet;
     job_.settings = &settings_;
     form_.format = words.checking.format;

@@ -58,10 +58,11 @@ class AxisBuilder {
   }
 
   void add_filters(AxisConfiguration& result) {
-    bool const interface_on = values_.at("lr_param.add_interface.enable").value.flag();
+    EffectiveValue const& interface = values_.at("lr_param.add_interface.enable");
     for (FilterView const& filter : touched_filters(values_)) {
       bool const setpoint = filter.port == FilterPort::setpoint;
-      if ((!setpoint && !interface_on) || is_configured_hsc(filter)) continue;
+      if (!setpoint && interface.unusable) leave_out_filter(interface, "lr_param.add_interface");
+      if ((!setpoint && !interface.value.flag()) || is_configured_hsc(filter)) continue;
       std::optional<design::FilterSpecification> const specification = filter.specification(cycle_time_);
       if (specification) {
         auto& filters = setpoint ? result.filters : result.interface_filters;
@@ -107,7 +108,13 @@ class AxisBuilder {
     PositionControlView const view(values_);
     PositionControl control;
     control.limit_factor = view.limit.value.number;
-    for (StageView const& stage : view.active_stages()) {
+    if (view.enable.unusable && !view.stages.empty()) {
+      leave_out_filter(view.enable, "lr_param.improved_position_control");
+      return;
+    }
+    if (!view.enabled()) return;
+    for (StageView const& stage : view.stages) {
+      if (!stage.mode.unusable && stage.mode.value.number == 0) continue;
       auto built = build_stage(stage);
       if (!built) {
         leave_out_filter(stage.mode,
@@ -121,6 +128,7 @@ class AxisBuilder {
 
   /// None where a value is out of its range.
   [[nodiscard]] std::optional<PositionControlStage> build_stage(StageView const& stage) const {
+    if (!stage.active_mode()) return std::nullopt;
     PositionControlStage built;
     built.index = stage.index;
     built.mode = *stage.active_mode();
