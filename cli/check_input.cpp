@@ -12,32 +12,31 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
   return settings == nullptr ? options : with_settings(std::move(options), *settings, path);
 }
 
-CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
-                         ReportForm const& form) {
-  std::deque<WrittenFinding> findings;
-  auto checked = check_input(job, path, files, form, keep_in(findings));
-  checked.findings = std::move(findings);
-  return checked;
+JudgedInput judge_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                        ReportForm const& form, SourceSet& sources, TakeFinding const& take) {
+  FindingWriter writer(sources, form, take);
+  JudgedInput judged;
+  judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding const& finding) {
+    if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
+  });
+  judged.counts = writer.counts();
+  judged.checked.artifacts = writer.artifacts();
+  judged.checked.files = judged.result.files;
+  if (judged.result.unreadable) judged.checked.failure = unreadable(path, *judged.result.unreadable);
+  return judged;
 }
 
 CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
                          ReportForm const& form, TakeFinding const& take) {
   SourceSet sources;
-  auto options = options_for(job, path);
-  options.machine = false;
-  auto const* const settings = job.settings == nullptr ? nullptr : job.settings->find(path);
-  FindingWriter writer(sources, form, take);
-  auto const outcome = validator::check(files, path, options, sources, [&](Finding& finding) {
-    if (settings != nullptr) {
-      if (is_disabled(*settings, sources, finding)) return;
-      finding.severity = severity_of(*settings, finding);
-    }
-    if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
-  });
-  CheckedInput checked;
-  checked.artifacts = writer.artifacts();
-  if (outcome.unreadable) checked.failure = unreadable(path, *outcome.unreadable);
-  checked.files = outcome.files;
+  return judge_input(job, path, files, form, sources, take).checked;
+}
+
+CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                         ReportForm const& form) {
+  std::deque<WrittenFinding> findings;
+  auto checked = check_input(job, path, files, form, keep_in(findings));
+  checked.findings = std::move(findings);
   return checked;
 }
 

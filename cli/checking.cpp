@@ -67,15 +67,17 @@ void declare_threads(CommandLine& command_line, std::optional<std::string>& thre
   command_line.value("-j,--jobs", "N", threads, Text::cli_opt_jobs);
 }
 
+std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word) {
+  if (!word) return std::nullopt;
+  auto const time = parse_cycle_time(*word);
+  if (!time) throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *word}}});
+  return time;
+}
+
 validator::CheckOptions check_options(CheckingWords const& words) {
   validator::CheckOptions options;
   options.pedantic = words.pedantic;
-  if (words.cycle_time) {
-    options.cycle_time = parse_cycle_time(*words.cycle_time);
-    if (!options.cycle_time) {
-      throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *words.cycle_time}}});
-    }
-  }
+  options.cycle_time = asked_cycle_time(words.cycle_time);
   if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
   if (words.build) {
     options.build = validator::parse_build_version(*words.build);

@@ -31,6 +31,9 @@ void declare_checking(CommandLine& command_line, CheckingWords& words);
 /// `--schema FILE`, which every command that reads lists has.
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 
+/// `--cycle-time`. Failure for a value that means nothing.
+[[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
+
 /// Failure for a value that means nothing.
 [[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
 

@@ -1,6 +1,7 @@
 #include "cli/command_line.hpp"
 
 #include "axisrt.h"
+#include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/text_table.hpp"
 #include "runtime/format/image_format.h"
@@ -235,6 +236,18 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
     if (row.is_given()) row.take(row.option->results());
   }
   return std::nullopt;
+}
+
+bool CommandLine::answers(Invocation const& invocation) {
+  auto const text = read(invocation.arguments);
+  if (text) invocation.streams.out.write(*text);
+  return text.has_value();
+}
+
+void CommandLine::require(bool given, std::string_view argument) const {
+  if (given) return;
+  throw Failure({.text = Text::cli_argument_missing,
+                 .arguments = {{"argument", std::string(argument)}, {"command", command_}}});
 }
 
 std::string help_row(std::string_view name, std::string_view meaning) {

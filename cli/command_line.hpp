@@ -19,6 +19,8 @@
 
 namespace axisc::cli {
 
+struct Invocation;
+
 class CommandLine {
  public:
   /// Declares --help, --version, --lang and --color. `examples` is the last part of the help.
@@ -60,6 +62,12 @@ class CommandLine {
   /// Text to print instead of doing anything (--help, --version), or nothing: go on. Failure for a command line that
   /// cannot be understood.
   [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
+
+  /// How every command begins: reads the invocation's words. True where --help or --version was answered on standard output,
+  /// and the command is done.
+  [[nodiscard]] bool answers(Invocation const& invocation);
+  /// Failure that names `argument` and the command where it was not given.
+  void require(bool given, std::string_view argument) const;
 
   [[nodiscard]] std::string help() const;
   [[nodiscard]] ColorChoice color() const { return color_; }

@@ -219,11 +219,8 @@ ExitStatus compile(Invocation const& invocation) {
   CommandLine command_line("compile", Text::cli_compile_purpose, Text::cli_compile_examples,
                            invocation.language);
   declare(command_line, words);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  require_sense(words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  require_sense(command_line, words);
   Compile compile(words, invocation.language, use_color(command_line.color(), 2), invocation.streams);
   return words.fleet.print_key ? compile.print_key() : compile.run();
 }

@@ -1,6 +1,6 @@
 #include "cli/compile_input.hpp"
 
-#include "cli/machine_outline.hpp"
+#include "cli/compilable.hpp"
 
 #include <string_view>
 #include <utility>
@@ -8,26 +8,6 @@
 namespace axisc::cli {
 
 namespace {
-
-/// An image for a guessed cycle time would move every frequency.
-void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
-  bool const is_machine = has_extension(input, ".json");
-  // A machine file with mistakes is judged first: the cycle time may be one of them.
-  if (result.cycle_time_known || (is_machine && !result.machine)) return;
-  throw Failure({.text = is_machine ? Text::cli_machine_cycle_time_missing : Text::cli_cycle_time_missing,
-                 .arguments = {{"file", input}}});
-}
-
-/// A configured filter is never left out silently.
-void require_complete(validator::CheckResult const& result, SourceSet const& sources, Language language) {
-  if (result.not_compiled.empty()) return;
-  auto const& first = result.not_compiled.front();
-  auto const& source = sources[first.place.source];
-  throw Failure({.text = Text::cli_not_compiled,
-                 .arguments = {{"place", source.name() + ":" +
-                                             std::to_string(source.position(first.place.span.begin).line)},
-                               {"feature", render(first.feature, language)}}});
-}
 
 CompiledImage image_of(validator::Machine const& machine, CompileJob const& job) {
   CompiledImage image;
@@ -45,20 +25,14 @@ void compile(CompileJob const& job, std::string const& path, validator::Files& f
              CompiledInput& compiled) {
   SourceSet sources;
   std::deque<WrittenFinding> findings;
-  FindingWriter writer(sources, job.form, keep_in(findings));
-  auto const result =
-      validator::check(files, path, options_for(job.check, path), sources, [&](Finding const& finding) {
-        if (!job.words.quiet || finding.severity != Severity::note) writer.add(finding);
-      });
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  require_cycle_time(path, result);
-  auto const counts = writer.counts();
+  auto judged = judge_input(job.check, path, files, job.form, sources, keep_in(findings));
+  if (judged.checked.failure) throw *judged.checked.failure;
+  require_cycle_time(path, judged.result);
+  compiled.checked = std::move(judged.checked);
   compiled.checked.findings = std::move(findings);
-  compiled.checked.artifacts = writer.artifacts();
-  compiled.checked.files = result.files;
-  if (!result.machine || objectionable(job.words, counts)) return;
-  require_complete(result, sources, job.form.write.language);
-  compiled.image = image_of(*result.machine, job);
+  if (objectionable(job.words, judged.counts)) return;
+  require_machine(path, judged.result, sources, job.form.write.language);
+  compiled.image = image_of(*judged.result.machine, job);
 }
 
 }  // namespace

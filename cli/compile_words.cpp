@@ -8,15 +8,6 @@
 
 namespace axisc::cli {
 
-namespace {
-
-[[noreturn]] void refuse_missing(std::string const& argument) {
-  throw Failure(
-      {.text = Text::cli_argument_missing, .arguments = {{"argument", argument}, {"command", "compile"}}});
-}
-
-}  // namespace
-
 void declare(CommandLine& command_line, CompileWords& words) {
   command_line.arguments("INPUT...", words.inputs, Text::cli_arg_compile_inputs);
   command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_image_output);
@@ -29,8 +20,8 @@ void declare(CommandLine& command_line, CompileWords& words) {
   declare_fleet(command_line, words.fleet);
 }
 
-void require_sense(CompileWords const& words) {
-  if (words.inputs.empty()) refuse_missing("INPUT");
+void require_sense(CommandLine const& command_line, CompileWords const& words) {
+  command_line.require(!words.inputs.empty(), "INPUT");
   if (words.output && words.output_folder) throw Failure({.text = Text::cli_two_outputs, .arguments = {}});
   if (words.is_batch()) return;
   for (auto const& [given, option] : {std::pair(words.input_folder.has_value(), "--input-folder"),
@@ -38,7 +29,7 @@ void require_sense(CompileWords const& words) {
     if (given) throw Failure({.text = Text::cli_needs_output_folder, .arguments = {{"option", option}}});
   }
   if (words.inputs.size() > 1) throw Failure({.text = Text::cli_one_output, .arguments = {}});
-  if (!words.output && !words.fleet.print_key) refuse_missing("-o");
+  command_line.require(words.output || words.fleet.print_key, "-o");
 }
 
 codegen::ImageOptions image_options(CompileWords const& words) {

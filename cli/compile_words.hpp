@@ -27,7 +27,7 @@ struct CompileWords {
 
 void declare(CommandLine& command_line, CompileWords& words);
 /// Failure for words that do not go together.
-void require_sense(CompileWords const& words);
+void require_sense(CommandLine const& command_line, CompileWords const& words);
 /// Failure for a value that means nothing.
 [[nodiscard]] codegen::ImageOptions image_options(CompileWords const& words);
 

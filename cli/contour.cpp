@@ -86,14 +86,8 @@ ExitStatus contour(Invocation const& invocation) {
                            invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
-  if (auto const text = command_line.read(invocation.arguments)) {
-    out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!words.machine) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "MACHINE"}, {"command", "contour"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.machine.has_value(), "MACHINE");
   auto const wanted = read_words(words);
   auto const checked =
       checked_machine(*words.machine, words.cycle_time, invocation, use_color(command_line.color(), 2));

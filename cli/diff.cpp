@@ -1,17 +1,12 @@
 #include "cli/checking.hpp"
-#include "cli/codes.hpp"
 #include "cli/command_line.hpp"
 #include "cli/commands.hpp"
 #include "cli/diff_forms.hpp"
 #include "cli/disk_files.hpp"
-#include "cli/image_file.hpp"
+#include "cli/machine_input.hpp"
+#include "cli/path_machine.hpp"
 #include "cli/quantities.hpp"
-#include "cli/settings.hpp"
-#include "codegen/image_writer.hpp"
-#include "diagnostics/writers.hpp"
-#include "validator/check.hpp"
 
-#include <algorithm>
 #include <variant>
 
 namespace axisc::cli {
@@ -75,8 +70,8 @@ class HeldFiles final : public validator::Files {
 
 /// A list or machine becomes an image too, so that both sides are compared as the runtime would execute them. Errors are
 /// printed; nothing is compared then.
-std::optional<ImageFile> load_side(std::string const& path, validator::CheckOptions const& options,
-                                   Invocation const& invocation, WriteOptions const& write) {
+std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job, Invocation const& invocation,
+                                   bool color) {
   DiskFiles disk(path == "-");
   auto read = disk.read(path);
   if (auto const* const error = std::get_if<validator::FileError>(&read)) {
@@ -88,21 +83,9 @@ std::optional<ImageFile> load_side(std::string const& path, validator::CheckOpti
   auto& content = std::get<std::string>(read);
   if (is_image(content)) return load_image(path);
   HeldFiles files(disk, path, std::move(content));
-  SourceSet sources;
-  auto const result = validator::check(files, path, options, sources);
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  if (!result.machine) {
-    for (auto const& finding : result.findings) {
-      if (finding.severity != Severity::error) continue;
-      invocation.streams.err.write(write_text(finding, sources, write) + "\n");
-    }
-    return std::nullopt;
-  }
-  auto const bytes = codegen::write_image(*result.machine, {});
-  auto contents = codegen::read_image(bytes);
-  if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
-  return ImageFile{.bytes = codegen::AlignedBytes(bytes),
-                   .contents = std::get<codegen::ImageContents>(std::move(contents))};
+  auto const result = check_machine(job, path, files, invocation, color);
+  if (!result) return std::nullopt;
+  return image_of(*result->machine, path);
 }
 
 }  // namespace
@@ -111,28 +94,15 @@ ExitStatus diff(Invocation const& invocation) {
   DiffWords words;
   CommandLine command_line("diff", Text::cli_diff_purpose, Text::cli_diff_examples, invocation.language);
   declare(command_line, words);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (words.inputs.size() != 2) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "OLD NEW"}, {"command", "diff"}}});
-  }
-  SettingsFinder settings(words.schema_files);
-  validator::CheckOptions options;
-  if (words.cycle_time) {
-    options.cycle_time = parse_cycle_time(*words.cycle_time);
-    if (!options.cycle_time) {
-      throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *words.cycle_time}}});
-    }
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.inputs.size() == 2, "OLD NEW");
   double const feed = feed_of(words);
-  WriteOptions const write{.language = invocation.language, .color = use_color(command_line.color(), 2)};
-  auto const load = [&](std::string const& path) {
-    options.catalogue = settings.catalogue(path);
-    return load_side(path, options, invocation, write);
-  };
+  SettingsFinder settings(words.schema_files);
+  CheckJob job;
+  job.options.cycle_time = asked_cycle_time(words.cycle_time);
+  job.settings = &settings;
+  bool const color = use_color(command_line.color(), 2);
+  auto const load = [&](std::string const& path) { return load_side(path, job, invocation, color); };
   auto const before = load(words.inputs[0]);
   auto const after = load(words.inputs[1]);
   if (!before || !after) return ExitStatus::findings;

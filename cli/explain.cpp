@@ -114,14 +114,8 @@ ExitStatus explain(Invocation const& invocation) {
                       Text::cli_opt_explain_format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!word && !all) {
-    throw Failure({.text = Text::cli_argument_missing,
-                   .arguments = {{"argument", "CODE|P-AXIS-NNNNN|PARAMETER"}, {"command", "explain"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER");
   auto const language = invocation.language;
   // What the lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");

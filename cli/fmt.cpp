@@ -103,14 +103,8 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
   declare_schema(command_line, words.schema_files);
   declare_threads(command_line, words.threads);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (words.named.empty()) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "fmt"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(!words.named.empty(), "INPUT");
   auto const asked = asked_threads(words.threads);
   auto inputs = expand_inputs(words.named);
   SettingsFinder settings(words.schema_files);

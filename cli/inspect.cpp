@@ -65,14 +65,8 @@ ExitStatus inspect(Invocation const& invocation) {
                        {"x86-64-v4", Target::x86_64_v4},
                        {"aarch64", Target::aarch64}},
                       target, Text::cli_opt_memory);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!path) {
-    throw Failure({.text = Text::cli_argument_missing,
-                   .arguments = {{"argument", "IMAGE.axim"}, {"command", "inspect"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(path.has_value(), "IMAGE.axim");
   auto const file = load_image(*path);
   if (key) require_signature(*path, file, *key);
   Shown shown{.file = *path,

@@ -10,14 +10,8 @@ ExitStatus keygen(Invocation const& invocation) {
   CommandLine command_line("keygen", Text::cli_keygen_purpose, Text::cli_keygen_examples,
                            invocation.language);
   command_line.argument("KEY", path, Text::cli_arg_new_key);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!path) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "KEY"}, {"command", "keygen"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(path.has_value(), "KEY");
   auto const key = codegen::make_secret_key();
   write_keys(*path, key);
   invocation.streams.out.write(

@@ -31,6 +31,7 @@ class Lint {
         threads_(asked_threads(words.checking.threads)),
         inputs_(expand_inputs(words.named)) {
     job_.options = check_options(words.checking);
+    job_.options.machine = false;
     job_.quiet = words.checking.quiet;
     job_.settings = &settings_;
     form_.format = words.checking.format;
@@ -240,11 +241,8 @@ ExitStatus lint(Invocation const& invocation) {
   LintWords words;
   CommandLine command_line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, invocation.language);
   declare(command_line, words);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  require_sense(words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  require_sense(command_line, words);
   Lint lint(words, invocation.language, use_color(command_line.color(), 1), invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
     lint.speak(*language);

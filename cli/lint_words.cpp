@@ -20,11 +20,8 @@ void declare(CommandLine& command_line, LintWords& words) {
   declare_fleet(command_line, words.fleet);
 }
 
-void require_sense(LintWords const& words) {
-  if (words.named.empty()) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "INPUT"}, {"command", "lint"}}});
-  }
+void require_sense(CommandLine const& command_line, LintWords const& words) {
+  command_line.require(!words.named.empty(), "INPUT");
   bool const countable =
       words.checking.format == FindingFormat::text || words.checking.format == FindingFormat::json;
   if (words.statistics && !countable) throw Failure({.text = Text::cli_statistics_format, .arguments = {}});

@@ -26,7 +26,7 @@ struct LintWords {
 
 void declare(CommandLine& command_line, LintWords& words);
 /// Failure for words that do not go together.
-void require_sense(LintWords const& words);
+void require_sense(CommandLine const& command_line, LintWords const& words);
 [[nodiscard]] FixChoice fix_choice(LintWords const& words);
 /// What this run does not look for cannot be missing.
 [[nodiscard]] bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code);

@@ -137,14 +137,8 @@ ExitStatus merge(Invocation const& invocation) {
   command_line.arguments("FILE...", words.files, Text::cli_arg_shards);
   command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
   command_line.value("-o,--output", "FILE", words.output, Text::cli_opt_merge_output);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (words.files.empty()) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "FILE"}, {"command", "merge"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(!words.files.empty(), "FILE");
   Documents documents;
   for (auto const& file : read_response_files(words.files)) documents.emplace_back(file.path);
   require_whole_run(documents);

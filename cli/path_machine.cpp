@@ -1,11 +1,9 @@
 #include "cli/path_machine.hpp"
 
-#include "cli/machine_outline.hpp"
-#include "cli/quantities.hpp"
-#include "cli/report_form.hpp"
-#include "cli/settings.hpp"
+#include "cli/checking.hpp"
+#include "cli/compilable.hpp"
+#include "cli/machine_input.hpp"
 #include "codegen/image_writer.hpp"
-#include "validator/check.hpp"
 #include "validator/command_check.hpp"
 
 #include <algorithm>
@@ -24,34 +22,16 @@ validator::CommandLimits command_limits(validator::Machine const& machine,
 std::optional<CheckedMachine> checked_machine(std::string const& path,
                                               std::optional<std::string> const& cycle_time,
                                               Invocation const& invocation, bool color) {
-  validator::CheckOptions options;
-  if (cycle_time) {
-    options.cycle_time = parse_cycle_time(*cycle_time);
-    if (!options.cycle_time) {
-      throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *cycle_time}}});
-    }
-  }
-  SettingsFinder finder;
-  auto const* const settings = finder.find(path);
-  if (settings != nullptr) options = with_settings(options, *settings, path);
+  SettingsFinder settings;
+  CheckJob job;
+  job.options.cycle_time = asked_cycle_time(cycle_time);
+  job.settings = &settings;
   auto disk = std::make_unique<DiskFiles>(path == "-");
-  SourceSet sources;
-  auto result = validator::check(*disk, path, options, sources);
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  if (!result.machine) {
-    std::erase_if(result.findings,
-                  [](Finding const& finding) { return finding.severity != Severity::error; });
-    invocation.streams.err.write(
-        texts_of(result.findings, sources, {.language = invocation.language, .color = color}));
-    return std::nullopt;
-  }
-  if (!result.cycle_time_known) {
-    bool const is_machine = has_extension(path, ".json");
-    throw Failure({.text = is_machine ? Text::cli_machine_cycle_time_missing : Text::cli_cycle_time_missing,
-                   .arguments = {{"file", path}}});
-  }
+  auto result = check_machine(job, path, *disk, invocation, color);
+  if (!result) return std::nullopt;
+  require_cycle_time(path, *result);
   return CheckedMachine{
-      .disk = std::move(disk), .machine = *std::move(result.machine), .files = std::move(result.files)};
+      .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
 }
 
 ImageFile image_of(validator::Machine const& machine, std::string const& path) {

@@ -20,15 +20,6 @@ struct ReplayWords {
   ReplayForm form = ReplayForm::text;
 };
 
-void require_arguments(ReplayWords const& words) {
-  for (auto const& [given, shown] :
-       {std::pair(words.image.has_value(), "IMAGE.axim"), {words.recording.has_value(), "RECORDING"}}) {
-    if (given) continue;
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", shown}, {"command", "replay"}}});
-  }
-}
-
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
   if (status == AXISRT_NO_LEVEL) {
     return Failure({.text = Text::cli_replay_level, .arguments = {{"file", path}}});
@@ -92,11 +83,9 @@ ExitStatus replay(Invocation const& invocation) {
   command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_replay_output);
   command_line.choice("--format", {{"text", ReplayForm::text}, {"json", ReplayForm::json}}, words.form,
                       Text::cli_opt_replay_format);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  require_arguments(words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.image.has_value(), "IMAGE.axim");
+  command_line.require(words.recording.has_value(), "RECORDING");
   auto const image = load_image(*words.image);
   auto recording = open_recording(*words.recording, image);
   if (words.output) refuse_overwriting(*words.output, {*words.image, *words.recording});

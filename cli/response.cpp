@@ -102,14 +102,8 @@ ExitStatus response(Invocation const& invocation) {
                            invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
-  if (auto const text = command_line.read(invocation.arguments)) {
-    out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!words.image) {
-    throw Failure({.text = Text::cli_argument_missing,
-                   .arguments = {{"argument", "IMAGE.axim"}, {"command", "response"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.image.has_value(), "IMAGE.axim");
   auto const file = load_image(*words.image);
   auto const cycle_time = file.contents.cycle_time;
   auto const axes = axes_with_port(file, words);

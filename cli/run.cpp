@@ -163,14 +163,8 @@ ExitStatus run(Invocation const& invocation) {
   CommandLine command_line("run", Text::cli_run_purpose, Text::cli_run_examples, invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
-  if (auto const text = command_line.read(invocation.arguments)) {
-    out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!words.image) {
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", "IMAGE.axim"}, {"command", "run"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.image.has_value(), "IMAGE.axim");
   refuse_mixture(words);
   auto const port = port_of(words);
   double const position = number(words.reset, "--reset", 0);

@@ -152,6 +152,10 @@ std::string relative_to(std::string const& folder, std::string const& path) {
   return relative.empty() ? absolute.generic_string() : relative.generic_string();
 }
 
+bool covers(std::string const& folder, std::string const& pattern, std::string const& path) {
+  return matches_glob(pattern, relative_to(folder, path));
+}
+
 Digest digest_of_files(std::vector<std::string> const& paths) {
   Hasher hasher;
   DiskFiles files;
@@ -177,15 +181,6 @@ fs::path canonical_folder(std::string const& folder) {
 }
 
 }  // namespace
-
-bool Settings::disables(std::string const& path, Code code) const {
-  if (paths.empty()) return false;
-  auto const relative = relative_to(folder, path);
-  return std::any_of(paths.begin(), paths.end(), [&](PathSettings const& rule) {
-    bool const named = std::find(rule.disabled.begin(), rule.disabled.end(), code) != rule.disabled.end();
-    return named && matches_glob(rule.pattern, relative);
-  });
-}
 
 Settings read_settings(std::string const& path, std::string const& folder) {
   LocatedFile const file(path, Text::settings_json);
@@ -269,21 +264,13 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   if (!options.build) options.build = settings.build;
   options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
+  options.severities = settings.severities;
   for (auto const& rule : settings.paths) {
-    for (Code const code : rule.disabled) {
-      if (settings.disables(input, code)) options.disabled.push_back(code);
-    }
+    options.paths.push_back({.covers = [folder = settings.folder, pattern = rule.pattern](
+                                           auto const& file) { return covers(folder, pattern, file); },
+                             .disabled = rule.disabled});
   }
   return options;
-}
-
-bool is_disabled(Settings const& settings, SourceSet const& sources, Finding const& finding) {
-  return finding.place && settings.disables(sources[finding.place->source].name(), finding.code);
-}
-
-Severity severity_of(Settings const& settings, Finding const& finding) {
-  auto const wanted = settings.severities.find(finding.code);
-  return wanted == settings.severities.end() ? finding.severity : wanted->second;
 }
 
 }  // namespace axisc::cli

@@ -10,6 +10,10 @@
 //     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]
 //   }
 //
+// A severity decides about exit statuses, about which finding of a token stands, and about whether an image is made, in
+// every command alike; a code that is given one is looked for without --pedantic, unless it is a note either way. A
+// pattern is compared with the file in which a finding is: a default list and the lists of axes may have different rules.
+//
 // All keys are optional. The file is looked for beside each input and upwards; the nearest one counts alone. What the
 // command line says wins.
 #pragma once
@@ -46,9 +50,6 @@ struct Settings {
   std::vector<std::string> schema_files;
   schema::Catalogue catalogue;  ///< with these and those of the command line
   Digest digest;                ///< of everything above
-
-  /// Some pattern fits `path` and names `code`.
-  [[nodiscard]] bool disables(std::string const& path, Code code) const;
 };
 
 /// Failure, with line and column, for anything that is no settings file.
@@ -86,11 +87,6 @@ class SettingsFinder {
 /// `options` of the command line, filled up with what the settings say.
 [[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                                     std::string const& input);
-
-/// True for what the settings disable in the finding's file.
-[[nodiscard]] bool is_disabled(Settings const& settings, SourceSet const& sources, Finding const& finding);
-/// The severity that a finding is to have.
-[[nodiscard]] Severity severity_of(Settings const& settings, Finding const& finding);
 
 /// What `lint --print-config` shows for one input: each setting, and where it comes from.
 [[nodiscard]] std::string describe_settings(std::string const& input,

@@ -15,17 +15,6 @@ struct SignWords {
   bool quiet = false;
 };
 
-void require_arguments(SignWords const& words) {
-  bool const needs_output = words.image == "-" && !words.output;
-  for (auto const& [given, shown] : {std::pair(words.image.has_value(), "IMAGE.axim"),
-                                     {words.key.has_value(), "--key"},
-                                     {!needs_output, "-o"}}) {
-    if (given) continue;
-    throw Failure(
-        {.text = Text::cli_argument_missing, .arguments = {{"argument", shown}, {"command", "sign"}}});
-  }
-}
-
 }  // namespace
 
 ExitStatus sign(Invocation const& invocation) {
@@ -35,11 +24,10 @@ ExitStatus sign(Invocation const& invocation) {
   command_line.value("--key", "KEY", words.key, Text::cli_opt_secret_key);
   command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_signed_output);
   command_line.flag("--quiet", words.quiet, Text::cli_opt_sign_quiet);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  require_arguments(words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.image.has_value(), "IMAGE.axim");
+  command_line.require(words.key.has_value(), "--key");
+  command_line.require(words.image != "-" || words.output, "-o");
   auto const key = load_secret_key(*words.key);
   auto const file = load_image(*words.image);
   auto const bytes = codegen::sign(file.bytes.bytes(), key);

@@ -40,14 +40,8 @@ ExitStatus simulate(Invocation const& invocation) {
   CommandLine command_line("simulate", Text::cli_simulate_purpose, Text::cli_simulate_examples,
                            invocation.language);
   declare(command_line, words);
-  if (auto const text = command_line.read(invocation.arguments)) {
-    invocation.streams.out.write(*text);
-    return ExitStatus::success;
-  }
-  if (!words.machine) {
-    throw Failure({.text = Text::cli_argument_missing,
-                   .arguments = {{"argument", "MACHINE"}, {"command", "simulate"}}});
-  }
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.machine.has_value(), "MACHINE");
   bool const closed_loop = words.plant && words.move;
   if (words.program.has_value() == closed_loop || words.plant.has_value() != words.move.has_value()) {
     throw Failure({.text = Text::cli_simulate_what, .arguments = {}});

@@ -32,11 +32,13 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
   }
   auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
+  // Silenced or not: what cannot be understood in a machine file is not in the machine.
+  bool const is_understood = machine.complete && machine.findings.findings.empty();
 
   std::deque<AxisViews> const views = views_of(machine);
   EngineResult const judged = run_rules(machine, views, std::move(machine.findings), options, sources, sink);
   result.cycle_time_assumed = judged.cycle_time_assumed;
-  if (options.machine && !judged.has_errors && machine.complete && !machine.axes.empty()) {
+  if (options.machine && !judged.has_errors && is_understood && !machine.axes.empty()) {
     BuiltMachine built = build_machine(machine, views, sources, files);
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);

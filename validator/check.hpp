@@ -11,11 +11,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc::validator {
+
+/// Codes that are not reported in some files.
+struct PathRule {
+  std::function<bool(std::string const& file)> covers;  ///< by the file's name, as findings show it
+  std::vector<Code> disabled;
+};
 
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
@@ -23,6 +30,9 @@ struct CheckOptions {
   std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
+  /// Instead of those of the rules: what is an error here keeps the machine from being made, and hides warnings.
+  std::map<Code, Severity> severities;
+  std::vector<PathRule> paths;  ///< each is compared with the file in which a finding is, not with the input
   bool whole_programs = false;  ///< keep all of an NC program, so that fixes can be applied to it
   bool machine = true;          ///< make the machine; who only wants findings need not pay for it
   schema::Catalogue catalogue;  ///< of the parameters that the lists may set
@@ -38,8 +48,10 @@ struct NotCompiled {
 using FindingSink = std::function<void(Finding&)>;
 
 struct CheckResult {
-  std::vector<Finding> findings;   ///< in output order; empty where a sink takes them
-  std::optional<Machine> machine;  ///< only where it is wanted, without errors, and not of an NC program
+  std::vector<Finding> findings;  ///< in output order; empty where a sink takes them
+  /// Only where it is wanted, without errors, not of an NC program, and not of a machine file in which something cannot be
+  /// understood, even where AX4020 is silenced.
+  std::optional<Machine> machine;
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it

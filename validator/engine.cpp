@@ -2,6 +2,7 @@
 
 #include "validator/axis_views.hpp"
 #include "validator/channel.hpp"
+#include "validator/policy.hpp"
 #include "validator/precedence.hpp"
 #include "validator/suppression.hpp"
 
@@ -49,18 +50,10 @@ class Engine {
          CheckOptions const& options, SourceSet const& sources)
       : machine_(machine),
         views_(views),
-        options_(options),
-        enabled_(rules().size()),
+        policy_(options, sources),
         sources_(sources),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
         reported_(std::move(reported)) {
-    for (Rule const& rule : rules()) {
-      enabled_[number_of(rule)] = static_cast<char>(options.pedantic || rule.severity != Severity::note);
-    }
-    for (Code const code : options.disabled) {
-      Rule const* const rule = find_rule(code);
-      if (rule != nullptr) enabled_[number_of(*rule)] = 0;
-    }
     list_contexts_.reserve(machine.lists.size());
     // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
     std::size_t expected = reported_.findings.size();
@@ -71,7 +64,6 @@ class Engine {
   }
 
   EngineResult run(FindingSink const& sink) {
-    std::erase_if(reported_.findings, [&](Reported const& finding) { return !enabled(*finding.rule); });
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
@@ -83,12 +75,7 @@ class Engine {
   }
 
  private:
-  /// In the table, of which `rule` is one.
-  [[nodiscard]] static std::size_t number_of(Rule const& rule) {
-    return static_cast<std::size_t>(&rule - rules().data());
-  }
-
-  [[nodiscard]] bool enabled(Rule const& rule) const { return enabled_[number_of(rule)] != 0; }
+  [[nodiscard]] bool enabled(Rule const& rule) const { return policy_.enabled(rule); }
 
   /// Calls a check and keeps what it reports.
   template <typename CheckFunction, typename Context>
@@ -129,7 +116,8 @@ class Engine {
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
       std::string_view const owner = owner_of(i);
       for (Rule const* const rule : rules_with<ListCheck>()) {
-        if (enabled(*rule)) call(*rule, std::get<ListCheck>(rule->check), context, owner, nullptr);
+        if (!policy_.enabled(*rule, list.source)) continue;
+        call(*rule, std::get<ListCheck>(rule->check), context, owner, nullptr);
       }
     }
   }
@@ -285,10 +273,9 @@ class Engine {
     }
     Standing standing;
     standing.reserve(reported_.findings.size());
-    for (std::uint32_t number = 0; number < reported_.findings.size(); ++number) {
-      Reported const& finding = reported_.findings[number];
-      if (!suppressions.silences(finding.rule->code, finding.place, sources_)) standing.push_back(number);
-    }
+    admit(0, standing, [&](Reported const& finding) {
+      return !suppressions.silences(finding.rule->code, finding.place, sources_);
+    });
     report_unused(suppressions, standing);
     drop_replaced(reported_, standing);
     put_in_order(reported_, standing);
@@ -298,19 +285,30 @@ class Engine {
     return standing;
   }
 
+  /// Of what was reported from `first` on, what the options and then `wanted` let through, with its severity.
+  template <typename Wanted>
+  void admit(std::size_t first, Standing& standing, Wanted wanted) {
+    for (std::size_t number = first; number < reported_.findings.size(); ++number) {
+      Reported& finding = reported_.findings[number];
+      if (!policy_.enabled(*finding.rule, finding.place.source) || !wanted(finding)) continue;
+      finding.severity = policy_.severity(finding.rule->code, finding.severity);
+      standing.push_back(static_cast<std::uint32_t>(number));
+    }
+  }
+
   void report_unused(Suppressions& suppressions, Standing& standing) {
     if (!enabled(*find_rule(Code{1013}))) return;
     std::size_t const before = reported_.findings.size();
     suppressions.report_unused(
-        sources_, [this](Code code) { return enabled(*find_rule(code)); }, reported_);
-    for (std::size_t number = before; number < reported_.findings.size(); ++number) {
-      standing.push_back(static_cast<std::uint32_t>(number));
-    }
+        sources_, [this](Code code, SourceId source) { return policy_.enabled(*find_rule(code), source); },
+        reported_);
+    admit(before, standing, [](Reported const&) { return true; });
   }
 
   /// Said whether notes are wanted or not: it tells what all others rest on.
   [[nodiscard]] Finding assumed_cycle_time() const {
     Finding finding = new_finding(*find_rule(cycle_time_assumed));
+    finding.severity = policy_.severity(finding.code, finding.severity);
     finding.file = machine_.path;
     finding.message = {.text = Text::ax9006, .arguments = {}};
     finding.help.push_back({.text = Text::ax9006_help, .arguments = {}});
@@ -320,10 +318,9 @@ class Engine {
   EngineResult tell_all(Standing const& standing, FindingSink const& sink) {
     EngineResult result{.has_errors = false,
                         .cycle_time_assumed = cycle_time_needed_ && !machine_.cycle_time};
-    bool const is_disabled = std::find(options_.disabled.begin(), options_.disabled.end(),
-                                       cycle_time_assumed) != options_.disabled.end();
-    if (result.cycle_time_assumed && !is_disabled) {
+    if (result.cycle_time_assumed && !policy_.disables(cycle_time_assumed, machine_.path)) {
       Finding assumed = assumed_cycle_time();
+      result.has_errors = assumed.severity == Severity::error;
       sink(assumed);
     }
     for (std::uint32_t const number : standing) {
@@ -337,8 +334,7 @@ class Engine {
 
   LoadedMachine const& machine_;
   std::deque<AxisViews> const& views_;
-  CheckOptions const& options_;
-  std::vector<char> enabled_;  ///< of each rule of the table, as bools
+  Policy policy_;
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
   bool cycle_time_needed_ = false;

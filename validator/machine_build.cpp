@@ -59,10 +59,11 @@ class AxisBuilder {
   }
 
   void add_filters(AxisConfiguration& result) {
-    bool const interface_on = values_.at("lr_param.add_interface.enable").value.flag();
+    EffectiveValue const& interface = values_.at("lr_param.add_interface.enable");
     for (FilterView const& filter : views_.filters) {
       bool const setpoint = filter.port == FilterPort::setpoint;
-      if ((!setpoint && !interface_on) || is_configured_hsc(filter)) continue;
+      if (!setpoint && interface.unusable) leave_out_filter(interface, "lr_param.add_interface");
+      if ((!setpoint && !interface.value.flag()) || is_configured_hsc(filter)) continue;
       auto const& specification = views_.designs.specification(filter);
       if (specification) {
         auto& filters = setpoint ? result.filters : result.interface_filters;
@@ -108,7 +109,13 @@ class AxisBuilder {
     PositionControlView const& view = views_.position_control;
     PositionControl control;
     control.limit_factor = view.limit.value.number;
-    for (StageView const& stage : view.active_stages()) {
+    if (view.enable.unusable && !view.stages.empty()) {
+      leave_out_filter(view.enable, "lr_param.improved_position_control");
+      return;
+    }
+    if (!view.enabled()) return;
+    for (StageView const& stage : view.stages) {
+      if (!stage.mode.unusable && stage.mode.value.number == 0) continue;
       auto built = build_stage(stage);
       if (!built) {
         leave_out_filter(stage.mode,
@@ -122,6 +129,7 @@ class AxisBuilder {
 
   /// None where a value is out of its range.
   [[nodiscard]] std::optional<PositionControlStage> build_stage(StageView const& stage) const {
+    if (!stage.active_mode()) return std::nullopt;
     PositionControlStage built;
     built.index = stage.index;
     built.mode = *stage.active_mode();

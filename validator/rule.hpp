@@ -1,7 +1,7 @@
 // One table of rules. A rule looks and reports; the engine decides what is shown.
 //
 // Rules that are switched off are not asked. The engine takes out of what the others report, in this order: what
-// `axisc: allow` comments silence; what another finding on the same subject silences (`silenced_by`); and for each token
+// the options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on the same subject silences (`silenced_by`); and for each token
 // all but the finding of the highest rank, so that one mistake gives one message (a warning never hides an error; within one severity AX1, AX4, AX3,
 // AX2002/2003/2004/2007/2015, AX2005; inside AX3 range errors before unused or rounded; else the lower code).
 // Findings of a default list that several axes share are merged.

@@ -31,13 +31,13 @@ class Suppressions {
   /// True where an allowance silences the finding; it counts as used then.
   bool silences(Code code, Place place, SourceSet const& sources);
 
-  /// AX1013 for everything that silenced nothing. Codes for which `counts` is false are not judged: what cannot be
-  /// reported in this run cannot be silenced either.
+  /// AX1013 for everything that silenced nothing. Codes for which `counts(code, source)` is false are not judged: what
+  /// cannot be reported there cannot be silenced either.
   template <typename Counts>
   void report_unused(SourceSet const& sources, Counts counts, ReportedFindings& reported) {
     for (auto& [source, allowances] : allowances_) {
       for (Allowance& allowance : allowances) {
-        if (allowance.used || (allowance.known && !counts(allowance.code))) continue;
+        if (allowance.used || (allowance.known && !counts(allowance.code, source))) continue;
         if (!silences(unused_allowance, allowance.place, sources)) report(allowance, sources, reported);
       }
     }

@@ -52,6 +52,85 @@ TEST_CASE("on one token only the highest finding stands") {
   }
 }
 
+TEST_CASE("severities of the options decide what stands, and whether there is a machine") {
+  std::string const negative = std::string(low_pass) + "filter[0].fg_f0 -3\n";
+  validator::CheckOptions options = tests::with_cycle_time();
+  SECTION("an error that is lowered hides no other error") {
+    options.severities = {{Code{3003}, Severity::warning}};
+    CHECK(Checked(negative, options).found() == Lines{"3:17 AX2005"});
+  }
+  SECTION("a warning that is raised hides an error of lower rank") {
+    // Both speak of the value in line 1: AX2005 as an error, AX2006 because line 2 assigns again.
+    options.severities = {{Code{2006}, Severity::error}};
+    Checked const checked("filter[0].guete 11\nfilter[0].guete 2\n", options);
+    CHECK(checked.found() == Lines{"1:17 AX2006"});
+    CHECK_FALSE(checked.result.machine);
+  }
+  SECTION("a warning that is raised keeps the machine from being made") {
+    options.severities = {{Code{2001}, Severity::error}};
+    CHECK_FALSE(Checked("hugo 11\n", options).result.machine);
+    options.severities.clear();
+    CHECK(Checked("hugo 11\n", options).result.machine);
+  }
+  SECTION("an error that is lowered lets the machine be made") {
+    options.severities = {{Code{2005}, Severity::warning}};
+    Checked const checked("filter[0].guete 11\n", options);
+    REQUIRE(checked.result.findings.size() == 1);
+    CHECK(checked.result.findings[0].severity == Severity::warning);
+    CHECK(checked.result.machine);
+  }
+  SECTION("a note that is raised needs no pedantic check") {
+    options.severities = {{Code{3008}, Severity::warning}};
+    CHECK(Checked("filter[0].order 2\n", options).found() == Lines{"1:17 AX3008"});
+  }
+  SECTION("AX9006 is a finding like any other") {
+    options.cycle_time.reset();
+    options.severities = {{Code{9006}, Severity::error}};
+    Checked const checked(std::string(low_pass) + "filter[0].fg_f0 20\n", options);
+    REQUIRE(checked.found() == Lines{"- AX9006"});
+    CHECK(checked.result.findings[0].severity == Severity::error);
+    CHECK_FALSE(checked.result.machine);
+  }
+}
+
+TEST_CASE("codes are disabled by the file of the finding") {
+  std::map<std::string, std::string> const files = {
+      {"m.json", R"({"machine": "m", "default_list": "base.lis", "axes": [{"name": "X", "list": "x.lis"}]})"},
+      {"base.lis", "filter[1].guete 0.5\n"},
+      {"x.lis", "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 -3\n"}};
+  auto const disabling_in = [](std::string const& name, std::vector<Code> codes) {
+    validator::CheckOptions options = tests::with_cycle_time();
+    options.paths.push_back(
+        {.covers = [name](std::string const& file) { return file == name; }, .disabled = std::move(codes)});
+    return options;
+  };
+  Lines const all = {"base.lis:1:17 AX2005", "x.lis:3:17 AX3003"};
+  CHECK(Checked(files, "m.json").found() == all);
+  CHECK(Checked(files, "m.json", disabling_in("m.json", {Code{2005}, Code{3003}})).found() == all);
+  CHECK(Checked(files, "m.json", disabling_in("base.lis", {Code{2005}, Code{3003}})).found() ==
+        Lines{"x.lis:3:17 AX3003"});
+  CHECK(Checked(files, "m.json", disabling_in("x.lis", {Code{3003}})).found() ==
+        Lines{"base.lis:1:17 AX2005", "x.lis:3:17 AX2005"});
+  CHECK(Checked(files, "m.json", disabling_in("x.lis", {Code{2005}, Code{3003}})).found() ==
+        Lines{"base.lis:1:17 AX2005"});
+  SECTION("an allowance is not blamed where its code is disabled, and AX1013 itself can be") {
+    std::string const list = "filter[0].guete 2 ( axisc: allow AX2005\n";
+    CHECK(Checked(list).found() == Lines{"1:34 AX1013"});
+    CHECK(Checked(list, disabling_in("x.lis", {Code{2005}})).found().empty());
+    CHECK(Checked(list, disabling_in("x.lis", {Code{1013}})).found().empty());
+    CHECK(Checked(list, disabling_in("y.lis", {Code{2005}, Code{1013}})).found() == Lines{"1:34 AX1013"});
+  }
+}
+
+TEST_CASE("a machine file with mistakes gives no machine, even where they are silenced") {
+  std::map<std::string, std::string> const files = {
+      {"m.json", R"({"machine": "m", "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y"}]})"},
+      {"x.lis", "Ende\n"}};
+  Checked const checked(files, "m.json", disabling(4020));
+  CHECK(checked.found().empty());
+  CHECK_FALSE(checked.result.machine);
+}
+
 TEST_CASE("AX3040 replaces AX3004 for the same filter") {
   std::string const list = "lr_param.add_interface.filter[0].enable 1\n";
   CHECK(Checked(list).found() == Lines{"1:41 AX3040"});

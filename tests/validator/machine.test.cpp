@@ -111,6 +111,18 @@ TEST_CASE("features whose error was silenced are named, never left out in silenc
         "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 201 ( axisc: allow AX3001\n",
         "filter_fir.type 5,0 ( axisc: allow AX1005\n",
         "filter[0].prototype HSC\nfilter[0].order 201 ( axisc: allow AX3001\n",
+        "lr_param.add_interface.enable off ( axisc: allow AX2003\n"
+        "lr_param.add_interface.filter[0].enable 1\nlr_param.add_interface.filter[0].type LOWPASS\n"
+        "lr_param.add_interface.filter[0].order 2\n"
+        "lr_param.add_interface.filter[0].fg_f0 20\n",
+        "lr_param.improved_position_control.enable on ( axisc: allow AX2003\n"
+        "lr_param.improved_position_control.stage[1].mode DIRECT\n",
+        "lr_param.improved_position_control.enable 1\n"
+        "lr_param.improved_position_control.v_add_max_fact 1000\n"
+        "lr_param.improved_position_control.stage[1].filter.order 1\n"
+        "lr_param.improved_position_control.stage[1].filter.fg_f0 50\n"
+        "lr_param.improved_position_control.stage[1].filter.q_factor 2\n"
+        "lr_param.improved_position_control.stage[1].mode DIREKT ( axisc: allow AX2007\n",
         "lr_param.improved_position_control.enable 1\n"
         "lr_param.improved_position_control.v_add_max_fact 1000\n"
         "lr_param.improved_position_control.stage[1].filter.order 1\n"

@@ -1,0 +1,43 @@
+// What the options of a check decide about findings: which rules report nothing, everywhere or in some files, and how
+// severe the others are. The engine asks before it decides which findings stand.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+#include "validator/check.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+struct Rule;
+
+/// Options and sources must outlive it.
+class Policy {
+ public:
+  Policy(CheckOptions const& options, SourceSet const& sources);
+
+  /// False for a rule that nobody wants to hear from in this check: it is disabled, or it has only notes, without
+  /// `pedantic` and without a higher severity in the options.
+  [[nodiscard]] bool enabled(Rule const& rule) const;
+  /// False where the rule is not enabled at all, or not in this source. Cost: patterns are compared once per source.
+  [[nodiscard]] bool enabled(Rule const& rule, SourceId source);
+  /// The options disable the code everywhere or in the file of that name. Whether notes are wanted does not matter.
+  [[nodiscard]] bool disables(Code code, std::string const& file) const;
+
+  /// What the options say about the code; `natural` where they say nothing.
+  [[nodiscard]] Severity severity(Code code, Severity natural) const;
+
+ private:
+  using Codes = std::vector<Code>;
+
+  [[nodiscard]] Codes disabled_in(std::string const& file) const;
+
+  CheckOptions const& options_;
+  SourceSet const& sources_;
+  std::vector<char> enabled_;                   ///< of each rule of the table, as bools
+  std::vector<std::optional<Codes>> disabled_;  ///< by source; none until somebody asks
+};
+
+}  // namespace axisc::validator
