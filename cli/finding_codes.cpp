@@ -2,9 +2,11 @@
 
 #include "validator/rule.hpp"
 
+#include <string>
+
 namespace axisc::cli {
 
-std::optional<Code> find_code(std::string const& word) {
+std::optional<Code> find_code(std::string_view word) {
   std::string upper(word);
   for (char& character : upper) {
     if (character >= 'a' && character <= 'z') character = static_cast<char>(character - 'a' + 'A');

@@ -159,12 +159,6 @@ NameLookup find_as_written(std::string_view name) {
   return find_row(name);
 }
 
-std::string_view data_type_name(DataType type) {
-  constexpr std::array<std::string_view, 11> names = {"BOOLEAN", "UNS08", "UNS16", "UNS32",  "UNS64", "SGN08",
-                                                      "SGN16",   "SGN32", "SGN64", "REAL64", "STRING"};
-  return names.at(static_cast<std::size_t>(type));
-}
-
 std::span<Parameter const> parameters() {
   return parameter_table;
 }
@@ -175,15 +169,6 @@ Parameter const& parameter(ParameterId id) {
 
 std::size_t slot_count() {
   return std::size(slot_table);
-}
-
-std::string p_axis_text(std::uint16_t number) {
-  if (number == 0) return {};
-  std::string text = "P-AXIS-00000";
-  for (std::size_t at = text.size(); number != 0; number /= 10) {
-    text[--at] = static_cast<char>('0' + number % 10);
-  }
-  return text;
 }
 
 NameLookup find(std::string_view name) {

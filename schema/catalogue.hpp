@@ -5,6 +5,8 @@
 // add to them or say them anew: class Catalogue.
 #pragma once
 
+#include "schema/data_type.hpp"
+
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,30 +18,6 @@
 #include <vector>
 
 namespace axisc::schema {
-
-enum class DataType : std::uint8_t {
-  boolean,
-  uns08,
-  uns16,
-  uns32,
-  uns64,
-  sgn08,
-  sgn16,
-  sgn32,
-  sgn64,
-  real64,
-  string
-};
-
-/// "UNS32".
-[[nodiscard]] std::string_view data_type_name(DataType type);
-[[nodiscard]] constexpr bool is_integer(DataType type) {
-  return type >= DataType::uns08 && type <= DataType::sgn64;
-}
-/// An integer or a real.
-[[nodiscard]] constexpr bool is_number(DataType type) {
-  return is_integer(type) || type == DataType::real64;
-}
 
 /// A word of an enumeration; some have no documented number.
 struct Symbol {
@@ -108,9 +86,6 @@ constexpr Output write_slots(Parameter const& parameter, Output out) {
 [[nodiscard]] std::span<Parameter const> parameters();
 [[nodiscard]] Parameter const& parameter(ParameterId id);
 [[nodiscard]] std::size_t slot_count();
-
-/// "P-AXIS-00140"; empty for 0.
-[[nodiscard]] std::string p_axis_text(std::uint16_t number);
 
 /// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in range.
 [[nodiscard]] std::string slot_name(Parameter const& parameter, Slot slot);
