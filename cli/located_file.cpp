@@ -32,8 +32,7 @@ LocatedFile::LocatedFile(std::string path, validator::JsonShape const& shape, Te
   if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
   document_ = std::get<validator::JsonDocument>(std::move(parsed));
   auto const problems = validator::check_json(document_, shape_).problems;
-  if (problems.empty()) return;
-  throw Failure(place(problems.front().span), sentences_of(problems.front()), code_);
+  if (!problems.empty()) refuse(problems.front().span, sentences_of(problems.front()));
 }
 
 validator::JsonValue const* LocatedFile::find(validator::JsonValue const& object,
@@ -48,18 +47,14 @@ void LocatedFile::fill(validator::JsonShape const& shape, validator::JsonValue c
   validator::JsonReading(document_, all).fill(shape, object, target);
 }
 
-std::string LocatedFile::place(Span span) const {
-  auto const position = source_.position(span.begin);
-  return path_ + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
-}
-
-void LocatedFile::refuse(Span span, Message what) const {
-  throw Failure(place(span), {std::move(what)}, code_);
-}
-
 void LocatedFile::refuse(Span span, Text what, std::vector<Argument> arguments) const {
-  arguments.push_back({"place", place(span)});
-  throw Failure({.text = what, .arguments = std::move(arguments)}, code_);
+  refuse(span, {Message{.text = what, .arguments = std::move(arguments)}});
+}
+
+void LocatedFile::refuse(Span span, std::vector<Message> sentences) const {
+  auto const position = source_.position(span.begin);
+  throw Failure(path_ + ":" + std::to_string(position.line) + ":" + std::to_string(position.column),
+                std::move(sentences), code_);
 }
 
 }  // namespace axisc::cli

@@ -30,13 +30,11 @@ class LocatedFile {
   /// Stores what the file, or an object in it, says where the shape's keys say.
   void fill(void* target) const { fill(shape_, root(), target); }
   void fill(validator::JsonShape const& shape, validator::JsonValue const& object, void* target) const;
-  /// Failure: `what` with {place} as "axisc.json:3:5".
+  /// Failure: the place as "axisc.json:3:5", and `what`.
   [[noreturn]] void refuse(Span span, Text what, std::vector<Argument> arguments = {}) const;
-  /// Failure: the place and a sentence without {place}.
-  [[noreturn]] void refuse(Span span, Message what) const;
 
  private:
-  [[nodiscard]] std::string place(Span span) const;
+  [[noreturn]] void refuse(Span span, std::vector<Message> sentences) const;
 
   std::string path_;
   validator::JsonShape const& shape_;

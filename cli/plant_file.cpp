@@ -104,8 +104,7 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
     PlantParameters parameters;
     file.fill(plant_shape, plant, &parameters);
     if (parameters.structure_mass > 0 && !(parameters.structure_frequency > 0)) {
-      file.refuse(plant.span,
-                  {.text = Text::json_missing_key, .arguments = {{"key", "structure_frequency_hz"}}});
+      file.refuse(plant.span, Text::json_missing_key, {{"key", "structure_frequency_hz"}});
     }
     return parameters;
   }

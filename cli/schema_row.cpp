@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -149,6 +150,11 @@ std::string sizes_text(std::array<std::uint16_t, 2> const& sizes) {
                        : std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]);
 }
 
+/// In the order of RowContradiction.
+constexpr std::array sentences = {
+    Text::schema_type_missing, Text::schema_array,        Text::schema_limit_type, Text::schema_limit_order,
+    Text::schema_symbols_type, Text::json_repeated_value, Text::schema_max_length, Text::schema_default};
+
 class EntryReader {
  public:
   EntryReader(LocatedFile const& file, JsonValue const& entry, schema::Catalogue const& catalogue)
@@ -187,36 +193,12 @@ class EntryReader {
     auto const indices = std::count(row.name.begin(), row.name.end(), '[');
     bool const at_key = problem.what == RowContradiction::limits_of_words;
     Span const span = at_key ? entry_.find(problem.key)->key_span : span_of(problem.key);
-    if (problem.what == RowContradiction::symbol_twice) {
-      file_.refuse(span, {.text = Text::json_repeated_value,
-                          .arguments = {{"key", std::string(problem.key)}, {"value", problem.value}}});
-    }
-    file_.refuse(span, text_of(problem.what),
-                 {{"parameter", row.name},
+    file_.refuse(span, sentences.at(static_cast<std::size_t>(problem.what)),
+                 {{"key", std::string(problem.key)},
+                  {"parameter", row.name},
                   {"type", std::string(schema::data_type_name(row.type))},
                   {"count", std::to_string(indices)},
                   {"value", problem.value}});
-  }
-
-  static Text text_of(RowContradiction what) {
-    switch (what) {
-      case RowContradiction::type_missing:
-        return Text::schema_type_missing;
-      case RowContradiction::array_sizes:
-        return Text::schema_array;
-      case RowContradiction::limits_of_words:
-        return Text::schema_limit_type;
-      case RowContradiction::minimum_above_maximum:
-        return Text::schema_limit_order;
-      case RowContradiction::symbols_of_numbers:
-        return Text::schema_symbols_type;
-      case RowContradiction::length_of_numbers:
-        return Text::schema_max_length;
-      case RowContradiction::symbol_twice:  // has a sentence without a place
-      case RowContradiction::default_not_a_value:
-        break;
-    }
-    return Text::schema_default;
   }
 
   /// Known arrays can grow, unless images have their entries.

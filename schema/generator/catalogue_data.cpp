@@ -2,6 +2,8 @@
 
 #include "schema/row_reading.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -42,26 +44,20 @@ void check_against_schema(nlohmann::json const& data, nlohmann::json const& sche
   throw DataError(message);
 }
 
+/// In the order of RowContradiction; * is the value that is wrong.
+constexpr std::array<std::string_view, 8> sentences = {"the type is missing",
+                                                       "array sizes do not match the [] of the name",
+                                                       "limits are for numbers",
+                                                       "the minimum is above the maximum",
+                                                       "symbols are for strings and booleans",
+                                                       "the symbol * stands twice",
+                                                       "max_length is for strings",
+                                                       "the default \"*\" is not a value of the type"};
+
 std::string sentence_of(RowProblem const& problem) {
-  switch (problem.what) {
-    case RowContradiction::type_missing:
-      return "the type is missing";
-    case RowContradiction::array_sizes:
-      return "array sizes do not match the [] of the name";
-    case RowContradiction::limits_of_words:
-      return "limits are for numbers";
-    case RowContradiction::minimum_above_maximum:
-      return "the minimum is above the maximum";
-    case RowContradiction::symbols_of_numbers:
-      return "symbols are for strings and booleans";
-    case RowContradiction::symbol_twice:
-      return "the symbol " + problem.value + " stands twice";
-    case RowContradiction::length_of_numbers:
-      return "max_length is for strings";
-    case RowContradiction::default_not_a_value:
-      break;
-  }
-  return "the default \"" + problem.value + "\" is not a value of the type";
+  std::string sentence(sentences.at(static_cast<std::size_t>(problem.what)));
+  std::size_t const value = sentence.find('*');
+  return value == std::string::npos ? sentence : sentence.replace(value, 1, problem.value);
 }
 
 /// One line per mistake.
