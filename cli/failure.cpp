@@ -1,5 +1,6 @@
 #include "cli/failure.hpp"
 
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -15,23 +16,39 @@ std::string without_line_ends(std::string text) {
   return text;
 }
 
-std::string line_of(Text severity, std::optional<Code> code, Message const& message, Language language) {
+std::string line_of(Text severity, std::optional<Code> code, std::string sentence, Language language) {
   std::string line = "axisc: " + std::string(text_template(severity, language));
   if (code) line += "[" + code_text(*code) + "]";
-  return line + ": " + without_line_ends(render(message, language)) + "\n";
+  return line + ": " + without_line_ends(std::move(sentence)) + "\n";
 }
 
 }  // namespace
 
 Failure::Failure(Message message, std::optional<Code> code)
-    : message_(std::move(message)), code_(code), what_(render(message_, Language::english)) {}
+    : Failure(std::string(), {std::move(message)}, code) {}
+
+Failure::Failure(std::string place, std::vector<Message> sentences, std::optional<Code> code)
+    : place_(std::move(place)),
+      sentences_(std::move(sentences)),
+      code_(code),
+      what_(sentence(Language::english)) {}
+
+std::string Failure::sentence(Language language) const {
+  std::string text = place_;
+  std::string_view before = place_.empty() ? "" : ": ";
+  for (Message const& each : sentences_) {
+    text.append(before).append(render(each, language));
+    before = "; ";
+  }
+  return text;
+}
 
 std::string Failure::line(Language language) const {
-  return line_of(Text::word_error, code_, message_, language);
+  return line_of(Text::word_error, code_, sentence(language), language);
 }
 
 std::string warning_line(Message const& message, Language language) {
-  return line_of(Text::word_warning, std::nullopt, message, language);
+  return line_of(Text::word_warning, std::nullopt, render(message, language), language);
 }
 
 std::string system_error_text(int number) {

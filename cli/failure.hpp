@@ -6,6 +6,7 @@
 #include <exception>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -13,15 +14,18 @@ namespace axisc::cli {
 class Failure : public std::exception {
  public:
   explicit Failure(Message message, std::optional<Code> code = std::nullopt);
+  /// "axisc.json:2:3: unknown key …; did you mean …?": a place and what is to be said about it.
+  Failure(std::string place, std::vector<Message> sentences, std::optional<Code> code);
 
   [[nodiscard]] char const* what() const noexcept override { return what_.c_str(); }
   /// What is wrong, without the frame of a line.
-  [[nodiscard]] std::string sentence(Language language) const { return render(message_, language); }
+  [[nodiscard]] std::string sentence(Language language) const;
   /// "axisc: error[AX9001]: …" with a line end.
   [[nodiscard]] std::string line(Language language) const;
 
  private:
-  Message message_;
+  std::string place_;
+  std::vector<Message> sentences_;
   std::optional<Code> code_;
   std::string what_;
 };

@@ -3,9 +3,11 @@
 #include "diagnostics/ascii.hpp"
 #include "validator/rule.hpp"
 
+#include <string>
+
 namespace axisc::cli {
 
-std::optional<Code> find_code(std::string const& word) {
+std::optional<Code> find_code(std::string_view word) {
   std::string const upper = ascii::upper_case(word);
   for (auto const& rule : validator::rules()) {
     if (code_text(rule.code) == upper || rule.name == word) return rule.code;

@@ -4,11 +4,11 @@
 #include "diagnostics/finding.hpp"
 
 #include <optional>
-#include <string>
+#include <string_view>
 
 namespace axisc::cli {
 
 /// "AX3005", "ax3005" or "delay-too-long"; none for anything else.
-[[nodiscard]] std::optional<Code> find_code(std::string const& word);
+[[nodiscard]] std::optional<Code> find_code(std::string_view word);
 
 }  // namespace axisc::cli

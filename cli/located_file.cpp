@@ -2,29 +2,59 @@
 
 #include "cli/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "validator/json_check.hpp"
+#include "validator/json_reading.hpp"
 
 #include <utility>
 #include <variant>
 
 namespace axisc::cli {
 
-LocatedFile::LocatedFile(std::string path, Text malformed)
-    : path_(std::move(path)), source_(path_, read_whole(path_, Dash::is_a_name)) {
-  auto parsed = validator::parse_json(source_.bytes().substr(source_.text_begin()), source_.text_begin());
-  if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
-  document_ = std::get<validator::JsonDocument>(std::move(parsed));
+namespace {
+
+std::vector<Message> sentences_of(validator::JsonProblem const& problem) {
+  std::vector<Message> sentences{problem.message};
+  if (!problem.suggestion.empty()) {
+    sentences.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", problem.suggestion}}});
+  }
+  if (!problem.known_keys.empty()) {
+    sentences.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+  }
+  return sentences;
 }
 
-std::string const& LocatedFile::text(validator::JsonValue const& value) const {
-  if (value.kind != validator::JsonKind::string) refuse(value.span, Text::settings_text);
-  return value.string;
+}  // namespace
+
+LocatedFile::LocatedFile(std::string path, validator::JsonShape const& shape, Text malformed,
+                         std::optional<Code> code)
+    : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_whole(path_, Dash::is_a_name)) {
+  auto parsed = validator::parse_json(source_.bytes(), source_.text_begin());
+  if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
+  document_ = std::get<validator::JsonDocument>(std::move(parsed));
+  auto const problems = validator::check_json(document_, shape_).problems;
+  if (!problems.empty()) refuse(problems.front().span, sentences_of(problems.front()));
+}
+
+validator::JsonValue const* LocatedFile::find(validator::JsonValue const& object,
+                                              std::string_view key) const {
+  auto const* const member = object.find(key);
+  return member == nullptr ? nullptr : &document_[member->value];
+}
+
+void LocatedFile::fill(validator::JsonShape const& shape, validator::JsonValue const& object,
+                       void* target) const {
+  std::vector<bool> const all(document_.values.size(), true);
+  validator::JsonReading(document_, all).fill(shape, object, target);
 }
 
 void LocatedFile::refuse(Span span, Text what, std::vector<Argument> arguments) const {
-  auto const place = source_.position(span.begin);
-  arguments.push_back(
-      {"place", path_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
-  throw Failure({.text = what, .arguments = std::move(arguments)});
+  refuse(span, {Message{.text = what, .arguments = std::move(arguments)}});
+}
+
+void LocatedFile::refuse(Span span, std::vector<Message> sentences) const {
+  auto const position = source_.position(span.begin);
+  throw Failure(path_ + ":" + std::to_string(position.line) + ":" + std::to_string(position.column),
+                std::move(sentences), code_);
 }
 
 }  // namespace axisc::cli

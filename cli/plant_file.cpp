@@ -1,112 +1,114 @@
 #include "cli/plant_file.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/disk_files.hpp"
-#include "cli/failure.hpp"
+#include "cli/located_file.hpp"
+#include "validator/json_reading.hpp"
 
-#include <cmath>
-#include <set>
-
-#include <nlohmann/json.hpp>
+#include <array>
+#include <string_view>
 
 namespace axisc::cli {
 
 namespace {
 
 using motion::PlantParameters;
-using nlohmann::json;
+using validator::by;
+using validator::JsonKey;
+using validator::JsonReading;
+using validator::JsonShape;
+using validator::JsonValue;
+using Kind = validator::JsonShapeKind;
+using enum validator::JsonPresence;
 
-/// A quantity of the file: its unit stands in its name.
-struct Quantity {
-  std::string_view key;
-  double PlantParameters::*field;
-  double unit;  ///< in SI units
-  bool required;
-  bool positive;  ///< else 0 is allowed
-  double largest = 1e12;
-};
+constexpr double unit = 1, kilo = 1e3, mega = 1e6, milli = 1e-3, micro = 1e-6, percent = 1e-2;
 
-constexpr Quantity quantities[] = {
-    {"motor_mass_kg", &PlantParameters::motor_mass, 1, true, true},
-    {"load_mass_kg", &PlantParameters::load_mass, 1, true, true},
-    {"stiffness_n_per_um", &PlantParameters::stiffness, 1e6, true, true},
-    {"damping_n_s_per_mm", &PlantParameters::damping, 1e3, true, false},
-    {"tooth_pitch_mm", &PlantParameters::tooth_pitch, 1e-3, false, false},
-    {"transmission_error_um", &PlantParameters::transmission_error, 1e-6, false, false},
-    {"structure_mass_kg", &PlantParameters::structure_mass, 1, false, false},
-    {"structure_frequency_hz", &PlantParameters::structure_frequency, 1, false, false},
-    {"structure_damping_ratio", &PlantParameters::structure_damping, 1, false, false, 1},
-    {"dead_time_us", &PlantParameters::dead_time, 1e-6, false, false, 1e6},
-    {"velocity_bandwidth_hz", &PlantParameters::velocity_bandwidth, 1, true, true, 2000},
-    {"velocity_reset_time_ms", &PlantParameters::velocity_reset_time, 1e-3, false, false},
-    {"kv_per_s", &PlantParameters::kv, 1, true, true, 1e4},
-    {"feedforward_percent", &PlantParameters::feedforward, 0.01, false, false, 100}};
-
-[[noreturn]] void fail(std::string const& path, std::string const& place, Text reason,
-                       std::vector<Argument> arguments) {
-  // The sentence is English inside another sentence only for what the JSON parser says.
-  arguments.push_back({"place", place.empty() ? path : path + ": " + place});
-  throw Failure({.text = reason, .arguments = std::move(arguments)}, plant_file);
+/// A quantity in the unit that its name carries, `in` SI units.
+template <double PlantParameters::*member, double const& in = unit>
+void quantity(JsonReading const& /*reading*/, JsonShape const& /*shape*/, JsonValue const& value,
+              void* target) {
+  static_cast<PlantParameters*>(target)->*member = value.number * in;
 }
 
-std::string range_text(Quantity const& quantity) {
-  std::string text = quantity.positive ? "> 0" : "≥ 0";
-  if (quantity.largest < 1e12) text += ", ≤ " + json(quantity.largest).dump();
-  return text;
-}
-
-PlantParameters parameters_of(json const& axis, std::string const& path, std::string const& name) {
-  PlantParameters parameters;
-  std::set<std::string, std::less<>> known = {"name", "position_feedback", "comment"};
-  for (auto const& quantity : quantities) {
-    known.emplace(quantity.key);
-    auto const found = axis.find(quantity.key);
-    if (found == axis.end()) {
-      if (quantity.required) fail(path, name, Text::ax9009_missing, {{"key", std::string(quantity.key)}});
-      continue;
-    }
-    double const value = found->is_number() ? found->get<double>() : -1;
-    bool const in_range = (quantity.positive ? value > 0 : value >= 0) && value <= quantity.largest;
-    if (!in_range) {
-      fail(path, name, Text::ax9009_range,
-           {{"key", std::string(quantity.key)}, {"range", range_text(quantity)}});
-    }
-    parameters.*quantity.field = value * quantity.unit;
-  }
-  for (auto const& [key, value] : axis.items()) {
-    if (!known.contains(key)) fail(path, name, Text::ax9009_unknown, {{"key", key}});
-  }
-  auto const feedback = axis.value("position_feedback", json("direct"));
-  if (feedback != "direct" && feedback != "motor") {
-    fail(path, name, Text::ax9009_range, {{"key", "position_feedback"}, {"range", R"("direct", "motor")"}});
-  }
+void store_feedback(validator::JsonDocument const& /*document*/, JsonValue const& value,
+                    PlantParameters& parameters) {
   parameters.feedback =
-      feedback == "motor" ? motion::PositionFeedback::motor : motion::PositionFeedback::direct;
-  if (parameters.structure_mass > 0 && !(parameters.structure_frequency > 0)) {
-    fail(path, name, Text::ax9009_missing, {{"key", "structure_frequency_hz"}});
-  }
-  return parameters;
+      value.string == "motor" ? motion::PositionFeedback::motor : motion::PositionFeedback::direct;
 }
+
+constexpr JsonShape from_zero(double highest = 1e12) {
+  return {.kind = Kind::number, .lowest = 0, .highest = highest};
+}
+constexpr JsonShape above_zero(double highest = 1e12) {
+  return {.kind = Kind::number, .lowest = 0, .highest = highest, .above_lowest = true};
+}
+
+constexpr JsonShape positive = above_zero();
+constexpr JsonShape not_negative = from_zero();
+constexpr JsonShape damping_ratio = from_zero(1);
+constexpr JsonShape dead_time = from_zero(1e6);
+constexpr JsonShape bandwidth = above_zero(2000);
+constexpr JsonShape gain = above_zero(1e4);
+constexpr JsonShape feedforward = from_zero(100);
+constexpr std::array<std::string_view, 2> feedbacks = {"direct", "motor"};
+constexpr JsonShape feedback{.words = feedbacks};
+
+constexpr std::array plant_keys = {
+    JsonKey{"name", &validator::json_text, required, "Name of the axis."},
+    JsonKey{"comment", &validator::any_json, optional, "Anything."},
+    JsonKey{"motor_mass_kg", &positive, required, "Mass of motor, gear and pinion at the pinion.",
+            quantity<&PlantParameters::motor_mass>},
+    JsonKey{"load_mass_kg", &positive, required, "Mass of the carriage.",
+            quantity<&PlantParameters::load_mass>},
+    JsonKey{"stiffness_n_per_um", &positive, required, "Stiffness of the drive train.",
+            quantity<&PlantParameters::stiffness, mega>},
+    JsonKey{"damping_n_s_per_mm", &not_negative, required, "Damping of the drive train.",
+            quantity<&PlantParameters::damping, kilo>},
+    JsonKey{"tooth_pitch_mm", &not_negative, optional, "Distance travelled per tooth; left out: no teeth.",
+            quantity<&PlantParameters::tooth_pitch, milli>},
+    JsonKey{"transmission_error_um", &not_negative, optional,
+            "Amplitude of the transmission error of the teeth.",
+            quantity<&PlantParameters::transmission_error, micro>},
+    JsonKey{"structure_mass_kg", &not_negative, optional,
+            "Mass of the column or cross-beam that swings on the carriage; left out: none.",
+            quantity<&PlantParameters::structure_mass>},
+    JsonKey{"structure_frequency_hz", &not_negative, optional, "Natural frequency of the structure.",
+            quantity<&PlantParameters::structure_frequency>},
+    JsonKey{"structure_damping_ratio", &damping_ratio, optional, "Damping ratio of the structure.",
+            quantity<&PlantParameters::structure_damping>},
+    JsonKey{"dead_time_us", &dead_time, optional, "From command to drive.",
+            quantity<&PlantParameters::dead_time, micro>},
+    JsonKey{"velocity_bandwidth_hz", &bandwidth, required, "Bandwidth of the velocity controller.",
+            quantity<&PlantParameters::velocity_bandwidth>},
+    JsonKey{"velocity_reset_time_ms", &not_negative, optional,
+            "Reset time of the velocity controller; left out: no integral part.",
+            quantity<&PlantParameters::velocity_reset_time, milli>},
+    JsonKey{"kv_per_s", &gain, required, "Gain of the position controller.", quantity<&PlantParameters::kv>},
+    JsonKey{"feedforward_percent", &feedforward, optional, "Velocity feedforward.",
+            quantity<&PlantParameters::feedforward, percent>},
+    JsonKey{"position_feedback", &feedback, optional,
+            "Which position is controlled; direct unless it says motor.", by<store_feedback>}};
+constexpr JsonShape plant_shape{.kind = Kind::object, .title = "Plant of one axis", .keys = plant_keys};
+constexpr JsonShape plants_shape{.kind = Kind::list, .items = &plant_shape};
+constexpr std::array file_keys = {JsonKey{"plants", &plants_shape, required, "One plant for each axis."}};
 
 }  // namespace
 
+constexpr JsonShape plant_file_shape{.kind = Kind::object, .title = "Plant file of axisc", .keys = file_keys};
+
 motion::PlantParameters read_plant(std::string const& path, std::string const& axis) {
-  auto const text = read_whole(path);
-  json document;
-  try {
-    document = json::parse(text, nullptr, true, true);
-  } catch (json::parse_error const& error) {
-    fail(path, {}, Text::ax9009_json, {{"reason", error.what()}});
+  LocatedFile const file(path, plant_file_shape, Text::ax9009_json, plant_file);
+  auto const& plants = *file.find(file.root(), "plants");
+  for (auto const item : plants.items) {
+    auto const& plant = file[item];
+    if (file.find(plant, "name")->string != axis) continue;
+    PlantParameters parameters;
+    file.fill(plant_shape, plant, &parameters);
+    if (parameters.structure_mass > 0 && !(parameters.structure_frequency > 0)) {
+      file.refuse(plant.span, Text::json_missing_key, {{"key", "structure_frequency_hz"}});
+    }
+    return parameters;
   }
-  if (!document.is_object()) fail(path, {}, Text::ax9009_json, {{"reason", document.type_name()}});
-  auto const plants = document.find("plants");
-  if (plants == document.end() || !plants->is_array()) {
-    fail(path, {}, Text::ax9009_missing, {{"key", "plants"}});
-  }
-  for (auto const& entry : *plants) {
-    if (entry.is_object() && entry.value("name", json()) == axis) return parameters_of(entry, path, axis);
-  }
-  fail(path, {}, Text::ax9009_axis, {{"axis", axis}});
+  file.refuse(plants.span, Text::ax9009_axis, {{"axis", axis}});
 }
 
 }  // namespace axisc::cli

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "motion/plant.hpp"
+#include "validator/json_shape.hpp"
 
 #include <string>
 
 namespace axisc::cli {
+
+/// What a plant file may say.
+extern validator::JsonShape const plant_file_shape;
 
 /// The plant of one axis. Failure AX9009 for whatever is wrong with the file, AX9001 where it cannot be read.
 [[nodiscard]] motion::PlantParameters read_plant(std::string const& path, std::string const& axis);

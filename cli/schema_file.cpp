@@ -4,38 +4,28 @@
 #include "cli/schema_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 namespace axisc::cli {
 
 namespace {
 
-using validator::JsonKind;
-using validator::JsonValue;
+using validator::JsonKey;
+using validator::JsonShape;
+using Kind = validator::JsonShapeKind;
+using enum validator::JsonPresence;
 
-JsonValue const& parameters_of(LocatedFile const& file) {
-  auto const& root = file.root();
-  if (root.kind != JsonKind::object) file.refuse(root.span, Text::schema_version);
-  JsonValue const* parameters = nullptr;
-  bool versioned = false;
-  for (auto const& member : root.members) {
-    auto const& value = file[member.value];
-    if (member.key == "version") {
-      versioned = value.kind == JsonKind::number && value.number == 1;
-      if (!versioned) file.refuse(value.span, Text::schema_version);
-    } else if (member.key == "parameters") {
-      if (value.kind != JsonKind::array) file.refuse(value.span, Text::settings_list);
-      parameters = &value;
-    } else {
-      file.refuse(member.key_span, Text::settings_unknown_key,
-                  {{"key", member.key}, {"keys", "version, parameters"}});
-    }
-  }
-  if (!versioned || parameters == nullptr) file.refuse(root.span, Text::schema_version);
-  return *parameters;
-}
+constexpr JsonShape version{.kind = Kind::whole_number, .lowest = 1, .highest = 1};
+
+constexpr JsonShape rows_shape{.kind = Kind::list, .items = &schema_row_shape};
+constexpr std::array file_keys = {JsonKey{"version", &version, required, "Version of this layout."},
+                                  JsonKey{"parameters", &rows_shape, required,
+                                          "Parameters that are new, or of which something is said anew."}};
 
 schema::Parameter const* known_row(schema::Catalogue const& catalogue, std::string_view name) {
   auto const rows = catalogue.parameters();
@@ -44,41 +34,60 @@ schema::Parameter const* known_row(schema::Catalogue const& catalogue, std::stri
   return row == rows.end() ? nullptr : &*row;
 }
 
+struct Entry {
+  validator::JsonValue const& json;
+  schema::RowReading reading;
+};
+
+Span name_of(LocatedFile const& file, Entry const& entry) {
+  return file.find(entry.json, "name")->span;
+}
+
 /// Entries whose sizes differ from those that are known get slots of their own.
 void require_room(LocatedFile const& file, schema::Catalogue const& catalogue,
-                  std::vector<SchemaEntry> const& entries) {
+                  std::vector<Entry> const& entries) {
   std::size_t slots = catalogue.slot_count();
   for (auto const& entry : entries) {
-    auto const* const known = known_row(catalogue, entry.row.name);
-    if (known == nullptr || known->array != entry.row.array) slots += schema::slots_of(entry.row.array);
+    auto const& row = entry.reading.row;
+    auto const* const known = known_row(catalogue, row.name);
+    if (known == nullptr || known->array != row.array) slots += schema::slots_of(row.array);
     if (slots > schema::most_slots) {
-      file.refuse(entry.span, Text::schema_too_many, {{"count", std::to_string(schema::most_slots)}});
+      file.refuse(name_of(file, entry), Text::schema_too_many,
+                  {{"count", std::to_string(schema::most_slots)}});
     }
   }
 }
 
 }  // namespace
 
+constexpr JsonShape schema_file_shape{
+    .kind = Kind::object, .title = "Schema file of axisc: parameters of the control", .keys = file_keys};
+
 schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path) {
-  LocatedFile const file(path, Text::schema_json);
-  std::vector<SchemaEntry> entries;
+  LocatedFile const file(path, schema_file_shape, Text::schema_json);
+  auto const document = nlohmann::ordered_json::parse(file.bytes());
+  auto const& items = file.find(file.root(), "parameters")->items;
+  std::vector<Entry> entries;
   std::set<std::string> names;
-  for (auto const item : parameters_of(file).items) {
-    entries.push_back(read_schema_entry(file, file[item], catalogue));
-    auto const& entry = entries.back();
-    if (!names.insert(entry.row.name).second) {
-      file.refuse(entry.span, Text::schema_twice, {{"value", entry.row.name}});
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    auto const& json = document.at("parameters").at(i);
+    entries.push_back({file[items[i]], read_schema_entry(file, file[items[i]], json, catalogue)});
+    auto const& name = entries.back().reading.row.name;
+    if (!names.insert(name).second) {
+      file.refuse(name_of(file, entries.back()), Text::schema_twice, {{"value", name}});
     }
   }
   require_room(file, catalogue, entries);
   std::vector<schema::ParameterRow> rows;
   rows.reserve(entries.size());
-  for (auto const& entry : entries) rows.push_back(entry.row);
+  for (auto const& entry : entries) rows.push_back(entry.reading.row);
   auto extended = catalogue.with(std::move(rows));
   for (auto const& entry : entries) {
-    for (auto const& named : entry.named) {
+    for (auto const& named : entry.reading.named) {
       if (!extended.find_number(named.p_axis).empty()) continue;
-      file.refuse(named.span, Text::schema_limit_unknown, {{"value", schema::p_axis_text(named.p_axis)}});
+      auto const* const value = file.find(entry.json, named.key);
+      file.refuse(value == nullptr ? name_of(file, entry) : value->span, Text::schema_limit_unknown,
+                  {{"value", schema::p_axis_text(named.p_axis)}});
     }
   }
   return extended;

@@ -13,11 +13,15 @@
 #pragma once
 
 #include "schema/catalogue.hpp"
+#include "validator/json_shape.hpp"
 
 #include <string>
 #include <vector>
 
 namespace axisc::cli {
+
+/// What a schema file may say; axis-parameters.json is one.
+extern validator::JsonShape const schema_file_shape;
 
 /// `catalogue` with the entries of the file. Failure, with line and column, for anything that is no schema file.
 [[nodiscard]] schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path);

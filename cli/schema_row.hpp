@@ -2,27 +2,18 @@
 #pragma once
 
 #include "cli/located_file.hpp"
-#include "schema/parameter_row.hpp"
-
-#include <cstdint>
-#include <vector>
+#include "schema/row_reading.hpp"
+#include "validator/json_shape.hpp"
 
 namespace axisc::cli {
 
-/// A parameter that an entry names by its number; it may stand further down in the file.
-struct NamedNumber {
-  Span span;
-  std::uint16_t p_axis = 0;
-};
+/// What an entry may say.
+extern validator::JsonShape const schema_row_shape;
 
-struct SchemaEntry {
-  schema::ParameterRow row;
-  std::vector<NamedNumber> named;  ///< limits and a default that are other parameters
-  Span span;                       ///< of the name
-};
-
-/// The row that `entry` makes of the catalogue's row of that name, or a new one. Failure for what it must not say.
-[[nodiscard]] SchemaEntry read_schema_entry(LocatedFile const& file, validator::JsonValue const& entry,
-                                            schema::Catalogue const& catalogue);
+/// `entry` of `file` as `json` says it too: the row that it makes of the catalogue's row of its name, or a new one. Failure
+/// for what contradicts itself or the catalogue. Parameters that it names may be unknown yet.
+[[nodiscard]] schema::RowReading read_schema_entry(LocatedFile const& file, validator::JsonValue const& entry,
+                                                   nlohmann::ordered_json const& json,
+                                                   schema::Catalogue const& catalogue);
 
 }  // namespace axisc::cli

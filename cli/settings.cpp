@@ -9,140 +9,109 @@
 #include "cli/machine_outline.hpp"
 #include "cli/schema_file.hpp"
 #include "cli/surroundings.hpp"
+#include "validator/json_reading.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace axisc::cli {
 
 namespace {
 
 namespace fs = std::filesystem;
-using validator::JsonKind;
+using validator::by;
+using validator::into;
+using validator::JsonDocument;
+using validator::JsonKey;
+using validator::JsonShape;
 using validator::JsonValue;
+using Kind = validator::JsonShapeKind;
+using enum validator::JsonPresence;
 
 constexpr std::string_view file_name = "axisc.json";
 
-/// Reads one settings file; every complaint carries its place.
-class Reader {
- public:
-  explicit Reader(LocatedFile const& file) : file_(file) {}
+constexpr JsonShape build_shape{
+    .accepts = [](std::string_view text) { return validator::parse_build_version(text).has_value(); },
+    .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
+    .sentence = Text::settings_build};
+constexpr std::array<std::string_view, 2> languages = {"en", "de"};
+constexpr JsonShape language_shape{.words = languages};
+constexpr JsonShape code_shape{.accepts = [](std::string_view text) { return find_code(text).has_value(); },
+                               .pattern = "^([Aa][Xx][0-9]{4}|[a-z][a-z0-9-]*)$",
+                               .sentence = Text::settings_code};
+constexpr JsonShape codes_shape{.kind = Kind::list, .items = &code_shape};
+constexpr std::array<std::string_view, 3> severities = {"error", "warning", "note"};
+constexpr JsonShape severity_shape{.words = severities};
+constexpr JsonShape severities_shape{.kind = Kind::map, .items = &severity_shape, .names = &code_shape};
 
-  Settings read(std::string folder) {
-    settings_.file = file_.path();
-    settings_.folder = std::move(folder);
-    if (file_.root().kind != JsonKind::object) file_.refuse(file_.root().span, Text::settings_object);
-    for (auto const& member : file_.root().members) read_member(member);
-    return std::move(settings_);
+void store_build(JsonDocument const& /*document*/, JsonValue const& value, Settings& settings) {
+  settings.build = validator::parse_build_version(value.string);
+}
+
+void store_language(JsonDocument const& /*document*/, JsonValue const& value, Settings& settings) {
+  settings.language = parse_language(value.string);
+}
+
+template <typename Target>
+void store_codes(JsonDocument const& document, JsonValue const& value, Target& target) {
+  for (auto const item : value.items) target.disabled.push_back(*find_code(document[item].string));
+}
+
+void store_severities(JsonDocument const& document, JsonValue const& value, Settings& settings) {
+  for (auto const& member : value.members) {
+    auto const& word = document[member.value].string;
+    settings.severities[*find_code(member.key)] = word == "error"     ? Severity::error
+                                                  : word == "warning" ? Severity::warning
+                                                                      : Severity::note;
   }
+}
 
- private:
-  void read_member(validator::JsonMember const& member) {
-    auto const& value = file_[member.value];
-    if (member.key == "cycle_time_us") {
-      settings_.cycle_time = cycle_time(value);
-    } else if (member.key == "build") {
-      settings_.build = validator::parse_build_version(file_.text(value));
-      if (!settings_.build) file_.refuse(value.span, Text::settings_build, {{"value", value.string}});
-    } else if (member.key == "language") {
-      settings_.language = parse_language(file_.text(value));
-      if (!settings_.language) file_.refuse(value.span, Text::settings_language);
-    } else if (member.key == "disable") {
-      settings_.disabled = codes(value);
-    } else if (member.key == "severity") {
-      read_severities(value);
-    } else if (member.key == "schema") {
-      read_schema_files(value);
-    } else if (member.key == "paths") {
-      read_paths(value);
-    } else {
-      file_.refuse(member.key_span, Text::settings_unknown_key,
-                   {{"key", member.key},
-                    {"keys", "cycle_time_us, build, language, disable, severity, schema, paths"}});
+constexpr std::array path_keys = {
+    JsonKey{"pattern", &validator::json_text, required,
+            "Files it applies to, relative to the settings: old/**.", into<&PathSettings::pattern>},
+    JsonKey{"disable", &codes_shape, optional, "Findings that are not reported in these files.",
+            by<store_codes<PathSettings>>}};
+constexpr JsonShape path_shape{.kind = Kind::object, .title = "Settings of some files", .keys = path_keys};
+constexpr JsonShape paths_shape{.kind = Kind::list, .items = &path_shape};
+
+constexpr std::array settings_keys = {
+    JsonKey{"cycle_time_us", &validator::json_cycle_time, optional,
+            "Cycle time in microseconds for lists alone; a machine file says its own.",
+            into<&Settings::cycle_time>},
+    JsonKey{"build", &build_shape, optional, "Build of the control that the lists are for, V3.1.3080.00.",
+            by<store_build>},
+    JsonKey{"language", &language_shape, optional, "Language of messages.", by<store_language>},
+    JsonKey{"disable", &codes_shape, optional, "Findings that are not reported, by code or name.",
+            by<store_codes<Settings>>},
+    JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
+            by<store_severities>},
+    JsonKey{"schema", &validator::json_texts, optional, "Schema files, relative to the settings."},
+    JsonKey{"paths", &paths_shape, optional, "Findings that are not reported in some files.",
+            into<&Settings::paths>}};
+
+}  // namespace
+
+constexpr JsonShape settings_shape{.kind = Kind::object, .title = "Settings of axisc", .keys = settings_keys};
+
+namespace {
+
+/// Paths begin at the settings, wherever the program runs.
+void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings& settings) {
+  for (auto const item : list.items) {
+    auto const& name = file[item].string;
+    auto const path = (fs::path(file.path()).parent_path() / name).lexically_normal().string();
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+      file.refuse(file[item].span, Text::settings_schema_missing, {{"file", name}});
     }
+    settings.schema_files.push_back(path);
+    settings.catalogue = with_schema_file(settings.catalogue, path);
   }
-
-  design::CycleTime cycle_time(JsonValue const& value) const {
-    double const nanoseconds = value.number * 1000;
-    bool const good = value.kind == JsonKind::number && nanoseconds >= 1 && nanoseconds <= 1e9 &&
-                      nanoseconds == std::floor(nanoseconds);
-    if (!good) file_.refuse(value.span, Text::settings_cycle_time);
-    return {static_cast<std::uint32_t>(nanoseconds)};
-  }
-
-  Code code(std::string const& word, Span span) const {
-    auto const found = find_code(word);
-    if (!found) file_.refuse(span, Text::settings_code, {{"code", word}});
-    return *found;
-  }
-
-  std::vector<Code> codes(JsonValue const& value) const {
-    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
-    std::vector<Code> codes;
-    for (auto const item : value.items) codes.push_back(code(file_.text(file_[item]), file_[item].span));
-    return codes;
-  }
-
-  void read_severities(JsonValue const& value) {
-    if (value.kind != JsonKind::object) file_.refuse(value.span, Text::settings_object);
-    for (auto const& member : value.members) {
-      auto const& wanted = file_[member.value];
-      auto const& word = file_.text(wanted);
-      Code const which = code(member.key, member.key_span);
-      if (word == "error") {
-        settings_.severities[which] = Severity::error;
-      } else if (word == "warning") {
-        settings_.severities[which] = Severity::warning;
-      } else if (word == "note") {
-        settings_.severities[which] = Severity::note;
-      } else {
-        file_.refuse(wanted.span, Text::settings_severity);
-      }
-    }
-  }
-
-  void read_paths(JsonValue const& value) {
-    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
-    for (auto const item : value.items) {
-      auto const& entry = file_[item];
-      if (entry.kind != JsonKind::object) file_.refuse(entry.span, Text::settings_object);
-      PathSettings path;
-      for (auto const& member : entry.members) {
-        if (member.key == "pattern") {
-          path.pattern = file_.text(file_[member.value]);
-        } else if (member.key == "disable") {
-          path.disabled = codes(file_[member.value]);
-        } else {
-          file_.refuse(member.key_span, Text::settings_unknown_key,
-                       {{"key", member.key}, {"keys", "pattern, disable"}});
-        }
-      }
-      if (path.pattern.empty()) file_.refuse(entry.span, Text::settings_pattern);
-      settings_.paths.push_back(std::move(path));
-    }
-  }
-
-  /// Paths begin at the settings, wherever the program runs.
-  void read_schema_files(JsonValue const& value) {
-    if (value.kind != JsonKind::array) file_.refuse(value.span, Text::settings_list);
-    for (auto const item : value.items) {
-      auto const& name = file_.text(file_[item]);
-      auto const path = (fs::path(file_.path()).parent_path() / name).lexically_normal().string();
-      std::error_code error;
-      if (!fs::is_regular_file(path, error)) {
-        file_.refuse(file_[item].span, Text::settings_schema_missing, {{"file", name}});
-      }
-      settings_.schema_files.push_back(path);
-      settings_.catalogue = with_schema_file(settings_.catalogue, path);
-    }
-  }
-
-  LocatedFile const& file_;
-  Settings settings_;
-};
+}
 
 /// Below `folder`, with slashes; the whole path where it lies elsewhere.
 std::string relative_to(std::string const& folder, std::string const& path) {
@@ -183,8 +152,13 @@ fs::path canonical_folder(std::string const& folder) {
 }  // namespace
 
 Settings read_settings(std::string const& path, std::string const& folder) {
-  LocatedFile const file(path, Text::settings_json);
-  return Reader(file).read(folder);
+  LocatedFile const file(path, settings_shape, Text::settings_json);
+  Settings settings;
+  settings.file = path;
+  settings.folder = folder;
+  file.fill(&settings);
+  if (auto const* const list = file.find(file.root(), "schema")) read_schema_files(file, *list, settings);
+  return settings;
 }
 
 schema::Catalogue SettingsFinder::catalogue(std::string const& input) {

@@ -22,6 +22,7 @@
 #include "diagnostics/finding.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/check.hpp"
+#include "validator/json_shape.hpp"
 
 #include <map>
 #include <mutex>
@@ -54,6 +55,9 @@ struct Settings {
 
 /// Failure, with line and column, for anything that is no settings file.
 [[nodiscard]] Settings read_settings(std::string const& path, std::string const& folder);
+
+/// What a settings file may say.
+extern validator::JsonShape const settings_shape;
 
 /// The settings of each folder, read once. May be used by several threads.
 class SettingsFinder {

@@ -171,15 +171,6 @@ std::size_t slot_count() {
   return std::size(slot_table);
 }
 
-std::string p_axis_text(std::uint16_t number) {
-  if (number == 0) return {};
-  std::string text = "P-AXIS-00000";
-  for (std::size_t at = text.size(); number != 0; number /= 10) {
-    text[--at] = static_cast<char>('0' + number % 10);
-  }
-  return text;
-}
-
 NameLookup find(std::string_view name) {
   return find_folding(name, find_as_written);
 }

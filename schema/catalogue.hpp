@@ -87,9 +87,6 @@ constexpr Output write_slots(Parameter const& parameter, Output out) {
 [[nodiscard]] Parameter const& parameter(ParameterId id);
 [[nodiscard]] std::size_t slot_count();
 
-/// "P-AXIS-00140"; empty for 0.
-[[nodiscard]] std::string p_axis_text(std::uint16_t number);
-
 /// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in range.
 [[nodiscard]] std::string slot_name(Parameter const& parameter, Slot slot);
 [[nodiscard]] std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot);

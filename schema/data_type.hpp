@@ -1,10 +1,12 @@
-// The data types of axis parameters, a row each: their names and which numbers they hold.
+// The data types of axis parameters, a row each: their names and which numbers they hold. And the numbers of parameters.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace axisc::schema {
@@ -64,6 +66,15 @@ static_assert([] {
   return data_types.size() == static_cast<std::size_t>(DataType::string) + 1;
 }());
 
+/// The names, in the order of DataType.
+inline constexpr auto data_type_words = [] {
+  std::array<std::string_view, data_types.size()> words;
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = data_types[i].name;
+  return words;
+}();
+/// DataType::uns08 of "UNS08".
+[[nodiscard]] std::optional<DataType> parse_data_type(std::string_view word);
+
 /// "UNS32".
 [[nodiscard]] constexpr std::string_view data_type_name(DataType type) {
   return row_of(type).name;
@@ -89,5 +100,13 @@ struct DataRange {
   IntegerRange const& integers = row_of(type).integers;
   return {.lowest = static_cast<double>(integers.lowest), .highest = static_cast<double>(integers.highest)};
 }
+
+/// True for a number as lists write it that the type can hold: decimal or hexadecimal, no leading zeros.
+[[nodiscard]] bool is_number_of_type(std::string_view text, DataType type);
+
+/// "P-AXIS-00140"; empty for 0.
+[[nodiscard]] std::string p_axis_text(std::uint16_t number);
+/// 140 of "P-AXIS-00140".
+[[nodiscard]] std::optional<std::uint16_t> parse_p_axis(std::string_view text);
 
 }  // namespace axisc::schema

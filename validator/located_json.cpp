@@ -139,6 +139,12 @@ class TreeBuilder {
 
 }  // namespace
 
+JsonMember const* JsonValue::find(std::string_view key) const {
+  auto const found =
+      std::find_if(members.begin(), members.end(), [key](JsonMember const& each) { return each.key == key; });
+  return found == members.end() ? nullptr : &*found;
+}
+
 std::variant<JsonDocument, JsonError> parse_json(std::string_view bytes, std::uint32_t text_begin) {
   TreeBuilder builder(bytes, text_begin);
   std::string_view const text = bytes.substr(text_begin);

@@ -29,6 +29,9 @@ struct JsonValue {
   std::string string;
   std::vector<std::size_t> items;   ///< of an array; indices into JsonDocument::values
   std::vector<JsonMember> members;  ///< of an object, in the order of the text; keys may repeat
+
+  /// The first member of that name; null where there is none.
+  [[nodiscard]] JsonMember const* find(std::string_view key) const;
 };
 
 /// The values of one text; the first one is the whole.

@@ -1,50 +1,95 @@
 #include "validator/machine_file.hpp"
 
-#include "diagnostics/ascii.hpp"
-#include "diagnostics/format_number.hpp"
 #include "schema/closest_word.hpp"
 #include "validator/drive.hpp"
+#include "validator/json_check.hpp"
 #include "validator/located_json.hpp"
 #include "validator/rule.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 namespace axisc::validator {
 namespace {
 
-constexpr std::array<std::string_view, 9> machine_keys = {"machine",  "cycle_time_us", "default_list",
-                                                          "axes",     "groups",        "gantries",
-                                                          "programs", "filter_sets",   "inch"};
-constexpr std::array<std::string_view, 5> axis_keys = {"name", "list", "drive", "position_control", "type"};
-constexpr std::array<std::string_view, 3> group_keys = {"name", "axes", "programs"};
-constexpr std::array<std::string_view, 2> gantry_keys = {"master", "slaves"};
+using Kind = JsonShapeKind;
+using enum JsonPresence;
 
+constexpr auto drive_words = [] {
+  std::array<std::string_view, drive_types.size()> words;
+  std::transform(drive_types.begin(), drive_types.end(), words.begin(),
+                 [](DriveType const& drive) { return drive.word; });
+  return words;
+}();
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
 constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
 
-using Words = std::vector<std::string_view>;
+constexpr JsonShape drive_shape{.words = drive_words, .ignores_case = true};
+constexpr JsonShape position_control_shape{.words = position_controls, .ignores_case = true};
+constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
 
-template <std::size_t size>
-Words words(std::array<std::string_view, size> const& array) {
-  return {array.begin(), array.end()};
+void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
+  axis.type = equal_ignoring_case(value.string, "T")   ? AxisType::translatory
+              : equal_ignoring_case(value.string, "R") ? AxisType::rotary
+                                                       : AxisType::spindle;
 }
 
-Words drive_words() {
-  Words list;
-  for (DriveType const& drive : drive_types) list.push_back(drive.word);
-  return list;
-}
+constexpr std::array axis_keys = {
+    JsonKey{"name", &json_text, required, "Name of the axis, unique in the machine.",
+            into<&MachineFileAxis::name>},
+    JsonKey{"list", &json_text, required, "Its parameter list, relative to the machine file.",
+            into<&MachineFileAxis::list>},
+    JsonKey{"drive", &drive_shape, optional, "Type of the drive; wins over kenngr.antr_typ of the list.",
+            into<&MachineFileAxis::drive>},
+    JsonKey{"position_control", &position_control_shape, optional, "Where the position is controlled.",
+            into<&MachineFileAxis::position_control>},
+    JsonKey{"type", &axis_type_shape, optional,
+            "Translatory, rotary or spindle; wins over kenngr.achs_typ of the list.", by<store_axis_type>}};
+constexpr JsonShape axis_shape{.kind = Kind::object, .title = "Axis", .keys = axis_keys};
+constexpr JsonShape axes_shape{
+    .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = Text::ax4020_no_axes};
 
-std::string joined(Words const& list) {
-  std::string text;
-  for (std::string_view const word : list) text.append(text.empty() ? "" : ", ").append(word);
-  return text;
-}
+constexpr std::array group_keys = {
+    JsonKey{"name", &json_text, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
+    JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
+            into<&MachineFileGroup::axes>},
+    JsonKey{"programs", &json_texts, optional, "Programs that are checked against this group alone.",
+            into<&MachineFileGroup::programs>}};
+constexpr JsonShape group_shape{.kind = Kind::object, .title = "Group of axes", .keys = group_keys};
+constexpr JsonShape groups_shape{.kind = Kind::list, .items = &group_shape};
+
+constexpr std::array gantry_keys = {
+    JsonKey{"master", &json_text, required, "Name of the leading axis.", into<&MachineFileGantry::master>},
+    JsonKey{"slaves", &json_texts, required, "Names of the axes that follow.",
+            into<&MachineFileGantry::slaves>}};
+constexpr JsonShape gantry_shape{.kind = Kind::object, .title = "Gantry", .keys = gantry_keys};
+constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
+
+constexpr std::array machine_keys = {
+    JsonKey{"machine", &json_text, optional, "Name of the machine.", into<&MachineFile::machine>},
+    JsonKey{"cycle_time_us", &json_cycle_time, optional, "Cycle time of the control in microseconds.",
+            into<&MachineFile::cycle_time>},
+    JsonKey{"default_list", &json_text, optional,
+            "List with the values that the lists of the axes leave out.", into<&MachineFile::default_list>},
+    JsonKey{"axes", &axes_shape, required, "All axes of the machine.", into<&MachineFile::axes>},
+    JsonKey{"groups", &groups_shape, optional, "Axes that move together.", into<&MachineFile::groups>},
+    JsonKey{"gantries", &gantries_shape, optional, "Axes that follow another one.",
+            into<&MachineFile::gantries>},
+    JsonKey{"programs", &json_texts, optional, "Programs that are checked against every group.",
+            into<&MachineFile::programs>},
+    JsonKey{"filter_sets", &json_texts, optional,
+            "#FILTER commands that programs may use beside those of `programs`.",
+            into<&MachineFile::filter_sets>},
+    JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>}};
+}  // namespace
+
+constexpr JsonShape machine_file_shape{
+    .kind = Kind::object, .title = "Machine of axisc", .keys = machine_keys};
+
+namespace {
 
 class MachineFileReader {
  public:
@@ -52,264 +97,86 @@ class MachineFileReader {
       : source_(source), report_(findings, *find_rule(Code{4020})) {}
 
   void broken(JsonError const& error) {
-    add(error.span, error.span.empty() ? Text::ax4020_json_end : Text::ax4020_json);
+    add(error.span,
+        {.text = error.span.empty() ? Text::ax4020_json_end : Text::ax4020_json, .arguments = {}});
   }
 
   MachineFile read(JsonDocument const& document) {
-    document_ = &document;
+    JsonCheck const check = check_json(document, machine_file_shape);
+    for (JsonProblem const& problem : check.problems) tell(problem);
     MachineFile machine;
-    JsonValue const& root = document.root();
-    if (root.kind != JsonKind::object) {
-      add(root.span, Text::ax4020_object);
-      return machine;
+    if (!check.readable.front()) return machine;
+    JsonReading(document, check.readable, source_).fill(machine_file_shape, document.root(), &machine);
+    require_distinct_axes(machine.axes);
+    for (MachineFileGroup& group : machine.groups) require_axes(group.axes);
+    for (MachineFileGantry& gantry : machine.gantries) {
+      if (!gantry.master.text.empty() && !is_axis(gantry.master)) gantry.master.text.clear();
+      require_axes(gantry.slaves);
     }
-    Object const object(*this, root, words(machine_keys));
-    machine.machine = text(object, "machine");
-    machine.cycle_time = cycle_time(object);
-    machine.default_list = text(object, "default_list");
-    if (JsonValue const* const inch = object.find("inch")) {
-      if (inch->kind != JsonKind::boolean) add(inch->span, Text::ax4020_flag, {{"key", "inch"}});
-      machine.inch = inch->flag;
-    }
-    read_axes(object, machine);
-    for (JsonValue const* const item : objects(object, "groups")) machine.groups.push_back(group(*item));
-    for (JsonValue const* const item : objects(object, "gantries")) read_gantry(*item, machine);
-    machine.programs = texts(object, "programs");
-    machine.filter_sets = texts(object, "filter_sets");
+    std::erase_if(machine.gantries, [](MachineFileGantry const& each) { return each.master.text.empty(); });
     return machine;
   }
 
  private:
-  /// An object whose keys have been checked.
-  class Object {
-   public:
-    Object(MachineFileReader& reader, JsonValue const& value, Words const& known)
-        : reader_(reader), value_(value) {
-      std::unordered_map<std::string_view, Span> seen;
-      for (JsonMember const& member : value.members) {
-        if (std::find(known.begin(), known.end(), member.key) == known.end()) {
-          reader.unknown_key(member, known);
-          continue;
-        }
-        auto const [first, is_new] = seen.try_emplace(member.key, member.key_span);
-        if (is_new) continue;
-        Finding& finding = reader.add(member.key_span, Text::ax4020_repeated_key, {{"key", member.key}});
-        finding.related.push_back(
-            {.place = reader.place(first->second), .message = {.text = Text::ax4020_first, .arguments = {}}});
-      }
-    }
-
-    [[nodiscard]] JsonValue const* find(std::string_view key) const {
-      for (JsonMember const& member : value_.members) {
-        if (member.key == key) return &(*reader_.document_)[member.value];
-      }
-      return nullptr;
-    }
-
-    /// The key's value; a finding where it is missing.
-    [[nodiscard]] JsonValue const* require(std::string_view key) const {
-      JsonValue const* const value = find(key);
-      if (value == nullptr) reader_.add(value_.span, Text::ax4020_missing_key, {{"key", std::string(key)}});
-      return value;
-    }
-
-   private:
-    MachineFileReader& reader_;
-    JsonValue const& value_;
-  };
-
-  [[nodiscard]] Place place(Span span) const { return {.source = source_, .span = span}; }
-
-  Finding& add(Span span, Text text, std::vector<Argument> arguments = {}) {
-    return report_.add(place(span), Message{.text = text, .arguments = std::move(arguments)});
+  Finding& add(Span span, Message message) {
+    return report_.add(Place{.source = source_, .span = span}, std::move(message));
   }
 
-  void unknown_key(JsonMember const& member, Words const& known) {
-    Finding& finding = add(member.key_span, Text::ax4020_unknown_key, {{"key", member.key}});
-    suggest(finding, member.key, known);
-    finding.notes.push_back({.text = Text::ax4020_known_keys, .arguments = {{"keys", joined(known)}}});
+  void tell(JsonProblem const& problem) {
+    Finding& finding = add(problem.span, problem.message);
+    suggest(finding, problem.suggestion);
+    if (!problem.known_keys.empty()) {
+      finding.notes.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+    }
+    if (problem.first) relate(finding, {.source = source_, .span = *problem.first});
   }
 
-  static void suggest(Finding& finding, std::string_view written, Words const& known) {
-    std::string_view const closest = schema::closest_word(written, known);
-    if (closest.empty()) return;
-    std::string const word(closest);
-    finding.help.push_back({.text = Text::ax4020_did_you_mean, .arguments = {{"suggestion", word}}});
+  static void relate(Finding& finding, Place first) {
+    finding.related.push_back({.place = first, .message = {.text = Text::json_first, .arguments = {}}});
+  }
+
+  static void suggest(Finding& finding, std::string const& word) {
+    if (word.empty()) return;
+    finding.help.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", word}}});
     Fix fix;
-    fix.title = {.text = Text::ax4020_fix, .arguments = {{"replacement", word}}};
+    fix.title = {.text = Text::json_fix, .arguments = {{"replacement", word}}};
     fix.edits.push_back({.place = *finding.place, .text = '"' + word + '"'});
     finding.fix = std::move(fix);
   }
 
-  std::optional<LocatedText> as_text(JsonValue const& value, std::string_view key) {
-    if (value.kind != JsonKind::string) {
-      add(value.span, Text::ax4020_text, {{"key", std::string(key)}});
-      return std::nullopt;
+  /// Leaves out repeated axes and those without name or list; all names are known from here on.
+  void require_distinct_axes(std::vector<MachineFileAxis>& axes) {
+    auto const leave_out = [&](MachineFileAxis const& axis) {
+      if (axis.name.text.empty()) return true;
+      auto const [first, is_new] = axis_names_.try_emplace(axis.name.text, axis.name.place);
+      if (is_new) return axis.list.text.empty();
+      Message message{.text = Text::ax4020_repeated_axis, .arguments = {{"name", axis.name.text}}};
+      relate(add(axis.name.place.span, std::move(message)), first->second);
+      return true;
+    };
+    std::vector<MachineFileAxis> kept;
+    for (MachineFileAxis& axis : axes) {
+      if (!leave_out(axis)) kept.push_back(std::move(axis));
     }
-    if (value.string.empty()) {
-      add(value.span, Text::ax4020_empty_text, {{"key", std::string(key)}});
-      return std::nullopt;
-    }
-    return LocatedText{.text = value.string, .place = place(value.span)};
+    axes = std::move(kept);
   }
 
-  std::optional<LocatedText> text(Object const& object, std::string_view key) {
-    JsonValue const* const value = object.find(key);
-    return value != nullptr ? as_text(*value, key) : std::nullopt;
-  }
-
-  std::optional<LocatedText> required_text(Object const& object, std::string_view key) {
-    JsonValue const* const value = object.require(key);
-    return value != nullptr ? as_text(*value, key) : std::nullopt;
-  }
-
-  /// One of a few words, letter case aside; in the spelling of the table.
-  std::optional<LocatedText> choice(Object const& object, std::string_view key, Words const& allowed) {
-    std::optional<LocatedText> written = text(object, key);
-    if (!written) return std::nullopt;
-    for (std::string_view const word : allowed) {
-      if (ascii::equal_ignoring_case(word, written->text)) {
-        written->text = word;
-        return written;
-      }
-    }
-    Finding& finding = add(written->place.span, Text::ax4020_one_of,
-                           {{"key", std::string(key)}, {"values", joined(allowed)}});
-    suggest(finding, written->text, allowed);
-    return std::nullopt;
-  }
-
-  std::vector<LocatedText> texts_of(JsonValue const& list, std::string_view key) {
-    std::vector<LocatedText> result;
-    if (list.kind != JsonKind::array) {
-      add(list.span, Text::ax4020_list_of_texts, {{"key", std::string(key)}});
-      return result;
-    }
-    for (std::size_t const item : list.items) {
-      JsonValue const& value = (*document_)[item];
-      if (value.kind != JsonKind::string) {
-        add(value.span, Text::ax4020_list_of_texts, {{"key", std::string(key)}});
-      } else {
-        result.push_back({.text = value.string, .place = place(value.span)});
-      }
-    }
-    return result;
-  }
-
-  std::vector<LocatedText> texts(Object const& object, std::string_view key) {
-    JsonValue const* const list = object.find(key);
-    return list != nullptr ? texts_of(*list, key) : std::vector<LocatedText>{};
-  }
-
-  std::vector<JsonValue const*> objects_of(JsonValue const& list, std::string_view key) {
-    std::vector<JsonValue const*> result;
-    if (list.kind != JsonKind::array) {
-      add(list.span, Text::ax4020_list_of_objects, {{"key", std::string(key)}});
-      return result;
-    }
-    for (std::size_t const item : list.items) {
-      JsonValue const& value = (*document_)[item];
-      if (value.kind == JsonKind::object) {
-        result.push_back(&value);
-      } else {
-        add(value.span, Text::ax4020_list_of_objects, {{"key", std::string(key)}});
-      }
-    }
-    return result;
-  }
-
-  std::vector<JsonValue const*> objects(Object const& object, std::string_view key) {
-    JsonValue const* const list = object.find(key);
-    return list != nullptr ? objects_of(*list, key) : std::vector<JsonValue const*>{};
-  }
-
-  std::optional<design::CycleTime> cycle_time(Object const& object) {
-    constexpr std::string_view key = "cycle_time_us";
-    JsonValue const* const value = object.find(key);
-    if (value == nullptr) return std::nullopt;
-    if (value->kind != JsonKind::number) {
-      add(value->span, Text::ax4020_number, {{"key", std::string(key)}});
-      return std::nullopt;
-    }
-    double const nanoseconds = std::round(value->number * 1e3);
-    if (!(nanoseconds >= 1 && nanoseconds <= 1e9)) {
-      add(value->span, Text::ax4020_cycle_time, {{"value", format_exact(value->number)}});
-      return std::nullopt;
-    }
-    return design::CycleTime{static_cast<std::uint32_t>(nanoseconds)};
-  }
-
-  void read_axes(Object const& object, MachineFile& machine) {
-    JsonValue const* const list = object.require("axes");
-    if (list == nullptr) return;
-    if (list->kind == JsonKind::array && list->items.empty()) add(list->span, Text::ax4020_no_axes);
-    for (JsonValue const* const item : objects_of(*list, "axes")) read_axis(*item, machine);
-  }
-
-  void read_axis(JsonValue const& value, MachineFile& machine) {
-    Object const object(*this, value, words(axis_keys));
-    std::optional<LocatedText> name = required_text(object, "name");
-    std::optional<LocatedText> list = required_text(object, "list");
-    MachineFileAxis axis;
-    axis.drive = choice(object, "drive", drive_words());
-    axis.position_control = choice(object, "position_control", words(position_controls));
-    if (auto const type = choice(object, "type", words(axis_types))) {
-      axis.type = type->text == "T"   ? AxisType::translatory
-                  : type->text == "R" ? AxisType::rotary
-                                      : AxisType::spindle;
-    }
-    if (name) {
-      auto const [first, is_new] = axis_names_.try_emplace(name->text, name->place);
-      if (!is_new) {
-        Finding& finding = add(name->place.span, Text::ax4020_repeated_axis, {{"name", name->text}});
-        finding.related.push_back(
-            {.place = first->second, .message = {.text = Text::ax4020_first, .arguments = {}}});
-        return;
-      }
-    }
-    if (!name || !list) return;
-    axis.name = *std::move(name);
-    axis.list = *std::move(list);
-    machine.axes.push_back(std::move(axis));
+  bool is_axis(LocatedText const& name) {
+    if (axis_names_.contains(name.text)) return true;
+    std::vector<std::string_view> known;
+    for (auto const& [axis, place] : axis_names_) known.push_back(axis);
+    Message message{.text = Text::ax4020_unknown_axis, .arguments = {{"name", name.text}}};
+    suggest(add(name.place.span, std::move(message)), std::string(schema::closest_word(name.text, known)));
+    return false;
   }
 
   void require_axes(std::vector<LocatedText>& names) {
-    std::vector<std::string_view> known;
-    for (auto const& [name, place] : axis_names_) known.push_back(name);
-    std::sort(known.begin(), known.end());
-    auto const dangling = [&](LocatedText const& name) {
-      if (axis_names_.contains(name.text)) return false;
-      suggest(add(name.place.span, Text::ax4020_unknown_axis, {{"name", name.text}}), name.text, known);
-      return true;
-    };
-    names.erase(std::remove_if(names.begin(), names.end(), dangling), names.end());
-  }
-
-  MachineFileGroup group(JsonValue const& value) {
-    Object const object(*this, value, words(group_keys));
-    MachineFileGroup group;
-    group.name = text(object, "name");
-    if (JsonValue const* const axes = object.require("axes")) group.axes = texts_of(*axes, "axes");
-    require_axes(group.axes);
-    group.programs = texts(object, "programs");
-    return group;
-  }
-
-  void read_gantry(JsonValue const& value, MachineFile& machine) {
-    Object const object(*this, value, words(gantry_keys));
-    std::vector<LocatedText> master;
-    if (auto name = required_text(object, "master")) master.push_back(*std::move(name));
-    std::vector<LocatedText> slaves;
-    if (JsonValue const* const list = object.require("slaves")) slaves = texts_of(*list, "slaves");
-    require_axes(master);
-    require_axes(slaves);
-    if (!master.empty()) machine.gantries.push_back({.master = master.front(), .slaves = std::move(slaves)});
+    std::erase_if(names, [this](LocatedText const& name) { return !is_axis(name); });
   }
 
   SourceId source_;
   Report report_;
-  JsonDocument const* document_ = nullptr;
-  std::unordered_map<std::string, Place> axis_names_;
+  std::map<std::string, Place> axis_names_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
+#include "validator/json_reading.hpp"
 #include "validator/machine.hpp"
 #include "validator/report.hpp"
 
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace axisc::validator {
-
-/// A text of the machine file with its place.
-struct LocatedText {
-  std::string text;
-  Place place;
-};
 
 struct MachineFileAxis {
   LocatedText name;
@@ -53,6 +48,9 @@ struct MachineFile {
 /// list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
                                             ReportedFindings& findings);
+
+/// What a machine file may say.
+extern JsonShape const machine_file_shape;
 
 /// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".
 [[nodiscard]] bool looks_like_machine_file(std::string_view bytes);

@@ -1,12 +1,11 @@
 #include "schema/generator/catalogue_data.hpp"
 
-#include "schema/data_type.hpp"
-#include "schema/generator/consistency.hpp"
+#include "schema/row_reading.hpp"
 
-#include <algorithm>
-#include <charconv>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,9 +20,6 @@
 
 namespace axisc::schema::generator {
 namespace {
-
-// Symbols keep the order of the file: messages list them that way.
-using Json = nlohmann::ordered_json;
 
 nlohmann::json parse_json(std::string const& text, std::string_view what) {
   try {
@@ -48,84 +44,52 @@ void check_against_schema(nlohmann::json const& data, nlohmann::json const& sche
   throw DataError(message);
 }
 
-std::uint16_t p_axis_number(std::string const& identifier) {
-  constexpr std::string_view prefix = "P-AXIS-";
-  std::uint16_t number = 0;
-  std::from_chars(identifier.data() + prefix.size(), identifier.data() + identifier.size(), number);
-  return number;
+/// In the order of RowContradiction; * is the value that is wrong.
+constexpr std::array<std::string_view, 8> sentences = {"the type is missing",
+                                                       "array sizes do not match the [] of the name",
+                                                       "limits are for numbers",
+                                                       "the minimum is above the maximum",
+                                                       "symbols are for strings and booleans",
+                                                       "the symbol * stands twice",
+                                                       "max_length is for strings",
+                                                       "the default \"*\" is not a value of the type"};
+
+std::string sentence_of(RowProblem const& problem) {
+  std::string sentence(sentences.at(static_cast<std::size_t>(problem.what)));
+  std::size_t const value = sentence.find('*');
+  return value == std::string::npos ? sentence : sentence.replace(value, 1, problem.value);
 }
 
-/// MAX(UNS32) and the like.
-double data_type_limit(std::string_view text) {
-  std::size_t const begin = text.find('(') + 1;
-  std::string_view const name = text.substr(begin, text.size() - begin - 1);
-  auto const row = std::find_if(data_types.begin(), data_types.end(),
-                                [name](DataTypeRow const& known) { return known.name == name; });
-  if (row == data_types.end() || !is_number(row->type))
-    throw DataError(std::string(text) + " is not a limit");
-  DataRange const range = data_range(row->type);
-  return text.starts_with("MIN") ? range.lowest : range.highest;
-}
-
-std::optional<LimitData> read_limit(Json const& row, std::string const& closed_key) {
-  std::string const open_key = "exclusive_" + closed_key;
-  bool const open = row.contains(open_key);
-  if (!open && !row.contains(closed_key)) return std::nullopt;
-  Json const& value = row.at(open ? open_key : closed_key);
-  if (value.is_number()) return LimitData{.open = open, .number = value.get<double>(), .p_axis = 0};
-  auto const text = value.get<std::string>();
-  if (text.starts_with("P-AXIS-")) {
-    return LimitData{.open = open, .number = {}, .p_axis = p_axis_number(text)};
+/// One line per mistake.
+std::string contradictions(std::vector<RowReading> const& readings) {
+  std::set<std::uint16_t> numbers;
+  for (RowReading const& reading : readings) numbers.insert(reading.row.p_axis);
+  std::set<std::string> names;
+  std::string lines;
+  for (RowReading const& reading : readings) {
+    auto const complain = [&](std::string const& what) { lines += reading.row.name + ": " + what + "\n"; };
+    if (!names.insert(reading.row.name).second) complain("name stands twice");
+    for (RowProblem const& problem : reading.problems) complain(sentence_of(problem));
+    for (NamedParameter const& named : reading.named) {
+      if (!numbers.contains(named.p_axis)) complain("the " + std::string(named.key) + " names no parameter");
+    }
   }
-  return LimitData{.open = open, .number = data_type_limit(text), .p_axis = 0};
-}
-
-std::vector<SymbolData> read_symbols(Json const& row, std::string const& key) {
-  std::vector<SymbolData> symbols;
-  if (!row.contains(key)) return symbols;
-  for (auto const& [word, number] : row.at(key).items()) {
-    symbols.push_back(
-        {.word = word, .number = number.is_null() ? std::nullopt : std::optional(number.get<int>())});
-  }
-  return symbols;
-}
-
-ParameterData read_parameter(Json const& row) {
-  ParameterData parameter;
-  parameter.name = row.at("name").get<std::string>();
-  if (row.contains("id")) parameter.p_axis = p_axis_number(row.at("id").get<std::string>());
-  parameter.type = row.at("type").get<std::string>();
-  if (row.contains("array")) parameter.array = row.at("array").get<std::vector<std::uint16_t>>();
-  if (row.contains("default")) parameter.default_text = row.at("default").get<std::string>();
-  if (row.contains("unit")) {
-    Json const& unit = row.at("unit");
-    parameter.unit_translatory = (unit.is_string() ? unit : unit.at("translatory")).get<std::string>();
-    parameter.unit_rotary = (unit.is_string() ? unit : unit.at("rotary")).get<std::string>();
-  }
-  parameter.minimum = read_limit(row, "minimum");
-  parameter.maximum = read_limit(row, "maximum");
-  if (parameter.type == "BOOLEAN") {
-    parameter.symbols = {{.word = "FALSE", .number = 0}, {.word = "TRUE", .number = 1}};
-  }
-  for (SymbolData& symbol : read_symbols(row, "symbols")) parameter.symbols.push_back(std::move(symbol));
-  parameter.number_names = read_symbols(row, "number_names");
-  parameter.max_length = row.value("max_length", std::uint16_t{0});
-  if (row.contains("axis_types")) {
-    for (Json const& type : row.at("axis_types")) parameter.axis_types += type.get<std::string>();
-  }
-  parameter.since = row.value("since", std::string{});
-  return parameter;
+  return lines;
 }
 
 }  // namespace
 
-std::vector<ParameterData> read_catalogue(std::string const& data_text, std::string const& schema_text) {
+std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::string const& schema_text) {
   check_against_schema(parse_json(data_text, "data"), parse_json(schema_text, "schema"));
-  std::vector<ParameterData> parameters;
-  Json const data = Json::parse(data_text);
-  for (Json const& row : data.at("parameters")) parameters.push_back(read_parameter(row));
-  check_consistency(parameters);
-  return parameters;
+  std::vector<RowReading> readings;
+  auto const data = nlohmann::ordered_json::parse(data_text);
+  for (auto const& row : data.at("parameters")) readings.push_back(read_row(row, nullptr));
+  if (readings.empty()) throw DataError("parameters: there are none");
+  std::string const complaints = contradictions(readings);
+  if (!complaints.empty()) throw DataError(complaints);
+  std::vector<ParameterRow> rows;
+  for (RowReading& reading : readings) rows.push_back(std::move(reading.row));
+  return rows;
 }
 
 }  // namespace axisc::schema::generator

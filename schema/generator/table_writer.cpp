@@ -10,11 +10,9 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -59,6 +57,10 @@ std::string shortest_text(double number) {
   return shortest;
 }
 
+std::size_t index_count(ParameterRow const& row) {
+  return static_cast<std::size_t>(std::count(row.name.begin(), row.name.end(), '['));
+}
+
 /// One concrete parameter.
 struct Entry {
   std::string name;
@@ -76,12 +78,12 @@ std::string concrete_name(std::string const& pattern, std::array<std::uint32_t, 
   return name;
 }
 
-std::vector<Entry> concrete_parameters(std::vector<ParameterData> const& parameters) {
+std::vector<Entry> concrete_parameters(std::vector<ParameterRow> const& parameters) {
   std::vector<Entry> entries;
   for (std::size_t row = 0; row < parameters.size(); ++row) {
     auto const& array = parameters[row].array;
-    std::uint32_t const first_size = array.empty() ? 1 : array[0];
-    std::uint32_t const second_size = array.size() < 2 ? 1 : array[1];
+    std::uint32_t const first_size = std::max<std::uint32_t>(array[0], 1);
+    std::uint32_t const second_size = std::max<std::uint32_t>(array[1], 1);
     for (std::uint32_t i = 0; i < first_size; ++i) {
       for (std::uint32_t j = 0; j < second_size; ++j) {
         entries.push_back({.name = concrete_name(parameters[row].name, {i, j}), .parameter = row});
@@ -93,7 +95,7 @@ std::vector<Entry> concrete_parameters(std::vector<ParameterData> const& paramet
 
 class TableWriter {
  public:
-  explicit TableWriter(std::vector<ParameterData> const& parameters)
+  explicit TableWriter(std::vector<ParameterRow> const& parameters)
       : parameters_(parameters), entries_(concrete_parameters(parameters)) {
     out_.precision(std::numeric_limits<double>::max_digits10);
   }
@@ -111,14 +113,11 @@ class TableWriter {
   }
 
  private:
-  using Symbols = std::vector<SymbolData>;
-
   /// Many parameters share their words; each set stands once.
-  void write_symbol_set(Symbols const& symbols) {
+  void write_symbol_set(ParameterRow::Words const& symbols) {
     std::string text;
-    for (SymbolData const& symbol : symbols) {
-      text += "    {" + quoted(symbol.word) + ", " +
-              (symbol.number ? std::to_string(*symbol.number) : "std::nullopt") + "},\n";
+    for (auto const& [word, number] : symbols) {
+      text += "    {" + quoted(word) + ", " + (number ? std::to_string(*number) : "std::nullopt") + "},\n";
     }
     auto const [known, is_new] = symbol_sets_.emplace(text, "symbols_" + std::to_string(symbol_sets_.size()));
     if (is_new && !symbols.empty()) {
@@ -128,21 +127,21 @@ class TableWriter {
   }
 
   void write_symbols() {
-    for (ParameterData const& parameter : parameters_) {
+    for (ParameterRow const& parameter : parameters_) {
       write_symbol_set(parameter.symbols);
       write_symbol_set(parameter.number_names);
     }
   }
 
-  void write_limit(char const* member, std::optional<LimitData> const& limit) {
+  void write_limit(char const* member, Limit const& limit) {
     out_ << "." << member << " = ";
-    if (!limit) {
+    if (limit.kind == Limit::Kind::none) {
       out_ << "{}, ";
       return;
     }
-    out_ << "{.number = " << limit->number.value_or(0) << ", .p_axis = " << limit->p_axis
-         << ", .kind = Limit::Kind::" << (limit->number ? "number" : "parameter")
-         << ", .open = " << (limit->open ? "true" : "false") << "}, ";
+    out_ << "{.number = " << limit.number << ", .p_axis = " << limit.p_axis
+         << ", .kind = Limit::Kind::" << (limit.kind == Limit::Kind::number ? "number" : "parameter")
+         << ", .open = " << (limit.open ? "true" : "false") << "}, ";
   }
 
   void write_text(char const* member, std::string const& text) {
@@ -158,16 +157,14 @@ class TableWriter {
 
   /// Returns the number of slots of the row.
   std::size_t write_parameter(std::size_t row, std::size_t first_slot) {
-    ParameterData const& parameter = parameters_[row];
-    auto array = parameter.array;
-    std::size_t const slots =
-        std::accumulate(array.begin(), array.end(), std::size_t{1}, std::multiplies<>());
-    array.resize(2);
+    ParameterRow const& parameter = parameters_[row];
+    auto const& array = parameter.array;
+    std::size_t const slots = slots_of(array);
     out_ << "    {";
     write_limit("minimum", parameter.minimum);
     write_limit("maximum", parameter.maximum);
     out_ << ".symbols = " << set_names_[2 * row]
-         << ", .type = DataType::" << ascii::lower_case(parameter.type)
+         << ", .type = DataType::" << ascii::lower_case(data_type_name(parameter.type))
          << ", .has_default = " << (parameter.default_text ? "true" : "false")
          << ", .p_axis = " << parameter.p_axis << ", .max_length = " << parameter.max_length
          << ", .first_slot = Slot{" << first_slot << "}, .slots = " << slots << ", .array = {" << array[0]
@@ -228,7 +225,7 @@ class TableWriter {
   void write_bare_names() {
     std::vector<std::tuple<std::string, std::size_t, std::size_t>> bare;
     for (std::size_t row = 0; row < parameters_.size(); ++row) {
-      bare.emplace_back(without_brackets(parameters_[row].name), parameters_[row].array.size(), row);
+      bare.emplace_back(without_brackets(parameters_[row].name), index_count(parameters_[row]), row);
     }
     std::sort(bare.begin(), bare.end());
     out_ << "\n// By name without brackets, fewer indices first.\nconstexpr ParameterId bare_row_table[] = "
@@ -268,15 +265,15 @@ class TableWriter {
 
   void write_words() {
     std::set<std::string> words;
-    for (ParameterData const& parameter : parameters_) {
-      for (SymbolData const& symbol : parameter.symbols) words.insert(symbol.word);
+    for (ParameterRow const& parameter : parameters_) {
+      for (auto const& [word, number] : parameter.symbols) words.insert(word);
     }
     out_ << "\nconstexpr std::string_view word_table[] = {\n";
     for (std::string const& word : words) out_ << "    " << quoted(word) << ",\n";
     out_ << "};\n";
   }
 
-  std::vector<ParameterData> const& parameters_;
+  std::vector<ParameterRow> const& parameters_;
   std::vector<Entry> entries_;
   std::map<std::string, std::string> symbol_sets_;  ///< name of the table by its text
   std::vector<std::string> set_names_;              ///< symbols and number names of each row
@@ -285,7 +282,7 @@ class TableWriter {
 
 }  // namespace
 
-std::string write_tables(std::vector<ParameterData> const& parameters) {
+std::string write_tables(std::vector<ParameterRow> const& parameters) {
   return TableWriter(parameters).write();
 }
 

@@ -1,7 +1,7 @@
 // Writes the checked catalogue as constant tables in C++.
 #pragma once
 
-#include "schema/generator/catalogue_data.hpp"
+#include "schema/parameter_row.hpp"
 
 #include <string>
 #include <vector>
@@ -9,9 +9,9 @@
 namespace axisc::schema::generator {
 
 /// The text of catalogue_tables.inc, which catalogue.cpp includes. Equal data gives equal text.
-[[nodiscard]] std::string write_tables(std::vector<ParameterData> const& parameters);
+[[nodiscard]] std::string write_tables(std::vector<ParameterRow> const& parameters);
 
 /// The text of vocabulary_tables.inc, which built_in_vocabulary.cpp includes.
-[[nodiscard]] std::string write_vocabulary(std::vector<ParameterData> const& parameters);
+[[nodiscard]] std::string write_vocabulary(std::vector<ParameterRow> const& parameters);
 
 }  // namespace axisc::schema::generator

@@ -28,10 +28,10 @@ void write_array(std::ostream& out, std::string_view type, std::string_view name
 
 }  // namespace
 
-std::string write_vocabulary(std::vector<ParameterData> const& parameters) {
+std::string write_vocabulary(std::vector<ParameterRow> const& parameters) {
   std::vector<std::string> patterns;
   patterns.reserve(parameters.size());
-  for (ParameterData const& parameter : parameters) patterns.push_back(parameter.name);
+  for (ParameterRow const& parameter : parameters) patterns.push_back(parameter.name);
   VocabularyTables const tables(patterns);
 
   std::ostringstream out;

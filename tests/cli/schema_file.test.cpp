@@ -134,7 +134,7 @@ TEST_CASE("what a schema file must not say is refused at its place, in both lang
       {R"({"name": "a.b", "type": "UNS08", "id": "140"})", 69},
       {R"({"name": "a.b", "type": "UNS08", "array": [3]})", 72},
       {R"({"name": "a[].b", "type": "UNS08"})", 39},
-      {R"({"name": "a[].b", "type": "UNS08", "array": [0]})", 74},
+      {R"({"name": "a[].b", "type": "UNS08", "array": [0]})", 75},
       {R"({"name": "filter.order", "type": "UNS08"})", 39},
       {R"({"name": "filter[].order", "array": [5]})", 66},
       {R"({"name": "getriebe[].dynamik.vb_max", "array": [2]})", 77},
@@ -151,8 +151,10 @@ TEST_CASE("what a schema file must not say is refused at its place, in both lang
       {R"({"name": "a.b", "type": "UNS08", "max_length": 5})", 77},
       {R"({"name": "a.b", "type": "UNS08", "axis_types": ["X"]})", 78},
       {R"({"name": "a.b", "type": "UNS08", "since": "3"})", 72},
-      {R"({"name": "a.b", "type": "UNS08", "number_names": {"one": -1}})", 80},
+      {R"({"name": "a.b", "type": "UNS08", "number_names": {"one": -1}})", 87},
       {R"({"name": "a.b", "type": "UNS08", "min": 5})", 63},
+      {R"({"name": "a.b", "type": "UNS08", "id": "P-AXIS-00900", "id": "P-AXIS-00900"})", 85},
+      {R"({"name": "a.b", "type": "BOOLEAN", "symbols": {"TRUE": 1}})", 76},
       {R"({"name": "a[].b[]", "type": "UNS08", "array": [1000, 1000]})", 39},
   };
   for (auto const& [entry, column] : entries) {

@@ -37,7 +37,7 @@ Outcome generate(std::string const& data) {
   std::string const quote = "\"";
   std::string const command =
       quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() + "\" \"" +
-      AXISC_SOURCE_DIR + "/schema/axis-parameters.schema.json\" \"" + (folder / "tables.inc").string() +
+      AXISC_SOURCE_DIR + "/docs/schemas/schema-file.schema.json\" \"" + (folder / "tables.inc").string() +
       "\" \"" + (folder / "vocabulary.inc").string() + "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
   return {accepted, read(folder / "message"), read(folder / "tables.inc")};
@@ -96,11 +96,11 @@ TEST_CASE("what contradicts itself") {
   refuses(document(R"({"name": "a", "type": "UNS08", "maximum": "P-AXIS-00002"})"), "names no parameter");
   refuses(document(R"({"name": "a", "type": "UNS08", "minimum": 3, "maximum": 2})"), "above the maximum");
   refuses(document(R"({"name": "a", "type": "STRING", "minimum": 3})"), "limits are for numbers");
-  refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"), "is no value");
-  refuses(document(R"({"name": "a", "type": "BOOLEAN", "default": "2"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"), "is not a value");
+  refuses(document(R"({"name": "a", "type": "BOOLEAN", "default": "2"})"), "is not a value");
   refuses(document(R"({"name": "a", "type": "BOOLEAN", "symbols": {"TRUE": 1}})"), "TRUE stands twice");
-  refuses(document(R"({"name": "a", "type": "UNS08", "default": "-1"})"), "is no value");
-  refuses(document(R"({"name": "a", "type": "UNS08", "default": "1.5"})"), "is no value");
+  refuses(document(R"({"name": "a", "type": "UNS08", "default": "-1"})"), "is not a value");
+  refuses(document(R"({"name": "a", "type": "UNS08", "default": "1.5"})"), "is not a value");
   refuses(document(R"({"name": "a", "type": "UNS08", "default": "P-AXIS-00009"})"), "names no parameter");
   refuses(document(R"({"name": "a", "type": "UNS08", "symbols": {"X": 1}})"), "symbols are for");
   refuses(document(R"({"name": "a", "type": "UNS08", "max_length": 3})"), "max_length");

@@ -51,4 +51,12 @@ std::vector<std::string> sarif_complaints(std::string const& text) {
   return complaints;
 }
 
+std::vector<std::string> schema_complaints(std::string const& text, std::string const& schema) {
+  auto const document = json_type::parse(text, nullptr, false);
+  if (document.is_discarded()) return {"not JSON"};
+  std::vector<std::string> complaints;
+  validate(document, json_type::parse(schema), complaints);
+  return complaints;
+}
+
 }  // namespace axisc::test

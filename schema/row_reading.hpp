@@ -1,0 +1,49 @@
+// Rows of the catalogue as JSON says them: those of axis-parameters.json, which the generator reads, and those of schema files.
+#pragma once
+
+#include "schema/parameter_row.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace axisc::schema {
+
+enum class RowContradiction : std::uint8_t {
+  type_missing,     ///< a new row needs one
+  array_sizes,      ///< not one for each [] of the name
+  limits_of_words,  ///< limits of a type that has no numbers
+  minimum_above_maximum,
+  symbols_of_numbers,   ///< symbols of a type that has no words
+  symbol_twice,         ///< FALSE or TRUE of a boolean
+  length_of_numbers,    ///< max_length of a type that is no string
+  default_not_a_value,  ///< of the type, or of the symbols
+};
+
+struct RowProblem {
+  RowContradiction what{};
+  std::string_view key;  ///< whose value is wrong; the row may lack it
+  std::string value;     ///< symbol_twice, default_not_a_value
+};
+
+/// A parameter that a limit or a default names by its number; it may be in a later row.
+struct NamedParameter {
+  std::string_view key;
+  std::uint16_t p_axis = 0;
+};
+
+struct RowReading {
+  ParameterRow row;
+  std::vector<NamedParameter> named;
+  std::vector<RowProblem> problems;
+};
+
+/// What `entry` makes of `known`, the row of its name, or of nothing. It says anew what it names and leaves the rest; with
+/// another type, limits, default and words of the old one are dropped. `entry` is as docs/schemas/schema-file.schema.json
+/// says; everything else throws what nlohmann throws.
+[[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known);
+
+}  // namespace axisc::schema

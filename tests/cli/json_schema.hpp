@@ -1,0 +1,13 @@
+// JSON schemas of the files that axisc reads, from the tables that it reads them by.
+#pragma once
+
+#include "validator/json_shape.hpp"
+
+#include <string>
+
+namespace axisc::test {
+
+/// The shape as a JSON schema of draft 7.
+[[nodiscard]] std::string json_schema(validator::JsonShape const& shape);
+
+}  // namespace axisc::test

@@ -1,0 +1,181 @@
+// The published JSON schemas and the program agree on which files are right.
+#include "cli/json_schema.hpp"
+#include "cli/plant_file.hpp"
+#include "cli/schema_file.hpp"
+#include "cli/settings.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+#include "support/sarif_schema.hpp"
+#include "validator/json_check.hpp"
+#include "validator/machine_file.hpp"
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+using axisc::validator::JsonShape;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct FileKind {
+  std::string schema_file;
+  JsonShape const& shape;
+  std::string complete;  ///< a file with every key
+};
+
+std::vector<FileKind> const& kinds() {
+  static std::vector<FileKind> const all = {
+      {"docs/schemas/machine.schema.json", axisc::validator::machine_file_shape, R"({
+        "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
+        "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
+                 {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],
+        "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"]}],
+        "gantries": [{"master": "X", "slaves": ["Y"]}],
+        "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
+      {"docs/schemas/settings.schema.json", axisc::cli::settings_shape, R"({
+        "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
+        "severity": {"ax3013": "error"}, "schema": ["build.json"],
+        "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]})"},
+      {"docs/schemas/plant.schema.json", axisc::cli::plant_file_shape, R"({"plants": [{
+        "name": "X", "comment": ["anything"], "motor_mass_kg": 500, "load_mass_kg": 1060, "stiffness_n_per_um": 117.5,
+        "damping_n_s_per_mm": 20, "tooth_pitch_mm": 10, "transmission_error_um": 2.8, "structure_mass_kg": 1500,
+        "structure_frequency_hz": 11.75, "structure_damping_ratio": 0.015, "dead_time_us": 250,
+        "velocity_bandwidth_hz": 57, "velocity_reset_time_ms": 4, "kv_per_s": 60, "feedforward_percent": 44,
+        "position_feedback": "motor"}]})"},
+      {"docs/schemas/schema-file.schema.json", axisc::cli::schema_file_shape,
+       R"json({"version": 1, "parameters": [
+        {"id": "P-AXIS-00900", "name": "getriebe[].new_limit", "type": "UNS16", "array": [6], "default": "0", "unit": "us",
+         "minimum": 1, "maximum": "MAX(UNS16)", "number_names": {"off": 0}, "since": "V3.1.3200.00"},
+        {"name": "a.b", "type": "REAL64", "unit": {"translatory": "mm", "rotary": "deg"},
+         "exclusive_minimum": "P-AXIS-00900", "exclusive_maximum": 1e9},
+        {"name": "a.c", "type": "STRING", "symbols": {"OFF": 0, "ON_2": null}, "max_length": 8,
+         "axis_types": ["T", "R"]}]})json"}};
+  return all;
+}
+
+bool reader_accepts(FileKind const& kind, std::string const& text) {
+  auto const parsed = axisc::validator::parse_json(text, 0);
+  auto const* const document = std::get_if<axisc::validator::JsonDocument>(&parsed);
+  REQUIRE(document != nullptr);
+  return axisc::validator::check_json(*document, kind.shape).problems.empty();
+}
+
+bool schema_accepts(FileKind const& kind, std::string const& text) {
+  return schema_complaints(text, read_source_file(kind.schema_file)).empty();
+}
+
+/// Both must say the same; gives what they say.
+bool accepted(FileKind const& kind, std::string const& text) {
+  bool const by_reader = reader_accepts(kind, text);
+  INFO(kind.schema_file << ": " << text);
+  CHECK(schema_accepts(kind, text) == by_reader);
+  return by_reader;
+}
+
+void collect_places(Json const& value, Json::json_pointer const& place,
+                    std::vector<Json::json_pointer>& places) {
+  places.push_back(place);
+  if (value.is_object()) {
+    for (auto const& [key, member] : value.items()) collect_places(member, place / key, places);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) collect_places(value[i], place / i, places);
+  }
+}
+
+/// Names of all keys of a table and of those below it.
+void collect_keys(JsonShape const& shape, std::vector<std::string>& keys) {
+  for (auto const& key : shape.keys) {
+    keys.emplace_back(key.name);
+    collect_keys(*key.shape, keys);
+  }
+  if (shape.items != nullptr) collect_keys(*shape.items, keys);
+  for (auto const* const alternative : shape.alternatives) collect_keys(*alternative, keys);
+}
+
+}  // namespace
+
+TEST_CASE("the JSON schemas are what the tables of the readers give") {
+  for (auto const& kind : kinds()) check_golden(kind.schema_file, json_schema(kind.shape));
+}
+
+TEST_CASE("a file with every key is right for reader and schema") {
+  for (auto const& kind : kinds()) {
+    CHECK(accepted(kind, kind.complete));
+    std::vector<std::string> keys;
+    collect_keys(kind.shape, keys);
+    for (auto const& key : keys) {
+      INFO(key);
+      CHECK(kind.complete.find('"' + key + '"') != std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("the samples are as the schemas say") {
+  namespace fs = std::filesystem;
+  std::size_t machines = 0;
+  for (std::string const folder : {"samples", "tests/cli/data", "tests/data/rules"}) {
+    for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / folder)) {
+      auto const path = entry.path().lexically_relative(AXISC_SOURCE_DIR).generic_string();
+      bool const broken_on_purpose = path.find(".fail/") != std::string::npos;
+      if (entry.path().filename() != "machine.json" || broken_on_purpose) continue;
+      ++machines;
+      CHECK(accepted(kinds()[0], read_source_file(path)));
+    }
+  }
+  CHECK(machines > 10);
+  CHECK(accepted(kinds()[2], read_source_file("samples/motion/rack/plant.json")));
+  CHECK(accepted(kinds()[3], read_source_file("schema/axis-parameters.json")));
+}
+
+TEST_CASE("reader and schema refuse the same wherever another value is put") {
+  std::vector<Json> const others = {nullptr, true, -1, 0.5, "", "?", Json::array(), Json::object()};
+  for (auto const& kind : kinds()) {
+    auto const complete = Json::parse(kind.complete);
+    std::vector<Json::json_pointer> places;
+    collect_places(complete, Json::json_pointer(), places);
+    for (auto const& place : places) {
+      auto without = complete;
+      if (!place.empty() && without[place.parent_pointer()].is_object()) {
+        without[place.parent_pointer()].erase(place.back());
+        static_cast<void>(accepted(kind, without.dump()));
+      }
+      for (auto const& other : others) {
+        auto changed = complete;
+        changed[place] = other;
+        static_cast<void>(accepted(kind, changed.dump()));
+      }
+      if (complete[place].is_object()) {
+        auto longer = complete;
+        longer[place]["no key of any table"] = Json::object({{"x", 1}});
+        CHECK_FALSE(accepted(kind, longer.dump()));
+      }
+    }
+  }
+}
+
+TEST_CASE("what is nearly right is refused by both") {
+  auto const refused = [](std::size_t kind, std::string const& text) {
+    INFO(text);
+    CHECK_FALSE(accepted(kinds().at(kind), text));
+  };
+  refused(0, R"({"axes": []})");
+  refused(0, R"({"axes": [{"name": "X", "list": "x.lis", "drive": "SERCOSS"}]})");
+  refused(0, R"({"axes": [{"name": "X", "list": "x.lis"}], "cycle_time_us": 1000001})");
+  refused(1, R"({"cycle_time_us": 0})");
+  refused(1, R"({"build": "new"})");
+  refused(1, R"({"language": "fr"})");
+  refused(1, R"({"severity": {"AX4007": "fatal"}})");
+  refused(1, R"({"paths": [{"disable": []}]})");
+  refused(2, R"({"plants": [{"name": "X"}]})");
+  refused(3, R"({"version": 2, "parameters": []})");
+  refused(3, R"({"version": 1, "parameters": [{"name": "a[].b[].c[]"}]})");
+  refused(3, R"({"version": 1, "parameters": [{"name": "a", "minimum": 1, "exclusive_minimum": 1}]})");
+  refused(3, R"json({"version": 1, "parameters": [{"name": "a", "maximum": "MAX(STRING)"}]})json");
+  refused(3, R"({"version": 1, "parameters": [{"name": "a", "axis_types": ["T", "T"]}]})");
+  refused(3, R"({"version": 1, "parameters": [{"name": "a", "symbols": {"low": 1}}]})");
+}
