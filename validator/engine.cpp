@@ -65,7 +65,7 @@ class Engine {
          SourceSet const& sources)
       : machine_(machine),
         options_(options),
-        enabled_(rules().size()),
+        enabled_(rules().table_size()),
         sources_(sources),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
         reported_(std::move(reported)) {
@@ -98,11 +98,6 @@ class Engine {
   }
 
  private:
-  /// In the table, of which `rule` is one.
-  [[nodiscard]] static std::size_t number_of(Rule const& rule) {
-    return static_cast<std::size_t>(&rule - rules().data());
-  }
-
   [[nodiscard]] bool enabled(Rule const& rule) const { return enabled_[number_of(rule)] != 0; }
 
   /// Calls a check and keeps what it reports.
@@ -143,8 +138,8 @@ class Engine {
       LoadedList const& list = machine_.lists[i].list;
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
       std::string_view const owner = owner_of(i);
-      for (Rule const* const rule : rules_with<ListCheck>()) {
-        if (enabled(*rule)) call(*rule, std::get<ListCheck>(rule->check), context, owner, nullptr);
+      for (Rule const& rule : rules_with<ListCheck>()) {
+        if (enabled(rule)) call(rule, std::get<ListCheck>(rule.check), context, owner, nullptr);
       }
     }
   }
@@ -158,13 +153,13 @@ class Engine {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
     }
-    for (Rule const* const rule : rules_with<AxisCheck, FilterCheck>()) {
-      if (!enabled(*rule)) continue;
-      if (auto const* const check = std::get_if<AxisCheck>(&rule->check)) {
-        call(*rule, *check, context, context.name, nullptr);
-      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule->check)) {
+    for (Rule const& rule : rules_with<AxisCheck, FilterCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
+        call(rule, *check, context, context.name, nullptr);
+      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
         for (std::size_t i = 0; i < context.filters.size(); ++i) {
-          call(*rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
                context.name, subjects[i]);
         }
       }
@@ -173,13 +168,13 @@ class Engine {
 
   void run_machine_checks() {
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
-    for (Rule const* const rule : rules_with<MachineCheck, GroupCheck>()) {
-      if (!enabled(*rule)) continue;
-      if (auto const* const check = std::get_if<MachineCheck>(&rule->check)) {
-        call(*rule, *check, whole, {}, nullptr);
-      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule->check)) {
+    for (Rule const& rule : rules_with<MachineCheck, GroupCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
+        call(rule, *check, whole, {}, nullptr);
+      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
         for (LoadedGroup const& group : machine_.groups) {
-          call(*rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
+          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
         }
       }
     }
@@ -275,9 +270,8 @@ class Engine {
 
   void run_command(CommandContext const& context) {
     if (context.checked.mistakes.empty()) return;
-    for (Rule const& rule : rules()) {
-      auto const* const check = std::get_if<CommandCheck>(&rule.check);
-      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, nullptr);
+    for (Rule const& rule : rules_with<CommandCheck>()) {
+      if (enabled(rule)) call(rule, std::get<CommandCheck>(rule.check), context, {}, nullptr);
     }
   }
 
