@@ -1,7 +1,6 @@
 #include "cli/explain.hpp"
 #include "cli/parameter_facts.hpp"
 #include "diagnostics/location.hpp"
-#include "diagnostics/pages.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,7 +41,7 @@ ordered_json rule_json(validator::Rule const& rule, Language language) {
           {"severity", severity_name(rule.severity)},
           {"control", text_json(rule.control)},
           {"needs_cycle_time", rule.needs == validator::Needs::cycle_time},
-          {"page", page(rule.code, language)}};
+          {"page", page(rule).in(language)}};
 }
 
 ordered_json parameter_json(schema::Catalogue const& catalogue, schema::Parameter const& parameter,

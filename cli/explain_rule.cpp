@@ -1,5 +1,4 @@
 #include "cli/explain.hpp"
-#include "diagnostics/pages.hpp"
 
 namespace axisc::cli {
 
@@ -35,7 +34,7 @@ std::string facts(validator::Rule const& rule, Language language) {
 std::string explain_rule(validator::Rule const& rule, std::size_t level, Language language) {
   std::string text(level, '#');
   text += " " + code_text(rule.code) + " " + std::string(rule.name) + "\n\n" + facts(rule, language) + "\n";
-  auto const body = page(rule.code, language);
+  auto const body = page(rule).in(language);
   if (body.empty()) return text;
   text += "\n" + std::string(body);
   if (text.back() != '\n') text += '\n';

@@ -2,7 +2,6 @@
 
 #include "cli/quantities.hpp"
 #include "diagnostics/format_number.hpp"
-#include "diagnostics/pages.hpp"
 #include "validator/rule.hpp"
 
 #include <array>
@@ -57,7 +56,7 @@ struct RulePage {
 std::vector<RulePage> read_pages() {
   std::vector<RulePage> pages;
   for (auto const& rule : validator::rules()) {
-    pages.push_back({.code = rule.code, .text = without_indices(page(rule.code, Language::english))});
+    pages.push_back({.code = rule.code, .text = without_indices(page(rule).in(Language::english))});
   }
   return pages;
 }

@@ -27,8 +27,11 @@ ReportContext report_context(std::string const& first_input) {
   ReportContext context;
   context.version = AXISC_VERSION;
   for (auto const& rule : validator::rules()) {
-    context.rules.push_back(
-        {.code = rule.code, .name = rule.name, .severity = rule.severity, .control = rule.control});
+    context.rules.push_back({.code = rule.code,
+                             .name = rule.name,
+                             .severity = rule.severity,
+                             .control = rule.control,
+                             .page = page(rule)});
   }
   std::error_code error;
   auto const folder = fs::current_path(error);

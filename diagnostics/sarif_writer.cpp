@@ -1,6 +1,5 @@
 #include "diagnostics/json_layout.hpp"
 #include "diagnostics/location.hpp"
-#include "diagnostics/pages.hpp"
 #include "diagnostics/report_elements.hpp"
 #include "diagnostics/sarif_artifact.hpp"
 #include "diagnostics/writers.hpp"
@@ -79,7 +78,7 @@ class SarifHead {
   }
 
   [[nodiscard]] Json descriptor(RuleFacts const& rule) const {
-    std::string_view const text = page(rule.code, language_);
+    std::string_view const text = rule.page.in(language_);
     std::string_view const paragraph = text.empty() ? rule.name : first_paragraph(text);
     Json descriptor = {{"id", code_text(rule.code)},
                        {"name", rule.name},

@@ -3,6 +3,7 @@
 
 #include "diagnostics/finding.hpp"
 #include "diagnostics/fingerprint.hpp"
+#include "diagnostics/page.hpp"
 #include "diagnostics/repository_path.hpp"
 
 #include <optional>
@@ -42,6 +43,7 @@ struct RuleFacts {
   std::string_view name;
   Severity severity = Severity::error;
   std::string_view control;  ///< the control's message numbers, "50663/60311"; may be empty
+  Page page;                 ///< may be empty
 };
 
 /// What the formats of code hosts need beside the findings.

@@ -114,7 +114,7 @@ class CommandCheck {
       CommandMistake& mistake =
           add(keyword_mistake, keyword.name, Text::ax5002_repeated, {{"keyword", name}});
       mistake.first = first->name;
-      mistake.control = "21411";
+      mistake.control = keyword_repeated;
     } else if (is_hsc) {
       check_hsc(keyword);
     } else if (hsc_) {
@@ -206,7 +206,7 @@ class CommandCheck {
     if (order && limits_.time_delay) mistake.notes.push_back({.text = Text::ax5002_delay, .arguments = {}});
     if (order && value > *range.maximum) {
       mistake.control = "50911";
-      mistake.reaction = Text::ax3001_clipped;
+      mistake.reaction = Text::filter_reaction_clipped;
       mistake.value = std::to_string(limits_.longest_order());
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";

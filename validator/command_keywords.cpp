@@ -53,7 +53,7 @@ KeywordRange quality() {
   KeywordRange range = closed("QUALITY", 0, 1);
   range.above_minimum = true;
   range.text = "0 < QUALITY ≤ 1";
-  range.control = "22077";
+  range.control = quality_refused;
   return range;
 }
 
@@ -63,7 +63,7 @@ KeywordRange with_control(KeywordRange range, std::string_view control) {
 }
 
 KeywordRange mode() {
-  KeywordRange range = with_control(closed("MODE", 1, 4), "22062");
+  KeywordRange range = with_control(closed("MODE", 1, 4), mode_refused);
   range.whole = true;
   return range;
 }
@@ -86,13 +86,13 @@ std::vector<std::string_view> const& keywords_of(grammar::CommandKind kind) {
 KeywordRange range_of(std::string_view keyword, CommandLimits const& limits) {
   if (keyword == "ORDER") return order(limits);
   if (keyword == "ORDER_TIME") return order_time(limits);
-  if (keyword == "SHARE") return with_control(closed(keyword, 0, 100), "22067");
+  if (keyword == "SHARE") return with_control(closed(keyword, 0, 100), share_refused);
   if (keyword == "FCUT") return cut_off(limits);
   if (keyword == "ACC_FACT") return closed(keyword, 1, 10);
   if (keyword == "QUALITY") return quality();
   if (keyword == "MODE") return mode();
   if (keyword == "FREQ") return at_least(keyword, 1, " Hz");
-  if (keyword == "DAMPING") return with_control(closed(keyword, 0, 1), "22066");
+  if (keyword == "DAMPING") return with_control(closed(keyword, 0, 1), damping_refused);
   return at_least(keyword, 0, "");
 }
 

@@ -11,6 +11,13 @@
 
 namespace axisc::validator {
 
+// Message numbers of the control about keywords: one that stands there twice, and values out of range.
+inline constexpr std::string_view keyword_repeated = "21411";
+inline constexpr std::string_view mode_refused = "22062";
+inline constexpr std::string_view damping_refused = "22066";
+inline constexpr std::string_view share_refused = "22067";
+inline constexpr std::string_view quality_refused = "22077";
+
 struct KeywordRange {
   double minimum = 0;
   bool above_minimum = false;     ///< the minimum itself is not allowed

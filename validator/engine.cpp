@@ -115,9 +115,9 @@ class Engine {
       LoadedList const& list = machine_.lists[i].list;
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
       std::string_view const owner = owner_of(i);
-      for (Rule const* const rule : rules_with<ListCheck>()) {
-        if (!policy_.enabled(*rule, list.source)) continue;
-        call(*rule, std::get<ListCheck>(rule->check), context, owner, nullptr);
+      for (Rule const& rule : rules_with<ListCheck>()) {
+        if (!policy_.enabled(rule, list.source)) continue;
+        call(rule, std::get<ListCheck>(rule.check), context, owner, nullptr);
       }
     }
   }
@@ -132,13 +132,13 @@ class Engine {
       subjects.push_back(&subjects_.emplace_back(
           Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
     }
-    for (Rule const* const rule : rules_with<AxisCheck, FilterCheck>()) {
-      if (!enabled(*rule)) continue;
-      if (auto const* const check = std::get_if<AxisCheck>(&rule->check)) {
-        call(*rule, *check, context, context.name, nullptr);
-      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule->check)) {
+    for (Rule const& rule : rules_with<AxisCheck, FilterCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
+        call(rule, *check, context, context.name, nullptr);
+      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
         for (std::size_t i = 0; i < context.filters.size(); ++i) {
-          call(*rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
                context.name, subjects[i]);
         }
       }
@@ -147,13 +147,13 @@ class Engine {
 
   void run_machine_checks() {
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
-    for (Rule const* const rule : rules_with<MachineCheck, GroupCheck>()) {
-      if (!enabled(*rule)) continue;
-      if (auto const* const check = std::get_if<MachineCheck>(&rule->check)) {
-        call(*rule, *check, whole, {}, nullptr);
-      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule->check)) {
+    for (Rule const& rule : rules_with<MachineCheck, GroupCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
+        call(rule, *check, whole, {}, nullptr);
+      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
         for (LoadedGroup const& group : machine_.groups) {
-          call(*rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
+          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
         }
       }
     }
@@ -249,9 +249,8 @@ class Engine {
 
   void run_command(CommandContext const& context) {
     if (context.checked.mistakes.empty()) return;
-    for (Rule const& rule : rules()) {
-      auto const* const check = std::get_if<CommandCheck>(&rule.check);
-      if (check != nullptr && enabled(rule)) call(rule, *check, context, {}, nullptr);
+    for (Rule const& rule : rules_with<CommandCheck>()) {
+      if (enabled(rule)) call(rule, std::get<CommandCheck>(rule.check), context, {}, nullptr);
     }
   }
 

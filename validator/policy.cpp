@@ -8,11 +8,6 @@
 namespace axisc::validator {
 namespace {
 
-/// In the table, of which `rule` is one.
-std::size_t number_of(Rule const& rule) {
-  return static_cast<std::size_t>(&rule - rules().data());
-}
-
 bool contains(std::vector<Code> const& codes, Code code) {
   return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
@@ -20,7 +15,7 @@ bool contains(std::vector<Code> const& codes, Code code) {
 }  // namespace
 
 Policy::Policy(CheckOptions const& options, SourceSet const& sources)
-    : options_(options), sources_(sources), enabled_(rules().size()) {
+    : options_(options), sources_(sources), enabled_(rules().table_size()) {
   for (Rule const& rule : rules()) {
     bool const only_notes =
         rule.severity == Severity::note && severity(rule.code, rule.severity) == Severity::note;

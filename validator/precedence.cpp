@@ -13,45 +13,40 @@
 namespace axisc::validator {
 namespace {
 
-int rank(Code code) {
-  switch (static_cast<std::uint16_t>(code)) {
-    case 2002:
-    case 2003:
-    case 2004:
-    case 2007:
-    case 2015:
-      return 5;
-    case 2006:
-    case 2009:
-    case 2014:
-    case 2016:
-      return 1;  // Warnings, which the other codes of AX2 are not: the lower code.
-    case 2005:
-      return 7;
-    case 3009:
-    case 3023:
-    case 3024:
-      return 4;
-    default:
-      break;
-  }
+/// Text, several axes, filters, parameters, any other.
+int place_of_family(Code code) {
   switch (static_cast<std::uint16_t>(code) / 1000) {
     case 1:
       return 0;
     case 4:
-      return 2;
+      return 1;
     case 3:
-      return 3;
+      return 2;
     case 2:
-      return 6;
+      return 3;
     default:
-      return 8;
+      return 4;
   }
 }
 
+/// Every family has three places: before its rules, theirs, and after them.
+int place_among_rules(Rule const& rule) {
+  int const family = 3 * place_of_family(rule.code);
+  switch (rule.precedence) {
+    case Precedence::before_family:
+      return family;
+    case Precedence::of_family:
+      break;
+    case Precedence::after_family:
+      return family + 2;
+    case Precedence::after_text:
+      return 2;
+  }
+  return family + 1;
+}
+
 auto order(Reported const& finding) {
-  Code const code = finding.rule->code;
-  return std::make_tuple(finding.severity, rank(code), code);
+  return std::make_tuple(finding.severity, place_among_rules(*finding.rule), finding.rule->code);
 }
 
 /// What decides about the order, side by side, because the findings themselves lie far apart, and in numbers that are

@@ -20,8 +20,8 @@ void put_in_order(ReportedFindings const& reported, Standing& standing);
 /// Findings of one rule at one place, seen from several axes that share a list, become one.
 void merge_shared(ReportedFindings& reported, Standing& standing);
 
-/// Of findings whose places overlap only the highest stays: errors before warnings before notes; then AX1, AX4, AX3
-/// (range errors before unused or rounded), AX2002/2003/2004/2007/2015, the rest of AX2, AX2005; then the lower code.
+/// Of findings whose places overlap only one stays: errors before warnings before notes, then by the rule's Precedence,
+/// then the one of the lower code.
 void keep_highest_per_token(ReportedFindings const& reported, Standing& standing);
 
 /// The order of every output: by source in input order, then line, then column, then code; equal ones keep their order.

@@ -1,14 +1,17 @@
 // One table of rules. A rule looks and reports; the engine decides what is shown.
 //
+// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the build
+// finds the folders and makes the table of their rows.
+//
 // Rules that are switched off are not asked. The engine takes out of what the others report, in this order: what
-// the options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on the same subject silences (`silenced_by`); and for each token
-// all but the finding of the highest rank, so that one mistake gives one message (a warning never hides an error; within one severity AX1, AX4, AX3,
-// AX2002/2003/2004/2007/2015, AX2005; inside AX3 range errors before unused or rounded; else the lower code).
-// Findings of a default list that several axes share are merged.
+// the options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
+// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one mistake
+// gives one message. Findings of a default list that several axes share are merged.
 #pragma once
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
+#include "diagnostics/page.hpp"
 #include "validator/command_check.hpp"
 #include "validator/effective_values.hpp"
 #include "validator/filter_designs.hpp"
@@ -20,6 +23,7 @@
 #include "validator/report.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -108,15 +112,28 @@ using CommandCheck = void (*)(CommandContext const&, Report&);
 using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck,
                            ProgramCheck, CommandCheck>;
 
+/// Which of several findings on one token stands: an error before a warning before a note; then AX1, AX4, AX3, AX2, any
+/// other; then the lower code. A row may move its rule within that.
+enum class Precedence : std::uint8_t {
+  of_family,      ///< with the others of its thousand
+  before_family,  ///< before them: it names the mistake more closely
+  after_family,   ///< after them: it speaks only where nothing else is wrong
+  after_text,     ///< directly after AX1
+};
+
+/// A rule's row. Its folder's rule.cpp defines it as `axNNNN` in the namespace checks and writes only what differs from
+/// the usual.
 struct Rule {
   Code code{};
-  std::string_view name;
+  std::string_view name = {};  ///< as in the folder's name
   Severity severity = Severity::error;
-  std::string_view control;  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
+  std::string_view control =
+      {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
-  std::span<Code const>
-      silenced_by;  ///< for the same filter or program: when one of these was reported, this rule says nothing
-  Check check;
+  Precedence precedence = Precedence::of_family;
+  /// For the same filter or program: when one of these was reported, this rule says nothing.
+  std::span<Code const> silenced_by = {};
+  Check check = {};
   ProgramCheck program_check = nullptr;  ///< for a rule that looks at NC programs as well
 };
 
@@ -124,18 +141,65 @@ struct Rule {
 template <std::uint16_t... numbers>
 inline constexpr std::array<Code, sizeof...(numbers)> codes{static_cast<Code>(numbers)...};
 
-/// All rules, by rising code.
-[[nodiscard]] std::span<Rule const> rules();
-/// Those with a check of one of the given kinds.
+/// Rules by rising code: all, or those with a check of certain kinds.
+class RuleRange {
+ public:
+  /// One bit for each alternative of Check.
+  using Kinds = std::uint32_t;
+  static constexpr Kinds all_kinds = ~Kinds{0};
+  template <typename SomeCheck>
+  static constexpr Kinds kind = Kinds{1} << Check(SomeCheck{}).index();
+
+  class Iterator {
+   public:
+    Iterator(Rule const* const* at, Rule const* const* last, Kinds kinds)
+        : at_(at), last_(last), kinds_(kinds) {
+      skip();
+    }
+    Rule const& operator*() const { return **at_; }
+    Iterator& operator++() {
+      ++at_;
+      skip();
+      return *this;
+    }
+    friend bool operator==(Iterator const& left, Iterator const& right) { return left.at_ == right.at_; }
+
+   private:
+    void skip() {
+      while (at_ != last_ && (kinds_ >> (*at_)->check.index() & 1U) == 0) ++at_;
+    }
+
+    Rule const* const* at_;
+    Rule const* const* last_;
+    Kinds kinds_;
+  };
+
+  RuleRange(std::span<Rule const* const> table, Kinds kinds) : table_(table), kinds_(kinds) {}
+  [[nodiscard]] Iterator begin() const { return {table_.data(), last(), kinds_}; }
+  [[nodiscard]] Iterator end() const { return {last(), last(), kinds_}; }
+  [[nodiscard]] RuleRange with(Kinds kinds) const { return {table_, kinds_ & kinds}; }
+  /// Of the whole table.
+  [[nodiscard]] std::size_t table_size() const { return table_.size(); }
+
+ private:
+  [[nodiscard]] Rule const* const* last() const { return table_.data() + table_.size(); }
+
+  std::span<Rule const* const> table_;
+  Kinds kinds_;
+};
+
+/// All rules.
+[[nodiscard]] RuleRange rules();
+/// Those with a check of one of the given kinds. Cost: a look at every row.
 template <typename... Checks>
-[[nodiscard]] std::span<Rule const* const> rules_with();
-template <>
-std::span<Rule const* const> rules_with<ListCheck>();
-template <>
-std::span<Rule const* const> rules_with<AxisCheck, FilterCheck>();
-template <>
-std::span<Rule const* const> rules_with<MachineCheck, GroupCheck>();
-/// The row of a code; null when there is none.
+[[nodiscard]] RuleRange rules_with() {
+  return rules().with((RuleRange::kind<Checks> | ...));
+}
+/// The row of a code; null when there is none. Cost: one look into a table.
 [[nodiscard]] Rule const* find_rule(Code code);
+/// Of a rule of the table: its place there, counted from 0.
+[[nodiscard]] std::size_t number_of(Rule const& rule);
+/// What `axisc explain` prints about it. Cost: as find_rule().
+[[nodiscard]] Page const& page(Rule const& rule);
 
 }  // namespace axisc::validator

@@ -3,10 +3,22 @@
 
 #include "diagnostics/writers.hpp"
 #include "example_findings.hpp"
+#include "support/golden.hpp"
 
+#include <string>
 #include <vector>
 
 namespace axisc::test {
+
+/// The English pages of two rules, as the program embeds them.
+inline Page page_of_delay() {
+  static std::string const text = read_source_file("validator/rules/AX3005-delay-too-long/en.md");
+  return {.english = text, .german = {}};
+}
+inline Page page_of_cycle_time() {
+  static std::string const text = read_source_file("validator/rules/AX9006-cycle-time-assumed/en.md");
+  return {.english = text, .german = {}};
+}
 
 /// One finding with everything, one with nothing but a place, one without a place; one input failed.
 struct ReportExample {
@@ -26,9 +38,17 @@ struct ReportExample {
     findings = {without_place, over_lines, full.finding, full.finding};
     number_occurrences(findings, full.sources);
     context.rules = {
-        {.code = Code{1005}, .name = "unused", .severity = Severity::error, .control = ""},
-        {.code = Code{3005}, .name = "delay-too-long", .severity = Severity::error, .control = "50663"},
-        {.code = Code{9006}, .name = "cycle-time-assumed", .severity = Severity::note, .control = ""}};
+        {.code = Code{1005}, .name = "unused", .severity = Severity::error, .control = "", .page = {}},
+        {.code = Code{3005},
+         .name = "delay-too-long",
+         .severity = Severity::error,
+         .control = "50663",
+         .page = page_of_delay()},
+        {.code = Code{9006},
+         .name = "cycle-time-assumed",
+         .severity = Severity::note,
+         .control = "",
+         .page = page_of_cycle_time()}};
     context.version = "1.2.3";
     context.paths = {.root = "/repository", .folder = "/repository/axes 1"};
     context.failures = {"cannot read y.lis"};

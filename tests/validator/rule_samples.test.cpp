@@ -1,11 +1,10 @@
-// Walks over the table of rules: each has texts, a page in both languages, a sample that it reports and one that it
-// passes.
+// Walks over the folders of the rules: each has a row in the table, a page in both languages, a sample that it reports and
+// one that it passes.
 //
-// A sample is tests/data/rules/AXNNNN.fail.lis, for NC programs AXNNNN.fail.nc, or a folder AXNNNN.fail with machine.json
-// where a machine is needed; the same with `pass`. AXNNNN.fail.expected holds the findings in output order,
+// The samples are in the rule's folder. `fail.lis` is a list, for rules about NC programs `fail.nc`, or a folder `fail` with
+// machine.json where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
 // `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
 // `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
-#include "diagnostics/pages.hpp"
 #include "diagnostics/text.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -13,11 +12,14 @@
 #include "validator/check.hpp"
 #include "validator/rule.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -25,7 +27,7 @@ namespace {
 using namespace axisc;
 namespace fs = std::filesystem;
 
-constexpr char const* samples = "tests/data/rules/";
+constexpr char const* folder_of_rules = "validator/rules/";
 
 std::string read(fs::path const& path) {
   std::ifstream file(path, std::ios::binary);
@@ -95,8 +97,25 @@ Outcome outcome_of(validator::CheckResult const& result, SourceSet const& source
   return outcome;
 }
 
-Outcome run_sample(std::string const& name, Code code) {
-  fs::path const base = fs::path(AXISC_SOURCE_DIR) / samples / name;
+/// The folders of the rules, by rising code: "AX3005-delay-too-long".
+std::vector<std::string> rule_folders() {
+  std::vector<std::string> folders;
+  for (fs::directory_entry const& entry :
+       fs::directory_iterator(fs::path(AXISC_SOURCE_DIR) / folder_of_rules)) {
+    if (entry.is_directory()) folders.push_back(entry.path().filename().string());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+std::string folder_of(validator::Rule const& rule) {
+  return code_text(rule.code) + "-" + std::string(rule.name);
+}
+
+/// `name`: "fail" or "pass".
+Outcome run_sample(validator::Rule const& rule, std::string const& name) {
+  fs::path const folder = fs::path(AXISC_SOURCE_DIR) / folder_of_rules / folder_of(rule);
+  fs::path const base = folder / name;
   std::map<std::string, std::string> contents;
   std::string input = name + (fs::exists(base.string() + ".nc") ? ".nc" : ".lis");
   validator::CheckOptions options;
@@ -107,14 +126,14 @@ Outcome run_sample(std::string const& name, Code code) {
     }
     options = options_of(contents["x.lis"]);
   } else {
-    contents[input] = read(fs::path(AXISC_SOURCE_DIR) / samples / input);
+    contents[input] = read(folder / input);
     options = options_of(contents[input]);
   }
   tests::MapFiles files(contents);
   SourceSet sources;
   validator::CheckResult const result = validator::check(files, input, options, sources);
   CHECK_FALSE(result.unreadable.has_value());
-  return outcome_of(result, sources, input, code);
+  return outcome_of(result, sources, input, rule.code);
 }
 
 /// Codes of files and environment come from the program itself; its own tests show them.
@@ -125,46 +144,65 @@ bool has_sample(validator::Rule const& rule) {
 
 }  // namespace
 
-TEST_CASE("every rule has a page in both languages") {
+TEST_CASE("every folder is a rule, and every rule has a page in both languages") {
+  std::vector<std::string> folders;
   for (validator::Rule const& rule : validator::rules()) {
     INFO(code_text(rule.code) << " " << rule.name);
-    CHECK_FALSE(page(rule.code, Language::english).empty());
-    CHECK_FALSE(page(rule.code, Language::german).empty());
+    folders.push_back(folder_of(rule));
+    CHECK_FALSE(page(rule).english.empty());
+    CHECK_FALSE(page(rule).german.empty());
   }
+  CHECK(folders == rule_folders());
 }
 
-TEST_CASE("the table is in order and every code stands there once") {
+TEST_CASE("the table is in order and every code is there once") {
   validator::Rule const* previous = nullptr;
+  std::size_t number = 0;
   for (validator::Rule const& rule : validator::rules()) {
     INFO(code_text(rule.code));
     CHECK_FALSE(rule.name.empty());
     CHECK(validator::find_rule(rule.code) == &rule);
+    CHECK(validator::number_of(rule) == number++);
     if (previous != nullptr) CHECK(previous->code < rule.code);
     for (Code const code : rule.silenced_by) CHECK(validator::find_rule(code) != nullptr);
     previous = &rule;
   }
+  CHECK(number == validator::rules().table_size());
   CHECK(validator::find_rule(Code{4999}) == nullptr);
+  CHECK(validator::find_rule(Code{65535}) == nullptr);
+}
+
+TEST_CASE("rules are found by what they look at") {
+  using namespace validator;
+  std::vector<Rule const*> expected;
+  for (Rule const& rule : rules()) {
+    bool const wanted =
+        std::holds_alternative<AxisCheck>(rule.check) || std::holds_alternative<FilterCheck>(rule.check);
+    if (wanted) expected.push_back(&rule);
+  }
+  std::vector<Rule const*> found;
+  for (Rule const& rule : rules_with<AxisCheck, FilterCheck>()) found.push_back(&rule);
+  CHECK(found == expected);
+  CHECK_FALSE(found.empty());
 }
 
 TEST_CASE("every rule reports its failing sample, exactly as expected") {
   for (validator::Rule const& rule : validator::rules()) {
     if (!has_sample(rule)) continue;
-    std::string const name = code_text(rule.code) + ".fail";
-    INFO(name);
-    Outcome const outcome = run_sample(name, rule.code);
+    INFO(folder_of(rule));
+    Outcome const outcome = run_sample(rule, "fail");
     CHECK(outcome.contains_code);
     CHECK(outcome.texts_complete);
     CHECK(outcome.silent_messages.empty());
-    test::check_golden(samples + name + ".expected", outcome.findings);
+    test::check_golden(folder_of_rules + folder_of(rule) + "/fail.expected", outcome.findings);
   }
 }
 
 TEST_CASE("every rule passes its passing sample") {
   for (validator::Rule const& rule : validator::rules()) {
     if (!has_sample(rule)) continue;
-    std::string const name = code_text(rule.code) + ".pass";
-    INFO(name);
-    Outcome const outcome = run_sample(name, rule.code);
+    INFO(folder_of(rule));
+    Outcome const outcome = run_sample(rule, "pass");
     INFO(outcome.findings);
     CHECK_FALSE(outcome.contains_code);
   }

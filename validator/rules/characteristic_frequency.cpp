@@ -12,9 +12,6 @@ namespace {
 
 using Frequencies = std::vector<CharacteristicFrequency>;
 
-constexpr std::string_view path_message = "50557";
-constexpr std::string_view position_controller_message = "70420";
-
 bool uses_frequency(FilterView const& filter) {
   if (filter.active()) return design::uses_frequency(*filter.standard_type);
   return hsc_type(filter) == HscType::novib;
@@ -23,14 +20,15 @@ bool uses_frequency(FilterView const& filter) {
 void add_standard_filters(std::span<FilterView const> filters, Frequencies& found) {
   for (FilterView const& filter : filters) {
     if (filter.frequency.unusable || !uses_frequency(filter)) continue;
-    found.push_back({filter.frequency, filter.anchor(filter.frequency), std::string(filter.type_word()),
-                     filter.port == FilterPort::setpoint ? path_message : position_controller_message});
+    found.push_back(
+        {filter.frequency, filter.anchor(filter.frequency), std::string(filter.type_word()),
+         filter.port == FilterPort::setpoint ? Filtering::setpoint : Filtering::position_controller});
   }
 }
 
 void add_windowed_sinc(FirView const& fir, Frequencies& found) {
   if (fir.frequency.unusable || fir.configured_type() != FirType::windowed_sinc) return;
-  found.push_back({fir.frequency, fir.anchor(fir.frequency), "filter_fir.type 3", path_message});
+  found.push_back({fir.frequency, fir.anchor(fir.frequency), "filter_fir.type 3", Filtering::setpoint});
 }
 
 // The documented default, -1, means that no frequency is configured.
@@ -39,7 +37,7 @@ void add_stages(PositionControlView const& position_control, Frequencies& found)
     for (StageFilterView const& filter : stage.filters()) {
       if (!configured(filter.frequency)) continue;
       found.push_back(
-          {filter.frequency, filter.frequency, symbol_word(stage.mode), position_controller_message});
+          {filter.frequency, filter.frequency, symbol_word(stage.mode), Filtering::position_controller});
     }
   }
 }

@@ -39,9 +39,23 @@ std::string milliseconds(double value) {
   return number(value / 1e3) + " ms";
 }
 
-void react(Finding& finding, std::string_view messages, Message reaction, std::string value) {
-  finding.control = ControlReaction{
-      .message = std::string(messages), .reaction = std::move(reaction), .value = std::move(value)};
+Message time_in_cycles(double time, design::CycleTime cycle_time) {
+  return {Text::filter_time_in_cycles,
+          {{"time", microseconds(time)},
+           {"milliseconds", milliseconds(time)},
+           {"cycles", number(cycle_time.cycles({time}))},
+           {"cycle", microseconds(cycle_time.microseconds())}}};
+}
+
+void react(Finding& finding, Message reaction, std::string value) {
+  if (!finding.control) finding.control.emplace();
+  finding.control->reaction = std::move(reaction);
+  finding.control->value = std::move(value);
+}
+
+void react(Finding& finding, std::string_view control, Message reaction, std::string value) {
+  react(finding, std::move(reaction), std::move(value));
+  finding.control->message = control;
 }
 
 void note_default(Finding& finding, EffectiveValue const& value) {
@@ -52,19 +66,20 @@ void note_default(Finding& finding, EffectiveValue const& value) {
       {Text::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
 }
 
+void relate_set_type(Finding& finding, EffectiveValue const& type) {
+  if (type.value_place()) finding.related.push_back({*type.value_place(), {Text::filter_type_here, {}}});
+}
+
 void relate_type(Finding& finding, FilterView const& filter) {
-  if (filter.type.value_place()) {
-    finding.related.push_back({*filter.type.value_place(), {Text::filter_type_here, {}}});
-    return;
-  }
+  if (filter.type.value_place()) return relate_set_type(finding, filter.type);
   finding.notes.push_back(
       {Text::filter_type_default,
        {{"parameter", parameter_name(filter.type)}, {"type", std::string(filter.type_word())}}});
 }
 
 std::string_view time_constant_message(FilterContext const& context) {
-  if (context.filter.port == FilterPort::additional_interface) return "70451";
-  return context.axis.type == AxisType::spindle ? "60311" : "50663";
+  if (context.filter.port == FilterPort::additional_interface) return position_controller_refuses_time;
+  return context.axis.type == AxisType::spindle ? spindle_refuses_time : path_refuses_time;
 }
 
 }  // namespace axisc::validator::checks

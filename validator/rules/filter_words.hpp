@@ -24,16 +24,27 @@ namespace axisc::validator::checks {
 /// "12 ms".
 [[nodiscard]] std::string milliseconds(double value);
 
-/// What the control does; `messages` replaces the row's numbers for this case.
-void react(Finding& finding, std::string_view messages, Message reaction, std::string value = {});
+/// "12000 µs (12 ms) are 12 cycles of 1000 µs", of a time in microseconds.
+[[nodiscard]] Message time_in_cycles(double time, design::CycleTime cycle_time);
+
+/// What the control does; `value` is what it goes on with.
+void react(Finding& finding, Message reaction, std::string value = {});
+/// Where only one or some of the row's message numbers fit: `control` is these.
+void react(Finding& finding, std::string_view control, Message reaction, std::string value = {});
 
 /// Says which default counts where no list sets `value`.
 void note_default(Finding& finding, EffectiveValue const& value);
 
+/// Points at a type where a list sets it.
+void relate_set_type(Finding& finding, EffectiveValue const& type);
 /// Points at the type where a list sets it; else notes which type counts by default.
 void relate_type(Finding& finding, FilterView const& filter);
 
-/// The one of 50663 (path axis), 60311 (spindle), 70451 (position controller) that fits.
+/// What the control says of a time constant that it refuses: on a path axis, on a spindle, in the position controller.
+inline constexpr std::string_view path_refuses_time = "50663";
+inline constexpr std::string_view spindle_refuses_time = "60311";
+inline constexpr std::string_view position_controller_refuses_time = "70451";
+/// The one of them that fits.
 [[nodiscard]] std::string_view time_constant_message(FilterContext const& context);
 
 }  // namespace axisc::validator::checks

@@ -1,6 +1,7 @@
 #include "validator/rules/step_overshoot.hpp"
 
 #include "design/filter_analysis.hpp"
+#include "validator/rules/filter_words.hpp"
 
 #include <array>
 #include <cmath>
@@ -28,6 +29,10 @@ std::optional<double> step_overshoot(FilterContext const& context) {
   double const cycles_per_period = 1 / (specification->frequency.value * cycle_time.seconds());
   auto const longest = static_cast<std::uint64_t>(std::ceil(measured_periods * cycles_per_period)) + 1;
   return design::step_overshoot(chain, longest);
+}
+
+Message overshoot_label(double overshoot) {
+  return {Text::filter_overshoot, {{"overshoot", percent(overshoot)}}};
 }
 
 }  // namespace axisc::validator::checks

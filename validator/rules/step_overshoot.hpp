@@ -13,4 +13,7 @@ namespace axisc::validator::checks {
 /// product, so a very slow filter is measured by a faster one. Cost: at most 20,000 cycles.
 [[nodiscard]] std::optional<double> step_overshoot(FilterContext const& context);
 
+/// Says it beside the filter.
+[[nodiscard]] Message overshoot_label(double overshoot);
+
 }  // namespace axisc::validator::checks

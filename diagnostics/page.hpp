@@ -1,0 +1,19 @@
+// The page of a code: what it means and what to do about it, for `axisc explain`, docs/rules.md and SARIF.
+#pragma once
+
+#include "diagnostics/text.hpp"
+
+#include <string_view>
+
+namespace axisc {
+
+struct Page {
+  std::string_view english;  ///< Markdown without a heading; empty where there is no page
+  std::string_view german;
+
+  [[nodiscard]] constexpr std::string_view in(Language language) const {
+    return language == Language::german ? german : english;
+  }
+};
+
+}  // namespace axisc

@@ -1,0 +1,27 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/syntax_problems.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
+  finding.parameter = context.source.utf8(problem.span);
+  finding.message = message_of(Text::ax1003, Argument{"name", finding.parameter});
+  finding.help.push_back(message(Text::ax1003_help));
+}
+
+void expected_value(ListContext const& context, Report& report) {
+  report_problems<describe>(context, grammar::ProblemKind::expected_value, report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax1003{
+    .code = Code{1003},
+    .name = "expected-value",
+    .check = expected_value,
+};
+
+}  // namespace axisc::validator::checks

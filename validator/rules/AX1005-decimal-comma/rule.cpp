@@ -1,0 +1,47 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// The number that was meant; empty where that is not obvious: an integer has no decimals.
+std::string repaired(std::string value, Reading const& reading) {
+  std::replace(value.begin(), value.end(), ',', '.');
+  if (!is_complete_number(value)) return {};
+  bool const is_real = !reading.row_known() || reading.row->type == schema::DataType::real64;
+  if (is_real) return value;
+  std::size_t const point = value.find('.');
+  bool const is_whole = value.find_first_not_of('0', point + 1) == std::string::npos;
+  return is_whole ? value.substr(0, point) : std::string{};
+}
+
+void describe(Finding& finding, Line const& line) {
+  Span const written = line.assignment().value;
+  std::string const value = line.text(written);
+  finding.message = message_of(Text::ax1005, Argument{"value", value});
+  set_reaction(finding, Text::ax1005_reaction);
+  std::string const number = repaired(value, line.reading());
+  if (number.empty()) return;
+  finding.fix =
+      replace_by(line.place(written), number, message_of(Text::ax1005_fix, Argument{"replacement", number}));
+}
+
+void decimal_comma(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::decimal_comma) return;
+    report_line<describe>(report, line, line.assignment().value);
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax1005{
+    .code = Code{1005},
+    .name = "decimal-comma",
+    .check = decimal_comma,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,75 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+/// 007 as 7, -0.5 stays: the number without the zeros that the control rejects.
+std::string without_leading_zeros(std::string const& value) {
+  std::size_t const sign = value.find_first_of("+-") == 0 ? 1 : 0;
+  std::size_t const first = value.find_first_not_of('0', sign);
+  if (first == std::string::npos) return value.substr(0, sign) + "0";
+  bool const needs_zero = value[first] < '0' || value[first] > '9';
+  return value.substr(0, sign) + (needs_zero ? "0" : "") + value.substr(first);
+}
+
+/// What the control does with one kind of malformed number.
+struct Trouble {
+  Text headline;
+  Text reaction;
+  std::string_view control;  ///< instead of the row's number
+  std::string_view result;
+};
+
+Trouble trouble_of(NumberStatus status) {
+  switch (status) {
+    case NumberStatus::leading_zero:
+      return {.headline = Text::ax1006_leading_zero,
+              .reaction = Text::ax1006_leading_zero_reaction,
+              .control = "1022",
+              .result = ""};
+    case NumberStatus::exponent_too_big:
+      return {.headline = Text::ax1006_exponent,
+              .reaction = Text::ax1006_exponent_reaction,
+              .control = "1027",
+              .result = ""};
+    case NumberStatus::good:
+    case NumberStatus::not_a_number:
+    case NumberStatus::out_of_data_range:
+      break;
+  }
+  return {.headline = Text::ax1006, .reaction = Text::ax1006_reaction, .control = "", .result = "0"};
+}
+
+void describe(Finding& finding, Line const& line) {
+  NumberStatus const status = line.reading().number;
+  Trouble const trouble = trouble_of(status);
+  std::string const value = line.text(line.assignment().value);
+  finding.message = message_of(trouble.headline, Argument{"value", value});
+  set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
+  if (!trouble.control.empty()) finding.control->message = trouble.control;
+  if (status != NumberStatus::leading_zero) return;
+  std::string const shorter = without_leading_zeros(value);
+  if (!is_complete_number(shorter)) return;
+  finding.fix = replace_by(line.place(line.assignment().value), shorter,
+                           message(Text::ax1006_fix, {{"replacement", shorter}}));
+}
+
+void malformed_number(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::malformed_number) return;
+    report_line<describe>(report, line, line.assignment().value);
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax1006{
+    .code = Code{1006},
+    .name = "malformed-number",
+    .control = "1001138",
+    .check = malformed_number,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,56 @@
+#include "validator/rule.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr std::string_view end_marker = "Ende";
+
+/// `finding` stands at what is written.
+void describe(Finding& finding, std::string written, std::string const& expected) {
+  finding.message =
+      message_of(Text::ax1010, Argument{"written", std::move(written)}, Argument{"expected", expected});
+  set_reaction(finding, Text::ax1010_reaction);
+  finding.fix = replace_by(*finding.place, expected,
+                           message_of(Text::ax1010_fix, Argument{"expected", expected}), FixSafety::safe);
+}
+
+void describe_name(Finding& finding, Line const& line) {
+  describe(finding, line.name(), schema::slot_name(*line.reading().row, line.reading().slot));
+}
+
+void describe_symbol(Finding& finding, Line const& line) {
+  std::string const written = line.text(line.reading().text);
+  describe(finding, written, ascii::upper_case(written));
+}
+
+void letter_case(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    Reading const& reading = line.reading();
+    if (reading.known() && reading.name_folded) {
+      report_line<describe_name>(report, line, line.assignment().name);
+    }
+    if (reading.symbol_folded && reading.status == ReadingStatus::value) {
+      report_line<describe_symbol>(report, line, reading.text);
+    }
+  });
+  auto const& marker = context.list.tree.end_marker;
+  if (!marker || context.source.slice(*marker) == end_marker) return;
+  report.later(place_of(context, *marker), [&context](Finding& finding) {
+    std::string_view const written = context.source.slice(finding.place->span);
+    describe(finding, std::string(written), std::string(end_marker));
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax1010{
+    .code = Code{1010},
+    .name = "letter-case",
+    .severity = Severity::warning,
+    .check = letter_case,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,82 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+#include <charconv>
+#include <optional>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr std::string_view prefix = "P-AXIS-";
+
+struct Mention {
+  std::uint32_t number = 0;
+  Span span;
+};
+
+std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
+  for (std::size_t at = text.find(prefix, from); at != std::string_view::npos;
+       at = text.find(prefix, at + 1)) {
+    Mention mention;
+    char const* const digits = text.data() + at + prefix.size();
+    auto const [end, error] = std::from_chars(digits, text.data() + text.size(), mention.number);
+    if (end == digits || error != std::errc{}) continue;
+    mention.span = {.begin = static_cast<std::uint32_t>(at),
+                    .end = static_cast<std::uint32_t>(end - text.data())};
+    return mention;
+  }
+  return std::nullopt;
+}
+
+/// The first P-AXIS number in the comment of a line; none where its own is among them, or where it has none.
+std::optional<Mention> other_parameter(Line const& line) {
+  Span const trailer = line.assignment().trailer;
+  if (trailer.empty()) return std::nullopt;
+  Reading const reading = line.context.list.readings[line.number];
+  if (!reading.row_known() || reading.row->p_axis == 0) return std::nullopt;
+  std::string_view const text = line.context.source.slice(trailer);
+  std::optional<Mention> first = next_mention(text, 0);
+  for (std::optional<Mention> mention = first; mention; mention = next_mention(text, mention->span.end)) {
+    if (mention->number == reading.row->p_axis) return std::nullopt;
+  }
+  if (first) {
+    first->span.begin += trailer.begin;
+    first->span.end += trailer.begin;
+  }
+  return first;
+}
+
+void describe(Finding& finding, Line const& line) {
+  Mention const first = *other_parameter(line);
+  std::string const named = line.text(first.span);
+  finding.message = message(
+      Text::ax1011, {{"named", named},
+                     {"parameter", line.name()},
+                     {"own", schema::p_axis_text(line.context.list.readings[line.number].row->p_axis)}});
+  if (first.number > UINT16_MAX) return;
+  schema::Catalogue const& catalogue = line.context.list.catalogue;
+  for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {
+    std::string name(catalogue.parameter(id).name);
+    finding.notes.push_back(message(Text::ax1011_note, {{"named", named}, {"name", std::move(name)}}));
+  }
+}
+
+void comment_names_other_parameter(ListContext const& context, Report& report) {
+  if (!context.list.readings.may_name_numbers()) return;
+  for (std::uint32_t number = 0; number < context.list.readings.size(); ++number) {
+    Line const line{context, number};
+    if (auto const first = other_parameter(line)) report_line<describe>(report, line, first->span);
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax1011{
+    .code = Code{1011},
+    .name = "comment-names-other-parameter",
+    .severity = Severity::warning,
+    .check = comment_names_other_parameter,
+};
+
+}  // namespace axisc::validator::checks

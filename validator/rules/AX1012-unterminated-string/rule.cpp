@@ -1,0 +1,29 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/syntax_problems.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
+  finding.message = message(Text::ax1012);
+  // With a comment on the line nobody knows where the string was meant to end.
+  if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
+  Span const behind{.begin = problem.span.end, .end = problem.span.end};
+  finding.fix = replace_by(place_of(context, behind), "\"", message(Text::ax1012_fix));
+}
+
+void unterminated_string(ListContext const& context, Report& report) {
+  report_problems<describe>(context, grammar::ProblemKind::unterminated_string, report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax1012{
+    .code = Code{1012},
+    .name = "unterminated-string",
+    .check = unterminated_string,
+};
+
+}  // namespace axisc::validator::checks

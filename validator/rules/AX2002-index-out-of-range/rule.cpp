@@ -1,0 +1,46 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void describe(Finding& finding, Line const& line) {
+  using Status = schema::NameLookup::Status;
+  Span const written = line.assignment().name;
+  schema::NameLookup const name = line.context.list.catalogue.find(line.context.source.slice(written));
+  std::string const pattern(name.row->name);
+  if (name.status == Status::index_out_of_range) {
+    finding.message = message(Text::ax2002, {{"index", std::to_string(name.index.at(name.index_position))},
+                                             {"parameter", pattern},
+                                             {"last", std::to_string(name.array_size - 1)}});
+  } else {
+    finding.message =
+        message(name.status == Status::index_missing ? Text::ax2002_missing : Text::ax2002_superfluous,
+                {{"parameter", pattern}});
+  }
+  set_reaction(finding, Text::ax2002_reaction);
+  // A scalar's name is the whole repair; where other indices remain, nobody knows which one was meant.
+  if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
+  finding.fix =
+      replace_by(line.place(written), pattern, message(Text::parameter_fix, {{"replacement", pattern}}));
+}
+
+void index_out_of_range(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (!line.reading().row_known() || line.reading().known()) return;
+    report_line<describe>(report, line, line.assignment().name);
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2002{
+    .code = Code{2002},
+    .name = "index-out-of-range",
+    .control = "2009",
+    .precedence = Precedence::before_family,
+    .check = index_out_of_range,
+};
+
+}  // namespace axisc::validator::checks

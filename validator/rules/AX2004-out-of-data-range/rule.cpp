@@ -1,0 +1,65 @@
+#include "validator/rule.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/helpers.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// Exact text of a limit: doubles cannot hold those of the 64-bit types.
+std::string limit_text(schema::DataType type, bool highest) {
+  if (type == schema::DataType::uns64 && highest) return "18446744073709551615";
+  if (type == schema::DataType::sgn64) return highest ? "9223372036854775807" : "-9223372036854775808";
+  schema::DataRange const range = schema::data_range(type);
+  double const limit = highest ? range.highest : range.lowest;
+  return schema::is_integer(type) ? std::to_string(static_cast<std::int64_t>(limit)) : format_exact(limit);
+}
+
+void describe(Finding& finding, AxisContext const& context, schema::Slot slot, std::string value,
+              bool positive) {
+  schema::Parameter const& row = context.values.row(slot);
+  name_parameter(finding, row, slot);
+  std::string type_name(schema::data_type_name(row.type));
+  finding.message =
+      message_of(Text::ax2004, Argument{"value", std::move(value)}, Argument{"type", type_name});
+  std::string lowest = limit_text(row.type, false);
+  std::string highest = limit_text(row.type, true);
+  set_reaction(finding, Text::ax2004_reaction, {}, positive ? highest : lowest);
+  finding.notes.push_back(message_of(Text::ax2004_range, Argument{"type", std::move(type_name)},
+                                     Argument{"lowest", std::move(lowest)},
+                                     Argument{"highest", std::move(highest)}));
+  schema::DataRange const range = schema::data_range(row.type);
+  add_physical(finding, row, context.type, positive ? range.highest : range.lowest);
+}
+
+void out_of_data_range(AxisContext const& context, Report& report) {
+  for_each_doubtful(context, [&](AxisLine const& line) {
+    if (line.reading().status != ReadingStatus::out_of_data_range || !line.reading().known()) return;
+    report.later(line.place(), [line](Finding& finding) {
+      SourceText const& source = line.context.sources[line.list().source];
+      describe(finding, line.context, line.reading().slot, source.utf8(line.assignment().value),
+               line.reading().value.number > 0);
+    });
+  });
+  for (ReferenceProblem const& problem : context.reference_problems) {
+    if (problem.trouble != ReferenceTrouble::out_of_data_range) continue;
+    report.later(*context.values[problem.slot].value_place(), [&context, &problem](Finding& finding) {
+      describe(finding, context, problem.slot, format_exact(problem.number), problem.number > 0);
+    });
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax2004{
+    .code = Code{2004},
+    .name = "out-of-data-range",
+    .control = "1001138",
+    .precedence = Precedence::before_family,
+    .check = out_of_data_range,
+};
+
+}  // namespace axisc::validator::checks

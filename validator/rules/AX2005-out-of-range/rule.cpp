@@ -1,0 +1,66 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/units_text.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+/// The default list belongs to no axis: its axis number is 0 or missing, whatever the range of the others.
+bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& parameter, double value) {
+  return list.is_default_list && parameter.name == "kopf.achs_nr" && value == 0;
+}
+
+bool is_wrong(schema::Parameter const& parameter, double value) {
+  return schema::is_number(parameter.type) && is_outside(parameter, value) &&
+         !is_default_or_off(parameter, value);
+}
+
+void describe(Finding& finding, AxisContext const& context, schema::Slot slot, double value) {
+  schema::Parameter const& parameter = context.values.row(slot);
+  name_parameter(finding, parameter, slot);
+  std::string_view const unit = unit_of(parameter, context.type);
+  finding.message = message_of(Text::ax2005, Argument{"parameter", finding.parameter},
+                               Argument{"range", range_text(parameter, unit, true)});
+  if (!unit.empty()) {
+    finding.label = message_of(Text::parameter_value_in_unit, Argument{"value", physical(value, unit)});
+  }
+  if (is_scaled(unit)) {
+    finding.notes.push_back(
+        message_of(Text::ax2005_raw, Argument{"range", range_text(parameter, unit, false)}));
+  }
+  std::string file(context.values.catalogue().file_of(parameter));
+  if (!file.empty()) {
+    finding.notes.push_back(message_of(Text::ax2005_file, Argument{"file", std::move(file)}));
+  }
+}
+
+void out_of_range(AxisContext const& context, Report& report) {
+  for_each_doubtful(context, [&](AxisLine const& line) {
+    Reading const& reading = line.reading();
+    if (!reading.known() || reading.status != ReadingStatus::value) return;
+    double const value = reading.value.number;
+    if (!is_wrong(*reading.row, value) || is_number_of_default_list(line.list(), *reading.row, value)) return;
+    report.later(line.place(), [line](Finding& finding) {
+      describe(finding, line.context, line.reading().slot, line.reading().value.number);
+    });
+  });
+  for (schema::Slot const slot : context.values.referenced_slots()) {
+    EffectiveValue const& value = context.values[slot];
+    if (value.unusable || !is_wrong(*value.row, value.value.number)) continue;
+    report.later(*value.value_place(), [&context, slot](Finding& finding) {
+      describe(finding, context, slot, context.values[slot].value.number);
+    });
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax2005{
+    .code = Code{2005},
+    .name = "out-of-range",
+    .precedence = Precedence::after_family,
+    .check = out_of_range,
+};
+
+}  // namespace axisc::validator::checks

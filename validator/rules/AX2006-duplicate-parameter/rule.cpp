@@ -1,0 +1,53 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// The earlier of two lines that set one parameter.
+void describe(Finding& finding, Line const& line, grammar::Assignment const& later) {
+  name_parameter(finding, line);
+  finding.message = message(Text::ax2006, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
+  finding.related.push_back({.place = line.place(later.value), .message = message(Text::ax2006_related)});
+  // The last one wins, so the earlier line is ignored. One that carries a directive would speak for the next line.
+  grammar::Assignment const& assignment = line.assignment();
+  SourceText const& source = line.context.source;
+  if (source.slice(source.line_span(assignment.line)).find("axisc:") != std::string_view::npos) return;
+  Span const at_name{.begin = assignment.name.begin, .end = assignment.name.begin};
+  finding.fix = replace_by(line.place(at_name), "# ", message(Text::ax2006_fix), FixSafety::safe);
+}
+
+void duplicate_parameter(ListContext const& context, Report& report) {
+  if (!context.list.readings.has_repetitions()) return;
+  std::vector<std::uint32_t> last(context.list.catalogue.slot_count(), 0);  // index + 1; 0: not set yet
+  Readings const& readings = context.list.readings;
+  for (std::uint32_t i = 0; i < readings.size(); ++i) {
+    // A broken line sets nothing, so it repeats nothing.
+    Reading const reading = readings[i];
+    if (!reading.usable()) continue;
+    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(reading.slot)], i + 1);
+    if (before == 0) continue;
+    std::uint32_t const earlier = before - 1;
+    Place const place = place_of(context, context.list.tree.assignments[earlier].value);
+    report.later(place, [&context, earlier, i](Finding& finding) {
+      describe(finding, {context, earlier}, context.list.tree.assignments[i]);
+    });
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax2006{
+    .code = Code{2006},
+    .name = "duplicate-parameter",
+    .severity = Severity::warning,
+    .precedence = Precedence::after_text,
+    .check = duplicate_parameter,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,53 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+/// "LOWPASS (1), HIGHPASS (2)".
+std::string allowed_values(schema::Parameter const& parameter) {
+  std::string text;
+  for (schema::Symbol const& symbol : parameter.symbols) {
+    if (!text.empty()) text += ", ";
+    text += symbol.word;
+    if (symbol.number) text += " (" + std::to_string(*symbol.number) + ")";
+  }
+  return text;
+}
+
+void describe(Finding& finding, Line const& line) {
+  schema::Parameter const& parameter = *line.reading().row;
+  std::string const value = line.text(line.reading().text);
+  finding.message = message_of(Text::ax2007, Argument{"value", value}, Argument{"parameter", line.name()});
+  finding.notes.push_back(message_of(Text::ax2007_allowed, Argument{"values", allowed_values(parameter)}));
+  set_reaction(finding, Text::ax2007_reaction);
+  std::vector<std::string_view> const suggestions = schema::suggest_symbols(parameter, value);
+  for (std::string_view const suggestion : suggestions) {
+    finding.help.push_back(
+        message_of(Text::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
+  }
+  if (suggestions.empty()) return;
+  std::string const best(suggestions.front());
+  finding.fix = replace_by(line.place(line.reading().text), best,
+                           message_of(Text::parameter_fix, Argument{"replacement", best}));
+}
+
+void unknown_symbol(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::unknown_symbol) return;
+    report_line<describe>(report, line, line.reading().text);
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2007{
+    .code = Code{2007},
+    .name = "unknown-symbol",
+    .control = "2022",
+    .precedence = Precedence::before_family,
+    .check = unknown_symbol,
+};
+
+}  // namespace axisc::validator::checks

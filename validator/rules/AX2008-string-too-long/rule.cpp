@@ -1,0 +1,42 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+std::size_t characters(std::string_view utf8) {
+  return static_cast<std::size_t>(std::count_if(
+      utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+void describe(Finding& finding, Line const& line) {
+  std::size_t const length = characters(line.reading().value.text);
+  finding.message = message(Text::ax2008, {{"length", std::to_string(length)},
+                                           {"parameter", line.name()},
+                                           {"limit", std::to_string(line.reading().row->max_length)}});
+  set_reaction(finding, Text::ax2008_reaction);
+}
+
+void string_too_long(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    Reading const& reading = line.reading();
+    if (!reading.row_known() || reading.status != ReadingStatus::value) return;
+    std::size_t const most = reading.row->max_length;
+    if (most == 0 || reading.value.text.size() <= most || characters(reading.value.text) <= most) return;
+    report_line<describe>(report, line, reading.text);
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2008{
+    .code = Code{2008},
+    .name = "string-too-long",
+    .control = "2023",
+    .check = string_too_long,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,32 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/reference_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void reference_circular(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
+        Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
+        keep_earlier(context, finding, value);
+        for (schema::Slot const member : problem.circle) {
+          finding.related.push_back(
+              {.place = *context.values[member].value_place(),
+               .message = message(Text::ax2011_member, {{"parameter", name_of(context, member)}})});
+        }
+      });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2011{
+    .code = Code{2011},
+    .name = "reference-circular",
+    .control = "2051",
+    .check = reference_circular,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,47 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/reference_words.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// The index as the list writes it: a number of any length.
+std::string written_index(AxisContext const& context, EffectiveValue const& value) {
+  std::string const reference = context.sources[value.value_place()->source].utf8(value.value_place()->span);
+  return reference.substr(reference.find_last_of('.') + 1);
+}
+
+void reference_index(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::wrong_index,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        schema::Catalogue const& catalogue = context.values.catalogue();
+        std::uint16_t entries = 0;
+        for (schema::ParameterId const id :
+             catalogue.find_number(static_cast<std::uint16_t>(problem.p_axis))) {
+          entries = std::max(entries, catalogue.parameter(id).array[0]);
+        }
+        std::string const index = written_index(context, value);
+        Message text = message(Text::ax2013_scalar, {{"p_axis", named(problem)}, {"index", index}});
+        if (entries != 0) {
+          text =
+              message(Text::ax2013,
+                      {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
+        }
+        keep_earlier(context, report.add(value, std::move(text)), value);
+      });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2013{
+    .code = Code{2013},
+    .name = "reference-index",
+    .control = "2045",
+    .check = reference_index,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,37 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/reference_words.hpp"
+#include "validator/units_text.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void reference_unit(AxisContext const& context, Report& report) {
+  for_each_problem(
+      context, ReferenceTrouble::other_unit,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        Finding& finding = report.add(
+            value,
+            message(Text::ax2014,
+                    {{"parameter", name_of(context, problem.slot)},
+                     {"unit", raw_unit_name(unit_of(context.values.row(problem.slot), context.type))},
+                     {"p_axis", named(problem)},
+                     {"other", raw_unit_name(unit_of(context.values.row(*problem.target), context.type))}}));
+        set_reaction(finding, Text::ax2014_reaction);
+        add_target(context, finding, problem);
+      });
+}
+
+}  // namespace
+
+extern constinit Rule const ax2014{
+    .code = Code{2014},
+    .name = "reference-unit",
+    .severity = Severity::warning,
+    .control = "2049",
+    .precedence = Precedence::after_text,
+    .check = reference_unit,
+};
+
+}  // namespace axisc::validator::checks

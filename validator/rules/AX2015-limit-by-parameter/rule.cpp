@@ -1,0 +1,127 @@
+// AX2015: limits that another parameter of the axis gives.
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/units_text.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+namespace axisc::validator::checks {
+namespace {
+
+using schema::Limit;
+using schema::Slot;
+
+/// `getriebe` of `getriebe[].dynamik.vb_max`.
+std::string_view structure(std::string_view pattern) {
+  return pattern.substr(0, pattern.find_first_of("[."));
+}
+
+/// The limiting parameter: at the same index, else at index 0. Entries of another structure have the same index only
+/// where a list sets it: jog speed 3 does not belong to gear 3 of a machine with one gear.
+std::optional<Slot> limiting_slot(EffectiveValues const& values, Slot limited, std::uint16_t number) {
+  schema::Parameter const& parameter = values.row(limited);
+  std::uint32_t const index = parameter.index_count() == 0 ? 0 : schema::indices_of(parameter, limited)[0];
+  std::optional<Slot> fallback;
+  for (schema::ParameterId const id : values.catalogue().find_number(number)) {
+    schema::Parameter const& limit = values.catalogue().parameter(id);
+    if (index < std::max<std::uint32_t>(limit.array[0], 1)) {
+      Slot const slot = schema::slot_of(limit, index);
+      bool const related = limit.array[0] != 0 && structure(limit.name) == structure(parameter.name);
+      if (related || values[slot].set()) return slot;
+    }
+    if (!fallback) fallback = schema::slot_of(limit);
+  }
+  return fallback;
+}
+
+enum class Side : std::uint8_t { minimum, maximum };
+
+struct Violation {
+  Slot limit{};
+  Side side{};
+  bool open = false;
+};
+
+std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, Side side) {
+  schema::Parameter const& parameter = values.row(slot);
+  EffectiveValue const& value = values[slot];
+  Limit const& limit = side == Side::minimum ? parameter.minimum : parameter.maximum;
+  if (limit.kind != Limit::Kind::parameter || is_default_or_off(parameter, value.value.number)) {
+    return std::nullopt;
+  }
+  std::optional<Slot> const other = limiting_slot(values, slot, limit.p_axis);
+  if (!other || values[*other].unusable) return std::nullopt;
+  if (!values[*other].set() && !default_value(values.row(*other))) return std::nullopt;
+  double const bound = values[*other].value.number;
+  bool const violated = side == Side::minimum ? violates_minimum(value.value.number, bound, limit.open)
+                                              : violates_maximum(value.value.number, bound, limit.open);
+  if (!violated) return std::nullopt;
+  return Violation{.limit = *other, .side = side, .open = limit.open};
+}
+
+/// Two parameters may limit each other: the finding then stands at the later one.
+bool is_reported_at_limit(EffectiveValues const& values, Slot slot, Violation const& violation) {
+  EffectiveValue const& value = values[slot];
+  EffectiveValue const& limit = values[violation.limit];
+  if (!limit.set() || std::tie(limit.origin, limit.line) < std::tie(value.origin, value.line)) return false;
+  Side const opposite = violation.side == Side::minimum ? Side::maximum : Side::minimum;
+  std::optional<Violation> const back = violation_at(values, violation.limit, opposite);
+  return back && back->limit == slot;
+}
+
+std::string relation(Violation const& violation) {
+  if (violation.side == Side::minimum) return violation.open ? ">" : "≥";
+  return violation.open ? "<" : "≤";
+}
+
+void add(AxisContext const& context, Report& report, Slot slot, Violation const& violation) {
+  EffectiveValue const& value = context.values[slot];
+  EffectiveValue const& limit = context.values[violation.limit];
+  std::string const limit_name = parameter_name(limit);
+  std::string const limit_value = physical(limit.value.number, unit_of(*limit.row, context.type));
+  std::string const own_value = physical(value.value.number, unit_of(*value.row, context.type));
+  std::string const sign = relation(violation);
+  Finding& finding = report.add(
+      value, message(Text::ax2015,
+                     {{"parameter", parameter_name(value)}, {"relation", sign}, {"limit", limit_name}}));
+  finding.label =
+      message(Text::ax2015_label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
+  if (limit.value_place()) {
+    finding.related.push_back(
+        {.place = *limit.value_place(), .message = message(Text::ax2015_related, {{"limit", limit_value}})});
+  } else {
+    finding.notes.push_back(
+        message(Text::ax2015_default,
+                {{"limit", limit_name}, {"p_axis", parameter_number(limit)}, {"value", limit_value}}));
+  }
+}
+
+void check_slot(AxisContext const& context, Report& report, Slot slot) {
+  EffectiveValue const& value = context.values[slot];
+  if (value.unusable || !value.value_place()) return;
+  for (Side const side : {Side::minimum, Side::maximum}) {
+    std::optional<Violation> const violation = violation_at(context.values, slot, side);
+    if (!violation || is_reported_at_limit(context.values, slot, *violation)) continue;
+    return add(context, report, slot, *violation);
+  }
+}
+
+void limit_by_parameter(AxisContext const& context, Report& report) {
+  for (Slot const slot : context.values.catalogue().slots_limited_by_others()) {
+    if (context.values.is_set(slot)) check_slot(context, report, slot);
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax2015{
+    .code = Code{2015},
+    .name = "limit-by-parameter",
+    .precedence = Precedence::before_family,
+    .check = limit_by_parameter,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,146 @@
+// AX2016: what the control's build does not know yet.
+#include "validator/rule.hpp"
+
+#include "validator/build_version.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace axisc::validator::checks {
+namespace {
+
+struct Family {
+  std::string_view prefix;
+  BuildVersion since;
+};
+
+// The first that fits counts.
+constexpr std::array<Family, 4> families = {{
+    {.prefix = "filter_fir.quality", .since = builds::fir_quality},
+    {.prefix = "filter_fir.", .since = builds::fir},
+    {.prefix = "vib_guard.", .since = builds::fir},
+    {.prefix = "lr_param.improved_position_control.", .since = builds::position_control},
+}};
+
+BuildVersion needed_for(schema::Parameter const& parameter) {
+  if (auto const since = parse_build_version(parameter.since)) return *since;
+  auto const* const family = std::find_if(families.begin(), families.end(), [&](Family const& candidate) {
+    return parameter.name.substr(0, candidate.prefix.size()) == candidate.prefix;
+  });
+  return family == families.end() ? BuildVersion{} : family->since;
+}
+
+bool is_time_delay(schema::Parameter const& parameter, Reading const& reading) {
+  constexpr double time_delay = 11;
+  bool const is_type =
+      parameter.name == "filter[].type" || parameter.name == "lr_param.add_interface.filter[].type";
+  return is_type && reading.status == ReadingStatus::value && reading.value.number == time_delay;
+}
+
+/// What the line needs beyond the build, as text; empty where nothing.
+std::string missing_build(schema::Parameter const& parameter, Reading const& reading,
+                          BuildVersion const& build) {
+  BuildVersion const needed = needed_for(parameter);
+  if (build < needed) return to_text(needed);
+  if (is_time_delay(parameter, reading) && !builds::has_time_delay(build)) {
+    return "V2.11.2013, V2.11.2803, V3.00.3013";
+  }
+  if (reading.quoted && build < builds::quotes) return to_text(builds::quotes);
+  return {};
+}
+
+Text headline(schema::Parameter const& parameter, Reading const& reading, BuildVersion const& build) {
+  if (build < needed_for(parameter)) return Text::ax2016;
+  return is_time_delay(parameter, reading) ? Text::ax2016_time_delay : Text::ax2016_quotes;
+}
+
+void describe(Finding& finding, AxisContext const& context, Reading const& reading) {
+  BuildVersion const& build = *context.machine.build;
+  schema::Parameter const& parameter = *reading.row;
+  name_parameter(finding, parameter, reading.slot);
+  finding.message =
+      message(headline(parameter, reading, build), {{"parameter", finding.parameter},
+                                                    {"needed", missing_build(parameter, reading, build)},
+                                                    {"build", to_text(build)}});
+}
+
+void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
+  if (context.type != AxisType::spindle || build >= builds::spindle_filters) return;
+  for (FilterView const& filter : context.filters) {
+    bool const on = !filter.enable.unusable && filter.enable.value.flag();
+    if (filter.port != FilterPort::setpoint || !on) continue;
+    report.add(filter.enable, message(Text::ax2016_spindle, {{"needed", to_text(builds::spindle_filters)},
+                                                             {"build", to_text(build)}}));
+  }
+}
+
+/// `#FILTER OFF` ends what the program switched on: the HSC filters alone where it switches no others on.
+bool meant_for_fir(ProgramContext const& context, grammar::NcCommand const& command) {
+  if (!is_fir_filter(context, command)) return false;
+  if (command.command_switch != grammar::CommandSwitch::off) return true;
+  bool uses_hsc = false;
+  for (grammar::NcCommand const& other : context.program.tree.commands) {
+    if (other.kind != grammar::CommandKind::filter || other.command_switch == grammar::CommandSwitch::off) {
+      continue;
+    }
+    if (is_fir_filter(context, other)) return true;
+    uses_hsc = true;
+  }
+  return !uses_hsc;
+}
+
+void check_needed(ProgramContext const& context, Span span, BuildVersion const& needed, Report& report) {
+  BuildVersion const& build = *context.whole.machine.build;
+  if (build >= needed) return;
+  std::string const written(context.text.substr(span.begin, span.size()));
+  report.add(Place{.source = context.program.source, .span = span},
+             message(Text::ax2016,
+                     {{"parameter", written}, {"needed", to_text(needed)}, {"build", to_text(build)}}));
+}
+
+void newer_than_build(AxisContext const& context, Report& report) {
+  if (!context.machine.build) return;
+  BuildVersion const& build = *context.machine.build;
+  for (LoadedList const* const list : lists_of(context)) {
+    if (list == nullptr) continue;
+    for (std::size_t i = 0; i < list->readings.size(); ++i) {
+      Reading const reading = list->readings[i];
+      if (!reading.usable() || missing_build(*reading.row, reading, build).empty()) continue;
+      Place const place{.source = list->source, .span = list->tree.assignments[i].value};
+      report.later(place,
+                   [&context, list, i](Finding& finding) { describe(finding, context, list->readings[i]); });
+    }
+  }
+  check_spindle(context, build, report);
+}
+
+void commands_newer_than_build(ProgramContext const& context, Report& report) {
+  if (!context.whole.machine.build) return;
+  BuildVersion const& build = *context.whole.machine.build;
+  for (grammar::NcCommand const& command : context.program.tree.commands) {
+    if (command.kind == grammar::CommandKind::vibration_guard) {
+      check_needed(context, command.name, builds::fir, report);
+    } else if (meant_for_fir(context, command)) {
+      check_needed(context, command.name, builds::fir_command, report);
+      // A build that does not know the command is told once.
+      grammar::Keyword const* const quality = find_keyword(command, context.text, "QUALITY");
+      if (quality == nullptr || build < builds::fir_command) continue;
+      check_needed(context, quality->name, builds::fir_quality, report);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax2016{
+    .code = Code{2016},
+    .name = "newer-than-build",
+    .severity = Severity::warning,
+    .precedence = Precedence::after_text,
+    .check = newer_than_build,
+    .program_check = commands_newer_than_build,
+};
+
+}  // namespace axisc::validator::checks

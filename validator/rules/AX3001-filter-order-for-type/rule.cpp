@@ -1,0 +1,93 @@
+#include "validator/rule.hpp"
+
+#include "validator/fir_view.hpp"
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <optional>
+#include <string>
+
+namespace axisc::validator::checks {
+namespace {
+
+// Message numbers of the control.
+constexpr std::string_view order_refused = "50553";
+constexpr std::string_view order_clipped = "50911";
+
+enum class Range : std::uint8_t { up_to, zero_or };
+enum class Reaction : std::uint8_t { refused, clipped };
+
+struct AllowedOrder {
+  double highest = 0;
+  Range range = Range::up_to;
+  Reaction reaction = Reaction::refused;
+
+  [[nodiscard]] bool allows(double order) const {
+    return range == Range::up_to ? order <= highest : order == 0 || order == highest;
+  }
+};
+
+// None where any order is good, or where the type is reported anyway.
+std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
+  bool const interface = filter.port == FilterPort::additional_interface;
+  if (!filter.standard_type) {
+    bool const kernel = filter.is_hsc() || filter.type_number() == 8 || filter.type_number() == 12;
+    if (interface || !kernel) return std::nullopt;
+    return AllowedOrder{.highest = design::longest_kernel_order, .reaction = Reaction::clipped};
+  }
+  design::OrderRange const& order = design::kind_of(*filter.standard_type).order;
+  if (order.source == design::OrderSource::configured)
+    return AllowedOrder{.highest = static_cast<double>(order.highest)};
+  // The additional interface computes the order of PT1 and PT2 itself.
+  if (interface || order.source == design::OrderSource::computed) return std::nullopt;
+  return AllowedOrder{.highest = static_cast<double>(order.highest), .range = Range::zero_or};
+}
+
+Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::string const& type,
+               Report& report) {
+  if (order.unusable || !order.set() || allowed.allows(order.value.number)) return nullptr;
+  std::string const limit = number(allowed.highest);
+  bool const up_to = allowed.range == Range::up_to;
+  Finding& finding =
+      report.add(order, {Text::ax3001, {{"order", number(order.value.number)}, {"type", type}}});
+  finding.label = Message{up_to ? Text::ax3001_range : Text::ax3001_either, {{"limit", limit}}};
+  finding.notes.push_back({up_to ? Text::ax3001_limit : Text::ax3001_limit_either,
+                           {{"p_axis", parameter_number(order)}, {"limit", limit}, {"type", type}}});
+  if (allowed.reaction == Reaction::clipped) {
+    react(finding, order_clipped, {Text::filter_reaction_clipped, {}}, limit);
+  } else {
+    react(finding, order_refused, {Text::filter_reaction_refused, {}});
+  }
+  if (order.value_place() && !order.referenced) {
+    finding.fix = Fix{.title = {Text::ax3001_fix, {{"limit", limit}}},
+                      .edits = {{*order.value_place(), limit}},
+                      .safety = FixSafety::changes_behaviour};
+  }
+  return &finding;
+}
+
+void filter_order_for_type(AxisContext const& axis, Report& report) {
+  for (FilterView const& filter : axis.filters) {
+    if (filter.type_unusable()) continue;
+    auto const allowed = allowed_order(filter);
+    if (!allowed) continue;
+    Finding* const finding = check(filter.order, *allowed, std::string(filter.type_word()), report);
+    if (finding != nullptr) relate_type(*finding, filter);
+  }
+  FirView const& fir = axis.fir;
+  if (fir.type.unusable) return;
+  bool const delay = fir.configured_type() == FirType::time_delay;
+  check(fir.order, {.highest = static_cast<double>(fir.longest_order()), .reaction = Reaction::clipped},
+        delay ? "filter_fir.type 4" : "filter_fir", report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax3001{
+    .code = Code{3001},
+    .name = "filter-order-for-type",
+    .control = control_numbers<order_refused, order_clipped>,
+    .check = filter_order_for_type,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,64 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace axisc::validator::checks {
+namespace {
+
+bool is_lag(FilterView const& filter) {
+  if (!filter.standard_type) return false;
+  auto const& time = design::kind_of(*filter.standard_type).time_constant;
+  return time && time->meaning == design::TimeMeaning::lag;
+}
+
+void time_constant_below_cycle(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  EffectiveValue const& time = filter.time_constant;
+  if (filter.type_unusable() || time.unusable || !is_lag(filter)) return;
+  if (!filter.active() && !configured(time)) return;
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  double const cycles = cycle_time.cycles({time.value.number});
+  if (cycles >= 1) return;
+
+  std::string const cycle = microseconds(cycle_time.microseconds());
+  std::string const type(filter.type_word());
+  double const shortest = std::ceil(cycle_time.microseconds());
+  double const cut_off = 1e6 / (2 * std::numbers::pi * shortest);
+  Finding& finding = report.add(filter.anchor(time), {Text::ax3004, {{"type", type}}});
+  finding.label = time_in_cycles(time.value.number, cycle_time);
+  finding.notes.push_back({Text::ax3004_limit,
+                           {{"p_axis", parameter_number(time)},
+                            {"limit", cycle},
+                            {"milliseconds", milliseconds(cycle_time.microseconds())},
+                            {"type", type}}});
+  note_default(finding, time);
+  relate_type(finding, filter);
+  if (cycles * 1000 >= 1) {
+    finding.help.push_back({Text::ax3004_help_milliseconds,
+                            {{"value", number(time.value.number)},
+                             {"parameter", parameter_name(time)},
+                             {"microseconds", number(time.value.number * 1000)}}});
+  }
+  finding.help.push_back({Text::ax3004_help,
+                          {{"parameter", parameter_name(time)},
+                           {"shortest", number(shortest)},
+                           {"frequency", number(std::round(cut_off))}}});
+  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax3004{
+    .code = Code{3004},
+    .name = "time-constant-below-cycle",
+    .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
+    .needs = Needs::cycle_time,
+    .silenced_by = codes<3040>,
+    .check = time_constant_below_cycle,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,49 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <cmath>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double shortest_refused_cycles =
+    design::kind_of(design::FilterType::time_delay).time_constant->limit;
+
+void delay_too_long(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  EffectiveValue const& time = filter.time_constant;
+  if (filter.type_unusable() || time.unusable) return;
+  if (filter.standard_type != design::FilterType::time_delay) return;
+  if (!filter.active() && !configured(time)) return;
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  double const cycles = cycle_time.cycles({time.value.number});
+  if (cycles < shortest_refused_cycles) return;
+
+  double const limit = shortest_refused_cycles * cycle_time.microseconds();
+  Finding& finding = report.add(filter.anchor(time), {Text::ax3005, {}});
+  finding.label = time_in_cycles(time.value.number, cycle_time);
+  finding.notes.push_back({Text::ax3005_limit,
+                           {{"p_axis", parameter_number(time)},
+                            {"limit", microseconds(limit)},
+                            {"milliseconds", milliseconds(limit)}}});
+  note_default(finding, time);
+  relate_type(finding, filter);
+  finding.help.push_back({Text::ax3005_help_longest,
+                          {{"parameter", parameter_name(time)}, {"longest", number(std::ceil(limit) - 1)}}});
+  if (filter.port == FilterPort::setpoint) finding.help.push_back({Text::ax3005_help_fir, {}});
+  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax3005{
+    .code = Code{3005},
+    .name = "delay-too-long",
+    .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
+    .needs = Needs::cycle_time,
+    .check = delay_too_long,
+};
+
+}  // namespace axisc::validator::checks

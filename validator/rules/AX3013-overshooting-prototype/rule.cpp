@@ -1,0 +1,40 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/step_overshoot.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void overshooting_prototype(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  if (!filter.active() || filter.port != FilterPort::setpoint) return;
+  if (filter.standard_type != design::FilterType::lowpass) return;
+  if (filter.prototype.unusable || filter.order.value.number <= 1) return;
+  auto const prototype = static_cast<design::Prototype>(static_cast<int>(filter.prototype.value.number));
+  if (prototype == design::Prototype::critical_damping) return;
+
+  bool const butterworth = prototype == design::Prototype::butterworth;
+  Finding& finding = report.add(
+      filter.anchor(filter.prototype),
+      {Text::ax3013,
+       {{"prototype", symbol_word(filter.prototype)}, {"order", number(filter.order.value.number)}}});
+  if (auto const overshoot = step_overshoot(context)) {
+    finding.label = overshoot_label(*overshoot);
+  }
+  finding.notes.push_back({butterworth ? Text::ax3013_butterworth : Text::ax3013_bessel,
+                           {{"p_axis", parameter_number(filter.prototype)}}});
+  finding.help.push_back({Text::ax3013_help, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax3013{
+    .code = Code{3013},
+    .name = "overshooting-prototype",
+    .severity = Severity::warning,
+    .needs = Needs::cycle_time,
+    .check = overshooting_prototype,
+};
+
+}  // namespace axisc::validator::checks

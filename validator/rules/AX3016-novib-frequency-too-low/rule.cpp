@@ -1,0 +1,38 @@
+#include "validator/rule.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/hsc_view.hpp"
+#include "validator/rules/filter_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void novib_frequency_too_low(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  EffectiveValue const& frequency = filter.frequency;
+  if (hsc_type(filter) != HscType::novib || frequency.unusable || !(frequency.value.number > 0)) return;
+  design::CycleTime const cycle_time = context.axis.cycle_time;
+  std::uint32_t const order = design::novib_order({frequency.value.number}, cycle_time);
+  if (order <= design::longest_kernel_order) return;
+  double const lowest = design::lowest_novib_frequency(cycle_time).value;
+  Finding& finding =
+      report.add(filter.anchor(frequency), {Text::ax3016, {{"frequency", number(frequency.value.number)}}});
+  finding.label = Message{Text::ax3016_label,
+                          {{"order", number(order)}, {"limit", number(design::longest_kernel_order)}}};
+  finding.notes.push_back({Text::ax3016_limit,
+                           {{"p_axis", parameter_number(frequency)},
+                            {"lowest", format_rounded(lowest, 7)},
+                            {"cycle", microseconds(cycle_time.microseconds())}}});
+  note_default(finding, frequency);
+}
+
+}  // namespace
+
+extern constinit Rule const ax3016{
+    .code = Code{3016},
+    .name = "novib-frequency-too-low",
+    .needs = Needs::cycle_time,
+    .check = novib_frequency_too_low,
+};
+
+}  // namespace axisc::validator::checks

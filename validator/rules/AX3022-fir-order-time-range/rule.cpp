@@ -1,0 +1,47 @@
+#include "validator/rule.hpp"
+
+#include "validator/fir_view.hpp"
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/fir_order_time.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+// Message numbers of the control.
+constexpr std::string_view order_too_low = "50910";
+constexpr std::string_view order_clipped = "50911";
+
+void fir_order_time_range(AxisContext const& axis, Report& report) {
+  FirView const& fir = axis.fir;
+  if (!uses_order_time(fir)) return;
+  bool const short_one = is_too_short(fir, axis.cycle_time);
+  if (!short_one && !is_too_long(fir, axis.cycle_time)) return;
+  std::string const order = number(fir.longest_order());
+  double const cycle = axis.cycle_time.microseconds();
+  Finding& finding =
+      report.add(fir.order_time, {short_one ? Text::ax3022_short : Text::ax3022_long, {{"order", order}}});
+  finding.label = time_in_cycles(fir.order_time.value.number, axis.cycle_time);
+  finding.notes.push_back({Text::ax3022_limit,
+                           {{"p_axis", parameter_number(fir.order_time)},
+                            {"order", order},
+                            {"shortest", microseconds(cycle)},
+                            {"longest", microseconds(cycle * fir.longest_order())}}});
+  if (short_one) {
+    react(finding, order_too_low, {Text::kernel_reaction_not_active, {}});
+  } else {
+    react(finding, order_clipped, {Text::filter_reaction_clipped, {}}, order);
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax3022{
+    .code = Code{3022},
+    .name = "fir-order-time-range",
+    .control = control_numbers<order_too_low, order_clipped>,
+    .needs = Needs::cycle_time,
+    .check = fir_order_time_range,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,89 @@
+// AX3030: a stage works only with all its parameters.
+#include "validator/rule.hpp"
+
+#include "validator/position_control_view.hpp"
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <string_view>
+
+namespace axisc::validator::checks {
+namespace {
+
+// Message numbers of the control.
+constexpr std::string_view no_frequency = "70592";
+constexpr std::string_view no_order = "70593";
+constexpr std::string_view no_quality = "70594";
+constexpr std::string_view no_damping = "70599";
+
+/// `filter.order`: which stage it is stands in the headline.
+std::string name_in_stage(EffectiveValue const& value) {
+  std::string const name = parameter_name(value);
+  constexpr std::string_view behind_stage = "].";
+  return name.substr(name.find(behind_stage) + behind_stage.size());
+}
+
+/// Names of what is missing, and the control's numbers for it.
+class Missing {
+ public:
+  /// A value that cannot be used has a finding of its own.
+  void look_at(EffectiveValue const& value, EffectiveValue const* other_spelling, std::string_view message) {
+    bool const given =
+        configured(value) || value.unusable || (other_spelling != nullptr && configured(*other_spelling));
+    if (given) return;
+    append(names_, ", ", '`' + name_in_stage(value) + '`');
+    append(messages_, "/", message);
+  }
+
+  [[nodiscard]] bool empty() const { return names_.empty(); }
+  [[nodiscard]] std::string const& names() const { return names_; }
+  [[nodiscard]] std::string const& messages() const { return messages_; }
+
+ private:
+  static void append(std::string& list, std::string_view separator, std::string_view item) {
+    if (list.find(item) != std::string::npos) return;
+    if (!list.empty()) list.append(separator);
+    list.append(item);
+  }
+
+  std::string names_;
+  std::string messages_;
+};
+
+Missing missing_in(StageView const& stage) {
+  Missing missing;
+  for (StageFilterView const& filter : stage.filters()) {
+    // Where the spellings are mixed, AX3039 speaks: what the other one gives is not missing too.
+    bool const is_newer = filter.type != nullptr;
+    StageFilterView const* const other = is_newer ? &stage.older : nullptr;
+    missing.look_at(filter.order, other != nullptr ? &other->order : nullptr, no_order);
+    missing.look_at(filter.frequency, other != nullptr ? &other->frequency : nullptr, no_frequency);
+    if (filter.kind != StageFilterType::bandpass) continue;
+    missing.look_at(filter.quality, other != nullptr ? &other->quality : nullptr, no_quality);
+  }
+  if (stage.simulates()) missing.look_at(stage.damping(), nullptr, no_damping);
+  return missing;
+}
+
+void ipc_parameter_missing(AxisContext const& axis, Report& report) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
+    Missing const missing = missing_in(stage);
+    if (missing.empty()) continue;
+    Finding& finding = report.add(
+        stage.mode, {Text::ax3030, {{"stage", number(stage.index)}, {"mode", symbol_word(stage.mode)}}});
+    finding.label = Message{Text::ax3030_label, {{"parameters", missing.names()}}};
+    finding.notes.push_back({stage.simulates() ? Text::ax3030_limit_simulated : Text::ax3030_limit, {}});
+    react(finding, missing.messages(), {Text::ax3030_reaction, {}});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax3030{
+    .code = Code{3030},
+    .name = "ipc-parameter-missing",
+    .control = control_numbers<no_frequency, no_order, no_quality, no_damping>,
+    .check = ipc_parameter_missing,
+};
+
+}  // namespace axisc::validator::checks

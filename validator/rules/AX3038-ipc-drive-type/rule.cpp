@@ -1,0 +1,34 @@
+#include "validator/rule.hpp"
+
+#include "validator/drive.hpp"
+#include "validator/position_control_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/position_control_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void ipc_drive_type(AxisContext const& axis, Report& report) {
+  PositionControlView const& view = axis.position_control;
+  EffectiveValue const& type = axis.values.at("kenngr.antr_typ");
+  auto const& named = loaded(axis).drive;
+  bool const stated = named || (type.set() && !type.unusable);
+  DriveType const* const drive = drive_of(loaded(axis));
+  if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
+  Message message{Text::ax3038,
+                  {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};
+  Finding& finding = named ? report.add(named->place, *type.row, type.slot, std::move(message))
+                           : report.add(type, std::move(message));
+  finding.notes.push_back({Text::ax3038_limit, {{"p_axis", parameter_number(type)}}});
+  relate_enable(finding, view);
+}
+
+}  // namespace
+
+extern constinit Rule const ax3038{
+    .code = Code{3038},
+    .name = "ipc-drive-type",
+    .check = ipc_drive_type,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,65 @@
+#include "validator/rule.hpp"
+
+#include "validator/position_control_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/position_control_words.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+void add_configured(SetValues& values, std::initializer_list<EffectiveValue const*> candidates) {
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(values),
+               [](EffectiveValue const* value) { return configured(*value) && value->value_place(); });
+}
+
+/// What a stage configures in the older and in the newer spelling, where both say the same thing; else nothing.
+struct Mixture {
+  SetValues older;
+  SetValues newer;
+  [[nodiscard]] bool mixed() const { return !older.empty() && !newer.empty(); }
+};
+
+Mixture mixture_of(StageView const& stage) {
+  Mixture filters;
+  add_configured(filters.older,
+                 {&stage.older.order, &stage.older.frequency, &stage.older.quality, &stage.older_damping});
+  for (StageFilterView const& filter : stage.newer) {
+    if (filter.type->set() && filter.type->value_place()) filters.newer.push_back(filter.type);
+    add_configured(filters.newer, {&filter.order, &filter.frequency, &filter.quality});
+  }
+  Mixture damping;
+  add_configured(damping.older, {&stage.older_damping});
+  add_configured(damping.newer, {&stage.newer_damping});
+  if (!filters.mixed()) return damping;
+  if (damping.mixed()) filters.newer.push_back(&stage.newer_damping);
+  return filters;
+}
+
+void ipc_mixed_generations(AxisContext const& axis, Report& report) {
+  for (StageView const& stage : axis.position_control.stages) {
+    Mixture const mixture = mixture_of(stage);
+    if (!mixture.mixed()) continue;
+    EffectiveValue const& older = *last_of(mixture.older);
+    EffectiveValue const& newer = *last_of(mixture.newer);
+    bool const newer_last = *older.value_place() < *newer.value_place();
+    EffectiveValue const& last = newer_last ? newer : older;
+    EffectiveValue const& first = newer_last ? older : newer;
+    Finding& finding = report.add(last, {Text::ax3039, {{"stage", number(stage.index)}}});
+    finding.label = Message{newer_last ? Text::ax3039_newer : Text::ax3039_older, {}};
+    finding.related.push_back(
+        {*first.value_place(), {newer_last ? Text::ax3039_older : Text::ax3039_newer, {}}});
+    finding.help.push_back({Text::ax3039_help, {}});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax3039{
+    .code = Code{3039},
+    .name = "ipc-mixed-generations",
+    .check = ipc_mixed_generations,
+};
+
+}  // namespace axisc::validator::checks

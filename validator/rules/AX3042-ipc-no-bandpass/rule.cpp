@@ -1,0 +1,35 @@
+#include "validator/rule.hpp"
+
+#include "validator/position_control_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/position_control_words.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void ipc_no_bandpass(AxisContext const& axis, Report& report) {
+  for (StageView const& stage : axis.position_control.active_stages()) {
+    SetValues types;
+    bool unknown = false;
+    for (StageFilterView const& filter : stage.newer) {
+      unknown = unknown || filter.type->unusable;
+      if (filter.type->set() && filter.type->value_place()) types.push_back(filter.type);
+    }
+    if (unknown || types.empty() || stage.bandpass()) continue;
+    Finding& finding = report.add(*last_of(types), {Text::ax3042, {{"stage", number(stage.index)}}});
+    finding.notes.push_back({Text::ax3042_limit, {{"p_axis", parameter_number(*types.front())}}});
+    for (EffectiveValue const* const type : types) {
+      if (type != last_of(types)) relate_set_type(finding, *type);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax3042{
+    .code = Code{3042},
+    .name = "ipc-no-bandpass",
+    .check = ipc_no_bandpass,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,42 @@
+#include "validator/rule.hpp"
+
+#include "validator/hsc_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/hsc_words.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// The prototype that makes it an HSC filter is always set by a list.
+bool stands_before(FilterView const& left, FilterView const& right) {
+  return std::tuple(left.prototype.origin, left.prototype.line) <
+         std::tuple(right.prototype.origin, right.prototype.line);
+}
+
+void hsc_more_than_one(FilterContext const& context, Report& report) {
+  if (!is_configured_hsc(context.filter)) return;
+  std::vector<FilterView> const filters = configured_hsc(context.axis.filters);
+  auto const last = std::max_element(filters.begin(), filters.end(), stands_before);
+  if (filters.size() < 2 || last->index != context.filter.index) return;
+  Finding& finding =
+      report.add(last->prototype, {Text::ax4002, {{"count", number(static_cast<double>(filters.size()))}}});
+  finding.label = Message{Text::ax4002_label, {}};
+  for (FilterView const& filter : filters) {
+    if (filter.index != last->index) relate_hsc_filter(finding, filter);
+  }
+  react(finding, {Text::filter_reaction_off, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax4002{
+    .code = Code{4002},
+    .name = "hsc-more-than-one",
+    .control = "110500",
+    .check = hsc_more_than_one,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,42 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/group_delays.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+bool same_kernel(std::optional<ConfiguredKernel> const& left, std::optional<ConfiguredKernel> const& right) {
+  if (!left || !right) return left.has_value() == right.has_value();
+  return left->family == right->family && left->specification == right->specification &&
+         left->on_at_start == right->on_at_start;
+}
+
+void group_not_identical(GroupContext const& context, Report& report) {
+  Delays const delays = delays_of(context);
+  auto const last = last_cause(delays);
+  if (delays.size() < 2 || spread(delays) >= noticeable_delay || !last) return;
+  bool const identical = std::all_of(delays.begin(), delays.end(), [&](DelayedAxis const& axis) {
+    return same_kernel(axis.delay.kernel, delays.front().delay.kernel);
+  });
+  if (identical) return;
+  report.axis = delays[*last].axis.name;
+  Finding& finding = report.add(*delays[*last].delay.cause, {Text::ax4010, {}});
+  finding.label = delay_of(delays[*last]);
+  relate_others(finding, delays, *last);
+  finding.help.push_back({Text::group_help_same, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax4010{
+    .code = Code{4010},
+    .name = "group-not-identical",
+    .severity = Severity::note,
+    .needs = Needs::cycle_time,
+    .check = group_not_identical,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,126 @@
+#include "validator/rule.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/fir_view.hpp"
+#include "validator/hsc_view.hpp"
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/group_delays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace axisc::validator::checks {
+namespace {
+
+/// Writes the time delay into the list of an axis that has no linear-phase filter.
+class DelayWriter {
+ public:
+  DelayWriter(LoadedMachine const& machine, SourceSet const& sources)
+      : machine_(machine), sources_(sources) {}
+
+  [[nodiscard]] static bool is_possible(DelayedAxis const& axis, double cycles) {
+    EffectiveValues const& values = axis.axis.merged.values;
+    EffectiveValue const& guard = values.at("vib_guard.active");
+    bool const free = !axis.delay.kernel && configured_hsc(values).empty() && !FirView(values).configured();
+    bool const guarded = guard.unusable || guard.value.flag();
+    return free && !guarded && cycles >= 1 && cycles <= design::longest_kernel_delay;
+  }
+
+  void write(LoadedAxis const& axis, double cycles, std::vector<Edit>& edits) const {
+    LoadedList const& list = machine_.lists[axis.list].list;
+    SourceText const& source = sources_[list.source];
+    std::string_view const line_end = source.bytes().find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+    struct Line {
+      std::string_view name;
+      double value;
+    };
+    std::array const lines{Line{"filter_fir.enable", 1}, Line{"filter_fir.type", 4},
+                           Line{"filter_fir.order", cycles}, Line{"filter_fir.share", 100}};
+    std::string added;
+    for (Line const& line : lines) {
+      EffectiveValue const& value = axis.merged.values.at(line.name);
+      if (value.value.number == line.value && !value.unusable) continue;
+      std::string const text = number(line.value);
+      if (value.origin == Origin::axis_list && value.value_place()) {
+        edits.push_back({*value.value_place(), text});
+      } else {
+        added.append(line.name).append(" ").append(text).append(line_end);
+      }
+    }
+    if (added.empty()) return;
+    std::string_view const bytes = source.bytes();
+    bool const open_line = !list.tree.end_marker && !bytes.empty() && bytes.back() != '\n';
+    auto const end = static_cast<std::uint32_t>(bytes.size());
+    std::uint32_t const at = list.tree.end_marker ? list.tree.end_marker->begin : end;
+    edits.push_back({{.source = list.source, .span = {.begin = at, .end = at}},
+                     open_line ? std::string(line_end) + added : added});
+  }
+
+ private:
+  LoadedMachine const& machine_;
+  SourceSet const& sources_;
+};
+
+/// The time delays that make all axes alike; none where they cannot.
+std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
+  double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
+  DelayWriter const writer(context.whole.machine, context.whole.sources);
+  Delays repaired = delays;
+  Fix fix;
+  std::string axes;
+  std::set<std::size_t> written;
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    DelayedAxis const& lagging = delays[i];
+    double const missing = std::round(longest - lagging.delay.cycles);
+    if (missing == 0) continue;
+    if (!DelayWriter::is_possible(lagging, missing)) return std::nullopt;
+    repaired[i].delay.cycles += missing;
+    axes.append(axes.empty() ? "" : ", ").append(lagging.axis.name);
+    axes.append(" (").append(number(missing)).append(")");
+    if (written.insert(lagging.axis.list).second) writer.write(lagging.axis, missing, fix.edits);
+  }
+  if (spread(repaired) >= noticeable_delay || fix.edits.empty()) return std::nullopt;
+  fix.title = {Text::ax4011_fix, {{"axes", axes}}};
+  fix.safety = FixSafety::changes_behaviour;
+  return fix;
+}
+
+void group_delay_mismatch(GroupContext const& context, Report& report) {
+  Delays const delays = delays_of(context);
+  double const difference = spread(delays);
+  auto const last = last_cause(delays);
+  if (difference < noticeable_delay || !last) return;
+  report.axis = delays[*last].axis.name;
+  double const milli = difference * context.whole.cycle_time.microseconds() / 1e3;
+  Finding& finding = report.add(
+      *delays[*last].delay.cause,
+      {Text::ax4011, {{"cycles", cycles_text(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
+  finding.label = delay_of(delays[*last]);
+  double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
+  for (DelayedAxis const& axis : delays) {
+    if (&axis == &delays[*last]) continue;
+    double const missing = longest - axis.delay.cycles;
+    finding.notes.push_back({missing < noticeable_delay ? Text::group_axis_delay : Text::ax4011_missing,
+                             {{"axis", axis.axis.name},
+                              {"cycles", cycles_text(axis.delay.cycles)},
+                              {"missing", cycles_text(missing)}}});
+  }
+  finding.notes.push_back({Text::ax4011_limit, {}});
+  relate_others(finding, delays, *last);
+  finding.fix = repair(context, delays);
+  finding.help.push_back({finding.fix ? Text::ax4011_help_delay : Text::group_help_same, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax4011{
+    .code = Code{4011},
+    .name = "group-delay-mismatch",
+    .severity = Severity::warning,
+    .needs = Needs::cycle_time,
+    .check = group_delay_mismatch,
+};
+
+}  // namespace axisc::validator::checks

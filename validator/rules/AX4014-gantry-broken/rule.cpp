@@ -1,0 +1,142 @@
+// AX4014: lists and machine file must agree on who follows whom.
+#include "validator/rule.hpp"
+
+#include "validator/gantry.hpp"
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+// Message numbers of the control.
+constexpr std::string_view no_master_number = "110244";
+constexpr std::string_view no_master = "70124";
+
+class GantryJudge {
+ public:
+  GantryJudge(LoadedMachine const& machine, Report& report) : machine_(machine), report_(report) {}
+
+  void judge(std::size_t axis) {
+    GantryView const view(values(axis));
+    if (view.is_slave()) {
+      judge_slave(axis, view);
+    } else if (GantryClaim const* const claim = slave_claim(machine_, axis)) {
+      judge_claimed_slave(axis, view, *claim);
+    }
+    judge_claimed_master(axis, view);
+  }
+
+ private:
+  [[nodiscard]] EffectiveValues const& values(std::size_t axis) const {
+    return machine_.axes[axis].merged.values;
+  }
+  [[nodiscard]] std::string const& name(std::size_t axis) const { return machine_.axes[axis].name; }
+
+  Finding& add(std::size_t axis, EffectiveValue const& at, Text text, std::vector<Argument> arguments = {}) {
+    report_.axis = name(axis);
+    arguments.push_back({"axis", name(axis)});
+    return report_.add(at, {text, std::move(arguments)});
+  }
+
+  /// Where the lists say something that the machine file contradicts.
+  void disagree(std::size_t axis, EffectiveValue const& at, Text text, GantryClaim const& claim) {
+    Finding& finding = add(axis, at, text);
+    finding.related.push_back({claim.place, {Text::ax4014_claim_here, {}}});
+    finding.notes.push_back({Text::ax4014_lists_count, {}});
+    finding.control.reset();
+  }
+
+  void judge_slave(std::size_t axis, GantryView const& view) {
+    GantryClaim const* const claim = slave_claim(machine_, axis);
+    auto const number = view.named_master();
+    if (!number) {
+      if (claim == nullptr && !view.master_number.unusable) without_master(axis, view);
+      return;
+    }
+    // What the axes beside a single list are is not known.
+    if (!machine_.machine_file) return;
+    auto const master = axis_numbered(machine_, *number);
+    if (!master || *master == axis) {
+      if (!all_numbers_usable()) return;
+      Finding& finding =
+          add(axis, view.master_number, master ? Text::ax4014_itself : Text::ax4014_no_such_axis,
+              {{"number", checks::number(*number)}});
+      react(finding, no_master, {Text::ax4014_reaction_no_master, {}});
+      return;
+    }
+    if (claim != nullptr && claim->master != master) {
+      disagree(axis, view.master_number, Text::ax4014_other_master, *claim);
+    }
+    require_master_bit(axis, view, *master);
+  }
+
+  void without_master(std::size_t axis, GantryView const& view) {
+    EffectiveValue const& at = view.master_number.set() ? view.master_number : view.mode;
+    Finding& finding = add(axis, at, Text::ax4014_no_master);
+    finding.notes.push_back({Text::ax4014_number_names, {{"p_axis", parameter_number(view.master_number)}}});
+    react(finding, no_master_number, {Text::ax4014_reaction_no_number, {}});
+  }
+
+  void require_master_bit(std::size_t slave, GantryView const& view, std::size_t master) {
+    GantryView const other(values(master));
+    bool const added = other.open() && master_claim(machine_, master) != nullptr;
+    if (other.is_master() || added || other.mode.unusable) return;
+    bool const at_master = other.mode.value_place() && view.master_number.value_place() &&
+                           *view.master_number.value_place() < *other.mode.value_place();
+    Finding& finding =
+        at_master ? add(master, other.mode, Text::ax4014_no_master_bit)
+                  : add(slave, view.master_number, Text::ax4014_names_no_master, {{"master", name(master)}});
+    EffectiveValue const& rest = at_master ? view.master_number : other.mode;
+    if (rest.value_place()) {
+      finding.related.push_back({*rest.value_place(),
+                                 {at_master ? Text::ax4014_named_here : Text::ax4014_mode_here,
+                                  {{"axis", name(at_master ? slave : master)}}}});
+    }
+    finding.notes.push_back({Text::ax4014_bits, {{"p_axis", parameter_number(other.mode)}}});
+    react(finding, no_master, {Text::ax4014_reaction_no_master, {}});
+  }
+
+  void judge_claimed_slave(std::size_t axis, GantryView const& view, GantryClaim const& claim) {
+    if (!view.open()) {
+      disagree(axis, view.mode, Text::ax4014_no_slave_bit, claim);
+      return;
+    }
+    auto const number = view.named_master();
+    if (number && axis_numbered(machine_, *number) != claim.master) {
+      disagree(axis, view.master_number, Text::ax4014_other_master, claim);
+    }
+  }
+
+  void judge_claimed_master(std::size_t axis, GantryView const& view) {
+    GantryClaim const* const claim = master_claim(machine_, axis);
+    if (claim == nullptr || view.open() || view.is_master()) return;
+    disagree(axis, view.mode, Text::ax4014_no_master_bit, *claim);
+  }
+
+  [[nodiscard]] bool all_numbers_usable() const {
+    return std::none_of(machine_.axes.begin(), machine_.axes.end(), [](LoadedAxis const& axis) {
+      return axis.merged.values.at("kopf.achs_nr").unusable;
+    });
+  }
+
+  LoadedMachine const& machine_;
+  Report& report_;
+};
+
+void gantry_broken(MachineContext const& context, Report& report) {
+  GantryJudge judge(context.machine, report);
+  for (std::size_t axis = 0; axis < context.machine.axes.size(); ++axis) judge.judge(axis);
+}
+
+}  // namespace
+
+extern constinit Rule const ax4014{
+    .code = Code{4014},
+    .name = "gantry-broken",
+    .control = control_numbers<no_master_number, no_master>,
+    .check = gantry_broken,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,103 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/control_numbers.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace axisc::validator::checks {
+namespace {
+
+// Message numbers of the control.
+constexpr std::string_view number_zero = "110076";
+constexpr std::string_view number_in_default_list = "110300";
+constexpr std::string_view number_twice = "1001121";
+
+/// An axis whose own list gives it a number.
+struct Numbered {
+  LoadedAxis const& axis;
+  EffectiveValue const& value;
+};
+
+std::vector<Numbered> numbered_axes(LoadedMachine const& machine) {
+  std::vector<Numbered> found;
+  for (LoadedAxis const& axis : machine.axes) {
+    EffectiveValue const& value = axis.merged.values.at("kopf.achs_nr");
+    bool const own = value.origin == Origin::axis_list && !value.unusable && value.value_place();
+    if (own) found.push_back({axis, value});
+  }
+  return found;
+}
+
+/// The default list counts for every axis that says nothing else, so its number is seen in none of them alone.
+void check_default_list(LoadedMachine const& machine, Report& report) {
+  LoadedList const* const list = machine.list_of_defaults();
+  if (list == nullptr) return;
+  schema::Slot const slot = schema::slot_of(row_at("kopf.achs_nr"));
+  for (std::size_t i = list->readings.size(); i-- > 0;) {
+    if (list->readings.slot(i) != slot) continue;
+    Reading const reading = list->readings[i];
+    if (reading.status != ReadingStatus::value) continue;
+    if (reading.value.number == 0) return;
+    Place const place{.source = list->source, .span = list->tree.assignments[i].value};
+    Finding& finding = report.add(place, *reading.row, slot,
+                                  {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
+    react(finding, number_in_default_list, {Text::ax4015_reaction_aborts, {}});
+    return;
+  }
+}
+
+void check_zero(std::vector<Numbered> const& axes, Report& report) {
+  for (Numbered const& numbered : axes) {
+    if (numbered.value.value.number != 0) continue;
+    report.axis = numbered.axis.name;
+    Finding& finding = report.add(numbered.value, {Text::ax4015_zero, {}});
+    react(finding, number_zero, {Text::ax4015_reaction_zero, {}});
+  }
+}
+
+void check_twice(std::vector<Numbered> const& axes, Report& report) {
+  std::map<double, std::vector<Numbered>> by_number;
+  for (Numbered const& numbered : axes) {
+    if (numbered.value.value.number != 0) by_number[numbered.value.value.number].push_back(numbered);
+  }
+  for (auto const& [value, sharing] : by_number) {
+    if (sharing.size() < 2) continue;
+    auto const last =
+        std::max_element(sharing.begin(), sharing.end(), [](Numbered const& left, Numbered const& right) {
+          return *left.value.value_place() < *right.value.value_place();
+        });
+    std::string names;
+    for (Numbered const& numbered : sharing) {
+      names.append(names.empty() ? "" : ", ").append(numbered.axis.name);
+    }
+    report.axis = last->axis.name;
+    Finding& finding =
+        report.add(last->value, {Text::ax4015_twice, {{"number", number(value)}, {"axes", names}}});
+    for (Numbered const& numbered : sharing) {
+      if (*numbered.value.value_place() == *last->value.value_place()) continue;
+      finding.related.push_back(
+          {*numbered.value.value_place(), {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
+    }
+    react(finding, number_twice, {Text::ax4015_reaction_twice, {}});
+  }
+}
+
+void axis_number(MachineContext const& context, Report& report) {
+  check_default_list(context.machine, report);
+  std::vector<Numbered> const axes = numbered_axes(context.machine);
+  check_zero(axes, report);
+  check_twice(axes, report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax4015{
+    .code = Code{4015},
+    .name = "axis-number",
+    .control = control_numbers<number_zero, number_in_default_list, number_twice>,
+    .check = axis_number,
+};
+
+}  // namespace axisc::validator::checks

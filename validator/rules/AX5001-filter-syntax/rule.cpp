@@ -1,0 +1,20 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/command_mistakes.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void filter_syntax(CommandContext const& context, Report& report) {
+  report_mistakes(context, Code{5001}, report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax5001{
+    .code = Code{5001},
+    .name = "filter-syntax",
+    .check = filter_syntax,
+};
+
+}  // namespace axisc::validator::checks

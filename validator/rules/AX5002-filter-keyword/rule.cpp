@@ -1,0 +1,24 @@
+#include "validator/rule.hpp"
+
+#include "validator/command_keywords.hpp"
+#include "validator/rules/command_mistakes.hpp"
+#include "validator/rules/control_numbers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void filter_keyword(CommandContext const& context, Report& report) {
+  report_mistakes(context, Code{5002}, report);
+}
+
+}  // namespace
+
+extern constinit Rule const ax5002{
+    .code = Code{5002},
+    .name = "filter-keyword",
+    .control =
+        control_numbers<keyword_repeated, mode_refused, damping_refused, share_refused, quality_refused>,
+    .check = filter_keyword,
+};
+
+}  // namespace axisc::validator::checks

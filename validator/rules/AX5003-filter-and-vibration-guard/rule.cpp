@@ -1,0 +1,36 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator::checks {
+namespace {
+
+void filter_and_vibration_guard(ProgramContext const& context, Report& report) {
+  using grammar::CommandKind;
+  auto const& commands = context.program.tree.commands;
+  auto const has = [&commands](CommandKind kind) {
+    return std::any_of(commands.begin(), commands.end(),
+                       [kind](grammar::NcCommand const& command) { return command.kind == kind; });
+  };
+  if (!has(CommandKind::filter) || !has(CommandKind::vibration_guard)) return;
+  std::vector<Span> const spans = commands_where(context, [](grammar::NcCommand const& command) {
+    return command.kind == CommandKind::filter || command.kind == CommandKind::vibration_guard;
+  });
+  Finding& finding = report_at_last(context, report, spans, message(Text::ax5003));
+  finding.help.push_back(message(Text::ax5003_help));
+  set_reaction(finding, Text::program_reaction_aborted);
+}
+
+}  // namespace
+
+extern constinit Rule const ax5003{
+    .code = Code{5003},
+    .name = "filter-and-vibration-guard",
+    .control = "22060",
+    .check = filter_and_vibration_guard,
+};
+
+}  // namespace axisc::validator::checks

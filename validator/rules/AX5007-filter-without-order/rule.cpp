@@ -1,0 +1,39 @@
+#include "validator/rule.hpp"
+
+#include "validator/fir_view.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+bool has_type_but_no_order(EffectiveValues const& values) {
+  FirView const fir(values);
+  bool const unknown = fir.order.unusable || fir.order_time.unusable;
+  return fir.configured() && !unknown && !(fir.order.value.number > 0) && !(fir.order_time.value.number > 0);
+}
+
+void filter_without_order(ProgramContext const& context, Report& report) {
+  if (context.program.gives_order) return;
+  auto const axes = axes_where(context, has_type_but_no_order);
+  std::vector<Span> const spans = commands_where(
+      context, [&](grammar::NcCommand const& command) { return is_fir_filter_on(context, command); });
+  if (axes.empty() || spans.empty()) return;
+  Finding& finding =
+      report_at_last(context, report, spans, message(Text::ax5007, {{"axes", names_of(axes)}}));
+  set_axis(finding, axes);
+  relate_values(finding, axes, "filter_fir.type", Text::fir_type_here);
+  finding.help.push_back(message(Text::ax5007_help));
+  set_reaction(finding, Text::filter_reaction_inactive);
+}
+
+}  // namespace
+
+extern constinit Rule const ax5007{
+    .code = Code{5007},
+    .name = "filter-without-order",
+    .severity = Severity::warning,
+    .check = filter_without_order,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,55 @@
+#include "validator/rule.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+/// P-AXIS-00013 of the first gear.
+constexpr std::string_view weight = "getriebe[].dynamik.a_trans_weight";
+constexpr double largest_weight = 1000;
+
+/// The values of the command's ACC_FACT, or the keyword where it has none.
+std::vector<Span> acceleration_factors(ProgramContext const& context) {
+  std::vector<Span> spans;
+  for (grammar::NcCommand const& command : context.program.tree.commands) {
+    grammar::Keyword const* const keyword = find_keyword(command, context.text, "ACC_FACT");
+    if (keyword != nullptr) spans.push_back(keyword->value.empty() ? keyword->name : keyword->value);
+  }
+  return spans;
+}
+
+void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
+  std::vector<Span> const spans = acceleration_factors(context);
+  if (spans.empty()) return;
+  auto const axes = axes_where(context, [](EffectiveValues const& values) {
+    EffectiveValue const& value = values.at(weight);
+    return !value.unusable && !(value.value.number >= 1 && value.value.number <= largest_weight);
+  });
+  if (axes.empty()) return;
+  Finding& finding =
+      report_at_last(context, report, spans, message(Text::ax5008, {{"axes", names_of(axes)}}));
+  set_axis(finding, axes);
+  finding.notes.push_back(message(Text::ax5008_limit));
+  for (LoadedAxis const* const axis : axes) {
+    EffectiveValue const& value = axis->merged.values.at(weight);
+    if (!value.value_place()) continue;
+    finding.related.push_back(
+        {.place = *value.value_place(),
+         .message = message(Text::ax5008_value_here,
+                            {{"axis", axis->name}, {"value", format_exact(value.value.number)}})});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax5008{
+    .code = Code{5008},
+    .name = "acc-fact-needs-weight",
+    .severity = Severity::warning,
+    .check = acc_fact_needs_weight,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,41 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/program_helpers.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+void axis_exchange_disables(ProgramContext const& context, Report& report) {
+  // The last #FILTER ON with the exchanges behind it; any #FILTER behind them answers them.
+  std::vector<Span> spans;
+  for (grammar::NcCommand const& command : context.program.tree.commands) {
+    if (is_fir_filter(context, command)) {
+      spans.clear();
+      if (command.command_switch == grammar::CommandSwitch::on) spans.push_back(command.name);
+    } else if (command.kind == grammar::CommandKind::axis_exchange && !spans.empty()) {
+      spans.push_back(command.name);
+    }
+  }
+  if (spans.size() < 2) return;
+  Span const switched_on = spans.front();
+  spans.erase(spans.begin());
+  std::string const name(context.text.substr(spans.back().begin, spans.back().size()));
+  Finding& finding = report_at_last(context, report, spans, message(Text::ax5009, {{"command", name}}));
+  finding.related.insert(finding.related.begin(),
+                         {.place = {.source = context.program.source, .span = switched_on},
+                          .message = message(Text::ax5009_on_here)});
+  finding.help.push_back(message(Text::ax5009_help));
+  set_reaction(finding, Text::ax5009_reaction);
+}
+
+}  // namespace
+
+extern constinit Rule const ax5009{
+    .code = Code{5009},
+    .name = "axis-exchange-disables",
+    .severity = Severity::note,
+    .check = axis_exchange_disables,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,86 @@
+#include "validator/rule.hpp"
+
+#include "design/filter_analysis.hpp"
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double longest_seconds = 10;
+constexpr double measured_seconds = 40;
+constexpr double tolerance = 1e-4;
+
+// A pole that decays a hundred times slower than allowed has hardly begun to move after ten seconds.
+constexpr double hopeless = 100;
+
+enum class Settling : std::uint8_t { in_time, late };
+
+struct Result {
+  Settling settling = Settling::in_time;
+  std::optional<double> seconds;  ///< none where it was not measured
+};
+
+// Cycles until radius^n falls below the tolerance.
+double decay_cycles(double radius) {
+  if (radius >= 1) return std::numeric_limits<double>::infinity();
+  return radius > 0 ? std::log(tolerance) / std::log(radius) : 0;
+}
+
+Result settling(std::vector<ChainLink> const& chain, double radius, design::CycleTime cycle_time) {
+  double const allowed = longest_seconds / cycle_time.seconds();
+  if (decay_cycles(radius) > allowed * hopeless) return {.settling = Settling::late, .seconds = std::nullopt};
+  auto const filters = designs(chain);
+  if (std::ceil(design::settling_bound(filters, tolerance, std::floor(allowed))) <= allowed) return {};
+  auto const longest = static_cast<std::uint64_t>(measured_seconds / cycle_time.seconds());
+  auto const settled = design::settling_cycles(filters, longest, tolerance);
+  if (!settled) return {.settling = Settling::late, .seconds = std::nullopt};
+  auto const cycles = static_cast<double>(*settled);
+  if (cycles <= allowed) return {};
+  return {.settling = Settling::late, .seconds = cycles * cycle_time.seconds()};
+}
+
+void long_settling(AxisContext const& axis, Report& report) {
+  auto const chain = axis.designs.setpoint_chain();
+  if (chain.empty()) return;
+  auto const slowest =
+      std::max_element(chain.begin(), chain.end(), [](ChainLink const& left, ChainLink const& right) {
+        return left.design->pole_radius < right.design->pole_radius;
+      });
+  Result const result = settling(chain, slowest->design->pole_radius, axis.cycle_time);
+  if (result.settling == Settling::in_time) return;
+
+  FilterView const& filter = *slowest->filter;
+  Finding& finding = report.add(filter.anchor(filter.enable), {Text::ax6003, {}});
+  finding.label = result.seconds
+                      ? Message{Text::ax6003_measured, {{"seconds", format_rounded(*result.seconds, 3)}}}
+                      : Message{Text::ax6003_beyond, {{"seconds", number(measured_seconds)}}};
+  if (chain.size() > 1) {
+    finding.notes.push_back({Text::ax6003_slowest, {{"filter", filter_name(filter)}}});
+  }
+  bool const by_frequency = design::uses_frequency(*filter.standard_type);
+  EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
+  finding.notes.push_back({by_frequency ? Text::ax6003_frequency : Text::ax6003_time,
+                           {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});
+  if (cause.value_place()) {
+    finding.related.push_back({*cause.value_place(), {Text::ax6003_cause_here, {}}});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax6003{
+    .code = Code{6003},
+    .name = "long-settling",
+    .severity = Severity::warning,
+    .needs = Needs::cycle_time,
+    .check = long_settling,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,41 @@
+#include "validator/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/step_overshoot.hpp"
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double noticeable = 0.01;
+
+void bandstop_overshoot(FilterContext const& context, Report& report) {
+  FilterView const& filter = context.filter;
+  if (!filter.active() || filter.port != FilterPort::setpoint) return;
+  if (filter.standard_type != design::FilterType::bandstop) return;
+  auto const overshoot = step_overshoot(context);
+  if (!overshoot || *overshoot <= noticeable) return;
+  Finding& finding =
+      report.add(filter.anchor(filter.type),
+                 {Text::ax6004, {{"filter", filter_name(filter)}, {"overshoot", percent(*overshoot)}}});
+  finding.label = overshoot_label(*overshoot);
+  EffectiveValue const& limit = context.axis.values.at("kenngr.dyn_monitoring_v_err");
+  if (!limit.unusable) {
+    finding.notes.push_back({Text::ax6004_monitoring,
+                             {{"p_axis", parameter_number(limit)},
+                              {"parameter", parameter_name(limit)},
+                              {"limit", percent(limit.value.number / 1000)}}});
+  }
+  finding.help.push_back({Text::ax6004_help, {{"p_axis", parameter_number(limit)}}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax6004{
+    .code = Code{6004},
+    .name = "bandstop-overshoot",
+    .severity = Severity::warning,
+    .needs = Needs::cycle_time,
+    .check = bandstop_overshoot,
+};
+
+}  // namespace axisc::validator::checks

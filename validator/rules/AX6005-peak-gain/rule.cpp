@@ -1,0 +1,46 @@
+#include "validator/rule.hpp"
+
+#include "design/filter_analysis.hpp"
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/filter_words.hpp"
+
+#include <cstdint>
+
+namespace axisc::validator::checks {
+namespace {
+
+constexpr double noticeable = 2;
+constexpr double longest_seconds = 10;
+constexpr double settled = 1e-4;
+
+void peak_gain(AxisContext const& axis, Report& report) {
+  auto const chain = axis.designs.setpoint_chain();
+  if (chain.empty()) return;
+  auto const longest = static_cast<std::uint64_t>(longest_seconds / axis.cycle_time.seconds());
+  auto const filters = designs(chain);
+  double const gain = design::step_figures(filters, longest, settled).peak_gain;
+  if (gain <= noticeable) return;
+  FilterView const& last = *chain.back().filter;
+  Finding& finding =
+      report.add(last.anchor(last.enable), {Text::ax6005, {{"gain", format_rounded(gain, 3)}}});
+  finding.label = Message{Text::ax6005_label, {{"gain", format_rounded(gain, 3)}}};
+  finding.notes.push_back({Text::ax6005_note, {}});
+  for (ChainLink const& link : chain) {
+    FilterView const& filter = *link.filter;
+    if (filter.index == last.index || !filter.enable.value_place()) continue;
+    finding.related.push_back(
+        {*filter.enable.value_place(), {Text::ax6005_filter_here, {{"filter", filter_name(filter)}}}});
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax6005{
+    .code = Code{6005},
+    .name = "peak-gain",
+    .severity = Severity::note,
+    .needs = Needs::cycle_time,
+    .check = peak_gain,
+};
+
+}  // namespace axisc::validator::checks

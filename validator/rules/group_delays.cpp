@@ -1,0 +1,62 @@
+#include "validator/rules/group_delays.hpp"
+
+#include "diagnostics/format_number.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace axisc::validator::checks {
+
+Delays delays_of(GroupContext const& context) {
+  Delays delays;
+  if (context.group.axes.size() < 2) return delays;
+  for (std::size_t const index : context.group.axes) {
+    LoadedAxis const& axis = context.whole.machine.axes[index];
+    if (auto const delay = axis_delay(axis.merged.values, context.whole.cycle_time)) {
+      delays.push_back({axis, *delay});
+    }
+  }
+  return delays;
+}
+
+bool less_delayed(DelayedAxis const& left, DelayedAxis const& right) {
+  return left.delay.cycles < right.delay.cycles;
+}
+
+double spread(Delays const& delays) {
+  if (delays.empty()) return 0;
+  auto const [least, most] = std::minmax_element(delays.begin(), delays.end(), less_delayed);
+  return most->delay.cycles - least->delay.cycles;
+}
+
+std::optional<std::size_t> last_cause(Delays const& delays) {
+  std::optional<std::size_t> last;
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    EffectiveValue const* const cause = delays[i].delay.cause;
+    if (cause == nullptr || !cause->value_place()) continue;
+    if (!last || *delays[*last].delay.cause->value_place() < *cause->value_place()) last = i;
+  }
+  return last;
+}
+
+std::string cycles_text(double cycles) {
+  return format_rounded(std::round(cycles * 1000) / 1000, 6);
+}
+
+Message delay_of(DelayedAxis const& axis) {
+  return {Text::group_axis_delay, {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.delay.cycles)}}};
+}
+
+void relate_others(Finding& finding, Delays const& delays, std::size_t reported) {
+  std::set<Place> known{*finding.place};
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    EffectiveValue const* const cause = delays[i].delay.cause;
+    if (i == reported || cause == nullptr || !cause->value_place()) continue;
+    if (known.insert(*cause->value_place()).second) {
+      finding.related.push_back({*cause->value_place(), delay_of(delays[i])});
+    }
+  }
+}
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,44 @@
+// How long each axis of a channel is delayed: where that differs, the contour is bent.
+#pragma once
+
+#include "validator/axis_delay.hpp"
+#include "validator/rule.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator::checks {
+
+/// In cycles: axes whose delays differ by less are delayed alike.
+inline constexpr double noticeable_delay = 0.5;
+
+struct DelayedAxis {
+  LoadedAxis const& axis;
+  AxisDelay delay;
+};
+
+using Delays = std::vector<DelayedAxis>;
+
+/// The axes whose delay is known; none for a channel of one axis.
+[[nodiscard]] Delays delays_of(GroupContext const& context);
+
+[[nodiscard]] bool less_delayed(DelayedAxis const& left, DelayedAxis const& right);
+
+/// Cycles between the axis that is delayed least and the one that is delayed most.
+[[nodiscard]] double spread(Delays const& delays);
+
+/// Index of the axis whose cause is last in the lists; none where no list delays anything.
+[[nodiscard]] std::optional<std::size_t> last_cause(Delays const& delays);
+
+/// Cycles as a person reads them.
+[[nodiscard]] std::string cycles_text(double cycles);
+
+/// How long an axis is delayed.
+[[nodiscard]] Message delay_of(DelayedAxis const& axis);
+
+/// Points at what delays the axes other than `reported`.
+void relate_others(Finding& finding, Delays const& delays, std::size_t reported);
+
+}  // namespace axisc::validator::checks

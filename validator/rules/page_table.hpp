@@ -1,0 +1,13 @@
+// The embedded pages of the rules; the table itself is written by cmake/RuleFolders.cmake when the program is built.
+#pragma once
+
+#include "diagnostics/page.hpp"
+
+#include <span>
+
+namespace axisc::validator {
+
+/// One page per rule, in the order of the codes.
+[[nodiscard]] std::span<Page const> page_table();
+
+}  // namespace axisc::validator
