@@ -1,8 +1,8 @@
 #include "runtime/change.hpp"
 
 #include "axisrt.h"
+#include "runtime/comparison.hpp"
 #include "runtime/control_word.hpp"
-#include "runtime/format/crc32c.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/step_distance.hpp"
@@ -13,29 +13,6 @@ namespace {
 constexpr uint32_t longest_fade = 4096;
 /// Cycles in which both runtimes must have given the same, with standing setpoints.
 constexpr uint32_t standstill_cycles = 64;
-
-bool same_name(axisrt const& a, axisrt const& b, uint32_t axis) {
-  size_t size_a = 0;
-  size_t size_b = 0;
-  char const* const name_a = axisrt_axis_name(&a, axis, &size_a);
-  char const* const name_b = axisrt_axis_name(&b, axis, &size_b);
-  if (size_a == 0 || size_b == 0) return true;  // stripped
-  if (size_a != size_b) return false;
-  for (size_t i = 0; i < size_a; ++i) {
-    if (name_a[i] != name_b[i]) return false;
-  }
-  return true;
-}
-
-/// Names where both images have them, numbers and types.
-bool same_axes(axisrt const& a, axisrt const& b) {
-  if (a.axis_count != b.axis_count) return false;
-  for (uint32_t i = 0; i < a.axis_count; ++i) {
-    if (a.axes[i].number != b.axes[i].number || a.axes[i].type != b.axes[i].type) return false;
-    if (!same_name(a, b, i)) return false;
-  }
-  return true;
-}
 
 double smaller(double a, double b) {
   return a < b ? a : b;
@@ -68,7 +45,7 @@ void plan(axisrt const& active, axisrt const& prepared, Change& change) {
     if (cycles == 0 || cycles > change.length) change.length = cycles;
     if (b.settling > change.warm_up) change.warm_up = b.settling;
   }
-  change.same_controls = digest_of_controls(active) == digest_of_controls(prepared) ? 1 : 0;
+  change.same_controls = same_controls(active, prepared) ? 1 : 0;
   if (change.same_controls == 0) change.length = 0;
 }
 
@@ -130,39 +107,6 @@ void shadow_port(axisrt const& prepared, LinePort const& from, LinePort const& t
 void advance(Change& change) {
   change.position += 1;
   if (change.position >= change.length) change.predecessor = nullptr;
-}
-
-uint32_t digest_of_controls(axisrt const& runtime) {
-  uint32_t digest = 0;
-  auto const add = [&](auto const& value) { digest = axim_crc32c(&value, sizeof value, digest); };
-  for (uint32_t i = 0; i < runtime.control_count; ++i) {
-    Control const& control = runtime.controls[i];
-    add(control.axis);
-    add(control.stage_count);
-    add(control.source);
-    add(control.limit);
-    add(control.scale);
-  }
-  for (uint32_t i = 0; i < runtime.stage_count; ++i) {
-    add(runtime.stages[i].mode);
-    add(runtime.stages[i].weight);
-    LineChain const& line = runtime.velocity.lines[i];
-    Lane const lane(runtime.velocity, line);
-    for (uint32_t k = line.first_filter; k < line.first_filter + line.filter_count; ++k) {
-      Filter const& filter = runtime.filters[k];
-      add(filter.kind);
-      add(filter.delay_cycles);
-      for (uint32_t section = 0; section < filter.section_count; ++section) {
-        add(lane.section(filter, section));
-      }
-      if (filter.kind == FilterKind::pass_through || filter.kind == FilterKind::passing) continue;
-      for (uint32_t part = 0; part < 3; ++part) {
-        double const share = lane.share(filter, part);
-        add(share);
-      }
-    }
-  }
-  return digest;
 }
 
 }  // namespace axisc::runtime
