@@ -1,6 +1,5 @@
 #include "runtime/comparison.hpp"
 
-#include "axisrt.h"
 #include "runtime/lane.hpp"
 
 #include <bit>
@@ -8,17 +7,9 @@
 namespace axisc::runtime {
 namespace {
 
-bool same_name(axisrt const& a, axisrt const& b, uint32_t axis) {
-  size_t size_a = 0;
-  size_t size_b = 0;
-  char const* const name_a = axisrt_axis_name(&a, axis, &size_a);
-  char const* const name_b = axisrt_axis_name(&b, axis, &size_b);
-  if (size_a == 0 || size_b == 0) return true;  // stripped
-  if (size_a != size_b) return false;
-  for (size_t i = 0; i < size_a; ++i) {
-    if (name_a[i] != name_b[i]) return false;
-  }
-  return true;
+bool same_name(Axis const& a, Axis const& b) {
+  if (a.name_size == 0 || b.name_size == 0) return true;  // stripped
+  return a.name_size == b.name_size && a.name_digest == b.name_digest;
 }
 
 bool same_number(double a, double b) {
@@ -82,7 +73,7 @@ bool same_axes(axisrt const& a, axisrt const& b) {
   if (a.axis_count != b.axis_count) return false;
   for (uint32_t i = 0; i < a.axis_count; ++i) {
     if (a.axes[i].number != b.axes[i].number || a.axes[i].type != b.axes[i].type) return false;
-    if (!same_name(a, b, i)) return false;
+    if (!same_name(a.axes[i], b.axes[i])) return false;
   }
   return true;
 }

@@ -15,13 +15,24 @@ axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
   return status == AXISRT_OK ? verify_image(config.image, config.image_size, view) : status;
 }
 
+/// FNV-1a. Names may overlap, so that only so much of each is read.
+uint64_t digest_of(uint8_t const* text, uint32_t size) {
+  constexpr uint32_t most = 1024;
+  uint64_t digest = 0xCBF2'9CE4'8422'2325U;
+  for (uint32_t i = 0; i < size && i < most; ++i) digest = (digest ^ text[i]) * 0x100'0000'01B3U;
+  return digest;
+}
+
 /// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or 1e-4 degree.
 void build_axes(ImageView const& view, Axis* axes) {
   double const T = view.header()[field::header::cycle_time_ns] * 1e-9;
   for (uint32_t i = 0; i < view.axes.count; ++i) {
     Record<record::axis> const record = view.axes[i];
-    axes[i] = {.name_offset = record[field::axis::name_offset],
-               .name_size = record[field::axis::name_size],
+    uint32_t const name_offset = record[field::axis::name_offset];
+    uint32_t const name_size = record[field::axis::name_size];
+    axes[i] = {.name_offset = name_offset,
+               .name_size = name_size,
+               .name_digest = name_size > 0 ? digest_of(view.names.first + name_offset, name_size) : 0,
                .number = record[field::axis::number],
                .type = record[field::axis::type],
                .position_window = record[field::axis::position_window],

@@ -13,6 +13,7 @@ namespace axisc::runtime {
 struct Axis {
   uint32_t name_offset;
   uint32_t name_size;
+  uint64_t name_digest;  ///< so that two runtimes can be compared when the images are gone
   uint32_t number;
   uint32_t type;
   double position_window;

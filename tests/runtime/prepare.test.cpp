@@ -109,3 +109,31 @@ TEST_CASE("each number of position control counts") {
     CHECK(swap_in_motion(before, changed[i]) == AXISRT_NEEDS_STANDSTILL);
   }
 }
+
+namespace {
+
+ImageRecord named(std::string const& name) {
+  ImageRecord image = without_control();
+  image.axes[0].name = name;
+  return image;
+}
+
+/// What prepare answers when the image of the runtime that works is gone.
+axisrt_status prepare_without_image(ImageRecord const& before, ImageRecord const& behind) {
+  Made active(before);
+  std::fill_n(active.image->data(), active.image->size(), std::uint8_t{0x55});
+  active.image.reset();
+  return Made(behind, active.runtime).status;
+}
+
+}  // namespace
+
+TEST_CASE("prepare compares names without the image of the runtime that works") {
+  ImageRecord stripped = named("X");
+  stripped.strip = true;
+  CHECK(prepare_without_image(named("X"), named("X")) == AXISRT_OK);
+  CHECK(prepare_without_image(named("X"), named("Y")) == AXISRT_OTHER_AXES);
+  CHECK(prepare_without_image(named("X"), named("XX")) == AXISRT_OTHER_AXES);
+  CHECK(prepare_without_image(named("X"), stripped) == AXISRT_OK);
+  CHECK(prepare_without_image(stripped, named("X")) == AXISRT_OK);
+}
