@@ -45,9 +45,9 @@ axisrt_config config_of_past(axisrt const& runtime, axisrt_config const& config)
 }
 
 struct Copier {
-  static bool number(uint32_t from, uint32_t& to, uint32_t /*largest*/) {
+  static bool number(uint32_t from, uint32_t& to, uint32_t largest) {
     to = from;
-    return true;
+    return from <= largest;
   }
   static void doubles(double const* from, double* to, uint64_t count) {
     for (uint64_t i = 0; i < count; ++i) to[i] = from[i];
@@ -130,7 +130,7 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, uint64_t{'A'} | uint64_t{'X'} << 8U | uint64_t{'R'} << 16U | uint64_t{'D'} << 24U |
                      uint64_t{axrd_major} << 32U | uint64_t{axrd_minor} << 48U);
   store_word(to, axisrt_level_of(&past) | uint64_t{past.axis_count} << 32U);
-  store_word(to, past.cycle_time_ns | uint64_t{past.image_checksum} << 32U);
+  store_word(to, past.cycle_time_ns | uint64_t{past.payload_checksum} << 32U);
   store_word(to, state_words);
   store_word(to, recorder.used);
   store_word(to, recorder.entries);
@@ -173,13 +173,21 @@ axisrt_status restore(axisrt_config const& config, uint8_t const* dump, uint64_t
   axisrt_status const status = axisrt_create(&config_of_dump, &made);
   if (status == AXISRT_OTHER_CYCLE_TIME) return AXISRT_OTHER_IMAGE;
   if (status != AXISRT_OK) return status;
-  if (made->image_checksum != load_u32(dump + 2 * word_size + 4)) return AXISRT_OTHER_IMAGE;
+  if (made->payload_checksum != load_u32(dump + 2 * word_size + 4)) return AXISRT_OTHER_IMAGE;
   if (made->axis_count != load_u32(dump + word_size + 4)) return AXISRT_OTHER_IMAGE;
   if (count_state_words(*made) != load_u64(dump + 3 * word_size)) return AXISRT_BAD_RECORDING;
   Reader reader{.from = dump + header_size};
   if (!walk(*made, *made, reader)) return AXISRT_BAD_RECORDING;
   runtime = made;
   return AXISRT_OK;
+}
+
+/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were made to have the
+/// same ones.
+bool same_image(axisrt const& a, axisrt const& b) {
+  return a.payload_checksum == b.payload_checksum && a.header_checksum == b.header_checksum &&
+         a.axis_count == b.axis_count && a.control_count == b.control_count &&
+         a.channel_count == b.channel_count;
 }
 
 axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycles,
@@ -199,9 +207,8 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
   axisrt* behind = nullptr;
   status = axisrt_create(&past, &behind);
   if (status != AXISRT_OK) return status;
-  if (behind->image_checksum != runtime.image_checksum) return AXISRT_OTHER_IMAGE;
   Copier copier;
-  static_cast<void>(walk(runtime, *behind, copier));
+  if (!same_image(runtime, *behind) || !walk(runtime, *behind, copier)) return AXISRT_OTHER_IMAGE;
   recorder = memory.part<axisrt_recorder>(0);
   *recorder = {.runtime = &runtime,
                .past = behind,

@@ -139,8 +139,8 @@ struct axisrt {
   uint32_t stage_count;
   uint32_t control_count;
   uint32_t image_version;
-  uint32_t image_checksum;  ///< of its payload
-  uint32_t reserved;
+  uint32_t payload_checksum;  ///< of the image
+  uint32_t header_checksum;   ///< of the image's header and section table
   axisc::runtime::Instructions const* instructions;
   uint8_t const* names;  ///< in the image; null if it has none
   axisc::runtime::Axis const* axes;

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -249,7 +250,95 @@ ImageRecord repeated(ImageRecord const& image) {
   return many;
 }
 
+/// Eight axes with a low-pass each.
+Bytes eight_axes() {
+  ImageRecord image;
+  image.strip = true;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    AxisRecord axis;
+    axis.number = i + 1;
+    axis.filters = {exact::lowpass(20 + static_cast<int>(i), Quad{1} / 1000, 1).record()};
+    image.axes.push_back(axis);
+  }
+  return write_image(image);
+}
+
+/// An image with the bytes of another behind its section table, which says that there is one axis with one filter.
+Bytes first_axis_of(Bytes image) {
+  for (std::uint32_t const kind : {axes_kind, filters_kind}) {
+    std::size_t const entry = entry_offset(image, kind);
+    poke(image, entry + 16, peek(image, entry + 24, 4), 8);
+    poke(image, entry + 28, 1, 4);
+  }
+  poke(image, 36, 1, 4);
+  repair_checksums(image);
+  return image;
+}
+
+/// Chooses 32 bits of the header that mean nothing to a runtime such that its checksum is `wanted`. A CRC of bits that are
+/// flipped one by one is linear: they are found by elimination.
+void force_header_checksum(Bytes& image, std::uint32_t wanted) {
+  constexpr std::size_t source_digest = 48;
+  auto const with_flipped = [&](std::uint64_t bits) {
+    Bytes flipped = image;
+    poke(flipped, source_digest, peek(image, source_digest, 4) ^ bits, 4);
+    repair_checksums(flipped);
+    return flipped;
+  };
+  auto const checksum_of = [](Bytes const& bytes) { return peek(bytes, 12, 4); };
+  std::uint64_t const plain = checksum_of(image);
+  struct Flip {
+    std::uint64_t effect, bits;
+  };
+  std::vector<Flip> basis;
+  auto const reduce = [&](Flip flip) {
+    for (Flip const& one : basis) {
+      if ((flip.effect ^ one.effect) < flip.effect) flip = {flip.effect ^ one.effect, flip.bits ^ one.bits};
+    }
+    return flip;
+  };
+  for (std::uint32_t bit = 0; bit < 32; ++bit) {
+    std::uint64_t const bits = std::uint64_t{1} << bit;
+    basis.push_back(reduce({checksum_of(with_flipped(bits)) ^ plain, bits}));
+    std::sort(basis.begin(), basis.end(), [](Flip const& a, Flip const& b) { return a.effect > b.effect; });
+  }
+  image = with_flipped(reduce({plain ^ wanted, 0}).bits);
+  REQUIRE(checksum_of(image) == wanted);
+}
+
+/// What recorder_start answers for a runtime of `image`, given `other`.
+axisrt_status start_with(Bytes const& image, Bytes const& other) {
+  TestRuntime runtime(image);
+  REQUIRE(runtime.status == AXISRT_OK);
+  runtime.reset_all(1);
+  AlignedMemory const other_image(other);
+  axisrt_config config = Recorded::config_of(other_image);
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_size(runtime.runtime, &config, 1, &size) == AXISRT_OK);
+  AlignedMemory memory(size);
+  config.memory = memory.data();
+  config.memory_size = memory.size();
+  axisrt_recorder* recorder = nullptr;
+  axisrt_status const status = axisrt_recorder_start(runtime.runtime, &config, 1, &recorder);
+  CHECK((recorder != nullptr) == (status == AXISRT_OK));
+  for (int cycle = 0; cycle < 10; ++cycle) static_cast<void>(runtime.step(cycle));
+  axisrt_recorder_stop(recorder);
+  return status;
+}
+
 }  // namespace
+
+TEST_CASE("an image with the same sections in another table is not the one that is recorded") {
+  Bytes const image = eight_axes();
+  CHECK(start_with(image, image) == AXISRT_OK);
+  Bytes other = first_axis_of(image);
+  REQUIRE(peek(other, 24, 4) == peek(image, 24, 4));  // the checksum of everything behind the table
+  CHECK(start_with(image, other) == AXISRT_OTHER_IMAGE);
+  CHECK(start_with(other, image) == AXISRT_OTHER_IMAGE);
+  force_header_checksum(other, static_cast<std::uint32_t>(peek(image, 12, 4)));
+  CHECK(start_with(image, other) == AXISRT_OTHER_IMAGE);
+  CHECK(start_with(other, image) == AXISRT_OTHER_IMAGE);
+}
 
 TEST_CASE("a recording replays bit for bit, before and after the ring is full") {
   for (ImageRecord const& image : {channel_image(), complete_image(), repeated(complete_image())}) {
