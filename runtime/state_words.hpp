@@ -12,7 +12,7 @@ namespace axisc::runtime {
 /// Pairs the state of `from` with that of `to`, two runtimes of one image and level, or one and the same. Two that are laid out
 /// differently are refused before anything is read where they differ. The visitor has
 ///     bool number(uint32_t from, uint32_t& to, uint32_t largest);   false: refused, as larger than `largest`
-///     void doubles(double const* from, double* to, uint64_t count);
+///     bool states(Batch const& from, Batch const& to);              all groups' states; false: refused
 template <class Visitor>
 class StateWalk {
  public:
@@ -43,7 +43,7 @@ class StateWalk {
   bool batch(Port const& port, Batch const& from, Batch const& to) {
     if (!same_layout(from, to)) return false;
     bool good = visitor_.number(from.state->never_reset, to.state->never_reset, port.line_count);
-    visitor_.doubles(from.states, to.states, uint64_t{from.group_count} * from.state_stride);
+    good = good && visitor_.states(from, to);
     for (uint32_t i = 0; i < from.operation_count && good; ++i) {
       Operation const& one = from.operations[i];
       Operation const& other = to.operations[i];

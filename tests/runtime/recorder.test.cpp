@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -448,6 +449,17 @@ TEST_CASE("what cannot be recorded or restored is refused") {
   }
 }
 
+namespace {
+
+/// Computes both checksums anew.
+void repair_dump(Bytes& dump) {
+  poke(dump, 6 * word, 0, 8);
+  poke(dump, 6 * word, naive_crc32c(dump.data() + 64, dump.size() - 64), 4);
+  poke(dump, 6 * word + 4, naive_crc32c(dump.data(), 64), 4);
+}
+
+}  // namespace
+
 TEST_CASE("numbers of a dump that lead outside the memory are refused, with a right checksum too") {
   Recorded recorded(channel_image(), 5);
   recorded.runtime.reset_all(0);
@@ -458,10 +470,7 @@ TEST_CASE("numbers of a dump that lead outside the memory are refused, with a ri
   for (std::size_t i = 0; i < state; ++i) {
     Bytes damaged = dump;
     poke(damaged, (axrd_header_words + i) * word, 0xFFFFFFFF, 8);
-    poke(damaged, 6 * word, 0, 8);
-    std::uint32_t const content = naive_crc32c(damaged.data() + 64, damaged.size() - 64);
-    poke(damaged, 6 * word, content, 4);
-    poke(damaged, 6 * word + 4, naive_crc32c(damaged.data(), 64), 4);
+    repair_dump(damaged);
     Restored restored(recorded.image(), damaged);
     if (restored.status != AXISRT_OK) {
       REQUIRE(restored.status == AXISRT_BAD_RECORDING);
@@ -474,4 +483,44 @@ TEST_CASE("numbers of a dump that lead outside the memory are refused, with a ri
     }
   }
   CHECK(refused > 10);
+}
+
+TEST_CASE("states that no cycle leaves behind are refused") {
+  Recorded recorded(channel_image(), 5);
+  recorded.runtime.reset_all(0);
+  for (int i = 0; i < 60; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  Bytes const dump = recorded.dump();
+  auto const state = static_cast<std::size_t>(word_at(dump, 3));
+  std::uint64_t const whole_mask = ~std::uint64_t{0};
+  int masks = 0;
+  for (std::size_t i = axrd_header_words; i < axrd_header_words + state; ++i) {
+    masks += word_at(dump, i) == whole_mask ? 1 : 0;
+    // A part of a mask, a NaN, an infinity, more than a state can be, and a mask that is taken away or added.
+    for (std::uint64_t const bits :
+         {std::uint64_t{0xFFFF'FFFF'FFFF'FF00}, std::uint64_t{1}, std::uint64_t{0x7FF8'0000'0000'0001},
+          std::uint64_t{0x7FF0'0000'0000'0000}, std::uint64_t{0x7FEF'FFFF'FFFF'FFFF},
+          std::uint64_t{0x8000'0000'0000'0000}, std::uint64_t{0}, whole_mask}) {
+      Bytes damaged = dump;
+      poke(damaged, i * word, bits, 8);
+      repair_dump(damaged);
+      Restored restored(recorded.image(), damaged);
+      if (word_at(dump, i) == whole_mask && bits != whole_mask) {
+        REQUIRE(restored.status == AXISRT_BAD_RECORDING);
+      }
+      if (restored.status != AXISRT_OK) continue;
+      for (int cycle = 0; cycle < 40; ++cycle) {
+        double const in[3] = {1, 2, 3};
+        double out[3] = {};
+        std::uint8_t status[3] = {};
+        axisrt_step(restored.runtime, in, out, status);
+        for (int axis = 0; axis < 3; ++axis) {
+          REQUIRE(std::isfinite(out[axis]));
+          bool const known = status[axis] == AXISRT_OK || status[axis] == AXISRT_IMPLAUSIBLE;
+          INFO("word " << i << ", status " << int{status[axis]});
+          REQUIRE(known);
+        }
+      }
+    }
+  }
+  CHECK(masks >= 3);
 }
