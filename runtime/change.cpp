@@ -2,9 +2,11 @@
 
 #include "axisrt.h"
 #include "runtime/comparison.hpp"
+#include "runtime/configuration.hpp"
 #include "runtime/control_word.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
+#include "runtime/recorder.hpp"
 #include "runtime/step_distance.hpp"
 
 namespace axisc::runtime {
@@ -13,6 +15,11 @@ namespace {
 constexpr uint32_t longest_fade = 4096;
 /// Cycles in which both runtimes must have given the same, with standing setpoints.
 constexpr uint32_t standstill_cycles = 64;
+
+Block memory_of_recorder(axisrt const& runtime) {
+  axisrt_recorder const* const recorder = runtime.recorder;
+  return {.first = recorder, .size = recorder != nullptr ? recorder->memory_size : 0};
+}
 
 double smaller(double a, double b) {
   return a < b ? a : b;
@@ -116,10 +123,11 @@ axisrt_status axisrt_prepare(axisrt* active, axisrt_config const* config, uint32
   using namespace axisc::runtime;
   if (prepared == nullptr) return AXISRT_BAD_ARGUMENT;
   *prepared = nullptr;
-  if (active == nullptr || config == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (active == nullptr || !is_known(config)) return AXISRT_BAD_ARGUMENT;
   if (active->change->predecessor != nullptr) return AXISRT_BUSY;
   axisrt* made = nullptr;
-  axisrt_status const status = axisrt_create(config, &made);
+  axisrt_status const status = create_beside(*config, {.first = active, .size = active->memory_size},
+                                             memory_of_recorder(*active), made);
   if (status != AXISRT_OK) return status;
   if (!same_axes(*active, *made)) return AXISRT_OTHER_AXES;
   bool const older = made->image_version < active->image_version;

@@ -1,14 +1,11 @@
 #include "axisrt.h"
 #include "runtime/building.hpp"
+#include "runtime/configuration.hpp"
 #include "runtime/self_test.hpp"
 #include "runtime/signature.hpp"
 
 namespace axisc::runtime {
 namespace {
-
-bool is_known(axisrt_config const* config) {
-  return config != nullptr && config->size == sizeof(axisrt_config);
-}
 
 axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
   axisrt_status const status = check_signature(config);
@@ -49,7 +46,8 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
   change->outputs = memory.part<double>(layout.changing_outputs);
   build_kernels(view, layout, memory);
   auto* const runtime = memory.part<axisrt>(layout.object);
-  *runtime = {.axis_count = view.axes.count,
+  *runtime = {.memory_size = layout.size,
+              .axis_count = view.axes.count,
               .cycle_time_ns = view.header()[field::header::cycle_time_ns],
               .kernel_count = view.kernels.count,
               .slot_count = view.slots.count,
@@ -84,13 +82,10 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
   return runtime;
 }
 
-axisrt_status check_memory(axisrt_config const& config, Layout const& layout) {
-  if (config.memory == nullptr) return AXISRT_BAD_ARGUMENT;
-  if (reinterpret_cast<uintptr_t>(config.memory) % AXISRT_ALIGNMENT != 0) return AXISRT_MISALIGNED;
-  return config.memory_size < layout.size ? AXISRT_MEMORY_TOO_SMALL : AXISRT_OK;
-}
+}  // namespace
 
-axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
+axisrt_status create_beside(axisrt_config const& config, Block const& used, Block const& used_too,
+                            axisrt*& runtime) {
   ImageView view;
   axisrt_status status = open_configured(config, view);
   if (status != AXISRT_OK) return status;
@@ -98,15 +93,16 @@ axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
   Instructions const* const instructions = find_instructions(config.level);
   if (instructions == nullptr) return AXISRT_NO_LEVEL;
   Layout const layout = lay_out(count_amounts(view, instructions->lanes));
-  status = check_memory(config, layout);
+  status = check_memory(config, layout.size);
   if (status != AXISRT_OK) return status;
+  Block const memory{.first = config.memory, .size = layout.size};
+  if (overlap(memory, used) || overlap(memory, used_too)) return AXISRT_BAD_ARGUMENT;
   axisrt* const built = build(view, *instructions, layout, {.bytes = static_cast<uint8_t*>(config.memory)});
   status = run_self_tests(view, *built);
   if (status == AXISRT_OK) runtime = built;
   return status;
 }
 
-}  // namespace
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, size_t* alignment) {
@@ -128,5 +124,5 @@ axisrt_status axisrt_create(axisrt_config const* config, axisrt** runtime) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   *runtime = nullptr;
   if (!axisc::runtime::is_known(config)) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::create(*config, *runtime);
+  return axisc::runtime::create_beside(*config, {}, {}, *runtime);
 }

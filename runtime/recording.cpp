@@ -3,7 +3,7 @@
 
 #include "axisrt.h"
 #include "runtime/building.hpp"
-#include "runtime/change.hpp"
+#include "runtime/configuration.hpp"
 #include "runtime/format/crc32c.hpp"
 #include "runtime/recorder.hpp"
 
@@ -149,9 +149,10 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
   axisrt_status status = axisrt_memory_size(&past, &past_size, &alignment);
   if (status != AXISRT_OK) return status;
   RecorderLayout const layout = lay_out_recorder(runtime, cycles, past_size);
-  if (config.memory == nullptr) return AXISRT_BAD_ARGUMENT;
-  if (reinterpret_cast<uintptr_t>(config.memory) % AXISRT_ALIGNMENT != 0) return AXISRT_MISALIGNED;
-  if (config.memory_size < layout.size) return AXISRT_MEMORY_TOO_SMALL;
+  status = check_memory(config, layout.size);
+  if (status != AXISRT_OK) return status;
+  Block const own{.first = config.memory, .size = layout.size};
+  if (overlap(own, {.first = &runtime, .size = runtime.memory_size})) return AXISRT_BAD_ARGUMENT;
   Memory const memory{.bytes = static_cast<uint8_t*>(config.memory)};
   past.memory = memory.part<uint8_t>(layout.past);
   past.memory_size = past_size;
@@ -165,6 +166,7 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
                .past = behind,
                .words = memory.part<uint64_t>(layout.words),
                .values = memory.part<double>(layout.values),
+               .memory_size = layout.size,
                .capacity = layout.capacity,
                .first = 0,
                .used = 0,
@@ -180,9 +182,7 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
 axisrt_status axisrt_recorder_size(axisrt const* runtime, axisrt_config const* config, uint32_t cycles,
                                    size_t* bytes) {
   using namespace axisc::runtime;
-  if (runtime == nullptr || config == nullptr || bytes == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
+  if (runtime == nullptr || !is_known(config) || bytes == nullptr) return AXISRT_BAD_ARGUMENT;
   axisrt_config const past = config_of_past(*runtime, *config);
   size_t past_size = 0;
   size_t alignment = 0;
@@ -199,9 +199,7 @@ axisrt_status axisrt_recorder_start(axisrt* runtime, axisrt_config const* config
   using namespace axisc::runtime;
   if (recorder == nullptr) return AXISRT_BAD_ARGUMENT;
   *recorder = nullptr;
-  if (runtime == nullptr || config == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
+  if (runtime == nullptr || !is_known(config)) return AXISRT_BAD_ARGUMENT;
   if (runtime->recorder != nullptr || runtime->change->predecessor != nullptr) return AXISRT_BUSY;
   return start(*runtime, *config, cycles, *recorder);
 }

@@ -1,5 +1,6 @@
 // Going back to where a recording begins.
 #include "axisrt.h"
+#include "runtime/configuration.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/little_endian.hpp"
 #include "runtime/recording.hpp"
@@ -86,7 +87,7 @@ axisrt_status restore(axisrt_config const& config, uint8_t const* dump, uint64_t
   config_of_dump.cycle_time_ns = load_u32(dump + 2 * word_size);
   if (config_of_dump.level == AXISRT_LEVEL_AUTOMATIC) return AXISRT_BAD_RECORDING;
   axisrt* made = nullptr;
-  axisrt_status const status = axisrt_create(&config_of_dump, &made);
+  axisrt_status const status = create_beside(config_of_dump, {.first = dump, .size = size}, {}, made);
   if (status == AXISRT_OTHER_CYCLE_TIME) return AXISRT_OTHER_IMAGE;
   if (status != AXISRT_OK) return status;
   if (made->payload_checksum != load_u32(dump + 2 * word_size + 4)) return AXISRT_OTHER_IMAGE;
@@ -105,8 +106,6 @@ axisrt_status axisrt_restore(axisrt_config const* config, void const* dump, size
   using namespace axisc::runtime;
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   *runtime = nullptr;
-  if (config == nullptr || dump == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
+  if (!is_known(config) || dump == nullptr) return AXISRT_BAD_ARGUMENT;
   return restore(*config, static_cast<uint8_t const*>(dump), size, *runtime);
 }

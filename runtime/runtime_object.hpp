@@ -131,6 +131,7 @@ struct Change {
 }  // namespace axisc::runtime
 
 struct axisrt {
+  uint64_t memory_size;  ///< of everything, from this object on
   uint32_t axis_count;
   uint32_t cycle_time_ns;
   uint32_t kernel_count;

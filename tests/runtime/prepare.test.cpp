@@ -137,3 +137,26 @@ TEST_CASE("prepare compares names without the image of the runtime that works") 
   CHECK(prepare_without_image(named("X"), stripped) == AXISRT_OK);
   CHECK(prepare_without_image(stripped, named("X")) == AXISRT_OK);
 }
+
+TEST_CASE("prepare leaves the memory of the runtime that works alone, and of its recorder") {
+  Bytes const image = write_image(channel_image());
+  Made const active(image);
+  REQUIRE(active.status == AXISRT_OK);
+  axisrt_config config = active.config;
+  axisrt* prepared = nullptr;
+  CHECK(axisrt_prepare(active.runtime, &config, 0, &prepared) == AXISRT_BAD_ARGUMENT);
+  CHECK(prepared == nullptr);
+  std::vector<double> out(axisrt_axis_count(active.runtime));
+  CHECK(axisrt_step(active.runtime, out.data(), out.data(), nullptr) == AXISRT_NOT_RESET);
+
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_size(active.runtime, &config, 100, &size) == AXISRT_OK);
+  AlignedMemory recording(size);
+  config.memory = recording.data();
+  config.memory_size = recording.size();
+  axisrt_recorder* recorder = nullptr;
+  REQUIRE(axisrt_recorder_start(active.runtime, &config, 100, &recorder) == AXISRT_OK);
+  CHECK(axisrt_prepare(active.runtime, &config, 0, &prepared) == AXISRT_BAD_ARGUMENT);
+  axisrt_recorder_stop(recorder);
+  CHECK(axisrt_prepare(active.runtime, &config, 0, &prepared) == AXISRT_OK);
+}

@@ -524,3 +524,40 @@ TEST_CASE("states that no cycle leaves behind are refused") {
   }
   CHECK(masks >= 3);
 }
+
+TEST_CASE(
+    "a recorder's memory overlaps neither its image nor its runtime, that of a restored runtime no "
+    "recording") {
+  Bytes const bytes = write_image(channel_image());
+  // One block for all of them: runtime, image, recorder.
+  AlignedMemory all(1 << 18);
+  std::uint8_t* const image = all.data() + (1 << 16);
+  std::copy(bytes.begin(), bytes.end(), image);
+  AlignedMemory const elsewhere(bytes);
+  axisrt_config config = Recorded::config_of(elsewhere);
+  config.image = image;
+  config.memory = all.data();
+  config.memory_size = 1 << 16;
+  axisrt* runtime = nullptr;
+  REQUIRE(axisrt_create(&config, &runtime) == AXISRT_OK);
+  axisrt_recorder* recorder = nullptr;
+  for (std::size_t const offset : {0, 1 << 10, (1 << 16) - 64, 1 << 16, (1 << 16) + 64}) {
+    config.memory = all.data() + offset;
+    config.memory_size = all.size() - offset;
+    INFO(offset);
+    CHECK(axisrt_recorder_start(runtime, &config, 100, &recorder) == AXISRT_BAD_ARGUMENT);
+    CHECK(recorder == nullptr);
+  }
+  CHECK(std::equal(bytes.begin(), bytes.end(), image));
+  config.memory = image + (bytes.size() + 63) / 64 * 64;
+  REQUIRE(axisrt_recorder_start(runtime, &config, 100, &recorder) == AXISRT_OK);
+  AlignedMemory dump(1 << 17);
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_dump(recorder, dump.data(), dump.size(), &size) == AXISRT_OK);
+  axisrt_recorder_stop(recorder);
+  config.memory = dump.data();
+  config.memory_size = dump.size();
+  axisrt* restored = nullptr;
+  CHECK(axisrt_restore(&config, dump.data(), size, &restored) == AXISRT_BAD_ARGUMENT);
+  CHECK(restored == nullptr);
+}
