@@ -37,6 +37,7 @@ TEST_CASE("create makes a runtime that knows its axes") {
   REQUIRE(prepared.create() == AXISRT_OK);
   CHECK(axisrt_axis_count(prepared.runtime) == 2);
   CHECK(axisrt_cycle_time_ns(prepared.runtime) == 1'000'000);
+  CHECK(axisrt_image_version(prepared.runtime) == 7);
   CHECK(axisrt_has_interface(prepared.runtime, 0) == 0);
   CHECK(axisrt_has_interface(prepared.runtime, 1) == 1);
   CHECK(axisrt_has_interface(prepared.runtime, 2) == 0);
@@ -166,6 +167,7 @@ TEST_CASE("functions without a runtime answer harmlessly") {
   axisrt_axis_state state{};
   CHECK(axisrt_axis_count(nullptr) == 0);
   CHECK(axisrt_cycle_time_ns(nullptr) == 0);
+  CHECK(axisrt_image_version(nullptr) == 0);
   CHECK(axisrt_has_interface(nullptr, 0) == 0);
   CHECK(axisrt_axis_name(nullptr, 0, nullptr) != nullptr);
   CHECK(axisrt_reset(nullptr, 0, 0) == AXISRT_BAD_ARGUMENT);
