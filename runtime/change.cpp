@@ -109,6 +109,23 @@ void shadow_port(axisrt const& prepared, LinePort const& from, LinePort const& t
   prepared.instructions->step(to.port, inputs, inputs, nullptr);
 }
 
+void shadow(axisrt& prepared) {
+  axisrt const& active = *prepared.change->predecessor;
+  Change& change = *prepared.change;
+  for (uint32_t i = 0; i < prepared.axis_count; ++i) {
+    change.outputs[i] = input_of(prepared.setpoint, i);
+    // An axis that was reset since: whatever the chains remember is of another position.
+    if (was_reset(active.setpoint, i) && !was_reset(prepared.setpoint, i)) {
+      axisrt_reset(&prepared, i, input_of(active.setpoint, i));
+    }
+  }
+  shadow_port(prepared, active.setpoint, prepared.setpoint, change.shadow);
+  watch_standstill(active, prepared, change.outputs, change);
+  shadow_port(prepared, active.additional_interface, prepared.additional_interface, change.shadow);
+  if (change.same_controls != 0) shadow_port(prepared, active.velocity, prepared.velocity, change.shadow);
+  change.cycles += 1;
+}
+
 }  // namespace
 
 void advance(Change& change) {
@@ -133,8 +150,10 @@ axisrt_status axisrt_prepare(axisrt* active, axisrt_config const* config, uint32
   bool const older = made->image_version < active->image_version;
   if (older && (options & AXISRT_ALLOW_OLDER) == 0) return AXISRT_OLDER_IMAGE;
   made->change->predecessor = active;
-  plan(*active, *made, *made->change);
-  take_over(*active, *made);
+  in_plain_arithmetic([&] {
+    plan(*active, *made, *made->change);
+    take_over(*active, *made);
+  });
   *prepared = made;
   return AXISRT_OK;
 }
@@ -144,21 +163,7 @@ axisrt_status axisrt_shadow_step(axisrt* prepared) {
   if (prepared == nullptr || prepared->change->predecessor == nullptr || prepared->change->begun != 0) {
     return AXISRT_BAD_ARGUMENT;
   }
-  CycleArithmetic const arithmetic;
-  axisrt const& active = *prepared->change->predecessor;
-  Change& change = *prepared->change;
-  for (uint32_t i = 0; i < prepared->axis_count; ++i) {
-    change.outputs[i] = input_of(prepared->setpoint, i);
-    // An axis that was reset since: whatever the chains remember is of another position.
-    if (was_reset(active.setpoint, i) && !was_reset(prepared->setpoint, i)) {
-      axisrt_reset(prepared, i, input_of(active.setpoint, i));
-    }
-  }
-  shadow_port(*prepared, active.setpoint, prepared->setpoint, change.shadow);
-  watch_standstill(active, *prepared, change.outputs, change);
-  shadow_port(*prepared, active.additional_interface, prepared->additional_interface, change.shadow);
-  if (change.same_controls != 0) shadow_port(*prepared, active.velocity, prepared->velocity, change.shadow);
-  change.cycles += 1;
+  in_cycle_arithmetic([&] { shadow(*prepared); });
   return AXISRT_OK;
 }
 

@@ -1,12 +1,14 @@
 #include "axisrt.h"
 #include "runtime/building.hpp"
 #include "runtime/configuration.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/self_test.hpp"
 #include "runtime/signature.hpp"
 
 namespace axisc::runtime {
 namespace {
 
+/// The caller's own function is called in his own arithmetic.
 axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
   axisrt_status const status = check_signature(config);
   return status == AXISRT_OK ? verify_image(config.image, config.image_size, view) : status;
@@ -82,18 +84,13 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
   return runtime;
 }
 
-}  // namespace
-
-axisrt_status create_beside(axisrt_config const& config, Block const& used, Block const& used_too,
-                            axisrt*& runtime) {
-  ImageView view;
-  axisrt_status status = open_configured(config, view);
-  if (status != AXISRT_OK) return status;
+axisrt_status create(axisrt_config const& config, ImageView const& view, Block const& used,
+                     Block const& used_too, axisrt*& runtime) {
   if (view.header()[field::header::cycle_time_ns] != config.cycle_time_ns) return AXISRT_OTHER_CYCLE_TIME;
   Instructions const* const instructions = find_instructions(config.level);
   if (instructions == nullptr) return AXISRT_NO_LEVEL;
   Layout const layout = lay_out(count_amounts(view, instructions->lanes));
-  status = check_memory(config, layout.size);
+  axisrt_status status = check_memory(config, layout.size);
   if (status != AXISRT_OK) return status;
   Block const memory{.first = config.memory, .size = layout.size};
   if (overlap(memory, used) || overlap(memory, used_too)) return AXISRT_BAD_ARGUMENT;
@@ -101,6 +98,16 @@ axisrt_status create_beside(axisrt_config const& config, Block const& used, Bloc
   status = run_self_tests(view, *built);
   if (status == AXISRT_OK) runtime = built;
   return status;
+}
+
+}  // namespace
+
+axisrt_status create_beside(axisrt_config const& config, Block const& used, Block const& used_too,
+                            axisrt*& runtime) {
+  ImageView view;
+  axisrt_status const status = open_configured(config, view);
+  if (status != AXISRT_OK) return status;
+  return in_plain_arithmetic([&] { return create(config, view, used, used_too, runtime); });
 }
 
 }  // namespace axisc::runtime
@@ -113,7 +120,7 @@ axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, siz
   if (status != AXISRT_OK) return status;
   uint32_t const lanes = lanes_of_level(config->level);
   if (lanes == 0) return AXISRT_NO_LEVEL;
-  uint64_t const size = lay_out(count_amounts(view, lanes)).size;
+  uint64_t const size = in_plain_arithmetic([&] { return lay_out(count_amounts(view, lanes)).size; });
   if (size > SIZE_MAX) return AXISRT_MEMORY_TOO_SMALL;  // more than this processor can address
   *bytes = static_cast<size_t>(size);
   *alignment = AXISRT_ALIGNMENT;
