@@ -1,10 +1,12 @@
 #include "runtime/change.hpp"
 
 #include "axisrt.h"
+#include "runtime/comparison.hpp"
+#include "runtime/configuration.hpp"
 #include "runtime/control_word.hpp"
-#include "runtime/format/crc32c.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
+#include "runtime/recorder.hpp"
 #include "runtime/step_distance.hpp"
 
 namespace axisc::runtime {
@@ -14,27 +16,9 @@ constexpr uint32_t longest_fade = 4096;
 /// Cycles in which both runtimes must have given the same, with standing setpoints.
 constexpr uint32_t standstill_cycles = 64;
 
-bool same_name(axisrt const& a, axisrt const& b, uint32_t axis) {
-  size_t size_a = 0;
-  size_t size_b = 0;
-  char const* const name_a = axisrt_axis_name(&a, axis, &size_a);
-  char const* const name_b = axisrt_axis_name(&b, axis, &size_b);
-  if (size_a == 0 || size_b == 0) return true;  // stripped
-  if (size_a != size_b) return false;
-  for (size_t i = 0; i < size_a; ++i) {
-    if (name_a[i] != name_b[i]) return false;
-  }
-  return true;
-}
-
-/// Names where both images have them, numbers and types.
-bool same_axes(axisrt const& a, axisrt const& b) {
-  if (a.axis_count != b.axis_count) return false;
-  for (uint32_t i = 0; i < a.axis_count; ++i) {
-    if (a.axes[i].number != b.axes[i].number || a.axes[i].type != b.axes[i].type) return false;
-    if (!same_name(a, b, i)) return false;
-  }
-  return true;
+Block memory_of_recorder(axisrt const& runtime) {
+  axisrt_recorder const* const recorder = runtime.recorder;
+  return {.first = recorder, .size = recorder != nullptr ? recorder->memory_size : 0};
 }
 
 double smaller(double a, double b) {
@@ -68,7 +52,7 @@ void plan(axisrt const& active, axisrt const& prepared, Change& change) {
     if (cycles == 0 || cycles > change.length) change.length = cycles;
     if (b.settling > change.warm_up) change.warm_up = b.settling;
   }
-  change.same_controls = digest_of_controls(active) == digest_of_controls(prepared) ? 1 : 0;
+  change.same_controls = same_controls(active, prepared) ? 1 : 0;
   if (change.same_controls == 0) change.length = 0;
 }
 
@@ -125,44 +109,28 @@ void shadow_port(axisrt const& prepared, LinePort const& from, LinePort const& t
   prepared.instructions->step(to.port, inputs, inputs, nullptr);
 }
 
+void shadow(axisrt& prepared) {
+  axisrt const& active = *prepared.change->predecessor;
+  Change& change = *prepared.change;
+  for (uint32_t i = 0; i < prepared.axis_count; ++i) {
+    change.outputs[i] = input_of(prepared.setpoint, i);
+    // An axis that was reset since: whatever the chains remember is of another position.
+    if (was_reset(active.setpoint, i) && !was_reset(prepared.setpoint, i)) {
+      axisrt_reset(&prepared, i, input_of(active.setpoint, i));
+    }
+  }
+  shadow_port(prepared, active.setpoint, prepared.setpoint, change.shadow);
+  watch_standstill(active, prepared, change.outputs, change);
+  shadow_port(prepared, active.additional_interface, prepared.additional_interface, change.shadow);
+  if (change.same_controls != 0) shadow_port(prepared, active.velocity, prepared.velocity, change.shadow);
+  change.cycles += 1;
+}
+
 }  // namespace
 
 void advance(Change& change) {
   change.position += 1;
   if (change.position >= change.length) change.predecessor = nullptr;
-}
-
-uint32_t digest_of_controls(axisrt const& runtime) {
-  uint32_t digest = 0;
-  auto const add = [&](auto const& value) { digest = axim_crc32c(&value, sizeof value, digest); };
-  for (uint32_t i = 0; i < runtime.control_count; ++i) {
-    Control const& control = runtime.controls[i];
-    add(control.axis);
-    add(control.stage_count);
-    add(control.source);
-    add(control.limit);
-    add(control.scale);
-  }
-  for (uint32_t i = 0; i < runtime.stage_count; ++i) {
-    add(runtime.stages[i].mode);
-    add(runtime.stages[i].weight);
-    LineChain const& line = runtime.velocity.lines[i];
-    Lane const lane(runtime.velocity, line);
-    for (uint32_t k = line.first_filter; k < line.first_filter + line.filter_count; ++k) {
-      Filter const& filter = runtime.filters[k];
-      add(filter.kind);
-      add(filter.delay_cycles);
-      for (uint32_t section = 0; section < filter.section_count; ++section) {
-        add(lane.section(filter, section));
-      }
-      if (filter.kind == FilterKind::pass_through || filter.kind == FilterKind::passing) continue;
-      for (uint32_t part = 0; part < 3; ++part) {
-        double const share = lane.share(filter, part);
-        add(share);
-      }
-    }
-  }
-  return digest;
 }
 
 }  // namespace axisc::runtime
@@ -172,17 +140,20 @@ axisrt_status axisrt_prepare(axisrt* active, axisrt_config const* config, uint32
   using namespace axisc::runtime;
   if (prepared == nullptr) return AXISRT_BAD_ARGUMENT;
   *prepared = nullptr;
-  if (active == nullptr || config == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (active == nullptr || !is_known(config)) return AXISRT_BAD_ARGUMENT;
   if (active->change->predecessor != nullptr) return AXISRT_BUSY;
   axisrt* made = nullptr;
-  axisrt_status const status = axisrt_create(config, &made);
+  axisrt_status const status = create_beside(*config, {.first = active, .size = active->memory_size},
+                                             memory_of_recorder(*active), made);
   if (status != AXISRT_OK) return status;
   if (!same_axes(*active, *made)) return AXISRT_OTHER_AXES;
   bool const older = made->image_version < active->image_version;
   if (older && (options & AXISRT_ALLOW_OLDER) == 0) return AXISRT_OLDER_IMAGE;
   made->change->predecessor = active;
-  plan(*active, *made, *made->change);
-  take_over(*active, *made);
+  in_plain_arithmetic([&] {
+    plan(*active, *made, *made->change);
+    take_over(*active, *made);
+  });
   *prepared = made;
   return AXISRT_OK;
 }
@@ -192,21 +163,7 @@ axisrt_status axisrt_shadow_step(axisrt* prepared) {
   if (prepared == nullptr || prepared->change->predecessor == nullptr || prepared->change->begun != 0) {
     return AXISRT_BAD_ARGUMENT;
   }
-  CycleArithmetic const arithmetic;
-  axisrt const& active = *prepared->change->predecessor;
-  Change& change = *prepared->change;
-  for (uint32_t i = 0; i < prepared->axis_count; ++i) {
-    change.outputs[i] = input_of(prepared->setpoint, i);
-    // An axis that was reset since: whatever the chains remember is of another position.
-    if (was_reset(active.setpoint, i) && !was_reset(prepared->setpoint, i)) {
-      axisrt_reset(prepared, i, input_of(active.setpoint, i));
-    }
-  }
-  shadow_port(*prepared, active.setpoint, prepared->setpoint, change.shadow);
-  watch_standstill(active, *prepared, change.outputs, change);
-  shadow_port(*prepared, active.additional_interface, prepared->additional_interface, change.shadow);
-  if (change.same_controls != 0) shadow_port(*prepared, active.velocity, prepared->velocity, change.shadow);
-  change.cycles += 1;
+  in_cycle_arithmetic([&] { shadow(*prepared); });
   return AXISRT_OK;
 }
 

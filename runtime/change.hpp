@@ -28,7 +28,4 @@ struct Call {
 /// Goes one cycle further; the predecessor is dropped at the end.
 void advance(Change& change);
 
-/// A checksum of everything that Improved Position Control of an image consists of.
-[[nodiscard]] uint32_t digest_of_controls(axisrt const& runtime);
-
 }  // namespace axisc::runtime

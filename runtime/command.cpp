@@ -1,5 +1,6 @@
 #include "axisrt.h"
 #include "runtime/change.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/double_bits.hpp"
 #include "runtime/format/image_format.h"
 #include "runtime/lane.hpp"
@@ -143,16 +144,20 @@ axisrt_status axisrt_command(axisrt* runtime, uint32_t group, axisrt_filter_comm
   if (group >= runtime->channel_count || command->action > AXISRT_ACTION_PROGRAM_END) {
     return AXISRT_BAD_ARGUMENT;
   }
-  axisrt_status const status = execute(*runtime, group, *command);
+  axisrt_status const status = in_plain_arithmetic([&] { return execute(*runtime, group, *command); });
   record(*runtime, group, *command, status);
   return status;
 }
 
 uint32_t axisrt_order_of_time(axisrt const* runtime, double time_us) {
-  if (runtime == nullptr || !axisc::runtime::is_finite(time_us)) return 0;
-  double const cycles = time_us * 1000 / runtime->cycle_time_ns;
-  constexpr double longest = 1e6;
-  if (!(cycles >= 1)) return 0;
-  double const half_up = (cycles < longest ? cycles : longest) + 0.5;
-  return static_cast<uint32_t>(half_up);
+  using namespace axisc::runtime;
+  if (runtime == nullptr || !is_finite(time_us)) return 0;
+  return in_plain_arithmetic([&]() -> uint32_t {
+    double const volatile time = time_us;  // a function without effects might be called too early
+    double const cycles = time * 1000 / runtime->cycle_time_ns;
+    constexpr double longest = 1e6;
+    if (!(cycles >= 1)) return 0;
+    double const half_up = (cycles < longest ? cycles : longest) + 0.5;
+    return static_cast<uint32_t>(half_up);
+  });
 }

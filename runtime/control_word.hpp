@@ -1,5 +1,5 @@
-// Arithmetic of a cycle: round to nearest, no exceptions, subnormal numbers taken as zero (they cost a hundred times as
-// much on some processors). The caller's control word comes back afterwards.
+// The arithmetic of every call: round to nearest, no exceptions. The caller's control word comes back afterwards, and the
+// exceptions that he has seen so far, so that he may have set it to anything.
 #pragma once
 
 #include <stdint.h>
@@ -8,27 +8,44 @@ namespace axisc::runtime {
 
 #if defined(__x86_64__)
 
-class CycleArithmetic {
+class Arithmetic {
  public:
-  CycleArithmetic() : callers_(__builtin_ia32_stmxcsr()), changed_((callers_ & ~flags) != wanted) {
+  Arithmetic(Arithmetic const&) = delete;
+  Arithmetic& operator=(Arithmetic const&) = delete;
+
+ protected:
+  explicit Arithmetic(uint32_t wanted)
+      : callers_(__builtin_ia32_stmxcsr()), changed_((callers_ & ~flags) != wanted) {
     if (changed_) __builtin_ia32_ldmxcsr(wanted);
   }
-  ~CycleArithmetic() {
-    if (changed_) __builtin_ia32_ldmxcsr(callers_);
+  ~Arithmetic() {
+    if (changed_ || __builtin_ia32_stmxcsr() != callers_) __builtin_ia32_ldmxcsr(callers_);
   }
-  CycleArithmetic(CycleArithmetic const&) = delete;
-  CycleArithmetic& operator=(CycleArithmetic const&) = delete;
+
+  static constexpr uint32_t masked = 0x1F80;          ///< all exceptions, and round to nearest
+  static constexpr uint32_t subnormal_zero = 0x8040;  ///< flush to zero, denormals are zero
 
  private:
   static constexpr uint32_t flags = 0x003F;
-  static constexpr uint32_t wanted = 0x9FC0;  ///< flush to zero, all exceptions masked, denormals are zero
   uint32_t callers_;
   bool changed_;
 };
 
+/// That of a cycle: subnormal numbers are taken as zero, since they cost a hundred times as much on some processors.
+class CycleArithmetic : Arithmetic {
+ public:
+  CycleArithmetic() : Arithmetic(masked | subnormal_zero) {}
+};
+
+/// That of all other calls.
+class PlainArithmetic : Arithmetic {
+ public:
+  PlainArithmetic() : Arithmetic(masked) {}
+};
+
 #elif defined(__aarch64__) || (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 8) != 0)
 
-class CycleArithmetic {
+class Arithmetic {
  public:
 #if defined(__aarch64__)
   using Word = uint64_t;
@@ -51,18 +68,31 @@ class CycleArithmetic {
     __asm__ volatile("vmsr fpscr, %0" ::"r"(word) : "memory");
   }
 #endif
-  CycleArithmetic() : callers_(read()) {
-    write(flush_to_zero);
+  Arithmetic(Arithmetic const&) = delete;
+  Arithmetic& operator=(Arithmetic const&) = delete;
+
+ protected:
+  explicit Arithmetic(Word wanted) : callers_(read()) {
+    write(wanted);
   }
-  ~CycleArithmetic() {
+  ~Arithmetic() {
     write(callers_);
   }
-  CycleArithmetic(CycleArithmetic const&) = delete;
-  CycleArithmetic& operator=(CycleArithmetic const&) = delete;
+
+  static constexpr Word flush_to_zero = Word{1} << 24U;
 
  private:
-  static constexpr Word flush_to_zero = Word{1} << 24U;
   Word callers_;
+};
+
+class CycleArithmetic : Arithmetic {
+ public:
+  CycleArithmetic() : Arithmetic(flush_to_zero) {}
+};
+
+class PlainArithmetic : Arithmetic {
+ public:
+  PlainArithmetic() : Arithmetic(0) {}
 };
 
 #else
@@ -73,6 +103,30 @@ class [[maybe_unused]] CycleArithmetic {
   CycleArithmetic() = default;
 };
 
+class [[maybe_unused]] PlainArithmetic {
+ public:
+  PlainArithmetic() = default;
+};
+
 #endif
+
+/// Calls `work`. A compiler knows nothing of control words and may move what it computes past a change of them, but not out of a
+/// function.
+template <class Work>
+[[gnu::noinline]] auto apart(Work const& work) {
+  return work();
+}
+
+template <class Work>
+auto in_plain_arithmetic(Work const& work) {
+  [[maybe_unused]] PlainArithmetic const arithmetic;
+  return apart(work);
+}
+
+template <class Work>
+auto in_cycle_arithmetic(Work const& work) {
+  [[maybe_unused]] CycleArithmetic const arithmetic;
+  return apart(work);
+}
 
 }  // namespace axisc::runtime

@@ -1,18 +1,25 @@
 #include "axisrt.h"
 #include "runtime/building.hpp"
+#include "runtime/configuration.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/self_test.hpp"
 #include "runtime/signature.hpp"
 
 namespace axisc::runtime {
 namespace {
 
-bool is_known(axisrt_config const* config) {
-  return config != nullptr && config->size == sizeof(axisrt_config);
-}
-
+/// The caller's own function is called in his own arithmetic.
 axisrt_status open_configured(axisrt_config const& config, ImageView& view) {
   axisrt_status const status = check_signature(config);
   return status == AXISRT_OK ? verify_image(config.image, config.image_size, view) : status;
+}
+
+/// FNV-1a. Names may overlap, so that only so much of each is read.
+uint64_t digest_of(uint8_t const* text, uint32_t size) {
+  constexpr uint32_t most = 1024;
+  uint64_t digest = 0xCBF2'9CE4'8422'2325U;
+  for (uint32_t i = 0; i < size && i < most; ++i) digest = (digest ^ text[i]) * 0x100'0000'01B3U;
+  return digest;
 }
 
 /// Limits per second, in um or 1e-3 degree and in mm or degree, become limits per cycle in units of 0.1 um or 1e-4 degree.
@@ -20,8 +27,11 @@ void build_axes(ImageView const& view, Axis* axes) {
   double const T = view.header()[field::header::cycle_time_ns] * 1e-9;
   for (uint32_t i = 0; i < view.axes.count; ++i) {
     Record<record::axis> const record = view.axes[i];
-    axes[i] = {.name_offset = record[field::axis::name_offset],
-               .name_size = record[field::axis::name_size],
+    uint32_t const name_offset = record[field::axis::name_offset];
+    uint32_t const name_size = record[field::axis::name_size];
+    axes[i] = {.name_offset = name_offset,
+               .name_size = name_size,
+               .name_digest = name_size > 0 ? digest_of(view.names.first + name_offset, name_size) : 0,
                .number = record[field::axis::number],
                .type = record[field::axis::type],
                .position_window = record[field::axis::position_window],
@@ -38,7 +48,8 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
   change->outputs = memory.part<double>(layout.changing_outputs);
   build_kernels(view, layout, memory);
   auto* const runtime = memory.part<axisrt>(layout.object);
-  *runtime = {.axis_count = view.axes.count,
+  *runtime = {.memory_size = layout.size,
+              .axis_count = view.axes.count,
               .cycle_time_ns = view.header()[field::header::cycle_time_ns],
               .kernel_count = view.kernels.count,
               .slot_count = view.slots.count,
@@ -46,8 +57,8 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
               .stage_count = view.stages.count,
               .control_count = view.controls.count,
               .image_version = view.header()[field::header::image_version],
-              .image_checksum = view.header()[field::header::payload_checksum],
-              .reserved = 0,
+              .payload_checksum = view.header()[field::header::payload_checksum],
+              .header_checksum = view.header()[field::header::header_checksum],
               .instructions = &instructions,
               .names = view.names.first,
               .axes = memory.part<Axis>(layout.axes),
@@ -73,22 +84,16 @@ axisrt* build(ImageView const& view, Instructions const& instructions, Layout co
   return runtime;
 }
 
-axisrt_status check_memory(axisrt_config const& config, Layout const& layout) {
-  if (config.memory == nullptr) return AXISRT_BAD_ARGUMENT;
-  if (reinterpret_cast<uintptr_t>(config.memory) % AXISRT_ALIGNMENT != 0) return AXISRT_MISALIGNED;
-  return config.memory_size < layout.size ? AXISRT_MEMORY_TOO_SMALL : AXISRT_OK;
-}
-
-axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
-  ImageView view;
-  axisrt_status status = open_configured(config, view);
-  if (status != AXISRT_OK) return status;
+axisrt_status create(axisrt_config const& config, ImageView const& view, Block const& used,
+                     Block const& used_too, axisrt*& runtime) {
   if (view.header()[field::header::cycle_time_ns] != config.cycle_time_ns) return AXISRT_OTHER_CYCLE_TIME;
   Instructions const* const instructions = find_instructions(config.level);
   if (instructions == nullptr) return AXISRT_NO_LEVEL;
   Layout const layout = lay_out(count_amounts(view, instructions->lanes));
-  status = check_memory(config, layout);
+  axisrt_status status = check_memory(config, layout.size);
   if (status != AXISRT_OK) return status;
+  Block const memory{.first = config.memory, .size = layout.size};
+  if (overlap(memory, used) || overlap(memory, used_too)) return AXISRT_BAD_ARGUMENT;
   axisrt* const built = build(view, *instructions, layout, {.bytes = static_cast<uint8_t*>(config.memory)});
   status = run_self_tests(view, *built);
   if (status == AXISRT_OK) runtime = built;
@@ -96,6 +101,15 @@ axisrt_status create(axisrt_config const& config, axisrt*& runtime) {
 }
 
 }  // namespace
+
+axisrt_status create_beside(axisrt_config const& config, Block const& used, Block const& used_too,
+                            axisrt*& runtime) {
+  ImageView view;
+  axisrt_status const status = open_configured(config, view);
+  if (status != AXISRT_OK) return status;
+  return in_plain_arithmetic([&] { return create(config, view, used, used_too, runtime); });
+}
+
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, size_t* alignment) {
@@ -106,7 +120,7 @@ axisrt_status axisrt_memory_size(axisrt_config const* config, size_t* bytes, siz
   if (status != AXISRT_OK) return status;
   uint32_t const lanes = lanes_of_level(config->level);
   if (lanes == 0) return AXISRT_NO_LEVEL;
-  uint64_t const size = lay_out(count_amounts(view, lanes)).size;
+  uint64_t const size = in_plain_arithmetic([&] { return lay_out(count_amounts(view, lanes)).size; });
   if (size > SIZE_MAX) return AXISRT_MEMORY_TOO_SMALL;  // more than this processor can address
   *bytes = static_cast<size_t>(size);
   *alignment = AXISRT_ALIGNMENT;
@@ -117,5 +131,5 @@ axisrt_status axisrt_create(axisrt_config const* config, axisrt** runtime) {
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   *runtime = nullptr;
   if (!axisc::runtime::is_known(config)) return AXISRT_BAD_ARGUMENT;
-  return axisc::runtime::create(*config, *runtime);
+  return axisc::runtime::create_beside(*config, {}, {}, *runtime);
 }

@@ -1,5 +1,6 @@
 #include "runtime/building.hpp"
 #include "runtime/double_bits.hpp"
+#include "runtime/verify_checks.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -8,9 +9,7 @@ namespace {
 uint32_t index_of_source(ImageView const& view, uint32_t index) {
   uint32_t const source = view.controls[index][field::control::source];
   if (source == view.controls[index][field::control::axis]) return index;
-  uint32_t master = 0;
-  while (view.controls[master][field::control::axis] != source) ++master;
-  return master;
+  return find_axis(view.controls, field::control::axis, source);
 }
 
 }  // namespace

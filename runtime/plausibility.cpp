@@ -5,23 +5,33 @@ namespace axisc::runtime {
 namespace {
 
 /// The largest peak gain of the kernels that a slot may work with; none at all has 1.
-double largest_kernel_gain(ImageView const& view, Slot const& slot) {
-  double largest = 1;
-  for (uint32_t i = 0; i < view.kernels.count; ++i) {
-    Record<record::kernel> const kernel = view.kernels[i];
-    double const gain = kernel[field::kernel::peak_gain];
-    if (kernel[field::kernel::tail_count] <= slot.history_length && gain > largest) largest = gain;
+class KernelGains {
+ public:
+  explicit KernelGains(ImageView const& view) {
+    for (double& gain : largest_) gain = 1;
+    for (uint32_t i = 0; i < view.kernels.count; ++i) {
+      Record<record::kernel> const kernel = view.kernels[i];
+      double const gain = kernel[field::kernel::peak_gain];
+      double& largest = largest_[kernel[field::kernel::tail_count]];
+      if (gain > largest) largest = gain;
+    }
+    for (uint32_t i = 1; i <= axim_most_tails; ++i) {
+      if (largest_[i - 1] > largest_[i]) largest_[i] = largest_[i - 1];
+    }
   }
-  return largest;
-}
+  [[nodiscard]] double largest_of(Slot const& slot) const { return largest_[slot.history_length]; }
+
+ private:
+  double largest_[axim_most_tails + 1];  ///< of those with as many tails, then of those with at most as many
+};
 
 /// P of the chain with whichever kernel it works. The image states that of the chain as it starts.
-double peak_gain(ImageView const& view, axisrt const& runtime, uint32_t axis) {
+double peak_gain(ImageView const& view, axisrt const& runtime, KernelGains const& gains, uint32_t axis) {
   double const at_start = view.axes[axis][field::axis::peak_gain];
   LineChain const& line = runtime.setpoint.lines[axis];
   Slot const* const slot = line.before != nullptr ? line.before : line.behind;
   if (slot == nullptr) return at_start;
-  double const largest = largest_kernel_gain(view, *slot);
+  double const largest = gains.largest_of(*slot);
   auto const number = static_cast<uint32_t>(slot->listed - runtime.kernels);
   if (slot->on_at_start == 0 || number >= view.kernels.count) return at_start * largest;
   double const listed = view.kernels[number][field::kernel::peak_gain];
@@ -32,9 +42,10 @@ double peak_gain(ImageView const& view, axisrt const& runtime, uint32_t axis) {
 
 /// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades.
 void limit_increments(ImageView const& view, axisrt const& runtime) {
+  KernelGains const gains(view);
   for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {
     double const v = runtime.axes[axis].velocity_limit;
-    double const gain = peak_gain(view, runtime, axis);
+    double const gain = peak_gain(view, runtime, gains, axis);
     if (!(v > 0) || !(gain > 0)) continue;
     Lane(runtime.setpoint, runtime.setpoint.lines[axis]).part(GroupParts::largest_increment) =
         (gain + 0.25) * v;

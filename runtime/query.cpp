@@ -13,6 +13,10 @@ uint32_t axisrt_cycle_time_ns(axisrt const* runtime) {
   return runtime == nullptr ? 0 : runtime->cycle_time_ns;
 }
 
+uint32_t axisrt_image_version(axisrt const* runtime) {
+  return runtime == nullptr ? 0 : runtime->image_version;
+}
+
 uint32_t axisrt_level_of(axisrt const* runtime) {
   return runtime == nullptr ? 0 : runtime->instructions->level;
 }

@@ -20,10 +20,11 @@ struct EntrySizes {
 }  // namespace axisc::runtime
 
 struct axisrt_recorder {
-  axisrt* runtime;  ///< that is recorded; null when the recording has ended
-  axisrt* past;     ///< in the state before the oldest entry
-  uint64_t* words;  ///< the ring
-  double* values;   ///< of one entry: as many as it has at most
+  axisrt* runtime;       ///< that is recorded; null when the recording has ended
+  axisrt* past;          ///< in the state before the oldest entry
+  uint64_t* words;       ///< the ring
+  double* values;        ///< of one entry: as many as it has at most
+  uint64_t memory_size;  ///< of everything, from this object on
   uint64_t capacity;
   uint64_t first;  ///< where the oldest entry begins
   uint64_t used;

@@ -1,16 +1,49 @@
-// Starting a recorder, writing what it holds, and going back to where it begins.
+// Starting a recorder, and writing what it holds.
+#include "runtime/recording.hpp"
+
 #include "axisrt.h"
 #include "runtime/building.hpp"
-#include "runtime/change.hpp"
+#include "runtime/configuration.hpp"
 #include "runtime/format/crc32c.hpp"
-#include "runtime/little_endian.hpp"
 #include "runtime/recorder.hpp"
-#include "runtime/state_words.hpp"
 
 namespace axisc::runtime {
 namespace {
 
-constexpr uint64_t word_size = 8;
+struct Counter {
+  uint64_t words = 0;
+  bool number(uint32_t from, uint32_t& to, uint32_t /*largest*/) {
+    to = from;
+    words += 1;
+    return true;
+  }
+  bool states(Batch const& from, Batch const& /*to*/) {
+    words += count_states(from);
+    return true;
+  }
+};
+
+}  // namespace
+
+uint64_t count_state_words(axisrt const& runtime) {
+  Counter counter;
+  return walk(runtime, runtime, counter) ? counter.words : 0;
+}
+
+uint32_t content_checksum(uint8_t const* dump, uint64_t size) {
+  return axim_crc32c(dump + header_size, static_cast<size_t>(size - header_size));
+}
+
+uint32_t header_checksum(uint8_t const* dump) {
+  uint8_t const nothing[4] = {};
+  uint32_t const before = axim_crc32c(dump, header_checksum_place);
+  uint32_t const with_nothing = axim_crc32c(nothing, sizeof nothing, before);
+  constexpr uint64_t behind = header_checksum_place + sizeof nothing;
+  return axim_crc32c(dump + behind, header_size - behind, with_nothing);
+}
+
+namespace {
+
 /// For commands and resets besides the cycles.
 constexpr uint64_t spare_words = 256;
 
@@ -45,23 +78,14 @@ axisrt_config config_of_past(axisrt const& runtime, axisrt_config const& config)
 }
 
 struct Copier {
-  static bool number(uint32_t from, uint32_t& to, uint32_t /*largest*/) {
+  static bool number(uint32_t from, uint32_t& to, uint32_t largest) {
     to = from;
+    return from <= largest;
+  }
+  static bool states(Batch const& from, Batch const& to) {
+    for (uint64_t i = 0; i < count_states(from); ++i) to.states[i] = from.states[i];
     return true;
   }
-  static void doubles(double const* from, double* to, uint64_t count) {
-    for (uint64_t i = 0; i < count; ++i) to[i] = from[i];
-  }
-};
-
-struct Counter {
-  uint64_t words = 0;
-  bool number(uint32_t from, uint32_t& to, uint32_t /*largest*/) {
-    to = from;
-    words += 1;
-    return true;
-  }
-  void doubles(double const* /*from*/, double* /*to*/, uint64_t count) { words += count; }
 };
 
 void store_word(uint8_t*& to, uint64_t word) {
@@ -76,53 +100,11 @@ struct Writer {
     store_word(to, from);
     return true;
   }
-  void doubles(double const* from, double* /*to*/, uint64_t count) {
-    for (uint64_t i = 0; i < count; ++i) store_word(to, std::bit_cast<uint64_t>(from[i]));
+  bool states(Batch const& from, Batch const& /*to*/) {
+    for (uint64_t i = 0; i < count_states(from); ++i) store_word(to, std::bit_cast<uint64_t>(from.states[i]));
+    return true;
   }
 };
-
-struct Reader {
-  uint8_t const* from;
-  uint64_t take() {
-    uint64_t const word = load_u64(from);
-    from += word_size;
-    return word;
-  }
-  bool number(uint32_t /*from*/, uint32_t& to, uint32_t largest) {
-    uint64_t const word = take();
-    to = static_cast<uint32_t>(word);
-    return word <= largest;
-  }
-  void doubles(double const* /*from*/, double* to, uint64_t count) {
-    for (uint64_t i = 0; i < count; ++i) to[i] = std::bit_cast<double>(take());
-  }
-};
-
-template <class Visitor>
-bool walk(axisrt const& from, axisrt const& to, Visitor& visitor) {
-  return StateWalk<Visitor>(from, to, visitor).walk();
-}
-
-uint64_t count_state_words(axisrt const& runtime) {
-  Counter counter;
-  return walk(runtime, runtime, counter) ? counter.words : 0;
-}
-
-constexpr uint64_t header_size = axrd_header_words * word_size;
-constexpr uint64_t content_checksum_place = 6 * word_size;
-constexpr uint64_t header_checksum_place = content_checksum_place + 4;
-
-uint32_t content_checksum(uint8_t const* dump, uint64_t size) {
-  return axim_crc32c(dump + header_size, static_cast<size_t>(size - header_size));
-}
-
-uint32_t header_checksum(uint8_t const* dump) {
-  uint8_t const nothing[4] = {};
-  uint32_t const before = axim_crc32c(dump, header_checksum_place);
-  uint32_t const with_nothing = axim_crc32c(nothing, sizeof nothing, before);
-  constexpr uint64_t behind = header_checksum_place + sizeof nothing;
-  return axim_crc32c(dump + behind, header_size - behind, with_nothing);
-}
 
 void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* bytes, uint64_t size) {
   axisrt const& past = *recorder.past;
@@ -130,7 +112,7 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, uint64_t{'A'} | uint64_t{'X'} << 8U | uint64_t{'R'} << 16U | uint64_t{'D'} << 24U |
                      uint64_t{axrd_major} << 32U | uint64_t{axrd_minor} << 48U);
   store_word(to, axisrt_level_of(&past) | uint64_t{past.axis_count} << 32U);
-  store_word(to, past.cycle_time_ns | uint64_t{past.image_checksum} << 32U);
+  store_word(to, past.cycle_time_ns | uint64_t{past.payload_checksum} << 32U);
   store_word(to, state_words);
   store_word(to, recorder.used);
   store_word(to, recorder.entries);
@@ -151,35 +133,12 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, content | uint64_t{header} << 32U);
 }
 
-bool is_sound(uint8_t const* dump, uint64_t size) {
-  if (size < header_size || size % word_size != 0) return false;
-  if (dump[0] != 'A' || dump[1] != 'X' || dump[2] != 'R' || dump[3] != 'D') return false;
-  if (load_u16(dump + 4) != axrd_major) return false;
-  uint64_t const state = load_u64(dump + 3 * word_size);
-  uint64_t const entries = load_u64(dump + 4 * word_size);
-  uint64_t const words = size / word_size - axrd_header_words;
-  if (state > words || entries != words - state) return false;
-  return load_u32(dump + content_checksum_place) == content_checksum(dump, size) &&
-         load_u32(dump + header_checksum_place) == header_checksum(dump);
-}
-
-axisrt_status restore(axisrt_config const& config, uint8_t const* dump, uint64_t size, axisrt*& runtime) {
-  if (!is_sound(dump, size)) return AXISRT_BAD_RECORDING;
-  axisrt_config config_of_dump = config;
-  config_of_dump.level = load_u32(dump + word_size);
-  config_of_dump.cycle_time_ns = load_u32(dump + 2 * word_size);
-  if (config_of_dump.level == AXISRT_LEVEL_AUTOMATIC) return AXISRT_BAD_RECORDING;
-  axisrt* made = nullptr;
-  axisrt_status const status = axisrt_create(&config_of_dump, &made);
-  if (status == AXISRT_OTHER_CYCLE_TIME) return AXISRT_OTHER_IMAGE;
-  if (status != AXISRT_OK) return status;
-  if (made->image_checksum != load_u32(dump + 2 * word_size + 4)) return AXISRT_OTHER_IMAGE;
-  if (made->axis_count != load_u32(dump + word_size + 4)) return AXISRT_OTHER_IMAGE;
-  if (count_state_words(*made) != load_u64(dump + 3 * word_size)) return AXISRT_BAD_RECORDING;
-  Reader reader{.from = dump + header_size};
-  if (!walk(*made, *made, reader)) return AXISRT_BAD_RECORDING;
-  runtime = made;
-  return AXISRT_OK;
+/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were made to have the
+/// same ones.
+bool same_image(axisrt const& a, axisrt const& b) {
+  return a.payload_checksum == b.payload_checksum && a.header_checksum == b.header_checksum &&
+         a.axis_count == b.axis_count && a.control_count == b.control_count &&
+         a.channel_count == b.channel_count;
 }
 
 axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycles,
@@ -190,23 +149,24 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
   axisrt_status status = axisrt_memory_size(&past, &past_size, &alignment);
   if (status != AXISRT_OK) return status;
   RecorderLayout const layout = lay_out_recorder(runtime, cycles, past_size);
-  if (config.memory == nullptr) return AXISRT_BAD_ARGUMENT;
-  if (reinterpret_cast<uintptr_t>(config.memory) % AXISRT_ALIGNMENT != 0) return AXISRT_MISALIGNED;
-  if (config.memory_size < layout.size) return AXISRT_MEMORY_TOO_SMALL;
+  status = check_memory(config, layout.size);
+  if (status != AXISRT_OK) return status;
+  Block const own{.first = config.memory, .size = layout.size};
+  if (overlap(own, {.first = &runtime, .size = runtime.memory_size})) return AXISRT_BAD_ARGUMENT;
   Memory const memory{.bytes = static_cast<uint8_t*>(config.memory)};
   past.memory = memory.part<uint8_t>(layout.past);
   past.memory_size = past_size;
   axisrt* behind = nullptr;
   status = axisrt_create(&past, &behind);
   if (status != AXISRT_OK) return status;
-  if (behind->image_checksum != runtime.image_checksum) return AXISRT_OTHER_IMAGE;
   Copier copier;
-  static_cast<void>(walk(runtime, *behind, copier));
+  if (!same_image(runtime, *behind) || !walk(runtime, *behind, copier)) return AXISRT_OTHER_IMAGE;
   recorder = memory.part<axisrt_recorder>(0);
   *recorder = {.runtime = &runtime,
                .past = behind,
                .words = memory.part<uint64_t>(layout.words),
                .values = memory.part<double>(layout.values),
+               .memory_size = layout.size,
                .capacity = layout.capacity,
                .first = 0,
                .used = 0,
@@ -222,9 +182,7 @@ axisrt_status start(axisrt& runtime, axisrt_config const& config, uint32_t cycle
 axisrt_status axisrt_recorder_size(axisrt const* runtime, axisrt_config const* config, uint32_t cycles,
                                    size_t* bytes) {
   using namespace axisc::runtime;
-  if (runtime == nullptr || config == nullptr || bytes == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
+  if (runtime == nullptr || !is_known(config) || bytes == nullptr) return AXISRT_BAD_ARGUMENT;
   axisrt_config const past = config_of_past(*runtime, *config);
   size_t past_size = 0;
   size_t alignment = 0;
@@ -241,9 +199,7 @@ axisrt_status axisrt_recorder_start(axisrt* runtime, axisrt_config const* config
   using namespace axisc::runtime;
   if (recorder == nullptr) return AXISRT_BAD_ARGUMENT;
   *recorder = nullptr;
-  if (runtime == nullptr || config == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
+  if (runtime == nullptr || !is_known(config)) return AXISRT_BAD_ARGUMENT;
   if (runtime->recorder != nullptr || runtime->change->predecessor != nullptr) return AXISRT_BUSY;
   return start(*runtime, *config, cycles, *recorder);
 }
@@ -265,14 +221,4 @@ axisrt_status axisrt_recorder_dump(axisrt_recorder const* recorder, void* bytes,
   if (size < all || bytes == nullptr) return AXISRT_MEMORY_TOO_SMALL;
   write_dump(*recorder, state_words, static_cast<uint8_t*>(bytes), all);
   return AXISRT_OK;
-}
-
-axisrt_status axisrt_restore(axisrt_config const* config, void const* dump, size_t size, axisrt** runtime) {
-  using namespace axisc::runtime;
-  if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
-  *runtime = nullptr;
-  if (config == nullptr || dump == nullptr || config->size != sizeof(axisrt_config)) {
-    return AXISRT_BAD_ARGUMENT;
-  }
-  return restore(*config, static_cast<uint8_t const*>(dump), size, *runtime);
 }

@@ -1,5 +1,6 @@
 #include "axisrt.h"
 #include "runtime/change.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/lane.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/recorder.hpp"
@@ -32,8 +33,10 @@ axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t k
   if (axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
   if (!is_within(position, largest_position)) return AXISRT_BAD_INPUT;
   record(*runtime, kind, axis, {position});
-  reset_line(*runtime, port, axis, position);
-  return AXISRT_OK;
+  return in_plain_arithmetic([&] {
+    reset_line(*runtime, port, axis, position);
+    return AXISRT_OK;
+  });
 }
 
 /// Adds a constant to every signal in a delay, without loss where it is representable.
@@ -78,6 +81,35 @@ void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, dou
   lane.set_reset_done();
 }
 
+namespace {
+
+void reset_stages(axisrt const& runtime, uint32_t axis, double const* velocities) {
+  for (uint32_t i = 0; i < runtime.control_count; ++i) {
+    Control const& control = runtime.controls[i];
+    if (control.axis != axis) continue;
+    for (uint32_t k = 0; k < control.stage_count; ++k) {
+      uint32_t const stage = control.first_stage + k;
+      reset_line(runtime, runtime.velocity, stage, velocities[runtime.stages[stage].mode - 1]);
+    }
+  }
+}
+
+axisrt_status rebase(axisrt const& runtime, uint32_t axis, double offset) {
+  LineChain const& line = runtime.setpoint.lines[axis];
+  Lane const lane(runtime.setpoint, line);
+  if (!lane.reset_done()) return AXISRT_NOT_RESET;
+  if (!is_within(offset, largest_position)) return AXISRT_BAD_INPUT;
+  if (!is_within(lane.part(GroupParts::input) + offset, largest_position)) return AXISRT_BAD_INPUT;
+  if (axisrt* const before = changes_from(runtime)) {
+    axisrt_rebase(before, axis, offset);
+    runtime.change->outputs[axis] += offset;
+  }
+  record(runtime, axrd_rebase, axis, {offset});
+  rebase_line(runtime, line, lane, offset);
+  return AXISRT_OK;
+}
+
+}  // namespace
 }  // namespace axisc::runtime
 
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position) {
@@ -107,30 +139,14 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
     axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
   }
   record(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
-  for (uint32_t i = 0; i < runtime->control_count; ++i) {
-    Control const& control = runtime->controls[i];
-    if (control.axis != axis) continue;
-    for (uint32_t k = 0; k < control.stage_count; ++k) {
-      uint32_t const stage = control.first_stage + k;
-      reset_line(*runtime, runtime->velocity, stage, velocities[runtime->stages[stage].mode - 1]);
-    }
-  }
-  return AXISRT_OK;
+  return in_plain_arithmetic([&] {
+    reset_stages(*runtime, axis, velocities);
+    return AXISRT_OK;
+  });
 }
 
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset) {
   using namespace axisc::runtime;
   if (runtime == nullptr || axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
-  LineChain const& line = runtime->setpoint.lines[axis];
-  Lane const lane(runtime->setpoint, line);
-  if (!lane.reset_done()) return AXISRT_NOT_RESET;
-  if (!is_within(offset, largest_position)) return AXISRT_BAD_INPUT;
-  if (!is_within(lane.part(GroupParts::input) + offset, largest_position)) return AXISRT_BAD_INPUT;
-  if (axisrt* const before = changes_from(*runtime)) {
-    axisrt_rebase(before, axis, offset);
-    runtime->change->outputs[axis] += offset;
-  }
-  record(*runtime, axrd_rebase, axis, {offset});
-  rebase_line(*runtime, line, lane, offset);
-  return AXISRT_OK;
+  return in_plain_arithmetic([&] { return rebase(*runtime, axis, offset); });
 }

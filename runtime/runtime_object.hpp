@@ -13,6 +13,7 @@ namespace axisc::runtime {
 struct Axis {
   uint32_t name_offset;
   uint32_t name_size;
+  uint64_t name_digest;  ///< so that two runtimes can be compared when the images are gone
   uint32_t number;
   uint32_t type;
   double position_window;
@@ -130,6 +131,7 @@ struct Change {
 }  // namespace axisc::runtime
 
 struct axisrt {
+  uint64_t memory_size;  ///< of everything, from this object on
   uint32_t axis_count;
   uint32_t cycle_time_ns;
   uint32_t kernel_count;
@@ -138,8 +140,8 @@ struct axisrt {
   uint32_t stage_count;
   uint32_t control_count;
   uint32_t image_version;
-  uint32_t image_checksum;  ///< of its payload
-  uint32_t reserved;
+  uint32_t payload_checksum;  ///< of the image
+  uint32_t header_checksum;   ///< of the image's header and section table
   axisc::runtime::Instructions const* instructions;
   uint8_t const* names;  ///< in the image; null if it has none
   axisc::runtime::Axis const* axes;

@@ -153,7 +153,8 @@ bool same_layout(Group const& a, Group const& b) {
 
 Grouping::Grouping(ImageView const& view, PortKind port, uint32_t lanes)
     : view_(view), port_(port), lanes_(lanes), line_count_(count_lines(view, port)) {
-  if (find_key(true)) left_of_steps_ = count_of_steps(key_.steps);
+  for (uint32_t line = 0; line < line_count_; ++line) count_line(line);
+  position_ = kind_count_ > 0 ? kinds_[0].first_line : 0;
 }
 
 Grouping::Key Grouping::key_of(uint32_t line) const {
@@ -173,47 +174,82 @@ Grouping::Key Grouping::key_of(uint32_t line) const {
   return key;
 }
 
-/// The smallest key behind the present one.
-bool Grouping::find_key(bool from_start) {
-  auto const less = [](Key const& a, Key const& b) {
-    return a.steps != b.steps ? a.steps < b.steps : a.sections < b.sections;
-  };
-  bool found = false;
-  Key best{};
-  for (uint32_t line = 0; line < line_count_; ++line) {
-    Key const key = key_of(line);
-    if (!from_start && !less(key_, key)) continue;
-    if (!found || less(key, best)) best = key;
-    found = true;
-  }
-  if (found) key_ = best;
-  position_ = found ? 0 : line_count_;
-  return found;
+bool Grouping::less(Key const& a, Key const& b) {
+  return a.steps != b.steps ? a.steps < b.steps : a.sections < b.sections;
 }
 
-/// Expects that lines are left.
-bool Grouping::next_line(uint32_t& line) {
-  for (;;) {
-    for (; position_ < line_count_; ++position_) {
-      Key const key = key_of(position_);
-      if (key.steps != key_.steps || key.sections != key_.sections) continue;
-      line = position_++;
-      return true;
+uint32_t Grouping::place_of(Key const& key) const {
+  uint32_t begin = 0;
+  uint32_t end = kind_count_;
+  while (begin < end) {
+    uint32_t const middle = begin + (end - begin) / 2;
+    if (less(kinds_[middle].key, key)) {
+      begin = middle + 1;
+    } else {
+      end = middle;
     }
-    if (!find_key(false)) return false;
+  }
+  return begin;
+}
+
+bool Grouping::is_kind(uint32_t place, Key const& key) const {
+  return place < kind_count_ && !less(key, kinds_[place].key);
+}
+
+void Grouping::count_line(uint32_t line) {
+  Key const key = key_of(line);
+  uint32_t const place = place_of(key);
+  if (is_kind(place, key)) {
+    kinds_[place].left += 1;
+  } else if (kind_count_ == most_shapes) {
+    alone_ += 1;
+  } else {
+    for (uint32_t i = kind_count_; i > place; --i) kinds_[i] = kinds_[i - 1];
+    kinds_[place] = {.key = key, .first_line = line, .left = 1};
+    kind_count_ += 1;
   }
 }
 
-uint32_t Grouping::count_of_steps(uint64_t steps) const {
-  uint32_t count = 0;
-  for (uint32_t line = 0; line < line_count_; ++line) count += key_of(line).steps == steps ? 1 : 0;
-  return count;
+/// A line of the present kind, or of the next one.
+bool Grouping::next_line(uint32_t& line) {
+  while (present_ < kind_count_ && kinds_[present_].left == 0) {
+    present_ += 1;
+    position_ = present_ < kind_count_ ? kinds_[present_].first_line : 0;
+  }
+  if (present_ == kind_count_) return next_alone(line);
+  Kind& kind = kinds_[present_];
+  for (;; ++position_) {
+    Key const key = key_of(position_);
+    if (key.steps == kind.key.steps && key.sections == kind.key.sections) break;
+  }
+  kind.left -= 1;
+  line = position_++;
+  return true;
+}
+
+bool Grouping::next_alone(uint32_t& line) {
+  if (alone_ == 0) return false;
+  alone_ -= 1;
+  for (;; ++position_) {
+    Key const key = key_of(position_);
+    if (!is_kind(place_of(key), key)) break;
+  }
+  line = position_++;
+  return true;
+}
+
+uint32_t Grouping::left_of_steps(uint64_t steps) const {
+  uint32_t left = 0;
+  for (uint32_t i = present_; i < kind_count_; ++i) left += kinds_[i].key.steps == steps ? kinds_[i].left : 0;
+  return left;
 }
 
 bool Grouping::next(Group& group) {
   uint32_t line = 0;
   if (!next_line(line)) return false;
-  if (left_of_steps_ == 0) left_of_steps_ = count_of_steps(key_.steps);
+  if (left_of_steps_ == 0) {
+    left_of_steps_ = 1 + (present_ < kind_count_ ? left_of_steps(kinds_[present_].key.steps) : 0);
+  }
   group.shape = shape_of(view_, line_at(view_, port_, line));
   bool has_slot = false;
   for (uint32_t i = 0; i < group.shape.step_count; ++i) {

@@ -63,8 +63,9 @@ struct Group {
 
 [[nodiscard]] bool same_layout(Group const& a, Group const& b);
 
-/// Gives the groups of a port, those of the same shape one after the other. Needs no memory; costs a pass over the lines
-/// for every shape that occurs.
+/// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own: lines of the first
+/// `most_shapes` shapes are grouped, those of any further shape stand alone. Costs at most a pass over the lines for each of
+/// these shapes, whatever the image is.
 class Grouping {
  public:
   Grouping(ImageView const& view, PortKind port, uint32_t lanes);
@@ -76,18 +77,33 @@ class Grouping {
     uint64_t steps;     ///< kinds, delays, blocking sections: only equal ones stand in one group
     uint64_t sections;  ///< long chains first
   };
+  struct Kind {
+    Key key;
+    uint32_t first_line;
+    uint32_t left;  ///< lines that are not in a group yet
+  };
+  static constexpr uint32_t most_shapes = 64;
+
   [[nodiscard]] Key key_of(uint32_t line) const;
-  [[nodiscard]] bool find_key(bool from_start);
+  [[nodiscard]] static bool less(Key const& a, Key const& b);
+  /// Where a key stands among the kinds, or would stand.
+  [[nodiscard]] uint32_t place_of(Key const& key) const;
+  [[nodiscard]] bool is_kind(uint32_t place, Key const& key) const;
+  void count_line(uint32_t line);
   bool next_line(uint32_t& line);
-  [[nodiscard]] uint32_t count_of_steps(uint64_t steps) const;
+  bool next_alone(uint32_t& line);
+  [[nodiscard]] uint32_t left_of_steps(uint64_t steps) const;
 
   ImageView const& view_;
   PortKind port_;
   uint32_t lanes_;
   uint32_t line_count_;
-  uint32_t position_ = 0;  ///< in the pass over the lines with the present key
-  Key key_{};
-  uint32_t left_of_steps_ = 0;  ///< lines with the present steps that are not in a group yet
+  Kind kinds_[most_shapes];  ///< in ascending order
+  uint32_t kind_count_ = 0;
+  uint32_t alone_ = 0;          ///< lines of further shapes that are left
+  uint32_t present_ = 0;        ///< kind whose lines are given out
+  uint32_t position_ = 0;       ///< in the pass over the lines
+  uint32_t left_of_steps_ = 0;  ///< lines with the steps of the latest group that are not in a group yet
 };
 
 }  // namespace axisc::runtime

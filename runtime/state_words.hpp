@@ -9,18 +9,20 @@
 
 namespace axisc::runtime {
 
-/// Pairs the state of `from` with that of `to`, two runtimes of one image and level, or one and the same. The visitor has
+/// Pairs the state of `from` with that of `to`, two runtimes of one image and level, or one and the same. Two that are laid out
+/// differently are refused before anything is read where they differ. The visitor has
 ///     bool number(uint32_t from, uint32_t& to, uint32_t largest);   false: refused, as larger than `largest`
-///     void doubles(double const* from, double* to, uint64_t count);
+///     bool states(Batch const& from, Batch const& to);              all groups' states; false: refused
 template <class Visitor>
 class StateWalk {
  public:
   StateWalk(axisrt const& from, axisrt const& to, Visitor& visitor)
       : from_(from), to_(to), visitor_(visitor) {}
 
-  /// False where the visitor refused a number; the state of `to` is unusable then.
+  /// False where the layouts differ, or the visitor refused a number; the state of `to` is unusable then.
   [[nodiscard]] bool walk() {
-    bool good = port(from_.setpoint.port, to_.setpoint.port);
+    bool good = from_.slot_count == to_.slot_count && from_.kernel_count == to_.kernel_count;
+    good = good && port(from_.setpoint.port, to_.setpoint.port);
     good = good && port(from_.additional_interface.port, to_.additional_interface.port);
     good = good && port(from_.velocity.port, to_.velocity.port);
     for (uint32_t i = 0; i < from_.slot_count && good; ++i) {
@@ -31,7 +33,7 @@ class StateWalk {
 
  private:
   bool port(Port const& from, Port const& to) {
-    bool good = true;
+    bool good = from.batch_count == to.batch_count && from.line_count == to.line_count;
     for (uint32_t i = 0; i < from.batch_count && good; ++i) {
       good = batch(from, from.batches[i], to.batches[i]);
     }
@@ -39,11 +41,13 @@ class StateWalk {
   }
 
   bool batch(Port const& port, Batch const& from, Batch const& to) {
+    if (!same_layout(from, to)) return false;
     bool good = visitor_.number(from.state->never_reset, to.state->never_reset, port.line_count);
-    visitor_.doubles(from.states, to.states, uint64_t{from.group_count} * from.state_stride);
+    good = good && visitor_.states(from, to);
     for (uint32_t i = 0; i < from.operation_count && good; ++i) {
       Operation const& one = from.operations[i];
       Operation const& other = to.operations[i];
+      if (!same_layout(one, other)) return false;
       good = visitor_.number(one.state->position, other.state->position, one.delay_cycles) &&
              visitor_.number(one.state->group, other.state->group, from.group_count - 1) &&
              visitor_.number(one.state->section, other.state->section,
@@ -56,7 +60,18 @@ class StateWalk {
     return good;
   }
 
+  static bool same_layout(Batch const& a, Batch const& b) {
+    return a.width == b.width && a.group_count == b.group_count && a.operation_count == b.operation_count &&
+           a.state_stride == b.state_stride;
+  }
+
+  static bool same_layout(Operation const& a, Operation const& b) {
+    return a.kind == b.kind && a.section_count == b.section_count && a.delay_cycles == b.delay_cycles &&
+           a.first_state == b.first_state;
+  }
+
   bool slot(SlotGroup const& from, SlotGroup& to, uint32_t width) {
+    if (from.block_count != to.block_count || from.used != to.used) return false;
     auto mode = static_cast<uint32_t>(from.mode);
     bool good = visitor_.number(mode, mode, static_cast<uint32_t>(SlotMode::ramp)) &&
                 visitor_.number(from.gathers, to.gathers, 1) &&

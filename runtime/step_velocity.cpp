@@ -129,7 +129,7 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, axisrt_velocities const* in,
   if (runtime == nullptr || in == nullptr || v_add == nullptr || in->size != sizeof(axisrt_velocities)) {
     return AXISRT_BAD_ARGUMENT;
   }
-  if (in->v_set == nullptr || in->v_motor == nullptr) return AXISRT_BAD_ARGUMENT;
+  if (in->reserved != 0 || in->v_set == nullptr || in->v_motor == nullptr) return AXISRT_BAD_ARGUMENT;
   Outputs const out{.v_add = v_add, .increments = increments, .status = status};
   return runtime->recorder != nullptr ? record_step(*runtime, *in, out) : step_controls(*runtime, *in, out);
 }

@@ -1,4 +1,5 @@
 #include "axisrt.h"
+#include "runtime/control_word.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/verify_checks.hpp"
 
@@ -180,8 +181,10 @@ axisrt_status check_contents(ImageView const& view) {
 }
 
 axisrt_status verify_image(void const* image, size_t size, ImageView& view) {
-  axisrt_status const status = open_image(image, size, view);
-  return status == AXISRT_OK ? check_contents(view) : status;
+  return in_plain_arithmetic([&] {
+    axisrt_status const status = open_image(image, size, view);
+    return status == AXISRT_OK ? check_contents(view) : status;
+  });
 }
 
 }  // namespace axisc::runtime

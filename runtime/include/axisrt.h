@@ -144,6 +144,10 @@ axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
 /* What was created; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 uint32_t axisrt_axis_count(const axisrt* runtime);
 uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
+/* The counter that the machine's maker gave the image (`axisc compile --image-version`). A signature does not tell whether an image
+ * is the newest one: a controller that must never go back keeps the highest number that it has run, and does not move with a lower
+ * one. */
+uint32_t axisrt_image_version(const axisrt* runtime);
 /* The axisrt_level that is executed: never AUTOMATIC. */
 uint32_t axisrt_level_of(const axisrt* runtime);
 /* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image; never null. */

@@ -44,6 +44,7 @@ int c_interface_run(const void* image, size_t image_size, void* memory, size_t m
   if (axisrt_memory_size(&config, &needed, &alignment) != AXISRT_OK || needed > memory_size) return 3;
   if (axisrt_create(&config, &runtime) != AXISRT_OK) return 4;
   if (axisrt_cycle_time_ns(runtime) != 1000000 || axisrt_axis_count(runtime) > 8) return 5;
+  if (axisrt_image_version(runtime) != 7) return 26;
   if (axisrt_axis_name(runtime, 0, &length)[0] != 'X' || length != 1) return 6;
 
   for (axis = 0; axis < axisrt_axis_count(runtime); ++axis) {

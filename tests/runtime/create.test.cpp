@@ -37,6 +37,7 @@ TEST_CASE("create makes a runtime that knows its axes") {
   REQUIRE(prepared.create() == AXISRT_OK);
   CHECK(axisrt_axis_count(prepared.runtime) == 2);
   CHECK(axisrt_cycle_time_ns(prepared.runtime) == 1'000'000);
+  CHECK(axisrt_image_version(prepared.runtime) == 7);
   CHECK(axisrt_has_interface(prepared.runtime, 0) == 0);
   CHECK(axisrt_has_interface(prepared.runtime, 1) == 1);
   CHECK(axisrt_has_interface(prepared.runtime, 2) == 0);
@@ -92,6 +93,10 @@ TEST_CASE("create refuses what cannot be used") {
   SECTION("no image") {
     prepared.config.image = nullptr;
   }
+  SECTION("a reserved number") {
+    prepared.config.reserved = 1;
+    CHECK(axisrt_memory_size(&prepared.config, &bytes, &bytes) == AXISRT_BAD_ARGUMENT);
+  }
   CHECK(prepared.create() == AXISRT_BAD_ARGUMENT);
   CHECK(axisrt_create(nullptr, &prepared.runtime) == AXISRT_BAD_ARGUMENT);
   CHECK(axisrt_create(&prepared.config, nullptr) == AXISRT_BAD_ARGUMENT);
@@ -104,6 +109,31 @@ TEST_CASE("memory at an odd address is refused") {
   prepared.config.memory = prepared.memory.data() + 8;
   prepared.config.memory_size -= 8;
   CHECK(prepared.create() == AXISRT_MISALIGNED);
+}
+
+TEST_CASE("memory that overlaps the image is refused, and nothing is written") {
+  Bytes const bytes = write_image(complete_image());
+  Prepared prepared;
+  std::size_t needed = 0;
+  std::size_t alignment = 0;
+  REQUIRE(axisrt_memory_size(&prepared.config, &needed, &alignment) == AXISRT_OK);
+  constexpr std::size_t step = AXISRT_ALIGNMENT;
+  std::size_t const image_blocks = (bytes.size() + step - 1) / step;
+  std::size_t const memory_blocks = needed / step;
+  // The image behind `memory_blocks` free blocks; memory from far in front of it to far behind it.
+  AlignedMemory all((2 * memory_blocks + image_blocks + 1) * step);
+  std::uint8_t* const image = all.data() + memory_blocks * step;
+  std::copy(bytes.begin(), bytes.end(), image);
+  prepared.config.image = image;
+  prepared.config.memory_size = needed;
+  for (std::size_t block = 0; block <= memory_blocks + image_blocks; ++block) {
+    INFO(block);
+    prepared.config.memory = all.data() + block * step;
+    bool const apart = block == 0 || block == memory_blocks + image_blocks;
+    REQUIRE(prepared.create() == (apart ? AXISRT_OK : AXISRT_BAD_ARGUMENT));
+    REQUIRE((prepared.runtime != nullptr) == apart);
+    REQUIRE(std::equal(bytes.begin(), bytes.end(), image));
+  }
 }
 
 TEST_CASE("create and memory_size hand on what verify says") {
@@ -137,6 +167,7 @@ TEST_CASE("functions without a runtime answer harmlessly") {
   axisrt_axis_state state{};
   CHECK(axisrt_axis_count(nullptr) == 0);
   CHECK(axisrt_cycle_time_ns(nullptr) == 0);
+  CHECK(axisrt_image_version(nullptr) == 0);
   CHECK(axisrt_has_interface(nullptr, 0) == 0);
   CHECK(axisrt_axis_name(nullptr, 0, nullptr) != nullptr);
   CHECK(axisrt_reset(nullptr, 0, 0) == AXISRT_BAD_ARGUMENT);

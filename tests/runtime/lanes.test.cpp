@@ -196,3 +196,37 @@ TEST_CASE("axes of all kinds in any order agree with the exact evaluation") {
     CHECK(Machine(axes, kernels()).run(400, seed) <= 1);
   }
 }
+
+TEST_CASE("axes of more shapes than are grouped agree with the exact evaluation") {
+  std::vector<Axis> axes;
+  for (unsigned i = 0; i < 210; ++i) {
+    // Each of a hundred shapes on two axes that are far apart, some of them with a kernel besides.
+    axes.push_back(chain(2, i));
+    axes.back().filters.push_back(exact::with_share(exact::delay(1 + i % 100), 0.3));
+    if (i % 9 == 0) axes.back().kernel = i % 2;
+  }
+  CHECK(Machine(axes, kernels()).run(250, 1) <= 1);
+}
+
+TEST_CASE("an image with a shape for each of many axes is created as any other") {
+  constexpr std::uint32_t count = 3000;
+  ImageRecord image;
+  image.strip = true;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    AxisRecord axis;
+    axis.filters = {exact::delay(1 + i % 100).record(), exact::delay(1 + i / 100).record()};
+    axis.filters[1].index = 1;
+    image.axes.push_back(axis);
+  }
+  TestRuntime runtime(write_image(image));
+  REQUIRE(runtime.status == AXISRT_OK);
+  runtime.reset_all(0);
+  std::vector<std::uint32_t> arrived(count, 0);
+  for (std::uint32_t cycle = 0; cycle < 140; ++cycle) {
+    std::vector<double> const out = runtime.step_all(std::vector<double>(count, 100));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (out[i] == 100 && arrived[i] == 0) arrived[i] = cycle;
+    }
+  }
+  for (std::uint32_t i = 0; i < count; ++i) REQUIRE(arrived[i] == 2 + i % 100 + i / 100);
+}

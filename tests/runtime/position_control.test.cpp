@@ -205,6 +205,8 @@ TEST_CASE("bad arguments of the velocity side are refused") {
   CHECK(axisrt_step_velocity(runtime.runtime, &in, v_add, nullptr, nullptr) == AXISRT_NOT_RESET);
   in.size = 8;
   CHECK(axisrt_step_velocity(runtime.runtime, &in, v_add, nullptr, nullptr) == AXISRT_BAD_ARGUMENT);
+  in = {.size = sizeof in, .reserved = 1, .v_set = v, .v_motor = v, .v_direct = nullptr};
+  CHECK(axisrt_step_velocity(runtime.runtime, &in, v_add, nullptr, nullptr) == AXISRT_BAD_ARGUMENT);
   in = {.size = sizeof in, .reserved = 0, .v_set = nullptr, .v_motor = v, .v_direct = v};
   CHECK(axisrt_step_velocity(runtime.runtime, &in, v_add, nullptr, nullptr) == AXISRT_BAD_ARGUMENT);
   in = {.size = sizeof in, .reserved = 0, .v_set = v, .v_motor = nullptr, .v_direct = v};

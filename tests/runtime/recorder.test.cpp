@@ -4,7 +4,9 @@
 #include "support/catch.hpp"
 #include "tests/runtime/test_runtime.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -249,7 +251,95 @@ ImageRecord repeated(ImageRecord const& image) {
   return many;
 }
 
+/// Eight axes with a low-pass each.
+Bytes eight_axes() {
+  ImageRecord image;
+  image.strip = true;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    AxisRecord axis;
+    axis.number = i + 1;
+    axis.filters = {exact::lowpass(20 + static_cast<int>(i), Quad{1} / 1000, 1).record()};
+    image.axes.push_back(axis);
+  }
+  return write_image(image);
+}
+
+/// An image with the bytes of another behind its section table, which says that there is one axis with one filter.
+Bytes first_axis_of(Bytes image) {
+  for (std::uint32_t const kind : {axes_kind, filters_kind}) {
+    std::size_t const entry = entry_offset(image, kind);
+    poke(image, entry + 16, peek(image, entry + 24, 4), 8);
+    poke(image, entry + 28, 1, 4);
+  }
+  poke(image, 36, 1, 4);
+  repair_checksums(image);
+  return image;
+}
+
+/// Chooses 32 bits of the header that mean nothing to a runtime such that its checksum is `wanted`. A CRC of bits that are
+/// flipped one by one is linear: they are found by elimination.
+void force_header_checksum(Bytes& image, std::uint32_t wanted) {
+  constexpr std::size_t source_digest = 48;
+  auto const with_flipped = [&](std::uint64_t bits) {
+    Bytes flipped = image;
+    poke(flipped, source_digest, peek(image, source_digest, 4) ^ bits, 4);
+    repair_checksums(flipped);
+    return flipped;
+  };
+  auto const checksum_of = [](Bytes const& bytes) { return peek(bytes, 12, 4); };
+  std::uint64_t const plain = checksum_of(image);
+  struct Flip {
+    std::uint64_t effect, bits;
+  };
+  std::vector<Flip> basis;
+  auto const reduce = [&](Flip flip) {
+    for (Flip const& one : basis) {
+      if ((flip.effect ^ one.effect) < flip.effect) flip = {flip.effect ^ one.effect, flip.bits ^ one.bits};
+    }
+    return flip;
+  };
+  for (std::uint32_t bit = 0; bit < 32; ++bit) {
+    std::uint64_t const bits = std::uint64_t{1} << bit;
+    basis.push_back(reduce({checksum_of(with_flipped(bits)) ^ plain, bits}));
+    std::sort(basis.begin(), basis.end(), [](Flip const& a, Flip const& b) { return a.effect > b.effect; });
+  }
+  image = with_flipped(reduce({plain ^ wanted, 0}).bits);
+  REQUIRE(checksum_of(image) == wanted);
+}
+
+/// What recorder_start answers for a runtime of `image`, given `other`.
+axisrt_status start_with(Bytes const& image, Bytes const& other) {
+  TestRuntime runtime(image);
+  REQUIRE(runtime.status == AXISRT_OK);
+  runtime.reset_all(1);
+  AlignedMemory const other_image(other);
+  axisrt_config config = Recorded::config_of(other_image);
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_size(runtime.runtime, &config, 1, &size) == AXISRT_OK);
+  AlignedMemory memory(size);
+  config.memory = memory.data();
+  config.memory_size = memory.size();
+  axisrt_recorder* recorder = nullptr;
+  axisrt_status const status = axisrt_recorder_start(runtime.runtime, &config, 1, &recorder);
+  CHECK((recorder != nullptr) == (status == AXISRT_OK));
+  for (int cycle = 0; cycle < 10; ++cycle) static_cast<void>(runtime.step(cycle));
+  axisrt_recorder_stop(recorder);
+  return status;
+}
+
 }  // namespace
+
+TEST_CASE("an image with the same sections in another table is not the one that is recorded") {
+  Bytes const image = eight_axes();
+  CHECK(start_with(image, image) == AXISRT_OK);
+  Bytes other = first_axis_of(image);
+  REQUIRE(peek(other, 24, 4) == peek(image, 24, 4));  // the checksum of everything behind the table
+  CHECK(start_with(image, other) == AXISRT_OTHER_IMAGE);
+  CHECK(start_with(other, image) == AXISRT_OTHER_IMAGE);
+  force_header_checksum(other, static_cast<std::uint32_t>(peek(image, 12, 4)));
+  CHECK(start_with(image, other) == AXISRT_OTHER_IMAGE);
+  CHECK(start_with(other, image) == AXISRT_OTHER_IMAGE);
+}
 
 TEST_CASE("a recording replays bit for bit, before and after the ring is full") {
   for (ImageRecord const& image : {channel_image(), complete_image(), repeated(complete_image())}) {
@@ -359,6 +449,17 @@ TEST_CASE("what cannot be recorded or restored is refused") {
   }
 }
 
+namespace {
+
+/// Computes both checksums anew.
+void repair_dump(Bytes& dump) {
+  poke(dump, 6 * word, 0, 8);
+  poke(dump, 6 * word, naive_crc32c(dump.data() + 64, dump.size() - 64), 4);
+  poke(dump, 6 * word + 4, naive_crc32c(dump.data(), 64), 4);
+}
+
+}  // namespace
+
 TEST_CASE("numbers of a dump that lead outside the memory are refused, with a right checksum too") {
   Recorded recorded(channel_image(), 5);
   recorded.runtime.reset_all(0);
@@ -369,10 +470,7 @@ TEST_CASE("numbers of a dump that lead outside the memory are refused, with a ri
   for (std::size_t i = 0; i < state; ++i) {
     Bytes damaged = dump;
     poke(damaged, (axrd_header_words + i) * word, 0xFFFFFFFF, 8);
-    poke(damaged, 6 * word, 0, 8);
-    std::uint32_t const content = naive_crc32c(damaged.data() + 64, damaged.size() - 64);
-    poke(damaged, 6 * word, content, 4);
-    poke(damaged, 6 * word + 4, naive_crc32c(damaged.data(), 64), 4);
+    repair_dump(damaged);
     Restored restored(recorded.image(), damaged);
     if (restored.status != AXISRT_OK) {
       REQUIRE(restored.status == AXISRT_BAD_RECORDING);
@@ -385,4 +483,81 @@ TEST_CASE("numbers of a dump that lead outside the memory are refused, with a ri
     }
   }
   CHECK(refused > 10);
+}
+
+TEST_CASE("states that no cycle leaves behind are refused") {
+  Recorded recorded(channel_image(), 5);
+  recorded.runtime.reset_all(0);
+  for (int i = 0; i < 60; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+  Bytes const dump = recorded.dump();
+  auto const state = static_cast<std::size_t>(word_at(dump, 3));
+  std::uint64_t const whole_mask = ~std::uint64_t{0};
+  int masks = 0;
+  for (std::size_t i = axrd_header_words; i < axrd_header_words + state; ++i) {
+    masks += word_at(dump, i) == whole_mask ? 1 : 0;
+    // A part of a mask, a NaN, an infinity, more than a state can be, and a mask that is taken away or added.
+    for (std::uint64_t const bits :
+         {std::uint64_t{0xFFFF'FFFF'FFFF'FF00}, std::uint64_t{1}, std::uint64_t{0x7FF8'0000'0000'0001},
+          std::uint64_t{0x7FF0'0000'0000'0000}, std::uint64_t{0x7FEF'FFFF'FFFF'FFFF},
+          std::uint64_t{0x8000'0000'0000'0000}, std::uint64_t{0}, whole_mask}) {
+      Bytes damaged = dump;
+      poke(damaged, i * word, bits, 8);
+      repair_dump(damaged);
+      Restored restored(recorded.image(), damaged);
+      if (word_at(dump, i) == whole_mask && bits != whole_mask) {
+        REQUIRE(restored.status == AXISRT_BAD_RECORDING);
+      }
+      if (restored.status != AXISRT_OK) continue;
+      for (int cycle = 0; cycle < 40; ++cycle) {
+        double const in[3] = {1, 2, 3};
+        double out[3] = {};
+        std::uint8_t status[3] = {};
+        axisrt_step(restored.runtime, in, out, status);
+        for (int axis = 0; axis < 3; ++axis) {
+          REQUIRE(std::isfinite(out[axis]));
+          bool const known = status[axis] == AXISRT_OK || status[axis] == AXISRT_IMPLAUSIBLE;
+          INFO("word " << i << ", status " << int{status[axis]});
+          REQUIRE(known);
+        }
+      }
+    }
+  }
+  CHECK(masks >= 3);
+}
+
+TEST_CASE(
+    "a recorder's memory overlaps neither its image nor its runtime, that of a restored runtime no "
+    "recording") {
+  Bytes const bytes = write_image(channel_image());
+  // One block for all of them: runtime, image, recorder.
+  AlignedMemory all(1 << 18);
+  std::uint8_t* const image = all.data() + (1 << 16);
+  std::copy(bytes.begin(), bytes.end(), image);
+  AlignedMemory const elsewhere(bytes);
+  axisrt_config config = Recorded::config_of(elsewhere);
+  config.image = image;
+  config.memory = all.data();
+  config.memory_size = 1 << 16;
+  axisrt* runtime = nullptr;
+  REQUIRE(axisrt_create(&config, &runtime) == AXISRT_OK);
+  axisrt_recorder* recorder = nullptr;
+  for (std::size_t const offset : {0, 1 << 10, (1 << 16) - 64, 1 << 16, (1 << 16) + 64}) {
+    config.memory = all.data() + offset;
+    config.memory_size = all.size() - offset;
+    INFO(offset);
+    CHECK(axisrt_recorder_start(runtime, &config, 100, &recorder) == AXISRT_BAD_ARGUMENT);
+    CHECK(recorder == nullptr);
+  }
+  CHECK(std::equal(bytes.begin(), bytes.end(), image));
+  config.memory = image + (bytes.size() + 63) / 64 * 64;
+  REQUIRE(axisrt_recorder_start(runtime, &config, 100, &recorder) == AXISRT_OK);
+  AlignedMemory dump(1 << 17);
+  std::size_t size = 0;
+  REQUIRE(axisrt_recorder_dump(recorder, dump.data(), dump.size(), &size) == AXISRT_OK);
+  axisrt_recorder_stop(recorder);
+  config.memory = dump.data();
+  config.memory_size = dump.size();
+  axisrt* restored = nullptr;
+  CHECK(axisrt_restore(&config, dump.data(), size, &restored) == AXISRT_BAD_ARGUMENT);
+  CHECK(restored == nullptr);
 }
