@@ -1,10 +1,10 @@
 #include "cli/codes.hpp"
-#include "cli/command_line.hpp"
-#include "cli/commands.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
-#include "cli/file_descriptor.hpp"
+#include "cli/files/file_descriptor.hpp"
 #include "schema/closest_word.hpp"
-#include "validator/files.hpp"
+#include "configuration/files.hpp"
 
 #include <algorithm>
 #include <array>

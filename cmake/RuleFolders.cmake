@@ -42,7 +42,7 @@ function(axisc_add_rules target)
 // Written by cmake/RuleFolders.cmake from the folders of validator/rules.
 #pragma once
 
-#include \"validator/rule.hpp\"
+#include \"validator/engine/rule.hpp\"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 
 #include "codegen/filter_records.hpp"
 #include "codegen/image_tables.hpp"
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 namespace axisc::codegen {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "codegen/compiled_kernels.hpp"
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

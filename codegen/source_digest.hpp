@@ -1,7 +1,7 @@
 // SHA-256 over what an image was made from: names and bytes of its lists, never where they lie.
 #pragma once
 
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 #include <array>
 #include <cstdint>

@@ -4,7 +4,7 @@
 //     v_set = Kv (x_set - x) + f x_set',   v = v_set + v_add
 #pragma once
 
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 #include "motion/path_block.hpp"
 #include "motion/plant.hpp"
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "axisrt.h"
-#include "codegen/image_contents.hpp"
-#include "codegen/runtime_host.hpp"
+#include "image/image_contents.hpp"
+#include "image/runtime_host.hpp"
 #include "motion/point.hpp"
-#include "validator/filter_command.hpp"
-#include "validator/machine.hpp"
+#include "machine/filter_command.hpp"
+#include "machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

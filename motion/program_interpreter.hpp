@@ -8,7 +8,7 @@
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_program.hpp"
 #include "motion/path_block.hpp"
-#include "validator/command_check.hpp"
+#include "validator/commands/command_check.hpp"
 
 #include <cstdint>
 #include <functional>

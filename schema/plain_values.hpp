@@ -1,5 +1,5 @@
 // Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is not among them is
-// looked at more closely (validator/judgement.hpp), and may be right as well.
+// looked at more closely (validator/values/judgement.hpp), and may be right as well.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -52,7 +52,7 @@ constexpr DataRange plain_range_of(DataType type) {
   return {.lowest = std::max(range.lowest, -exact), .highest = std::min(range.highest, exact)};
 }
 
-// What follows says less than the closer look does (validator/value.hpp): where it is in doubt, there is nothing plain.
+// What follows says less than the closer look does (schema/value.hpp): where it is in doubt, there is nothing plain.
 
 /// Words that mean the numbers beside them, or none; there are not too many.
 constexpr bool has_plain_symbols(Parameter const& parameter) {

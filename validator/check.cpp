@@ -1,9 +1,9 @@
 #include "validator/check.hpp"
 
-#include "validator/axis_views.hpp"
-#include "validator/engine.hpp"
-#include "validator/loading.hpp"
-#include "validator/machine_build.hpp"
+#include "validator/views/axis_views.hpp"
+#include "validator/engine/engine.hpp"
+#include "validator/loading/loading.hpp"
+#include "validator/building/machine_build.hpp"
 
 #include <deque>
 #include <utility>

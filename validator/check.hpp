@@ -5,9 +5,9 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "schema/catalogue.hpp"
-#include "validator/build_version.hpp"
-#include "validator/files.hpp"
-#include "validator/machine.hpp"
+#include "validator/loading/build_version.hpp"
+#include "configuration/files.hpp"
+#include "machine/machine.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list.hpp"
-#include "validator/reading.hpp"
+#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,6 @@
 #include "lists/entry.hpp"
 
-#include "validator/value.hpp"
+#include "schema/value.hpp"
 
 namespace axisc::bench {
 namespace {

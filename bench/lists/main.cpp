@@ -8,8 +8,8 @@
 #include "lists/readers.hpp"
 #include "lists/rounds.hpp"
 #include "validator/check.hpp"
-#include "validator/reading.hpp"
-#include "validator/rule.hpp"
+#include "validator/values/reading.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <cstdio>

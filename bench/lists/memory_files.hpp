@@ -1,7 +1,7 @@
 // Files that are texts in memory, of which a reader gets a copy, as from a disk.
 #pragma once
 
-#include "validator/files.hpp"
+#include "configuration/files.hpp"
 
 #include <map>
 #include <string>

@@ -1,6 +1,6 @@
 #include "lists/values.hpp"
 
-#include "validator/value.hpp"
+#include "schema/value.hpp"
 
 #include <algorithm>
 #include <array>

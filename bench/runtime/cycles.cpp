@@ -1,6 +1,6 @@
 #include "bench/runtime/cycles.hpp"
 
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -8,7 +8,7 @@
 #include "bench/runtime/cycles.hpp"
 #include "bench/runtime/load.hpp"
 #include "bench/runtime/peers.hpp"
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

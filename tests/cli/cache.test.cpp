@@ -1,6 +1,6 @@
 // --cache and --print-key: what is kept is right, or it is not used.
-#include "cli/cache_store.hpp"
-#include "cli/file_digests.hpp"
+#include "cli/fleet/cache_store.hpp"
+#include "cli/fleet/file_digests.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"

@@ -1,6 +1,6 @@
-#include "cli/command_line.hpp"
+#include "cli/options/command_line.hpp"
 
-#include "cli/depfile.hpp"
+#include "cli/checking/depfile.hpp"
 #include "cli/failure.hpp"
 #include "support/catch.hpp"
 

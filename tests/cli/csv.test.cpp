@@ -1,4 +1,4 @@
-#include "cli/csv.hpp"
+#include "cli/report/csv.hpp"
 
 #include "cli/failure.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 #include "cli/program.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
 // What fixes promise, on lists with planted mistakes.
-#include "cli/fixing.hpp"
+#include "cli/checking/fixing.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 #include "support/random_lists.hpp"
-#include "validator/loading.hpp"
+#include "validator/loading/loading.hpp"
 
 #include <map>
 #include <sstream>

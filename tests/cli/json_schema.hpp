@@ -1,7 +1,7 @@
 // JSON schemas of the files that axisc reads, from the tables that it reads them by.
 #pragma once
 
-#include "validator/json_shape.hpp"
+#include "configuration/json_shape.hpp"
 
 #include <string>
 

@@ -1,13 +1,13 @@
 // The published JSON schemas and the program agree on which files are right.
 #include "cli/json_schema.hpp"
-#include "cli/plant_file.hpp"
-#include "cli/schema_file.hpp"
-#include "cli/settings.hpp"
+#include "cli/settings/plant_file.hpp"
+#include "cli/settings/schema_file.hpp"
+#include "cli/settings/settings.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
-#include "validator/json_check.hpp"
-#include "validator/machine_file.hpp"
+#include "configuration/json_check.hpp"
+#include "configuration/machine_file.hpp"
 
 #include <filesystem>
 #include <string>

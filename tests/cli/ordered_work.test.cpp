@@ -1,4 +1,4 @@
-#include "cli/ordered_work.hpp"
+#include "cli/fleet/ordered_work.hpp"
 
 #include "support/catch.hpp"
 

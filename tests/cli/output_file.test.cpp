@@ -1,4 +1,4 @@
-#include "cli/output_file.hpp"
+#include "cli/files/output_file.hpp"
 
 #include "cli/failure.hpp"
 #include "cli/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "cli/quantities.hpp"
+#include "cli/options/quantities.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // --shard, and merge, which undoes it.
-#include "cli/shard.hpp"
+#include "cli/fleet/shard.hpp"
 
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"

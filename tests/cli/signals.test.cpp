@@ -1,4 +1,4 @@
-#include "cli/signals.hpp"
+#include "cli/execution/signals.hpp"
 
 #include "support/catch.hpp"
 

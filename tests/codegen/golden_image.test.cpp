@@ -1,8 +1,8 @@
 // Images of every format version that ever landed. A committed image is never made anew: what is out in the field has to
 // be read for good.
-#include "codegen/image_contents.hpp"
+#include "image/image_contents.hpp"
 #include "codegen/image_writer.hpp"
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 #include "codegen/source_digest.hpp"
 #include "machines.hpp"
 #include "naive_image.hpp"

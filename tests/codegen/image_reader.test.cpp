@@ -1,4 +1,4 @@
-#include "codegen/image_contents.hpp"
+#include "image/image_contents.hpp"
 #include "codegen/image_writer.hpp"
 #include "codegen/source_digest.hpp"
 #include "machines.hpp"

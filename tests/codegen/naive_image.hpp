@@ -2,7 +2,7 @@
 // its own evaluation of the self-tests. It shares only the filter design with the compiler.
 #pragma once
 
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

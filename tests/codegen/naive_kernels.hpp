@@ -2,7 +2,7 @@
 #pragma once
 
 #include "naive_bytes.hpp"
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 
 #include "codegen/image_writer.hpp"
 #include "machines.hpp"

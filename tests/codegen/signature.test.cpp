@@ -1,5 +1,5 @@
 // Ed25519 behind an image, judged by the runtime.
-#include "codegen/signature.hpp"
+#include "image/signature.hpp"
 
 #include "codegen/image_writer.hpp"
 #include "support/catch.hpp"

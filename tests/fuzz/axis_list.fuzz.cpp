@@ -6,8 +6,8 @@
 #include "grammar/number.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/same_lists.hpp"
-#include "validator/short_number.hpp"
-#include "validator/value.hpp"
+#include "validator/values/short_number.hpp"
+#include "schema/value.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #include "grammar/line_splitter.hpp"
 #include "grammar/nc_program.hpp"
 #include "grammar/program_excerpt.hpp"
-#include "validator/command_check.hpp"
+#include "validator/commands/command_check.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // A recording in which any words were changed, with right checksums: it is refused, or executed without a bad access.
-#include "codegen/recording.hpp"
+#include "image/recording.hpp"
 
 #include "axisrt.h"
-#include "codegen/runtime_host.hpp"
+#include "image/runtime_host.hpp"
 #include "runtime/format/crc32c.hpp"
 #include "runtime/format/recording_format.h"
 #include "tests/runtime/test_runtime.hpp"

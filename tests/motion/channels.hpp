@@ -4,7 +4,7 @@
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/simulation.hpp"
-#include "validator/machine.hpp"
+#include "machine/machine.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Files that exist only in a map: what tests read instead of the disk.
 #pragma once
 
-#include "validator/files.hpp"
+#include "configuration/files.hpp"
 
 #include <map>
 #include <string>

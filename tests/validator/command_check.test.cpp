@@ -1,5 +1,5 @@
 // From the text of a command to its canonical form, or to what is wrong with it.
-#include "validator/command_check.hpp"
+#include "validator/commands/command_check.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,5 +1,5 @@
 // What a parameter is in the end: which list wins, what a reference means, and when nothing is known.
-#include "validator/effective_values.hpp"
+#include "validator/values/effective_values.hpp"
 
 #include "support/catch.hpp"
 

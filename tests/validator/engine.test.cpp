@@ -1,5 +1,5 @@
 // What the engine does to findings: precedence, suppression, merging, the assumed cycle time.
-#include "validator/engine.hpp"
+#include "validator/engine/engine.hpp"
 
 #include "diagnostics/fix_batch.hpp"
 #include "support/catch.hpp"

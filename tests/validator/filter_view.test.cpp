@@ -1,4 +1,4 @@
-#include "validator/filter_view.hpp"
+#include "validator/views/filter_view.hpp"
 
 #include "support/catch.hpp"
 

@@ -3,7 +3,7 @@
 #include "grammar/axis_list.hpp"
 #include "support/catch.hpp"
 #include "support/random_lists.hpp"
-#include "validator/reading.hpp"
+#include "validator/values/reading.hpp"
 
 #include <cstddef>
 #include <cstdint>

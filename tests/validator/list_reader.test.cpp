@@ -2,7 +2,7 @@
 #include "schema/catalogue.hpp"
 #include "schema/parameter_row.hpp"
 #include "support/catch.hpp"
-#include "validator/reading.hpp"
+#include "validator/values/reading.hpp"
 #include "validator/same_lists.hpp"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // What a machine file says beyond its lists: groups, gantries, drives.
-#include "validator/loading.hpp"
+#include "validator/loading/loading.hpp"
 
 #include "support/catch.hpp"
 #include "support/map_files.hpp"

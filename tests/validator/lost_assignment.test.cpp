@@ -1,6 +1,6 @@
 // Which parameter a line was meant for that does not set it.
 #include "support/catch.hpp"
-#include "validator/reading.hpp"
+#include "validator/values/reading.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 // Machine files: what is wrong in them, at the right line and column.
-#include "validator/machine_file.hpp"
+#include "configuration/machine_file.hpp"
 
 #include "support/catch.hpp"
 #include "support/checked.hpp"
-#include "validator/located_json.hpp"
+#include "configuration/located_json.hpp"
 
 namespace {
 

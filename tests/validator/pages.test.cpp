@@ -2,7 +2,7 @@
 #include "diagnostics/utf8.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,8 +1,8 @@
 // The order of findings, on findings made up for it. Which of them stand is tested through the engine.
-#include "validator/precedence.hpp"
+#include "validator/engine/precedence.hpp"
 
 #include "support/catch.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "validator/program_reading.hpp"
+#include "validator/loading/program_reading.hpp"
 
 #include "diagnostics/writers.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // NC programs and filter_sets of a machine: which channel runs them, and which parameter sets they ask for.
 #include "support/catch.hpp"
 #include "support/checked.hpp"
-#include "validator/loading.hpp"
+#include "validator/loading/loading.hpp"
 
 namespace {
 

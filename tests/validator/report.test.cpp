@@ -1,8 +1,8 @@
 // What becomes of a finding between its rule and the one who reads it.
-#include "validator/report.hpp"
+#include "validator/engine/report.hpp"
 
 #include "support/catch.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "support/golden.hpp"
 #include "support/map_files.hpp"
 #include "validator/check.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <cstddef>

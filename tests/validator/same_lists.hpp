@@ -2,7 +2,7 @@
 #pragma once
 
 #include "schema/catalogue.hpp"
-#include "validator/reading.hpp"
+#include "validator/values/reading.hpp"
 
 namespace axisc::tests {
 

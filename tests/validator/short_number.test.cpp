@@ -1,13 +1,13 @@
 // Numbers that are read eight digits at a time read the same as digit by digit.
-#include "validator/short_number.hpp"
+#include "validator/values/short_number.hpp"
 
 #include "diagnostics/source_text.hpp"
 #include "grammar/axis_list.hpp"
 #include "schema/catalogue.hpp"
 #include "support/catch.hpp"
-#include "validator/judgement.hpp"
-#include "validator/reading.hpp"
-#include "validator/value.hpp"
+#include "validator/values/judgement.hpp"
+#include "validator/values/reading.hpp"
+#include "schema/value.hpp"
 
 #include <bit>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "validator/value.hpp"
+#include "schema/value.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,7 +1,7 @@
 // Every characteristic frequency that something of an axis is designed with.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // From the mistakes of a command to findings.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 namespace axisc::validator {
 

@@ -2,7 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "schema/catalogue.hpp"
-#include "validator/value.hpp"
+#include "schema/value.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
-#include "validator/filter_view.hpp"
-#include "validator/rule.hpp"
+#include "validator/views/filter_view.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <string>
 #include <string_view>

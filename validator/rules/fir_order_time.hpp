@@ -3,7 +3,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "validator/fir_view.hpp"
+#include "validator/views/fir_view.hpp"
 
 namespace axisc::validator::checks {
 

@@ -1,8 +1,8 @@
 // How long each axis of a channel is delayed: where that differs, the contour is bent.
 #pragma once
 
-#include "validator/axis_delay.hpp"
-#include "validator/rule.hpp"
+#include "validator/views/axis_delay.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <cstddef>
 #include <optional>

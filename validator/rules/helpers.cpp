@@ -1,7 +1,7 @@
 #include "validator/rules/helpers.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "validator/units_text.hpp"
+#include "validator/views/units_text.hpp"
 
 namespace axisc::validator {
 

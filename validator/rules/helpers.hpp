@@ -1,7 +1,7 @@
 // What the checks of AX1 and AX2 share.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
-#include "validator/filter_view.hpp"
+#include "validator/views/filter_view.hpp"
 
 namespace axisc::validator::checks {
 

@@ -1,8 +1,8 @@
 // What the rules about Improved Position Control share.
 #pragma once
 
-#include "validator/position_control_view.hpp"
-#include "validator/rule.hpp"
+#include "validator/views/position_control_view.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // What the checks of AX5 share.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <string>
 #include <vector>

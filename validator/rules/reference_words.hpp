@@ -1,7 +1,7 @@
 // What the rules about references say: a value that names another parameter, "P-AXIS-00212.0".
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // How far a filter's step response exceeds its final value, for the rules about overshoot.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <optional>
 

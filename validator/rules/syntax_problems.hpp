@@ -1,7 +1,7 @@
 // Findings about what the grammar could not read.
 #pragma once
 
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 #include "validator/rules/helpers.hpp"
 
 namespace axisc::validator::checks {

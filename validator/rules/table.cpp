@@ -1,6 +1,6 @@
 // The table of all rules, of the folders beside this file.
 #include "rule_folders.hpp"
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 #include "validator/rules/page_table.hpp"
 
 #include <array>

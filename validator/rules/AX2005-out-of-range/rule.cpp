@@ -1,7 +1,7 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
-#include "validator/units_text.hpp"
+#include "validator/views/units_text.hpp"
 
 namespace axisc::validator::checks {
 namespace {

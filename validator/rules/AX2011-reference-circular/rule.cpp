@@ -1,4 +1,4 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"

@@ -1,8 +1,8 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
-#include "validator/units_text.hpp"
+#include "validator/views/units_text.hpp"
 
 namespace axisc::validator::checks {
 namespace {

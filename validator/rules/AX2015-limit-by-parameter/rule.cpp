@@ -1,8 +1,8 @@
 // AX2015: limits that another parameter of the axis gives.
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
-#include "validator/units_text.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "validator/rules/filter_words.hpp"
 

@@ -1,7 +1,7 @@
 // AX3030: a stage works only with all its parameters.
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/position_control_view.hpp"
+#include "validator/views/position_control_view.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 

@@ -1,6 +1,6 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/position_control_view.hpp"
+#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
 

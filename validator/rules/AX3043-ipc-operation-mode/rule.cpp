@@ -1,7 +1,7 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/drive.hpp"
-#include "validator/position_control_view.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
 

@@ -1,6 +1,6 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/hsc_view.hpp"
+#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
 

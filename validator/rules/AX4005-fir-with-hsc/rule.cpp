@@ -1,7 +1,7 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/fir_view.hpp"
-#include "validator/hsc_view.hpp"
+#include "validator/views/fir_view.hpp"
+#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
 

@@ -1,8 +1,8 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/drive.hpp"
-#include "validator/gantry.hpp"
-#include "validator/position_control_view.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/gantry.hpp"
+#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 
 #include <algorithm>

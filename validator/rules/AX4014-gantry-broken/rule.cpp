@@ -1,7 +1,7 @@
 // AX4014: lists and machine file must agree on who follows whom.
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/gantry.hpp"
+#include "validator/views/gantry.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 

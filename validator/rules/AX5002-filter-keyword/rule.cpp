@@ -1,6 +1,6 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/command_keywords.hpp"
+#include "validator/commands/command_keywords.hpp"
 #include "validator/rules/command_mistakes.hpp"
 #include "validator/rules/control_numbers.hpp"
 

@@ -1,6 +1,6 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
-#include "validator/fir_view.hpp"
+#include "validator/views/fir_view.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 

@@ -1,4 +1,4 @@
-#include "validator/rule.hpp"
+#include "validator/engine/rule.hpp"
 
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"

@@ -1,0 +1,126 @@
+#include "cli/checking/baseline.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/failure.hpp"
+#include "cli/report/json_text.hpp"
+
+#include <charconv>
+#include <limits>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+using json_type = nlohmann::json;
+
+constexpr int format_version = 1;
+
+BaselineEntry entry_of(Identity const& identity, std::uint32_t occurrence) {
+  return {.axis = identity.axis,
+          .parameter = identity.parameter,
+          .code = identity.code,
+          .occurrence = occurrence};
+}
+
+Identity identity_of(BaselineEntry const& entry) {
+  return {.code = entry.code, .axis = entry.axis, .parameter = entry.parameter};
+}
+
+std::optional<Code> code_of(std::string const& text) {
+  std::uint16_t number = 0;
+  if (text.size() != 6 || text.substr(0, 2) != "AX") return std::nullopt;
+  auto const [end, error] = std::from_chars(text.data() + 2, text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return static_cast<Code>(number);
+}
+
+std::optional<std::string> text_member(json_type const& object, char const* key) {
+  auto const found = object.find(key);
+  if (found == object.end() || !found->is_string()) return std::nullopt;
+  return found->get<std::string>();
+}
+
+std::optional<BaselineEntry> entry_of(json_type const& object) {
+  if (!object.is_object()) return std::nullopt;
+  auto const code = text_member(object, "code");
+  auto const number = code ? code_of(*code) : std::nullopt;
+  auto const axis = text_member(object, "axis");
+  auto const parameter = text_member(object, "parameter");
+  auto const occurrence = object.find("occurrence");
+  if (!number || !axis || !parameter || occurrence == object.end() || !occurrence->is_number_unsigned()) {
+    return std::nullopt;
+  }
+  auto const which = occurrence->get<std::uint64_t>();
+  if (which == 0 || which > std::numeric_limits<std::uint32_t>::max()) return std::nullopt;
+  return BaselineEntry{.axis = *axis,
+                       .parameter = *parameter,
+                       .code = *number,
+                       .occurrence = static_cast<std::uint32_t>(which)};
+}
+
+[[noreturn]] void refuse(std::string const& path, Text reason, std::vector<Argument> arguments = {}) {
+  arguments.push_back({.name = "file", .value = path});
+  throw Failure({.text = reason, .arguments = std::move(arguments)}, cannot_read);
+}
+
+}  // namespace
+
+void Baseline::add(Identity const& identity, std::uint32_t occurrence) {
+  if (identity.code < cannot_read) entries_.insert(entry_of(identity, occurrence));
+}
+
+void Baseline::remove(Identity const& identity, std::uint32_t occurrence) {
+  entries_.erase(entry_of(identity, occurrence));
+}
+
+Baseline Baseline::read(std::string const& path) {
+  auto const document = json_type::parse(read_whole(path, Dash::is_a_name), nullptr, false);
+  if (document.is_discarded() || !document.is_object()) refuse(path, Text::cli_baseline_no_json);
+  auto const version = document.find("version");
+  auto const findings = document.find("findings");
+  if (version == document.end() || *version != format_version) refuse(path, Text::cli_baseline_version);
+  if (findings == document.end() || !findings->is_array()) refuse(path, Text::cli_baseline_no_findings);
+  Baseline baseline;
+  for (std::size_t i = 0; i < findings->size(); ++i) {
+    auto const entry = entry_of((*findings)[i]);
+    if (!entry) refuse(path, Text::cli_baseline_bad_entry, {{"number", std::to_string(i + 1)}});
+    baseline.entries_.insert(*entry);
+  }
+  return baseline;
+}
+
+std::string Baseline::text() const {
+  std::string text = "{\"version\": " + std::to_string(format_version) + ", \"findings\": [";
+  bool first = true;
+  for (auto const& entry : entries_) {
+    text += first ? "\n" : ",\n";
+    first = false;
+    text += "  {\"code\": " + json_string(code_text(entry.code)) + ", \"axis\": " + json_string(entry.axis) +
+            ", \"parameter\": " + json_string(entry.parameter) +
+            ", \"occurrence\": " + std::to_string(entry.occurrence) +
+            ", \"fingerprint\": " + json_string(fingerprint(identity_of(entry), entry.occurrence)) + "}";
+  }
+  return text + (entries_.empty() ? "]}\n" : "\n]}\n");
+}
+
+bool Baseline::holds(Identity const& identity, std::uint32_t occurrence) const {
+  return entries_.contains(entry_of(identity, occurrence));
+}
+
+bool Baseline::mentions(Identity const& identity) const {
+  auto const found = entries_.lower_bound(entry_of(identity, 0));
+  return found != entries_.end() && identity_of(*found) == identity;
+}
+
+std::vector<Identity> Baseline::identities() const {
+  std::vector<Identity> identities;
+  identities.reserve(entries_.size());
+  for (auto const& entry : entries_) identities.push_back(identity_of(entry));
+  return identities;
+}
+
+}  // namespace axisc::cli

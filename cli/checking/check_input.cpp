@@ -1,0 +1,43 @@
+#include "cli/checking/check_input.hpp"
+
+#include <utility>
+
+namespace axisc::cli {
+
+validator::CheckOptions options_for(CheckJob const& job, std::string const& path) {
+  if (job.settings == nullptr) return job.options;
+  auto options = job.options;
+  options.catalogue = job.settings->catalogue(path);
+  auto const* const settings = job.settings->find(path);
+  return settings == nullptr ? options : with_settings(std::move(options), *settings, path);
+}
+
+JudgedInput judge_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                        ReportForm const& form, SourceSet& sources, TakeFinding const& take) {
+  FindingWriter writer(sources, form, take);
+  JudgedInput judged;
+  judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding const& finding) {
+    if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
+  });
+  judged.counts = writer.counts();
+  judged.checked.artifacts = writer.artifacts();
+  judged.checked.files = judged.result.files;
+  if (judged.result.unreadable) judged.checked.failure = unreadable(path, *judged.result.unreadable);
+  return judged;
+}
+
+CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                         ReportForm const& form, TakeFinding const& take) {
+  SourceSet sources;
+  return judge_input(job, path, files, form, sources, take).checked;
+}
+
+CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                         ReportForm const& form) {
+  std::deque<WrittenFinding> findings;
+  auto checked = check_input(job, path, files, form, keep_in(findings));
+  checked.findings = std::move(findings);
+  return checked;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,42 @@
+// One input of many: checked with the settings that apply to it.
+#pragma once
+
+#include "cli/checking/checked_input.hpp"
+#include "cli/checking/edited_files.hpp"
+#include "cli/settings/settings.hpp"
+#include "validator/check.hpp"
+
+#include <string>
+
+namespace axisc::cli {
+
+struct CheckJob {
+  validator::CheckOptions options;  ///< of the command line
+  bool quiet = false;               ///< without notes
+  EditedBytes edited;               ///< read instead of the files
+  SettingsFinder* settings = nullptr;
+};
+
+/// The job's options with the settings that apply to `path`.
+[[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
+
+/// An input whose findings are written.
+struct JudgedInput {
+  CheckedInput checked;           ///< without findings: `take` had them
+  FindingCounts counts;           ///< of those
+  validator::CheckResult result;  ///< the rest of it
+};
+
+// What follows may be called by several threads, and throws what has to end the whole run.
+
+/// Every finding goes to `take` as soon as it is written. `sources` receives every text read.
+[[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                                      ReportForm const& form, SourceSet& sources, TakeFinding const& take);
+/// For who only wants the findings.
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                                       ReportForm const& form, TakeFinding const& take);
+/// With the findings in the result.
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+                                       ReportForm const& form);
+
+}  // namespace axisc::cli

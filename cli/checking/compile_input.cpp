@@ -1,0 +1,77 @@
+#include "cli/checking/compile_input.hpp"
+
+#include "cli/checking/compilable.hpp"
+
+#include <string_view>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+CompiledImage image_of(validator::Machine const& machine, CompileJob const& job) {
+  CompiledImage image;
+  for (auto const& axis : machine.axes) {
+    image.filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
+    if (axis.position_control) image.filters += axis.position_control->stages.size();
+  }
+  image.axes = machine.axes.size();
+  auto const bytes = codegen::write_image(machine, job.image, job.designs);
+  image.bytes.assign(reinterpret_cast<char const*>(bytes.data()), bytes.size());
+  return image;
+}
+
+void compile(CompileJob const& job, std::string const& path, validator::Files& files,
+             CompiledInput& compiled) {
+  SourceSet sources;
+  std::deque<WrittenFinding> findings;
+  auto judged = judge_input(job.check, path, files, job.form, sources, keep_in(findings));
+  if (judged.checked.failure) throw *judged.checked.failure;
+  require_cycle_time(path, judged.result);
+  compiled.checked = std::move(judged.checked);
+  compiled.checked.findings = std::move(findings);
+  if (objectionable(job.words, judged.counts)) return;
+  require_machine(path, judged.result, sources, job.form.write.language);
+  compiled.image = image_of(*judged.result.machine, job);
+}
+
+}  // namespace
+
+CompiledInput compile_input(CompileJob const& job, std::string const& path, validator::Files& files) {
+  CompiledInput compiled;
+  try {
+    compile(job, path, files, compiled);
+  } catch (Failure const& failure) {
+    compiled.checked.failure = failure;
+  }
+  return compiled;
+}
+
+std::string to_bytes(CompiledInput const& compiled) {
+  ByteWriter bytes;
+  write_bytes(bytes, compiled.checked);
+  bytes.number(compiled.image ? 1 : 0);
+  if (compiled.image) {
+    bytes.number(compiled.image->axes);
+    bytes.number(compiled.image->filters);
+    bytes.text(compiled.image->bytes);
+  }
+  return std::move(bytes).take();
+}
+
+std::optional<CompiledInput> read_compiled_input(std::string_view text) {
+  ByteReader bytes(text);
+  auto checked = read_checked_input(bytes);
+  if (!checked) return std::nullopt;
+  CompiledInput compiled{.checked = *std::move(checked), .image = {}};
+  if (bytes.number() != 0) {
+    CompiledImage image;
+    image.axes = static_cast<std::size_t>(bytes.number());
+    image.filters = static_cast<std::size_t>(bytes.number());
+    image.bytes = bytes.text();
+    compiled.image = std::move(image);
+  }
+  return bytes.ok() ? std::optional(std::move(compiled)) : std::nullopt;
+}
+
+}  // namespace axisc::cli

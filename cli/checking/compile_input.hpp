@@ -1,0 +1,40 @@
+// One input of `axisc compile`: checked, and what its image is.
+#pragma once
+
+#include "cli/checking/check_input.hpp"
+#include "codegen/image_writer.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace axisc::cli {
+
+struct CompileJob {
+  CheckJob check;
+  CheckingWords const& words;
+  codegen::ImageOptions image;
+  ReportForm form;
+  codegen::KnownDesigns& designs;  ///< of all inputs of the run
+};
+
+struct CompiledImage {
+  std::string bytes;
+  std::size_t axes = 0;
+  std::size_t filters = 0;
+};
+
+struct CompiledInput {
+  CheckedInput checked;  ///< a failure may stand beside findings: what they describe cannot be compiled
+  std::optional<CompiledImage> image;
+};
+
+/// May be called by several threads.
+[[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path,
+                                          validator::Files& files);
+
+// As a cache keeps it; an input with a failure is not kept.
+[[nodiscard]] std::string to_bytes(CompiledInput const& compiled);
+[[nodiscard]] std::optional<CompiledInput> read_compiled_input(std::string_view text);
+
+}  // namespace axisc::cli

@@ -1,0 +1,37 @@
+// The disk, with some files as they will be.
+#pragma once
+
+#include "cli/files/disk_files.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace axisc::cli {
+
+/// New bytes by path.
+using EditedBytes = std::map<std::string, std::string>;
+
+/// Reads the edited bytes where there are any. Several of these may share one map while nobody changes it.
+class EditedFiles final : public validator::Files {
+ public:
+  EditedFiles(EditedBytes const& edited, bool dash_is_standard_input)
+      : edited_(edited), disk_(dash_is_standard_input) {}
+
+  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
+    auto const found = edited_.find(path);
+    return found == edited_.end() ? disk_.read(path) : found->second;
+  }
+
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override {
+    return edited_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
+  }
+
+ private:
+  EditedBytes const& edited_;
+  DiskFiles disk_;
+};
+
+}  // namespace axisc::cli

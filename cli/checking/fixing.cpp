@@ -1,0 +1,181 @@
+#include "cli/checking/fixing.hpp"
+
+#include "cli/codes.hpp"
+#include "diagnostics/fix_batch.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+/// In one round; thousands of fixes that none may be applied would take hours otherwise.
+constexpr std::size_t most_checks = 200;
+
+using Counts = std::map<Identity, std::size_t>;
+using Fixes = std::vector<Fix const*>;
+
+/// What is said about the run (AX9…) accuses no list.
+Counts identities_of(std::vector<Finding> const& findings, SourceSet const& sources) {
+  Counts counts;
+  for (auto const& finding : findings) {
+    if (finding.code < cannot_read) ++counts[identity_of(finding, sources)];
+  }
+  return counts;
+}
+
+/// Nothing new, and something less: so every accepted step brings the end nearer.
+bool is_better(Counts const& after, Counts const& before) {
+  bool fewer = after.size() < before.size();
+  for (auto const& [identity, number] : after) {
+    auto const known = before.find(identity);
+    if (known == before.end() || known->second < number) return false;
+    fewer = fewer || number < known->second;
+  }
+  return fewer;
+}
+
+class Fixer {
+ public:
+  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline)
+      : job_(job), choice_(choice), baseline_(baseline) {
+    result_.edited = job.edited;
+  }
+
+  void fix(std::string const& path) {
+    std::error_code error;
+    if (path == "-" || !std::filesystem::is_regular_file(path, error)) keep(path);
+    whole_programs_ = false;
+    std::size_t left_out = 0;
+    while (round(path, left_out)) {
+    }
+    result_.facts.left_out += left_out;
+  }
+
+  FixedInputs result() && { return std::move(result_); }
+
+ private:
+  /// Standard input and pipes can be read only once.
+  void keep(std::string const& path) {
+    if (result_.edited.contains(path)) return;
+    DiskFiles files(path == "-");
+    auto bytes = files.read(path);
+    if (auto* const text = std::get_if<std::string>(&bytes)) {
+      result_.original.emplace(path, *text);
+      result_.edited.emplace(path, std::move(*text));
+    }
+  }
+
+  [[nodiscard]] validator::CheckResult check(std::string const& path, EditedBytes const& edited,
+                                             SourceSet& sources) const {
+    EditedFiles files(edited, path == "-");
+    auto options = options_for(job_, path);
+    options.whole_programs = whole_programs_;
+    return validator::check(files, path, options, sources);
+  }
+
+  [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {
+    if (!finding.fix || baseline_.mentions(identity_of(finding, sources))) return false;
+    return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
+  }
+
+  /// Long NC programs are held in memory only where there is something to repair in one.
+  [[nodiscard]] bool repairs_excerpt(validator::CheckResult const& found, SourceSet const& sources) const {
+    return std::any_of(found.findings.begin(), found.findings.end(), [&](Finding const& finding) {
+      return may_apply(finding, sources) &&
+             std::any_of(finding.fix->edits.begin(), finding.fix->edits.end(),
+                         [&](Edit const& edit) { return sources[edit.place.source].is_excerpt(); });
+    });
+  }
+
+  /// True when a fix was applied. Of fixes that touch one another the first is taken; the others have the next round.
+  bool round(std::string const& path, std::size_t& left_out) {
+    SourceSet sources;
+    auto const found = check(path, result_.edited, sources);
+    if (found.unreadable) return false;
+    if (!whole_programs_ && repairs_excerpt(found, sources)) {
+      whole_programs_ = true;
+      return round(path, left_out);
+    }
+    FixBatch batch(sources);
+    Fixes fixes;
+    for (auto const& finding : found.findings) {
+      if (may_apply(finding, sources) && batch.add(*finding.fix)) fixes.push_back(&*finding.fix);
+    }
+    Attempt attempt{.path = path,
+                    .sources = sources,
+                    .findings = identities_of(found.findings, sources),
+                    .accepted = {},
+                    .edited = result_.edited,
+                    .checks = 0};
+    accept(attempt, fixes);
+    left_out = fixes.size() - attempt.accepted.size();
+    if (attempt.accepted.empty()) return false;
+    result_.facts.applied += attempt.accepted.size();
+    keep_originals(attempt);
+    result_.edited = std::move(attempt.edited);
+    return true;
+  }
+
+  struct Attempt {
+    std::string const& path;
+    SourceSet const& sources;
+    Counts findings;  ///< that are left with the accepted fixes
+    Fixes accepted;
+    EditedBytes edited;  ///< with the accepted fixes
+    std::size_t checks = 0;
+  };
+
+  /// Takes all of `fixes` if that is an improvement, else looks for the ones that are, half by half.
+  void accept(Attempt& attempt, std::span<Fix const* const> fixes) const {
+    if (fixes.empty() || ++attempt.checks > most_checks) return;
+    FixBatch batch(attempt.sources);
+    for (auto const* const fix : attempt.accepted) batch.add(*fix);
+    for (auto const* const fix : fixes) batch.add(*fix);
+    auto edited = result_.edited;
+    for (auto& source : batch.apply()) {
+      edited.insert_or_assign(attempt.sources[source.source].name(), std::move(source.bytes));
+    }
+    SourceSet sources;
+    auto const found = check(attempt.path, edited, sources);
+    auto counts = identities_of(found.findings, sources);
+    if (!found.unreadable && is_better(counts, attempt.findings)) {
+      attempt.findings = std::move(counts);
+      attempt.accepted.insert(attempt.accepted.end(), fixes.begin(), fixes.end());
+      attempt.edited = std::move(edited);
+    } else if (fixes.size() > 1) {
+      accept(attempt, fixes.first(fixes.size() / 2));
+      accept(attempt, fixes.subspan(fixes.size() / 2));
+    }
+  }
+
+  void keep_originals(Attempt const& attempt) {
+    for (auto const* const fix : attempt.accepted) {
+      for (auto const& edit : fix->edits) {
+        auto const& source = attempt.sources[edit.place.source];
+        result_.original.try_emplace(source.name(), source.bytes());
+      }
+    }
+  }
+
+  CheckJob const& job_;
+  FixChoice choice_;
+  Baseline const& baseline_;
+  bool whole_programs_ = false;
+  FixedInputs result_;
+};
+
+}  // namespace
+
+FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths, FixChoice choice,
+                       Baseline const& baseline) {
+  Fixer fixer(job, choice, baseline);
+  for (auto const& path : paths) fixer.fix(path);
+  return std::move(fixer).result();
+}
+
+}  // namespace axisc::cli

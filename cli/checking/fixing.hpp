@@ -1,0 +1,28 @@
+// Applies the fixes that findings offer, in memory, until none is left.
+#pragma once
+
+#include "cli/checking/baseline.hpp"
+#include "cli/checking/check_input.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+enum class FixChoice : std::uint8_t { none, safe, all };
+
+struct FixedInputs {
+  EditedBytes edited;    ///< to be read instead of the files; standard input and pipes stand here in any case
+  EditedBytes original;  ///< the bytes before, of the same paths
+  FixFacts facts;
+};
+
+/// A fix that leads to another finding, or does not end its own, is taken back. Findings that the baseline mentions are
+/// left as they are. Applying fixes to the result changes nothing. One input after another, because they may share
+/// files. Cost: a check per round, and some more for each fix that is taken back, at most
+/// two hundred.
+[[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
+                                     FixChoice choice, Baseline const& baseline);
+
+}  // namespace axisc::cli

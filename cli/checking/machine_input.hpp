@@ -1,0 +1,20 @@
+// The machine of an input, for commands that compile it in memory and go on from there.
+#pragma once
+
+#include "cli/checking/check_input.hpp"
+#include "cli/commands/commands.hpp"
+
+#include <optional>
+#include <string>
+
+namespace axisc::cli {
+
+/// Checks with the settings that apply to the input. Where findings forbid a machine, those of severity error go to standard
+/// error and nothing is returned; everything else that `compile` refuses is a Failure, but for the cycle time. The
+/// machine of the result reads its NC programs from `files` again.
+[[nodiscard]] std::optional<validator::CheckResult> check_machine(CheckJob const& job,
+                                                                  std::string const& path,
+                                                                  validator::Files& files,
+                                                                  Invocation const& invocation, bool color);
+
+}  // namespace axisc::cli

@@ -1,0 +1,57 @@
+#include "cli/checking/written_image.hpp"
+
+#include "cli/checking/depfile.hpp"
+#include "cli/files/output_file.hpp"
+
+#include <filesystem>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_depfile(ImageTarget const& target, std::vector<std::string> const& sources) {
+  if (!target.depfile) return;
+  OutputFile file(*target.depfile);
+  file.write(dependency_rule(target.path, sources));
+  file.commit();
+}
+
+ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<std::string> const& sources) {
+  refuse_overwriting(target.path, sources);
+  if (is_content_of(target.path, bytes)) {
+    write_depfile(target, sources);
+    return ImageFate::unchanged;
+  }
+  std::error_code error;  // what it means shows when the file is made
+  if (target.makes_folder) fs::create_directories(fs::path(target.path).parent_path(), error);
+  OutputFile output(target.path);
+  output.write(bytes);
+  // The rule comes first: an image without it would never be made again.
+  write_depfile(target, sources);
+  output.commit();
+  return ImageFate::written;
+}
+
+}  // namespace
+
+WrittenImage write_image(CompiledInput compiled, ImageTarget const& target,
+                         std::vector<std::string> const& more_sources) {
+  WrittenImage written{.checked = std::move(compiled.checked), .sources = {}};
+  written.sources = written.checked.files;
+  written.sources.insert(written.sources.end(), more_sources.begin(), more_sources.end());
+  if (!compiled.image) return written;
+  written.bytes = compiled.image->bytes.size();
+  written.axes = compiled.image->axes;
+  written.filters = compiled.image->filters;
+  try {
+    written.fate = put(compiled.image->bytes, target, written.sources);
+  } catch (Failure const& failure) {
+    written.checked.failure = failure;
+  }
+  return written;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,33 @@
+// An image in its place, or why it is not there.
+#pragma once
+
+#include "cli/checking/compile_input.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+enum class ImageFate : std::uint8_t { missing, unchanged, written };
+
+struct ImageTarget {
+  std::string path;
+  std::optional<std::string> depfile;  ///< written with the image
+  bool makes_folder = false;           ///< where there is none yet
+};
+
+struct WrittenImage {
+  CheckedInput checked;
+  ImageFate fate = ImageFate::missing;
+  std::vector<std::string> sources;  ///< every file that the image depends on
+  std::size_t bytes = 0;
+  std::size_t axes = 0;
+  std::size_t filters = 0;
+};
+
+/// Writes the image unless the file is just that already. `more_sources` are those that the input does not name itself.
+/// What cannot be written is a failure of the input.
+[[nodiscard]] WrittenImage write_image(CompiledInput compiled, ImageTarget const& target,
+                                       std::vector<std::string> const& more_sources);
+
+}  // namespace axisc::cli

@@ -1,0 +1,35 @@
+// The commands of the program: each reads its options, calls the library and prints.
+#pragma once
+
+#include "cli/report/console.hpp"
+#include "cli/exit_status.hpp"
+#include "diagnostics/text.hpp"
+
+#include <span>
+#include <string>
+
+namespace axisc::cli {
+
+/// What the user typed behind the command's name, and where answers go. Every command may throw a Failure.
+struct Invocation {
+  std::span<std::string const> arguments;
+  Language language = Language::english;
+  Streams& streams;
+};
+
+[[nodiscard]] ExitStatus lint(Invocation const& invocation);
+[[nodiscard]] ExitStatus fmt(Invocation const& invocation);
+[[nodiscard]] ExitStatus compile(Invocation const& invocation);
+[[nodiscard]] ExitStatus inspect(Invocation const& invocation);
+[[nodiscard]] ExitStatus run(Invocation const& invocation);
+[[nodiscard]] ExitStatus response(Invocation const& invocation);
+[[nodiscard]] ExitStatus replay(Invocation const& invocation);
+[[nodiscard]] ExitStatus diff(Invocation const& invocation);
+[[nodiscard]] ExitStatus merge(Invocation const& invocation);
+[[nodiscard]] ExitStatus keygen(Invocation const& invocation);
+[[nodiscard]] ExitStatus sign(Invocation const& invocation);
+[[nodiscard]] ExitStatus contour(Invocation const& invocation);
+[[nodiscard]] ExitStatus simulate(Invocation const& invocation);
+[[nodiscard]] ExitStatus explain(Invocation const& invocation);
+
+}  // namespace axisc::cli

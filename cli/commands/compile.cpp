@@ -1,0 +1,228 @@
+#include "cli/commands/commands.hpp"
+#include "cli/options/compile_inputs.hpp"
+#include "cli/options/compile_options.hpp"
+#include "cli/checking/depfile.hpp"
+#include "cli/fleet/ordered_work.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/report/report_context.hpp"
+#include "cli/report/report_stream.hpp"
+#include "cli/checking/written_image.hpp"
+
+#include <array>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+std::string summary(WrittenImage const& image, std::string const& path, Language language) {
+  return render({.text = image.fate == ImageFate::written ? Text::cli_compiled : Text::cli_unchanged,
+                 .arguments = {{"file", path},
+                               {"axes", std::to_string(image.axes)},
+                               {"filters", std::to_string(image.filters)},
+                               {"bytes", std::to_string(image.bytes)}}},
+                language) +
+         "\n";
+}
+
+/// One compile: the words of the command line, and what they lead to.
+class Compile {
+ public:
+  Compile(CompileWords const& words, Language language, bool color, Streams& streams)
+      : words_(words),
+        streams_(streams),
+        settings_(words.checking.schema_files),
+        threads_(asked_threads(words.checking.threads)),
+        job_{.check = {},
+             .words = words.checking,
+             .image = image_options(words),
+             .form = {},
+             .designs = designs_} {
+    job_.check.options = check_options(words.checking);
+    job_.check.quiet = words.checking.quiet;
+    job_.check.settings = &settings_;
+    job_.form.format = words.checking.format;
+    job_.form.write = {.language = language, .color = color};
+    auto inputs = choose_inputs(words);
+    part_ = std::move(inputs.part);
+    names_ = std::move(inputs.images);
+    name_failures_ = std::move(inputs.failures);
+    if (needs_context(job_.form.format)) {
+      job_.form.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
+    }
+    if (words.fleet.asks_for_digests()) run_ = image_digest();
+  }
+
+  [[nodiscard]] ExitStatus print_key() {
+    Hasher hasher;
+    hasher.digest(run_);
+    for (auto const& path : part_.paths()) add_files(hasher, job_.check, path);
+    streams_.out.write(hexadecimal(hasher.finish()) + "\n");
+    return ExitStatus::success;
+  }
+
+  [[nodiscard]] ExitStatus run() {
+    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
+    ReportStream report({.form = job_.form,
+                         .quiet = words_.checking.quiet,
+                         .statistics = false,
+                         .counts_always = false,
+                         .baseline = {},
+                         .write_baseline = false,
+                         .shard = shard_record(part_, {}, run_, job_.check, words_.checking.werror)},
+                        streams_.err);
+    for (std::size_t i = 0; i < name_failures_.size(); ++i) {
+      if (reports_names(part_)) fail(report, i, name_failures_[i]);
+    }
+    compile_all(report);
+    auto const status = exit_status();
+    report.finish(
+        {}, [](Code) { return true; }, static_cast<int>(status));
+    streams_.err.write(failure_lines_);
+    print_summary();
+    return status;
+  }
+
+ private:
+  [[nodiscard]] ExitStatus exit_status() const {
+    if (failed_) return ExitStatus::failure;
+    return fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
+                                                                    : ExitStatus::success;
+  }
+
+  /// Everything but the input that decides about an image and what is printed with it.
+  [[nodiscard]] Digest image_digest() const {
+    Hasher hasher;
+    hasher.text("compile");
+    hasher.digest(run_digest(job_.check, job_.form));
+    hasher.number(words_.checking.werror ? 1 : 0);
+    hasher.number(job_.image.strip ? 1 : 0);
+    hasher.number(job_.image.image_version);
+    return hasher.finish();
+  }
+
+  void fail(ReportStream& report, std::size_t order, Failure const& failure) {
+    failed_ = true;
+    failure_lines_ += failure.line(job_.form.write.language);
+    report.fail(order, failure);
+  }
+
+  void compile_all(ReportStream& report) {
+    auto cache = open_cache(words_.fleet, streams_.err, job_.form.write.language);
+    std::optional<OutputFile> rules;
+    if (words_.is_batch() && words_.depfile) rules.emplace(*words_.depfile);
+    {
+      Progress progress(words_.is_batch() && progress_is_seen() && !words_.checking.quiet,
+                        job_.form.write.language);
+      progress.stand_aside_for(streams_.err);
+      in_order<WrittenImage>({.count = part_.chosen.size(),
+                              .work = [&](std::size_t i) { return compile_one(i, cache.get()); },
+                              .take =
+                                  [&](std::size_t i, WrittenImage&& image) {
+                                    take(report, i, image);
+                                    if (rules) rules->write(rule_of(i, image));
+                                    progress.show(i + 1, part_.chosen.size());
+                                  },
+                              .weight = [](WrittenImage const& image) { return weight_of(image.checked); }},
+                             thread_count(threads_, part_.chosen.size()));
+    }
+    if (rules) rules->commit();
+    finish_cache(std::move(cache), words_.fleet, streams_.err, job_.form.write.language);
+  }
+
+  [[nodiscard]] WrittenImage compile_one(std::size_t index, ResultCache* cache) {
+    auto const& path = part_.path(index);
+    ImageTarget target{.path = names_[part_.chosen[index]], .depfile = {}, .makes_folder = words_.is_batch()};
+    // A batch has one file for the rules of all images.
+    if (!words_.is_batch()) target.depfile = words_.depfile;
+    return write_image(compiled(path, cache), target, more_sources(path));
+  }
+
+  [[nodiscard]] CompiledInput compiled(std::string const& path, ResultCache* cache) const {
+    if (cache == nullptr || path == "-") {
+      DiskFiles files(path == "-");
+      return compile_input(job_, path, files);
+    }
+    CachedInput cached(*cache, input_digest(run_, job_.check, path), path);
+    if (auto const known = cached.find()) {
+      if (auto result = read_compiled_input(*known)) return *std::move(result);
+    }
+    auto result = compile_input(job_, path, cached.files());
+    if (!result.checked.failure) cached.keep(to_bytes(result));
+    return result;
+  }
+
+  /// Settings and schema files decide what a list may say, so a build system has to watch them too.
+  [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
+    std::vector<std::string> files;
+    if (auto const* const settings = settings_.find(path)) {
+      files.push_back(settings->file);
+      files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
+    }
+    files.insert(files.end(), words_.checking.schema_files.begin(), words_.checking.schema_files.end());
+    return files;
+  }
+
+  /// An image that could not be made keeps its rule: it is to be made again when one of its sources changes.
+  [[nodiscard]] std::string rule_of(std::size_t index, WrittenImage const& image) const {
+    auto sources = image.sources;
+    if (image.checked.files.empty()) sources.insert(sources.begin(), part_.path(index));
+    return dependency_rule(names_[part_.chosen[index]], sources);
+  }
+
+  void take(ReportStream& report, std::size_t index, WrittenImage const& image) {
+    auto const number = part_.chosen[index];
+    report.add(number, image.checked);
+    if (image.checked.failure) fail(report, name_failures_.size() + number, *image.checked.failure);
+    ++fates_[static_cast<std::size_t>(image.fate)];
+    if (!words_.is_batch() && image.fate != ImageFate::missing) {
+      summary_ = summary(image, names_[number], job_.form.write.language);
+    }
+  }
+
+  void print_summary() {
+    if (words_.checking.quiet || words_.checking.format != FindingFormat::text) return;
+    if (words_.is_batch()) {
+      auto const number = [this](ImageFate fate) {
+        return std::to_string(fates_[static_cast<std::size_t>(fate)]);
+      };
+      summary_ = render({.text = Text::cli_batch_done,
+                         .arguments = {{"written", number(ImageFate::written)},
+                                       {"unchanged", number(ImageFate::unchanged)},
+                                       {"missing", number(ImageFate::missing)}}},
+                        job_.form.write.language) +
+                 "\n";
+    }
+    streams_.err.write(summary_);
+  }
+
+  CompileWords const& words_;
+  Streams& streams_;
+  SettingsFinder settings_;
+  std::optional<unsigned> threads_;
+  codegen::KnownDesigns designs_;
+  CompileJob job_;
+  Part part_;
+  std::vector<std::string> names_;  ///< of the images, by input
+  std::vector<Failure> name_failures_;
+  Digest run_;
+  std::array<std::size_t, 3> fates_{};  ///< how many images had it
+  bool failed_ = false;
+  std::string failure_lines_;
+  std::string summary_;
+};
+
+}  // namespace
+
+ExitStatus compile(Invocation const& invocation) {
+  CompileWords words;
+  CommandLine command_line("compile", Text::cli_compile_purpose, Text::cli_compile_examples,
+                           invocation.language);
+  declare(command_line, words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  require_sense(command_line, words);
+  Compile compile(words, invocation.language, use_color(command_line.color(), 2), invocation.streams);
+  return words.fleet.print_key ? compile.print_key() : compile.run();
+}
+
+}  // namespace axisc::cli

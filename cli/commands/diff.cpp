@@ -1,0 +1,129 @@
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/formats/diff_formats.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/checking/machine_input.hpp"
+#include "cli/files/path_machine.hpp"
+#include "cli/options/quantities.hpp"
+
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Form : std::uint8_t { text, json, markdown };
+
+struct DiffWords {
+  std::vector<std::string> inputs;
+  std::vector<std::string> schema_files;
+  std::optional<std::string> cycle_time;
+  std::optional<std::string> feed;
+  Form form = Form::text;
+  bool exit_code = false;
+};
+
+void declare(CommandLine& command_line, DiffWords& words) {
+  command_line.arguments("OLD NEW", words.inputs, Text::cli_arg_diff);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
+  command_line.value("--feed", "MM_PER_MIN", words.feed, Text::cli_opt_diff_feed);
+  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}, {"markdown", Form::markdown}},
+                      words.form, Text::cli_opt_diff_format);
+  declare_schema(command_line, words.schema_files);
+  command_line.flag("--exit-code", words.exit_code, Text::cli_opt_exit_code);
+}
+
+double feed_of(DiffWords const& words) {
+  constexpr double otherwise = 1000;
+  if (!words.feed) return otherwise;
+  auto const feed = parse_finite(*words.feed);
+  if (!feed || !(*feed > 0)) {
+    throw Failure(
+        {.text = Text::cli_bad_number, .arguments = {{"option", "--feed"}, {"value", *words.feed}}});
+  }
+  return *feed;
+}
+
+bool is_image(std::string_view bytes) {
+  return bytes.substr(0, 4) == "AXIM";
+}
+
+/// Gives back the file that another reader has read already.
+class HeldFiles final : public validator::Files {
+ public:
+  HeldFiles(validator::Files& files, std::string path, std::string content)
+      : files_(files), path_(std::move(path)), content_(std::move(content)) {}
+  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
+    if (path == path_) return content_;
+    return files_.read(path);
+  }
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override {
+    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
+  }
+
+ private:
+  validator::Files& files_;
+  std::string path_, content_;
+};
+
+/// A list or machine becomes an image too, so that both sides are compared as the runtime would execute them. Errors are
+/// printed; nothing is compared then.
+std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job, Invocation const& invocation,
+                                   bool color) {
+  DiskFiles disk(path == "-");
+  auto read = disk.read(path);
+  if (auto const* const error = std::get_if<validator::FileError>(&read)) {
+    if (*error == validator::FileError::image || *error == validator::FileError::binary) {
+      return load_image(path);
+    }
+    throw unreadable(path, *error);
+  }
+  auto& content = std::get<std::string>(read);
+  if (is_image(content)) return load_image(path);
+  HeldFiles files(disk, path, std::move(content));
+  auto const result = check_machine(job, path, files, invocation, color);
+  if (!result) return std::nullopt;
+  return image_of(*result->machine, path);
+}
+
+}  // namespace
+
+ExitStatus diff(Invocation const& invocation) {
+  DiffWords words;
+  CommandLine command_line("diff", Text::cli_diff_purpose, Text::cli_diff_examples, invocation.language);
+  declare(command_line, words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.inputs.size() == 2, "OLD NEW");
+  double const feed = feed_of(words);
+  SettingsFinder settings(words.schema_files);
+  CheckJob job;
+  job.options.cycle_time = asked_cycle_time(words.cycle_time);
+  job.settings = &settings;
+  bool const color = use_color(command_line.color(), 2);
+  auto const load = [&](std::string const& path) { return load_side(path, job, invocation, color); };
+  auto const before = load(words.inputs[0]);
+  auto const after = load(words.inputs[1]);
+  if (!before || !after) return ExitStatus::findings;
+
+  auto const difference =
+      codegen::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
+                              {.image = after->bytes.bytes(), .contents = after->contents});
+  ShownDifference const shown{
+      .before = words.inputs[0], .after = words.inputs[1], .difference = difference, .feed_mm_per_min = feed};
+  switch (words.form) {
+    case Form::text:
+      invocation.streams.out.write(diff_text(shown, invocation.language));
+      break;
+    case Form::json:
+      invocation.streams.out.write(diff_json(shown));
+      break;
+    case Form::markdown:
+      invocation.streams.out.write(diff_markdown(shown, invocation.language));
+      break;
+  }
+  return words.exit_code && !difference.empty() ? ExitStatus::findings : ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,132 @@
+#include "cli/formats/explain_formats.hpp"
+
+#include "cli/options/check_options.hpp"
+#include "cli/codes.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/finding_codes.hpp"
+#include "cli/options/quantities.hpp"
+#include "cli/settings/settings.hpp"
+#include "diagnostics/ascii.hpp"
+#include "schema/closest_word.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+/// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
+validator::Rule const* rule_of(std::string const& word) {
+  auto const code = find_code(word);
+  auto const by_number = code ? code : find_code("AX" + word);
+  return by_number ? validator::find_rule(*by_number) : nullptr;
+}
+
+/// Rows with the number in "P-AXIS-00140"; zeros in front may be missing.
+std::span<schema::ParameterId const> rows_of_number(schema::Catalogue const& catalogue,
+                                                    std::string const& word) {
+  constexpr std::string_view prefix = "P-AXIS-";
+  auto const text = ascii::upper_case(word);
+  if (text.substr(0, prefix.size()) != prefix) return {};
+  auto const number = parse_count(std::string_view(text).substr(prefix.size()));
+  if (!number || *number > 0xFFFFU) return {};
+  return catalogue.find_number(static_cast<std::uint16_t>(*number));
+}
+
+/// `filter[2].order` and `filter[].order` both name a row of the catalogue.
+schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::string const& word) {
+  for (auto const& parameter : catalogue.parameters()) {
+    if (parameter.name == word) return &parameter;
+  }
+  return catalogue.find(word).row;
+}
+
+[[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
+  std::string meant;
+  auto const names = catalogue.suggest_names(word);
+  if (!names.empty()) meant = names.front();
+  if (meant.empty()) {
+    std::vector<std::string> texts;
+    for (auto const& rule : validator::rules()) {
+      texts.push_back(code_text(rule.code));
+      texts.emplace_back(rule.name);
+    }
+    std::vector<std::string_view> const known(texts.begin(), texts.end());
+    meant = schema::closest_word(word, known);
+  }
+  throw Failure({.text = meant.empty() ? Text::cli_unknown_subject : Text::cli_unknown_subject_meant,
+                 .arguments = {{"word", word}, {"meant", meant}}});
+}
+
+enum class Form : std::uint8_t { markdown, json };
+
+/// What the user asked about.
+struct Subject {
+  std::vector<validator::Rule const*> rules;
+  std::vector<schema::Parameter const*> parameters;
+};
+
+Subject subject_of(schema::Catalogue const& catalogue, std::string const& word) {
+  Subject subject;
+  if (auto const* const rule = rule_of(word)) {
+    subject.rules.push_back(rule);
+    return subject;
+  }
+  for (auto const id : rows_of_number(catalogue, word)) {
+    subject.parameters.push_back(&catalogue.parameter(id));
+  }
+  if (!subject.parameters.empty()) return subject;
+  if (auto const* const parameter = row_of_name(catalogue, word)) {
+    subject.parameters.push_back(parameter);
+    return subject;
+  }
+  refuse(catalogue, word);
+}
+
+Subject everything(schema::Catalogue const& catalogue) {
+  Subject subject;
+  for (auto const& rule : validator::rules()) subject.rules.push_back(&rule);
+  for (auto const& parameter : catalogue.parameters()) subject.parameters.push_back(&parameter);
+  return subject;
+}
+
+std::string explain_markdown(schema::Catalogue const& catalogue, Subject const& subject, Language language) {
+  std::string text;
+  for (auto const* const rule : subject.rules) text += explain_rule(*rule, 1, language);
+  for (auto const* const parameter : subject.parameters) {
+    if (!text.empty()) text += "\n";
+    text += explain_parameter(catalogue, *parameter, language);
+  }
+  return text;
+}
+
+}  // namespace
+
+ExitStatus explain(Invocation const& invocation) {
+  std::optional<std::string> word;
+  bool all = false;
+  Form form = Form::markdown;
+  CommandLine command_line("explain", Text::cli_explain_purpose, Text::cli_explain_examples,
+                           invocation.language);
+  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, Text::cli_arg_subject);
+  command_line.flag("--all", all, Text::cli_opt_all);
+  command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
+                      Text::cli_opt_explain_format);
+  std::vector<std::string> schema_files;
+  declare_schema(command_line, schema_files);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER");
+  auto const language = invocation.language;
+  // What the lists of the working folder may set.
+  auto const catalogue = SettingsFinder(schema_files).catalogue("-");
+  if (form == Form::json) {
+    auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);
+    invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
+  } else {
+    invocation.streams.out.write(all ? explain_all(language)
+                                     : explain_markdown(catalogue, subject_of(catalogue, *word), language));
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,136 @@
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/options/machine_outline.hpp"
+#include "cli/fleet/ordered_work.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/settings/settings.hpp"
+#include "diagnostics/unified_diff.hpp"
+#include "validator/list_layout.hpp"
+
+#include <filesystem>
+#include <unordered_set>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+/// NC programs are no lists: their layout is their author's.
+bool is_program(std::string const& path) {
+  return has_extension(path, ".nc");
+}
+
+struct FmtWords {
+  std::vector<std::string> named;
+  std::vector<std::string> schema_files;
+  std::optional<std::string> threads;
+  bool check = false;
+  bool diff = false;
+};
+
+/// The lists behind the inputs: a machine file stands for those that it names.
+std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
+  std::vector<std::string> lists;
+  std::unordered_set<std::string> known;
+  auto const add = [&](std::string list) {
+    if (known.insert(list).second) lists.push_back(std::move(list));
+  };
+  for (auto const& input : inputs) {
+    if (is_program(input)) continue;
+    if (!has_extension(input, ".json")) {
+      add(input);
+      continue;
+    }
+    DiskFiles files;
+    auto const bytes = files.read(input);
+    if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(input, *error);
+    auto const folder = std::filesystem::path(input).parent_path();
+    for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
+      if (!is_program(named)) add((folder / named).string());
+    }
+  }
+  return lists;
+}
+
+std::string read_list(std::string const& path) {
+  DiskFiles files(path == "-");
+  auto bytes = files.read(path);
+  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
+  auto& text = std::get<std::string>(bytes);
+  auto const problem = validator::check_text(text);
+  if (auto const* const error = std::get_if<validator::FileError>(&problem)) throw unreadable(path, *error);
+  return std::move(text);
+}
+
+struct Formatted {
+  bool changed = false;  ///< the list was, or is to be, written differently
+  std::string out;       ///< for standard output
+  std::optional<Failure> failure;
+};
+
+/// May be called by several threads: no two write one list.
+Formatted format_list(std::string const& path, FmtWords const& words, schema::Catalogue const& catalogue,
+                      Language language) {
+  Formatted result;
+  auto const before = read_list(path);
+  auto const after = validator::aligned_list(SourceText(path, before), catalogue);
+  if (path == "-" && !words.check && !words.diff) result.out += after;
+  if (after == before) return result;
+  result.changed = true;
+  if (words.diff) result.out += unified_diff(path, before, after);
+  if (words.check && !words.diff) {
+    result.out +=
+        render({.text = Text::cli_fmt_would_change, .arguments = {{"file", path}}}, language) + "\n";
+  }
+  if (path != "-" && !words.check && !words.diff) {
+    OutputFile file(path);
+    file.write(after);
+    file.commit();
+  }
+  return result;
+}
+
+}  // namespace
+
+ExitStatus fmt(Invocation const& invocation) {
+  FmtWords words;
+  CommandLine command_line("fmt", Text::cli_fmt_purpose, Text::cli_fmt_examples, invocation.language);
+  command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
+  command_line.flag("--check", words.check, Text::cli_opt_fmt_check);
+  command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
+  declare_schema(command_line, words.schema_files);
+  declare_threads(command_line, words.threads);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(!words.named.empty(), "INPUT");
+  auto const asked = asked_threads(words.threads);
+  auto inputs = expand_inputs(words.named);
+  SettingsFinder settings(words.schema_files);
+  bool changed = false;
+  auto const lists = lists_of(inputs.paths);
+  auto const format = [&](std::size_t i) {
+    try {
+      return format_list(lists[i], words, settings.catalogue(lists[i]), invocation.language);
+    } catch (Failure const& failure) {
+      // The other lists are still looked at.
+      return Formatted{.changed = false, .out = {}, .failure = failure};
+    }
+  };
+  auto const take = [&](std::size_t, Formatted&& formatted) {
+    changed = changed || formatted.changed;
+    invocation.streams.out.write(formatted.out);
+    if (formatted.failure) inputs.failures.push_back(*std::move(formatted.failure));
+  };
+  in_order<Formatted>({.count = lists.size(),
+                       .work = format,
+                       .take = take,
+                       .weight = [](Formatted const& formatted) { return formatted.out.size(); }},
+                      thread_count(asked, lists.size()));
+  for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
+  if (!inputs.failures.empty()) return ExitStatus::failure;
+  return words.check && changed ? ExitStatus::findings : ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,254 @@
+#include "cli/checking/check_input.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/checking/fixing.hpp"
+#include "cli/options/lint_options.hpp"
+#include "cli/fleet/ordered_work.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/report/report_context.hpp"
+#include "cli/report/report_stream.hpp"
+#include "diagnostics/unified_diff.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+bool names_language(std::span<std::string const> arguments) {
+  return std::any_of(arguments.begin(), arguments.end(),
+                     [](std::string const& word) { return word.substr(0, 6) == "--lang"; });
+}
+
+/// One lint: the words of the command line, and what they lead to.
+class Lint {
+ public:
+  Lint(LintWords const& words, Language language, bool color, Streams& streams)
+      : words_(words),
+        streams_(streams),
+        settings_(words.checking.schema_files),
+        threads_(asked_threads(words.checking.threads)),
+        inputs_(expand_inputs(words.named)) {
+    job_.options = check_options(words.checking);
+    job_.options.machine = false;
+    job_.quiet = words.checking.quiet;
+    job_.settings = &settings_;
+    form_.format = words.checking.format;
+    form_.write = {.language = language, .color = color};
+    choice_ = fix_choice(words);
+    part_ = choose_part(words.fleet, std::move(inputs_.paths));
+  }
+
+  /// The language that the first input's settings ask for; the command line's own is asked for elsewhere.
+  [[nodiscard]] std::optional<Language> language_of_settings() {
+    auto const* const settings = settings_.find(inputs_.first);
+    return settings == nullptr ? std::nullopt : settings->language;
+  }
+  void speak(Language language) { form_.write.language = language; }
+
+  [[nodiscard]] ExitStatus print_settings() {
+    for (auto const& path : part_.paths()) {
+      streams_.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
+                                           form_.write.language));
+    }
+    return ExitStatus::success;
+  }
+
+  [[nodiscard]] ExitStatus print_key() {
+    prepare();
+    Hasher hasher = run_options();
+    hasher.digest(run_);
+    if (words_.baseline) hasher.text(Baseline::read(*words_.baseline).text());
+    for (auto const& path : part_.paths()) add_files(hasher, job_, path);
+    streams_.out.write(hexadecimal(hasher.finish()) + "\n");
+    return ExitStatus::success;
+  }
+
+  [[nodiscard]] ExitStatus run() {
+    prepare();
+    auto plan = report_plan();
+    if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
+    // The patch, or what became of standard input, takes standard output.
+    bool const out_is_taken = words_.diff || fixed_standard_input_;
+    ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
+    for (std::size_t i = 0; i < inputs_.failures.size(); ++i) {
+      if (reports_names(part_)) fail(report, i, inputs_.failures[i]);
+    }
+    check(report);
+    auto const status = status_of(report);
+    report.finish(
+        fixes_, [this](Code code) { return is_judged(words_, job_.options, code); },
+        static_cast<int>(status));
+    if (words_.write_baseline) write_baseline(report);
+    return status;
+  }
+
+ private:
+  void prepare() {
+    if (needs_context(form_.format)) form_.context = report_context(inputs_.first);
+    if (words_.fleet.asks_for_digests()) run_ = run_digest(job_, form_);
+    // A settings file that makes no sense ends the run before anything is printed.
+    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
+  }
+
+  /// Options that decide about the whole run, not about its inputs.
+  [[nodiscard]] Hasher run_options() const {
+    Hasher hasher;
+    hasher.text("lint");
+    hasher.number(words_.checking.werror ? 1 : 0);
+    hasher.number(words_.statistics ? 1 : 0);
+    hasher.number(static_cast<std::uint64_t>(choice_));
+    hasher.number(words_.diff ? 1 : 0);
+    hasher.number(words_.write_baseline ? 1 : 0);
+    return hasher;
+  }
+
+  [[nodiscard]] ReportPlan report_plan() {
+    ReportPlan plan{.form = form_,
+                    .quiet = words_.checking.quiet,
+                    .statistics = words_.statistics,
+                    .counts_always = true,
+                    .baseline = {},
+                    .write_baseline = words_.write_baseline.has_value(),
+                    .shard = shard_record(part_, run_options(), run_, job_, words_.checking.werror)};
+    if (words_.baseline) plan.baseline = Baseline::read(*words_.baseline);
+    if (!plan.shard) return plan;
+    for (auto const& rule : validator::rules()) {
+      if (is_judged(words_, job_.options, rule.code)) continue;
+      plan.shard->unjudged.push_back(static_cast<unsigned>(rule.code));
+    }
+    return plan;
+  }
+
+  void fail(ReportStream& report, std::size_t order, Failure const& failure) {
+    failed_ = true;
+    streams_.err.write(failure.line(form_.write.language));
+    report.fail(order, failure);
+  }
+
+  void check(ReportStream& report) {
+    // What fixes make of a file stands nowhere yet.
+    auto cache =
+        choice_ == FixChoice::none ? open_cache(words_.fleet, streams_.err, form_.write.language) : nullptr;
+    bool const takes_time = part_.chosen.size() > 1;
+    Progress progress(takes_time && progress_is_seen() && !words_.checking.quiet, form_.write.language);
+    progress.stand_aside_for(streams_.out);
+    progress.stand_aside_for(streams_.err);
+    auto const threads = thread_count(threads_, part_.chosen.size());
+    // Then no finding has to wait for its turn.
+    bool const at_once = cache == nullptr && is_one_by_one(part_.chosen.size(), threads);
+    auto const print = [&report](WrittenFinding const& finding) { report.add(finding); };
+    in_order<CheckedInput>({.count = part_.chosen.size(),
+                            .work =
+                                [&](std::size_t i) {
+                                  auto const& path = part_.path(i);
+                                  return at_once ? checked(path, print) : checked(path, cache.get());
+                                },
+                            .take =
+                                [&](std::size_t i, CheckedInput&& input) {
+                                  auto const number = part_.chosen[i];
+                                  if (input.failure) {
+                                    fail(report, inputs_.failures.size() + number, *input.failure);
+                                  }
+                                  report.add(number, input);
+                                  progress.show(i + 1, part_.chosen.size());
+                                },
+                            .weight = weight_of},
+                           threads);
+    finish_cache(std::move(cache), words_.fleet, streams_.err, form_.write.language);
+  }
+
+  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const& take) const {
+    EditedFiles files(job_.edited, path == "-");
+    return check_input(job_, path, files, form_, take);
+  }
+
+  [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
+    if (cache == nullptr || path == "-") {
+      EditedFiles files(job_.edited, path == "-");
+      return check_input(job_, path, files, form_);
+    }
+    CachedInput cached(*cache, input_digest(run_, job_, path), path);
+    if (auto const known = cached.find()) {
+      ByteReader bytes(*known);
+      if (auto result = read_checked_input(bytes)) return *std::move(result);
+    }
+    auto result = check_input(job_, path, cached.files(), form_);
+    if (!result.failure) {
+      ByteWriter bytes;
+      write_bytes(bytes, result);
+      cached.keep(std::move(bytes).take());
+    }
+    return result;
+  }
+
+  [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
+    if (failed_) return ExitStatus::failure;
+    // Nothing was written: what the patch repairs still stands in the files.
+    return would_change_ || objectionable(words_.checking, report.counts()) ? ExitStatus::findings
+                                                                            : ExitStatus::success;
+  }
+
+  /// Writes what the fixes make of the files, or shows it.
+  void apply_fixes(Baseline const& baseline) {
+    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
+    for (auto const& [path, before] : fixed.original) {
+      auto const& after = fixed.edited.at(path);
+      if (words_.diff) {
+        streams_.out.write(unified_diff(path, before, after));
+        would_change_ = would_change_ || before != after;
+      } else if (path == "-") {
+        streams_.out.write(after);
+      } else if (after != before) {
+        OutputFile file(path);
+        file.write(after);
+        file.commit();
+      }
+    }
+    fixes_ = fixed.facts;
+    if (words_.diff) fixes_->applied = 0;
+    job_.edited = std::move(fixed.edited);
+    fixed_standard_input_ = job_.edited.contains("-");
+  }
+
+  void write_baseline(ReportStream const& report) const {
+    refuse_overwriting(*words_.write_baseline, {report.files().begin(), report.files().end()});
+    OutputFile file(*words_.write_baseline);
+    file.write(report.found().text());
+    file.commit();
+  }
+
+  LintWords const& words_;
+  Streams& streams_;
+  SettingsFinder settings_;
+  std::optional<unsigned> threads_;
+  Inputs inputs_;
+  Part part_;
+  CheckJob job_;
+  ReportForm form_;
+  Digest run_;
+  FixChoice choice_ = FixChoice::none;
+  std::optional<FixFacts> fixes_;
+  bool would_change_ = false;
+  bool fixed_standard_input_ = false;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+ExitStatus lint(Invocation const& invocation) {
+  LintWords words;
+  CommandLine command_line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, invocation.language);
+  declare(command_line, words);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  require_sense(command_line, words);
+  Lint lint(words, invocation.language, use_color(command_line.color(), 1), invocation.streams);
+  if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
+    lint.speak(*language);
+  }
+  if (words.print_config) return lint.print_settings();
+  return words.fleet.print_key ? lint.print_key() : lint.run();
+}
+
+}  // namespace axisc::cli

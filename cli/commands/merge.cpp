@@ -1,0 +1,155 @@
+#include "cli/checking/baseline.hpp"
+#include "cli/codes.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/report/report_context.hpp"
+#include "cli/report/report_stream.hpp"
+#include "cli/options/response_file.hpp"
+#include "cli/fleet/shard_document.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <tuple>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+struct MergeWords {
+  std::vector<std::string> files;
+  std::optional<std::string> baseline;
+  std::optional<std::string> output;
+};
+
+using Documents = std::deque<ShardDocument>;
+
+std::string as_text(Shard const& shard) {
+  return std::to_string(shard.index) + "/" + std::to_string(shard.count);
+}
+
+/// Failure unless these are the shards of one run, each once.
+void require_whole_run(Documents const& documents) {
+  auto const& first = documents.front();
+  std::vector<ShardDocument const*> by_index(first.record().shard.count, nullptr);
+  for (auto const& document : documents) {
+    auto const facts = [](ShardDocument const& each) {
+      return std::tuple(each.format(), each.record().run, each.record().shard.count,
+                        std::string_view(each.record().version));
+    };
+    bool const same_version = document.record().version == AXISC_VERSION;
+    if (facts(document) != facts(first) || !same_version) {
+      throw Failure({.text = Text::cli_merge_mixed,
+                     .arguments = {{"file", document.file()},
+                                   {"first", same_version ? first.file() : "axisc " AXISC_VERSION}}});
+    }
+    auto const& shard = document.record().shard;
+    auto const*& place = by_index[shard.index - 1];
+    if (place != nullptr) {
+      throw Failure(
+          {.text = Text::cli_merge_twice,
+           .arguments = {{"file", document.file()}, {"first", place->file()}, {"shard", as_text(shard)}}});
+    }
+    place = &document;
+  }
+  for (std::uint32_t i = 0; i < by_index.size(); ++i) {
+    if (by_index[i] != nullptr) continue;
+    throw Failure({.text = Text::cli_merge_missing,
+                   .arguments = {{"shard", as_text({.index = i + 1, .count = first.record().shard.count})}}});
+  }
+}
+
+std::vector<ShardFailure> failures_of(Documents const& documents) {
+  std::vector<ShardFailure> failures;
+  for (auto const& document : documents) {
+    auto const& more = document.record().failures;
+    failures.insert(failures.end(), more.begin(), more.end());
+  }
+  std::stable_sort(failures.begin(), failures.end(), [](ShardFailure const& left, ShardFailure const& right) {
+    return left.order < right.order;
+  });
+  return failures;
+}
+
+ReportPlan plan_of(Documents const& documents, MergeWords const& words) {
+  auto const& first = documents.front();
+  ReportPlan plan{.form = {.format = first.format(),
+                           .write = {.language = first.language()},
+                           .context = report_context({})},
+                  .statistics = first.has_statistics(),
+                  .baseline = {},
+                  .shard = {}};
+  if (words.baseline) plan.baseline = Baseline::read(*words.baseline);
+  // Names are relative to the repository already. Nothing lies in this folder but what is relative.
+  plan.form.context.paths = {.root = "/repository", .folder = "/repository"};
+  for (auto const& failure : failures_of(documents)) plan.form.context.failures.push_back(failure.sentence);
+  return plan;
+}
+
+/// Inputs of all shards in the order of the whole run.
+void add_inputs(Documents& documents, ReportStream& report) {
+  struct Next {
+    std::size_t number = 0;
+    ShardDocument* document = nullptr;
+    std::size_t index = 0;
+  };
+  std::vector<Next> inputs;
+  for (auto& document : documents) {
+    for (std::size_t i = 0; i < document.record().inputs.size(); ++i) {
+      inputs.push_back({document.record().inputs[i].number, &document, i});
+    }
+    CheckedInput files;
+    files.files = document.record().files;
+    report.add(0, files);
+  }
+  std::sort(inputs.begin(), inputs.end(),
+            [](Next const& left, Next const& right) { return left.number < right.number; });
+  for (auto const& next : inputs) report.add(next.number, next.document->next_input(next.index));
+}
+
+ExitStatus status_of(Documents const& documents, FindingCounts const& counts) {
+  auto const& first = documents.front().record();
+  int worst = counts.errors > 0 || (first.werror && counts.warnings > 0) ? 1 : 0;
+  for (auto const& document : documents) {
+    if (document.record().status == static_cast<int>(ExitStatus::failure)) worst = document.record().status;
+  }
+  return static_cast<ExitStatus>(worst);
+}
+
+ExitStatus print(Documents& documents, MergeWords const& words, Console& out) {
+  ReportStream report(plan_of(documents, words), out);
+  add_inputs(documents, report);
+  auto const status = status_of(documents, report.counts());
+  auto const& unjudged = documents.front().record().unjudged;
+  auto const judged = [&unjudged](Code code) {
+    return std::find(unjudged.begin(), unjudged.end(), static_cast<unsigned>(code)) == unjudged.end();
+  };
+  report.finish({}, judged, static_cast<int>(status));
+  return status;
+}
+
+}  // namespace
+
+ExitStatus merge(Invocation const& invocation) {
+  MergeWords words;
+  CommandLine command_line("merge", Text::cli_merge_purpose, Text::cli_merge_examples, invocation.language);
+  command_line.arguments("FILE...", words.files, Text::cli_arg_shards);
+  command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
+  command_line.value("-o,--output", "FILE", words.output, Text::cli_opt_merge_output);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(!words.files.empty(), "FILE");
+  Documents documents;
+  for (auto const& file : read_response_files(words.files)) documents.emplace_back(file.path);
+  require_whole_run(documents);
+  for (auto const& failure : failures_of(documents)) invocation.streams.err.write(failure.line);
+  if (!words.output) return print(documents, words, invocation.streams.out);
+  OutputFile file(*words.output);
+  Console out(file);
+  auto const status = print(documents, words, out);
+  out.flush();
+  file.commit();
+  return status;
+}
+
+}  // namespace axisc::cli

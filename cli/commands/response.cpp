@@ -1,0 +1,128 @@
+#include "cli/codes.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/report/csv.hpp"
+#include "cli/options/frequencies.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/report/json_text.hpp"
+#include "cli/execution/port_response.hpp"
+#include "cli/options/timed_commands.hpp"
+#include "diagnostics/format_number.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Form : std::uint8_t { csv, json };
+
+struct ResponseWords {
+  std::optional<std::string> image;
+  std::optional<std::string> axis;
+  std::optional<std::string> frequencies;
+  std::optional<std::string> level;
+  std::vector<std::string> commands;
+  Port port = Port::setpoint;
+  Form form = Form::csv;
+};
+
+void declare(CommandLine& command_line, ResponseWords& words) {
+  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
+  command_line.value("--axis", "NAME", words.axis, Text::cli_opt_response_axis);
+  command_line.choice(
+      "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
+      words.port, Text::cli_opt_response_port);
+  command_line.value("--frequencies", "F[,F...]", words.frequencies, Text::cli_opt_frequencies);
+  command_line.value("--level", level_words, words.level, Text::cli_opt_level);
+  command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
+  command_line.choice("--format", {{"csv", Form::csv}, {"json", Form::json}}, words.form,
+                      Text::cli_opt_response_format);
+}
+
+/// Axes with something at that port; the setpoint of an axis without filters passes unchanged and is shown so.
+std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseWords const& words) {
+  auto axes = chosen_axes(file.contents, words.axis);
+  std::erase_if(axes, [&](std::size_t axis) {
+    auto const& contents = file.contents.axes[axis];
+    if (words.port == Port::interface) return contents.interface_filters.empty();
+    return words.port == Port::velocity && !contents.control;
+  });
+  if (!axes.empty()) return axes;
+  throw Failure(
+      {.text = words.port == Port::velocity ? Text::cli_no_velocities : Text::cli_no_interface_filter,
+       .arguments = {{"file", *words.image}}});
+}
+
+void write_csv_rows(Console& out, std::string const& axis, PortResponse const& response,
+                    std::vector<double> const& frequencies) {
+  std::string name;
+  append_csv_name(name, axis);
+  for (double const frequency : frequencies) {
+    auto const point = response.at({frequency});
+    std::string line = name + ",";
+    append_csv_row(line, std::array{frequency, point.magnitude, point.phase_rad, point.group_delay_s});
+    out.write(line);
+  }
+}
+
+std::string json_rows(std::string const& axis, PortResponse const& response,
+                      std::vector<double> const& frequencies) {
+  std::string text;
+  for (double const frequency : frequencies) {
+    auto const point = response.at({frequency});
+    if (!text.empty()) text += ",\n";
+    text += "    {\"axis\": " + json_string(axis) + ", \"frequency_hz\": " + json_number(frequency) +
+            ", \"magnitude\": " + json_number(point.magnitude) +
+            ", \"phase_rad\": " + json_number(point.phase_rad) +
+            ", \"group_delay_s\": " + json_number(point.group_delay_s) + "}";
+  }
+  return text;
+}
+
+void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
+                std::vector<std::size_t> const& axes, std::vector<double> const& frequencies,
+                codegen::RuntimeHost const& host) {
+  auto const cycle_time = file.contents.cycle_time;
+  out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(words.port)) +
+            ",\n  \"cycle_time_us\": " + json_number(cycle_time.microseconds()) + ",\n  \"response\": [\n");
+  bool first = true;
+  for (auto const axis : axes) {
+    if (!first) out.write(",\n");
+    first = false;
+    out.write(json_rows(axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
+                        frequencies));
+  }
+  out.write("\n  ]\n}\n");
+}
+
+}  // namespace
+
+ExitStatus response(Invocation const& invocation) {
+  ResponseWords words;
+  CommandLine command_line("response", Text::cli_response_purpose, Text::cli_response_examples,
+                           invocation.language);
+  declare(command_line, words);
+  auto& out = invocation.streams.out;
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(words.image.has_value(), "IMAGE.axim");
+  auto const file = load_image(*words.image);
+  auto const cycle_time = file.contents.cycle_time;
+  auto const axes = axes_with_port(file, words);
+  auto const frequencies =
+      words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
+  auto host = start_runtime(*words.image, file, level_of(words.level));
+  for (auto const& command : read_timed_commands(words.commands, file, *words.image, invocation.language)) {
+    execute(command, host, file.contents, *words.image);
+  }
+  if (words.form == Form::json) {
+    write_json(out, file, words, axes, frequencies, host);
+    return ExitStatus::success;
+  }
+  out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s\n");
+  for (auto const axis : axes) {
+    write_csv_rows(out, axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
+                   frequencies);
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,152 @@
+#include "cli/commands/simulate_plant.hpp"
+
+#include "cli/files/output_file.hpp"
+#include "cli/settings/plant_file.hpp"
+#include "cli/formats/plant_formats.hpp"
+#include "cli/options/quantities.hpp"
+#include "motion/point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axisc::cli {
+
+namespace {
+
+struct Move {
+  std::string axis;
+  double distance_mm = 0;
+  std::optional<double> feed_mm_per_min;
+};
+
+/// AXIS:MM or AXIS:MM:MM_PER_MIN.
+Move read_move(std::string const& word) {
+  auto const refuse = [&]() -> Failure {
+    return Failure({.text = Text::cli_bad_move, .arguments = {{"value", word}}});
+  };
+  auto const first = word.find(':');
+  if (first == std::string::npos || first == 0) throw refuse();
+  Move move;
+  move.axis = word.substr(0, first);
+  auto const second = word.find(':', first + 1);
+  auto const distance = parse_finite(std::string_view(word).substr(first + 1, second - first - 1));
+  if (!distance || *distance == 0 || std::abs(*distance) > 1e6) throw refuse();
+  move.distance_mm = *distance;
+  if (second == std::string::npos) return move;
+  move.feed_mm_per_min = parse_finite(std::string_view(word).substr(second + 1));
+  if (!move.feed_mm_per_min || !(*move.feed_mm_per_min > 0)) throw refuse();
+  return move;
+}
+
+std::size_t axis_of(validator::Machine const& machine, std::string const& name) {
+  std::string known;
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    if (machine.axes[i].name == name) return i;
+    known += (known.empty() ? "" : ", ") + machine.axes[i].name;
+  }
+  throw Failure({.text = Text::cli_unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
+}
+
+/// The load's acceleration in one phase, there or back. Of a rest its first third: what braking left behind.
+std::vector<double> accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
+  std::vector<double> found;
+  for (auto const& cycle : record.cycles) {
+    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
+  }
+  if (phase == motion::MovePhase::rest) found.resize(found.size() / 3);
+  return found;
+}
+
+/// Ways there and back are alike; the worse one counts.
+motion::Oscillation dominant(motion::LoopRecord const& record, motion::MovePhase phase, double T,
+                             double lowest, double highest) {
+  motion::Oscillation worst{.frequency = lowest, .amplitude = 0};
+  for (bool const back : {false, true}) {
+    auto const found = motion::dominant_oscillation(accelerations(record, phase, back), T, lowest, highest);
+    if (found.amplitude > worst.amplitude) worst = found;
+  }
+  return worst;
+}
+
+void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& without,
+                       motion::LoopRecord const& with, double T) {
+  constexpr double lowest = 4;
+  constexpr double next_to = 0.15;
+  double const highest = std::min(200.0, 0.4 / T);
+  for (auto const phase : {motion::MovePhase::travel, motion::MovePhase::rest}) {
+    PhaseOscillation found{
+        .phase = phase, .without = dominant(without, phase, T, lowest, highest), .with = {}};
+    if (!(found.without.amplitude > 0)) continue;
+    double const f = found.without.frequency;
+    found.with = dominant(with, phase, T, f * (1 - next_to), f * (1 + next_to));
+    figures.oscillations.push_back(found);
+  }
+}
+
+}  // namespace
+
+ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,
+                          Invocation const& invocation) {
+  auto const& machine = checked.machine;
+  auto const wanted = read_move(request.move);
+  auto const index = axis_of(machine, wanted.axis);
+  auto const& axis = machine.axes[index];
+  auto const plant = read_plant(request.plant_path, wanted.axis);
+  auto const image = image_of(machine, request.machine_path);
+  auto runtime = start_runtime(request.machine_path, image);
+  double const T = machine.cycle_time.seconds();
+  double const highest = axis.velocity_limit * motion::units_per_um;
+  double const feed = wanted.feed_mm_per_min
+                          ? std::min(*wanted.feed_mm_per_min / 60 * motion::units_per_mm, highest)
+                          : highest;
+  motion::AxisMove const move{.axis = index,
+                              .distance = wanted.distance_mm * motion::units_per_mm,
+                              .velocity = feed * T,
+                              .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T};
+  auto const& control = image.contents.axes[index].control;
+
+  ClosedLoopFigures figures;
+  figures.axis = wanted.axis;
+  figures.distance_mm = wanted.distance_mm;
+  figures.feed_mm_per_min = feed / motion::units_per_mm * 60;
+  figures.kv = plant.kv;
+  figures.has_function = control.has_value();
+  auto const without = motion::simulate_loop(runtime, move, plant, false);
+  auto const with = motion::simulate_loop(runtime, move, plant, true);
+  find_oscillations(figures, without, with, T);
+  for (auto const& cycle : with.cycles) {
+    figures.largest_additive = std::max(figures.largest_additive, std::abs(cycle.additive_velocity));
+  }
+  if (control) {
+    figures.limit = control->limit;
+    figures.limit_hit = figures.largest_additive >= control->limit * (1 - 1e-12);
+  }
+  figures.diverges_without = motion::diverges(without, T);
+  figures.diverges_with = motion::diverges(with, T);
+  figures.highest_kv_without = motion::highest_kv(runtime, move, plant, false);
+  figures.highest_kv_with = motion::highest_kv(runtime, move, plant, true);
+
+  if (request.output) {
+    auto sources = checked.files;
+    sources.push_back(request.plant_path);
+    refuse_overwriting(*request.output, sources);
+    OutputFile file(*request.output);
+    file.write(plant_csv(without, with, T));
+    file.commit();
+  }
+  auto& out = invocation.streams.out;
+  switch (request.form) {
+    case SimulateForm::text:
+      out.write(plant_text(figures, invocation.language));
+      break;
+    case SimulateForm::csv:
+      out.write(plant_csv(without, with, T));
+      break;
+    case SimulateForm::json:
+      out.write(plant_json(figures));
+      break;
+  }
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

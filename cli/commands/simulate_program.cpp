@@ -1,0 +1,188 @@
+#include "cli/commands/simulate_program.hpp"
+
+#include "cli/files/output_file.hpp"
+#include "cli/files/program_lines.hpp"
+#include "cli/report/progress.hpp"
+#include "cli/formats/simulate_formats.hpp"
+#include "diagnostics/writers.hpp"
+#include "motion/program_interpreter.hpp"
+#include "motion/simulation.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+namespace {
+
+/// Remembers which kernels the program calls for.
+class CommandCollector final : public motion::PathListener {
+ public:
+  void motion(motion::ProgrammedBlock const& /*block*/) override {}
+  void command(motion::FilterChange const& change) override {
+    auto const& parameters = change.command.parameters;
+    if (parameters.empty() || change.command.filter_switch == validator::FilterSwitch::off) return;
+    if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
+  }
+  void end() override {}
+
+  std::vector<validator::FilterParameters> sets;
+};
+
+/// Hands what happens to the summary and to the CSV of cycles.
+class Recorder final : public motion::SimulationListener {
+ public:
+  void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) override {
+    for (auto* const writer : cycles) writer->cycle(point, block);
+  }
+  void block(motion::BlockSummary const& found) override {
+    if (summary) summary->block(found);
+  }
+  void pass(motion::PassSummary const& found) override {
+    if (summary) summary->pass(found);
+  }
+
+  std::vector<CycleWriter*> cycles;
+  std::unique_ptr<SummaryWriter> summary;
+};
+
+motion::ProgramChannel channel_of(validator::Machine const& machine, validator::MachineGroup const& group) {
+  motion::ProgramChannel channel;
+  channel.inch = machine.inch;
+  channel.limits = command_limits(machine, group);
+  for (auto const axis : group.axes) {
+    channel.axes.push_back(machine.axes[axis].name);
+    channel.rotary.push_back(machine.axes[axis].type != validator::AxisType::translatory);
+  }
+  return channel;
+}
+
+/// vb_max [µm/s], a_max [mm/s²] and a_trans_weight [0.1 %] per NC cycle.
+motion::PathLimits limits_of(validator::Machine const& machine, validator::MachineGroup const& group) {
+  double const T = machine.cycle_time.seconds();
+  std::vector<motion::AxisLimits> limits;
+  for (auto const index : group.axes) {
+    auto const& axis = machine.axes[index];
+    limits.push_back({.velocity = axis.velocity_limit * motion::units_per_um * T,
+                      .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
+                      .transition_weight = axis.transition_weight / 1000});
+  }
+  return motion::PathLimits(std::move(limits));
+}
+
+/// A program is never held as a whole: its line stands alone, on the line where it is.
+std::string problem_text(motion::ProgramProblem problem, std::string const& path, WriteOptions const& write) {
+  std::string padded(problem.line - 1, '\n');
+  auto const begin = static_cast<std::uint32_t>(padded.size());
+  SourceSet sources;
+  auto const source = sources.add(SourceText(path, padded + problem.line_text));
+  problem.finding.place =
+      Place{.source = source, .span = {.begin = begin + problem.span.begin, .end = begin + problem.span.end}};
+  bool const ignored = problem.finding.severity != Severity::error;
+  if (ignored || problem.finding.name == "cannot-simulate") {
+    Text const help = ignored ? Text::ax9007_first : Text::ax9008_help;
+    problem.finding.help.push_back({.text = help, .arguments = {}});
+  }
+  return write_text(problem.finding, sources, write) + "\n";
+}
+
+/// Reads the program once without moving anything: says what is wrong with it, and finds its #FILTER commands.
+bool survey(ProgramLines& program, ProgramRequest const& request, motion::ProgramChannel const& channel,
+            CommandCollector& collector, Invocation const& invocation) {
+  constexpr std::size_t most_errors = 20;
+  std::size_t errors = 0;
+  WriteOptions const write{.language = invocation.language, .color = request.color};
+  motion::ProgramInterpreter interpreter(channel, collector, [&](motion::ProgramProblem problem) {
+    if (problem.finding.severity == Severity::error && ++errors > most_errors) return;
+    invocation.streams.err.write(problem_text(std::move(problem), request.program_path, write));
+  });
+  program.read([&](std::string_view line, std::uint32_t offset) {
+    return interpreter.line(line, offset) && errors <= most_errors;
+  });
+  interpreter.finish();
+  return errors == 0;
+}
+
+[[noreturn]] void fail(motion::SimulationFailure const& failure, validator::Machine const& machine,
+                       validator::MachineGroup const& group) {
+  if (failure.blocking_axis) {
+    throw Failure({.text = Text::cli_blocks_constant,
+                   .arguments = {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name},
+                                 {"group", group.name}}});
+  }
+  if (!failure.command.empty()) {
+    throw Failure({.text = Text::cli_simulation_bank, .arguments = {{"command", failure.command}}});
+  }
+  throw Failure({.text = Text::cli_runtime,
+                 .arguments = {{"status", axisrt_status_name(failure.status)},
+                               {"reason", axisrt_status_text(failure.status)}}});
+}
+
+}  // namespace
+
+ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checked,
+                            Invocation const& invocation) {
+  auto& machine = checked.machine;
+  auto const index = chosen_group(machine, request.group, request.machine_path);
+  auto const& group = machine.groups[index];
+  auto const channel = channel_of(machine, group);
+  ProgramLines program(request.program_path);
+  CommandCollector collector;
+  if (!survey(program, request, channel, collector, invocation)) return ExitStatus::findings;
+  auto& sets = machine.groups[index].filter_sets;
+  for (auto const& parameters : collector.sets) {
+    if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
+  }
+
+  SimulatedPath const path{.group = group.name, .axes = channel.axes, .cycle_time = machine.cycle_time};
+  auto& out = invocation.streams.out;
+  TextSink const to_output = [&out](std::string_view text) { out.write(text); };
+  Recorder recorder;
+  std::optional<CycleWriter> printed;
+  std::optional<OutputFile> file;
+  std::optional<CycleWriter> filed;
+  if (request.output) {
+    auto sources = checked.files;
+    sources.push_back(request.program_path);
+    refuse_overwriting(*request.output, sources);
+    file.emplace(*request.output);
+    filed.emplace(path, [&file](std::string_view text) { file->write(text); });
+    recorder.cycles.push_back(&*filed);
+  }
+  switch (request.form) {
+    case SimulateForm::csv:
+      printed.emplace(path, to_output);
+      recorder.cycles.push_back(&*printed);
+      break;
+    case SimulateForm::json:
+      recorder.summary = json_summary(path, to_output);
+      break;
+    case SimulateForm::text:
+      recorder.summary = text_summary(path, invocation.language, to_output);
+      break;
+  }
+
+  auto const image = image_of(machine, request.machine_path);
+  motion::Simulation simulation(group_runtime(image, group, request.machine_path),
+                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
+                                request.constant_velocity, recorder);
+  {
+    Progress progress(request.show_progress, invocation.language);
+    motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
+    double const seconds = machine.cycle_time.seconds();
+    program.read([&](std::string_view line, std::uint32_t offset) {
+      if (offset % 64 == 0) {
+        progress.show(static_cast<double>(offset) / static_cast<double>(program.size()),
+                      static_cast<double>(simulation.cycles()) * seconds);
+      }
+      return interpreter.line(line, offset) && !simulation.failure();
+    });
+    interpreter.finish();
+  }
+  if (simulation.failure()) fail(*simulation.failure(), machine, group);
+  for (auto* const writer : recorder.cycles) writer->finish();
+  if (recorder.summary) recorder.summary->finish(simulation.blocks(), simulation.cycles());
+  if (file) file->commit();
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,29 @@
+// `axisc simulate --program`: an NC program through planner and runtime.
+#pragma once
+
+#include "cli/commands/commands.hpp"
+#include "cli/files/path_machine.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace axisc::cli {
+
+enum class SimulateForm : std::uint8_t { text, csv, json };
+
+struct ProgramRequest {
+  std::string machine_path;
+  std::string program_path;
+  std::optional<std::string> group;
+  std::optional<std::string> output;
+  SimulateForm form = SimulateForm::text;
+  bool constant_velocity = false;
+  bool show_progress = false;
+  bool color = false;
+};
+
+[[nodiscard]] ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checked,
+                                          Invocation const& invocation);
+
+}  // namespace axisc::cli

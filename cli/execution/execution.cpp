@@ -1,0 +1,141 @@
+#include "cli/execution/execution.hpp"
+
+#include "cli/report/csv.hpp"
+#include "cli/failure.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+void require(axisrt_status status) {
+  if (status == AXISRT_OK) return;
+  throw Failure(
+      {.text = Text::cli_runtime,
+       .arguments = {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
+}
+
+}  // namespace
+
+Execution::Execution(std::string path, codegen::RuntimeHost host, codegen::ImageContents const& image,
+                     Stimulus& stimulus, std::vector<TimedCommand> commands)
+    : path_(std::move(path)),
+      host_(std::move(host)),
+      image_(image),
+      stimulus_(stimulus),
+      commands_(std::move(commands)),
+      has_v_direct_(host_.axis_count(), false) {
+  for (auto const& channel : stimulus.channels()) {
+    if (channel.input == Input::v_direct) has_v_direct_[channel.axis] = true;
+    feeds_velocities_ = feeds_velocities_ || port_of(channel.input) == Port::velocity;
+  }
+}
+
+void Execution::record(std::uint32_t cycles) {
+  require(host_.record(cycles));
+}
+
+void Execution::reset(double position, Port fed) {
+  auto const start = [&](Port port) { return fed == port ? position : 0.0; };
+  for (std::uint32_t axis = 0; axis < host_.axis_count(); ++axis) {
+    require(host_.reset(axis, start(Port::setpoint)));
+    require(host_.reset_interface(axis, start(Port::interface)));
+    double const velocity = start(Port::velocity);
+    require(host_.reset_velocity(axis, velocity, velocity, velocity));
+  }
+  for (auto const input :
+       {Input::setpoint, Input::interface, Input::v_set, Input::v_motor, Input::v_direct}) {
+    in(input).assign(host_.axis_count(), start(port_of(input)));
+  }
+  setpoints_ = in(Input::setpoint);
+  interface_ = in(Input::interface);
+  v_add_.assign(host_.axis_count(), 0);
+  increments_.assign(host_.axis_count(), 0);
+  status_.assign(host_.axis_count(), AXISRT_OK);
+}
+
+std::vector<Execution::Output> Execution::outputs() const {
+  std::vector<Output> outputs;
+  for (auto const& channel : stimulus_.channels()) {
+    Port const port = port_of(channel.input);
+    if (port == Port::velocity) continue;
+    outputs.push_back({.name = channel_name(image_, channel),
+                       .values = port == Port::setpoint ? &setpoints_ : &interface_,
+                       .axis = channel.axis});
+  }
+  if (!feeds_velocities_) return outputs;
+  for (std::size_t axis = 0; axis < image_.axes.size(); ++axis) {
+    auto const& control = image_.axes[axis].control;
+    if (!control) continue;
+    std::string const label = axis_label(image_, axis);
+    outputs.push_back({.name = label + ".v_add", .values = &v_add_, .axis = axis});
+    if (control->scaling.controller == validator::PositionController::unknown) continue;
+    outputs.push_back({.name = label + ".increments", .values = &increments_, .axis = axis});
+  }
+  return outputs;
+}
+
+Noticed Execution::go(std::function<void(std::string_view)> const& write) {
+  auto const columns = outputs();
+  std::string text;
+  for (auto const& column : columns) {
+    if (!text.empty()) text += ',';
+    append_csv_name(text, column.name);
+  }
+  text += '\n';
+  std::vector<double> row_in(stimulus_.channels().size());
+  std::vector<double> row_out(columns.size());
+  Noticed noticed;
+  for (std::uint64_t cycle = 0; stimulus_.next(row_in); ++cycle) {
+    execute_commands(cycle);
+    feed(row_in);
+    step(cycle, noticed);
+    std::transform(columns.begin(), columns.end(), row_out.begin(),
+                   [](Output const& column) { return (*column.values)[column.axis]; });
+    append_csv_row(text, row_out);
+    if (text.size() >= piece) {
+      write(text);
+      text.clear();
+    }
+  }
+  write(text);
+  return noticed;
+}
+
+void Execution::execute_commands(std::uint64_t cycle) {
+  for (; next_command_ < commands_.size() && commands_[next_command_].cycle <= cycle; ++next_command_) {
+    execute(commands_[next_command_], host_, image_, path_);
+  }
+}
+
+void Execution::feed(std::vector<double> const& row) {
+  auto const& channels = stimulus_.channels();
+  for (std::size_t i = 0; i < channels.size(); ++i) in(channels[i].input)[channels[i].axis] = row[i];
+  for (std::size_t axis = 0; axis < has_v_direct_.size(); ++axis) {
+    if (!has_v_direct_[axis]) in(Input::v_direct)[axis] = in(Input::v_motor)[axis];
+  }
+}
+
+void Execution::notice(axisrt_status worst, std::uint64_t cycle, Noticed& noticed) const {
+  if (worst == AXISRT_OK) return;
+  if (worst != AXISRT_BAD_INPUT && worst != AXISRT_IMPLAUSIBLE) require(worst);
+  for (auto const status : status_) {
+    if (status == AXISRT_BAD_INPUT) noticed.refused.add(cycle);
+    if (status == AXISRT_IMPLAUSIBLE) noticed.jumps.add(cycle);
+  }
+}
+
+void Execution::step(std::uint64_t cycle, Noticed& noticed) {
+  notice(host_.step(in(Input::setpoint), setpoints_, status_), cycle, noticed);
+  notice(host_.step_interface(in(Input::interface), interface_, status_), cycle, noticed);
+  notice(host_.step_velocity(
+             {.set = in(Input::v_set), .motor = in(Input::v_motor), .direct = in(Input::v_direct)}, v_add_,
+             increments_, status_),
+         cycle, noticed);
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,75 @@
+// An image at work for `axisc run`: what goes in, what comes out, commands in between.
+#pragma once
+
+#include "cli/execution/stimulus.hpp"
+#include "cli/options/timed_commands.hpp"
+#include "image/runtime_host.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// Cycles in which the same happened.
+struct Occurrences {
+  std::uint64_t count = 0;
+  std::uint64_t first_cycle = 0;
+  void add(std::uint64_t cycle) {
+    if (count++ == 0) first_cycle = cycle;
+  }
+};
+
+/// What the runtime noticed without stopping.
+struct Noticed {
+  Occurrences refused;  ///< inputs that were not accepted; it went on with the last good one
+  Occurrences jumps;    ///< outputs that moved farther than their axis may
+};
+
+class Execution {
+ public:
+  /// `path` is the image's file in messages.
+  Execution(std::string path, codegen::RuntimeHost host, codegen::ImageContents const& image,
+            Stimulus& stimulus, std::vector<TimedCommand> commands);
+
+  /// Keeps the last cycles from now on. Failure where that does not work.
+  void record(std::uint32_t cycles);
+  [[nodiscard]] std::vector<std::byte> recording() const { return host_.recording(); }
+
+  /// Resets all axes: to `position` at the port that the stimulus feeds, to 0 elsewhere.
+  void reset(double position, Port fed);
+  /// Runs to the stimulus' end and hands on the table, header first, in pieces. Failure where the runtime stops or a
+  /// command cannot be executed.
+  Noticed go(std::function<void(std::string_view)> const& write);
+
+ private:
+  /// A column of output.
+  struct Output {
+    std::string name;
+    std::vector<double> const* values = nullptr;  ///< of all axes
+    std::size_t axis = 0;
+  };
+  [[nodiscard]] std::vector<Output> outputs() const;
+  [[nodiscard]] std::vector<double>& in(Input input) { return in_[static_cast<std::size_t>(input)]; }
+  void execute_commands(std::uint64_t cycle);
+  void feed(std::vector<double> const& row);
+  void step(std::uint64_t cycle, Noticed& noticed);
+  void notice(axisrt_status worst, std::uint64_t cycle, Noticed& noticed) const;
+
+  std::string path_;
+  codegen::RuntimeHost host_;
+  codegen::ImageContents const& image_;
+  Stimulus& stimulus_;
+  std::vector<TimedCommand> commands_;  ///< by rising cycle
+  std::size_t next_command_ = 0;
+  std::vector<bool> has_v_direct_;  ///< axes whose direct velocity is fed; the others' is the motor's
+  bool feeds_velocities_ = false;
+  std::array<std::vector<double>, inputs> in_;
+  std::vector<double> setpoints_, interface_, v_add_, increments_;
+  std::vector<std::uint8_t> status_;  ///< of all axes, of the latest call
+};
+
+}  // namespace axisc::cli

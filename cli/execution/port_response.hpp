@@ -1,0 +1,28 @@
+// What the filters at one port of an axis do to a frequency.
+#pragma once
+
+#include "cli/files/image_file.hpp"
+#include "design/filter_analysis.hpp"
+#include "design/kernel_design.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace axisc::cli {
+
+/// Setpoint: the cascade with the kernel that the runtime has switched on. Additional interface: its filter. Velocity: from
+/// all three velocities to the additive velocity, -Σ weight·stage, without its limit.
+class PortResponse {
+ public:
+  PortResponse(codegen::ImageContents const& image, codegen::RuntimeHost const& host, std::size_t axis,
+               Port port);
+
+  [[nodiscard]] design::ResponsePoint at(design::Hertz frequency) const;
+
+ private:
+  std::vector<design::WeightedChain> chains_;
+  std::optional<design::KernelDesign> kernel_;
+  design::CycleTime cycle_time_;
+};
+
+}  // namespace axisc::cli

@@ -1,0 +1,39 @@
+// The disk as the library sees it.
+#pragma once
+
+#include "cli/failure.hpp"
+#include "configuration/files.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace axisc::cli {
+
+/// Reads files and pipes.
+class DiskFiles final : public validator::Files {
+ public:
+  /// `dash_is_standard_input`: "-" is no file name. Standard input is read once and kept.
+  explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
+  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override;
+  /// Memory: one block; a pipe, which gives its bytes once, is kept whole.
+  [[nodiscard]] std::optional<validator::FileError> read_pieces(
+      std::string const& path, validator::PieceReceiver const& receive) override;
+
+ private:
+  bool dash_is_standard_input_;
+  std::optional<std::string> standard_input_;
+  std::map<std::string, std::string> pipes_;  ///< what those gave that were read in pieces
+};
+
+/// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
+[[nodiscard]] Failure unreadable(std::string const& path, validator::FileError error);
+
+enum class Dash : std::uint8_t { is_standard_input, is_a_name };
+
+/// The bytes of a file that a command needs whole. Failure where it cannot be read.
+[[nodiscard]] std::string read_whole(std::string const& path, Dash dash = Dash::is_standard_input);
+
+}  // namespace axisc::cli

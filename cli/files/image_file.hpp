@@ -1,0 +1,54 @@
+// A coefficient image from the disk.
+#pragma once
+
+#include "axisrt.h"
+#include "cli/failure.hpp"
+#include "codegen/aligned_bytes.hpp"
+#include "image/image_contents.hpp"
+#include "image/runtime_host.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+struct ImageFile {
+  codegen::AlignedBytes bytes;
+  codegen::ImageContents contents;
+};
+
+/// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a damaged image
+/// or something else.
+[[nodiscard]] ImageFile load_image(std::string const& path);
+
+/// AX9004 with what the runtime found.
+[[nodiscard]] Failure unusable_image(std::string const& path, axisrt_status status);
+
+/// The axis' name; "axis0" for the first axis of a stripped image.
+[[nodiscard]] std::string axis_label(codegen::ImageContents const& image, std::size_t axis);
+
+/// Indices of the axes that a command shall show: all of them, or the one that `--axis` names. Failure for another name.
+[[nodiscard]] std::vector<std::size_t> chosen_axes(codegen::ImageContents const& image,
+                                                   std::optional<std::string> const& name);
+
+enum class Port : std::uint8_t { setpoint, interface, velocity };
+
+/// "setpoint", "interface", "velocity".
+[[nodiscard]] std::string_view port_name(Port port);
+
+/// Words of `--level`, for help and messages.
+inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
+
+/// The axisrt_level that a word of `--level` means; portable without one, because its results are the same everywhere.
+/// Failure for another word.
+[[nodiscard]] std::uint32_t level_of(std::optional<std::string> const& word);
+
+/// The runtime for an image that was loaded, at an axisrt_level. Failure AX9004 where this processor fails its self-tests,
+/// another one where it does not have that level.
+[[nodiscard]] codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
+                                                 std::uint32_t level = AXISRT_LEVEL_PORTABLE);
+
+}  // namespace axisc::cli

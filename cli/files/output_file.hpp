@@ -1,0 +1,62 @@
+// A file that is either written completely or not at all.
+#pragma once
+
+#include "cli/files/file_descriptor.hpp"
+#include "cli/files/interruption.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// What survives a power failure: a whole file under its name, or at least that another one is not taken for it (for what
+/// can be made again and carries a checksum, and costs far less).
+enum class Durability : std::uint8_t { of_content, of_name };
+
+/// Writes beside the target, syncs and renames, so that nobody ever sees half of it and an old file stays untouched
+/// when anything fails or the program is interrupted. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
+/// device, a pipe) is opened and written directly, never renamed over; "-" is standard output.
+/// Every function may throw a Failure (AX9002).
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path, Durability durability = Durability::of_content);
+  OutputFile(OutputFile const&) = delete;
+  OutputFile& operator=(OutputFile const&) = delete;
+  ~OutputFile() = default;
+
+  void write(std::string_view bytes);
+  /// Puts the file in its place. Nothing can be written any more.
+  void commit();
+
+ private:
+  /// Removed with this object, or when the program is interrupted, unless it was renamed before.
+  struct TemporaryFile {
+    std::string path;  ///< empty where there is none (any more)
+    std::optional<RemovedWhenInterrupted> interruption;
+    TemporaryFile() = default;
+    TemporaryFile(TemporaryFile const&) = delete;
+    TemporaryFile& operator=(TemporaryFile const&) = delete;
+    ~TemporaryFile();
+  };
+
+  void open_directly(std::string const& path);
+  void open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group);
+  [[noreturn]] void fail(int error) const;
+
+  std::string path_;  ///< as the user wrote it
+  Durability durability_;
+  std::string target_;  ///< behind symbolic links; empty when written directly
+  TemporaryFile temporary_;
+  FileDescriptor file_;
+};
+
+/// `path` is a regular file that holds just these bytes: writing it again would only make it look new.
+[[nodiscard]] bool is_content_of(std::string const& path, std::string_view bytes);
+
+/// Failure where `output` is one of the files that were read, under whatever name.
+void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources);
+
+}  // namespace axisc::cli

@@ -1,0 +1,90 @@
+#include "cli/files/path_machine.hpp"
+
+#include "cli/options/check_options.hpp"
+#include "cli/checking/compilable.hpp"
+#include "cli/checking/machine_input.hpp"
+#include "codegen/image_writer.hpp"
+#include "validator/commands/command_check.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+validator::CommandLimits command_limits(validator::Machine const& machine,
+                                        validator::MachineGroup const& group) {
+  return {.cycle_time = machine.cycle_time,
+          .time_delay = std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
+            auto const& kernel = machine.axes[axis].kernel;
+            return kernel && kernel->specification.type == design::KernelType::time_delay;
+          })};
+}
+
+std::optional<CheckedMachine> checked_machine(std::string const& path,
+                                              std::optional<std::string> const& cycle_time,
+                                              Invocation const& invocation, bool color) {
+  SettingsFinder settings;
+  CheckJob job;
+  job.options.cycle_time = asked_cycle_time(cycle_time);
+  job.settings = &settings;
+  auto disk = std::make_unique<DiskFiles>(path == "-");
+  auto result = check_machine(job, path, *disk, invocation, color);
+  if (!result) return std::nullopt;
+  require_cycle_time(path, *result);
+  return CheckedMachine{
+      .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
+}
+
+ImageFile image_of(validator::Machine const& machine, std::string const& path) {
+  auto const bytes = codegen::write_image(machine, {});
+  auto contents = codegen::read_image(bytes);
+  if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
+  return {.bytes = codegen::AlignedBytes(bytes),
+          .contents = std::get<codegen::ImageContents>(std::move(contents))};
+}
+
+motion::GroupRuntime group_runtime(ImageFile const& image, validator::MachineGroup const& group,
+                                   std::string const& path) {
+  if (group.axes.size() > motion::most_axes) {
+    throw Failure({.text = Text::cli_too_many_axes,
+                   .arguments = {{"group", group.name},
+                                 {"axes", std::to_string(group.axes.size())},
+                                 {"limit", std::to_string(motion::most_axes)}}});
+  }
+  auto runtime = motion::GroupRuntime::create(image.bytes.bytes(), image.contents, group.axes);
+  if (auto const* const status = std::get_if<axisrt_status>(&runtime)) throw unusable_image(path, *status);
+  return std::get<motion::GroupRuntime>(std::move(runtime));
+}
+
+std::size_t chosen_group(validator::Machine const& machine, std::optional<std::string> const& name,
+                         std::string const& path) {
+  std::string known;
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
+    auto const& group = machine.groups[i];
+    if (group.axes.empty()) continue;
+    if (!name || group.name == *name) return i;
+    known += (known.empty() ? "" : ", ") + group.name;
+  }
+  if (!name || known.empty()) {
+    throw Failure({.text = Text::cli_no_path_axes, .arguments = {{"file", path}}});
+  }
+  throw Failure({.text = Text::cli_unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
+}
+
+validator::FilterCommand read_filter_command(validator::Machine const& machine,
+                                             validator::MachineGroup const& group, std::string const& text,
+                                             Language language) {
+  auto const checked = validator::parse_filter_command(text, command_limits(machine, group));
+  if (checked.command && checked.mistakes.empty()) return *checked.command;
+  auto const reason =
+      checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
+  throw Failure({.text = Text::cli_not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
+}
+
+std::vector<validator::FilterCommand> filters_on() {
+  using validator::FilterCommand;
+  using validator::FilterSwitch;
+  return {FilterCommand{.filter_switch = FilterSwitch::on, .parameters = {}},
+          FilterCommand{.filter_switch = FilterSwitch::on, .hsc = true, .parameters = {}}};
+}
+
+}  // namespace axisc::cli

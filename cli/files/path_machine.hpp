@@ -1,0 +1,53 @@
+// The machine whose paths `contour` and `simulate` follow: checked, compiled, and ready for the runtime.
+#pragma once
+
+#include "cli/commands/commands.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/files/image_file.hpp"
+#include "motion/group_runtime.hpp"
+#include "validator/commands/command_check.hpp"
+#include "machine/machine.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct CheckedMachine {
+  std::unique_ptr<DiskFiles> disk;  ///< from which the machine reads its NC programs again
+  validator::Machine machine;
+  std::vector<std::string> files;  ///< that were read
+};
+
+/// Checks a list or machine file; findings of severity error go to standard error, and nothing is returned. Failure for
+/// what cannot be read and where the NC cycle time is not known.
+[[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& path,
+                                                            std::optional<std::string> const& cycle_time,
+                                                            Invocation const& invocation, bool color);
+
+/// The image of a machine, in memory.
+[[nodiscard]] ImageFile image_of(validator::Machine const& machine, std::string const& path);
+
+/// The runtime for one of the machine's groups. Failure for more axes than a path has.
+[[nodiscard]] motion::GroupRuntime group_runtime(ImageFile const& image, validator::MachineGroup const& group,
+                                                 std::string const& path);
+
+/// The group of that name; the first one without a name. Failure where there is none.
+[[nodiscard]] std::size_t chosen_group(validator::Machine const& machine,
+                                       std::optional<std::string> const& name, std::string const& path);
+
+/// How far the keywords of the group's commands may go.
+[[nodiscard]] validator::CommandLimits command_limits(validator::Machine const& machine,
+                                                      validator::MachineGroup const& group);
+
+/// One #FILTER command of the command line. Failure for anything else.
+[[nodiscard]] validator::FilterCommand read_filter_command(validator::Machine const& machine,
+                                                           validator::MachineGroup const& group,
+                                                           std::string const& text, Language language);
+
+/// What a program's start would do for `contour`: every FIR and HSC filter that is configured works.
+[[nodiscard]] std::vector<validator::FilterCommand> filters_on();
+
+}  // namespace axisc::cli

@@ -1,0 +1,80 @@
+// One file of a cache: many entries, written once and never changed but for the times of their last use.
+//
+//   "axpack01"  content of the entries, one behind the other
+//   table       one row per entry, by key
+//   last uses   seconds since 1970, 4 bytes per row; the only part that is written again, and not covered by a checksum
+//   footer      number of rows, where the table begins, checksum of the table, "axpkend1"
+//
+// Entries have a checksum each, so a pack that was cut off, or damaged, gives no wrong entry: it gives none.
+#pragma once
+
+#include "cli/fleet/digest.hpp"
+#include "cli/files/file_descriptor.hpp"
+#include "cli/files/output_file.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+struct PackRow {
+  Digest key;
+  std::uint64_t offset = 0;
+  std::uint64_t size = 0;
+  std::uint64_t checksum = 0;
+};
+
+class CachePack {
+ public:
+  /// None for a file that cannot be read or is no whole pack.
+  [[nodiscard]] static std::optional<CachePack> open(std::string const& path);
+
+  [[nodiscard]] std::string const& path() const { return path_; }
+  [[nodiscard]] std::uint64_t file_size() const { return file_size_; }
+  [[nodiscard]] std::vector<PackRow> const& rows() const { return rows_; }
+  [[nodiscard]] std::uint32_t last_use(std::size_t row) const { return last_uses_[row]; }
+
+  /// None where the content is not what was written.
+  [[nodiscard]] std::optional<std::string> read(std::size_t row) const;
+  /// Writes down that these rows were used now. Best effort: in a cache that may only be read nothing happens.
+  void mark_used(std::vector<std::uint32_t> const& rows, std::uint32_t now);
+
+ private:
+  CachePack() = default;
+
+  std::string path_;
+  FileDescriptor file_;
+  std::uint64_t file_size_ = 0;
+  std::uint64_t uses_begin_ = 0;
+  std::vector<PackRow> rows_;
+  std::vector<std::uint32_t> last_uses_;
+};
+
+/// Writes a pack of its own into `folder`. Not for several threads at once.
+class PackWriter {
+ public:
+  /// Failure (AX9002) here and below where the folder cannot be written.
+  explicit PackWriter(std::string const& folder);
+
+  void add(Digest const& key, std::string_view content, std::uint32_t last_use);
+  [[nodiscard]] std::uint64_t size() const { return offset_; }
+  void commit();
+
+ private:
+  struct Entry {
+    PackRow row;
+    std::uint32_t last_use = 0;
+  };
+
+  OutputFile file_;
+  std::uint64_t offset_ = 0;
+  std::string buffer_;
+  std::vector<Entry> entries_;
+};
+
+inline constexpr std::string_view pack_extension = ".axpack";
+
+}  // namespace axisc::cli

@@ -1,0 +1,107 @@
+#include "cli/fleet/cache_store.hpp"
+
+#include <algorithm>
+#include <fcntl.h>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t small_pack = std::uint64_t{8} << 20U;
+
+struct Entry {
+  std::size_t pack = 0;
+  std::size_t row = 0;
+  std::uint32_t last_use = 0;
+  std::uint64_t size = 0;
+};
+
+/// Everything in the packs once, what was used last in front. A time that is still to come is no time.
+std::vector<Entry> entries_of(std::vector<CachePack> const& packs) {
+  auto const now = seconds_now();
+  std::set<Digest> known;
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < packs.size(); ++i) {
+    for (std::size_t row = 0; row < packs[i].rows().size(); ++row) {
+      if (!known.insert(packs[i].rows()[row].key).second) continue;
+      auto const used = packs[i].last_use(row);
+      entries.push_back({.pack = i,
+                         .row = row,
+                         .last_use = used <= now ? used : 0,
+                         .size = packs[i].rows()[row].size + sizeof(PackRow) + sizeof(std::uint32_t)});
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](Entry const& left, Entry const& right) { return left.last_use > right.last_use; });
+  return entries;
+}
+
+/// The rows to keep, by pack.
+std::vector<std::vector<std::size_t>> choose(std::vector<CachePack> const& packs, std::uint64_t limit) {
+  std::vector<std::vector<std::size_t>> kept(packs.size());
+  std::uint64_t size = 0;
+  for (auto const& entry : entries_of(packs)) {
+    size += entry.size;
+    if (size > limit) break;
+    kept[entry.pack].push_back(entry.row);
+  }
+  return kept;
+}
+
+/// Packs of which something goes, and small ones, are written anew, in one.
+void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
+             std::vector<std::vector<std::size_t>> const& kept) {
+  std::vector<std::size_t> replaced;
+  std::unique_ptr<PackWriter> writer;
+  for (std::size_t i = 0; i < packs.size(); ++i) {
+    bool const is_whole = kept[i].size() == packs[i].rows().size();
+    if (is_whole && packs[i].file_size() > small_pack) continue;
+    replaced.push_back(i);
+    for (auto const row : kept[i]) {
+      auto const content = packs[i].read(row);
+      if (!content) continue;
+      if (!writer) writer = std::make_unique<PackWriter>(folder);
+      writer->add(packs[i].rows()[row].key, *content, packs[i].last_use(row));
+    }
+  }
+  if (writer) writer->commit();
+  for (auto const i : replaced) ::unlink(packs[i].path().c_str());
+}
+
+/// Files of processes that were killed, and packs that no one can read.
+void remove_rubbish(std::string const& folder, std::vector<CachePack> const& packs) {
+  std::set<std::string> whole;
+  for (auto const& pack : packs) whole.insert(pack.path());
+  std::error_code error;
+  auto const yesterday = fs::file_time_type::clock::now() - std::chrono::hours(24);
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    auto const path = entry->path();
+    bool const is_left = path.filename().string().starts_with(".axisc-");
+    bool const is_damaged = path.extension() == pack_extension && !whole.contains(path.string());
+    std::error_code gone;
+    bool const is_old = entry->last_write_time(gone) < yesterday && !gone;
+    if (is_damaged || (is_left && is_old)) fs::remove(path, gone);
+  }
+}
+
+}  // namespace
+
+void tidy_cache(std::string const& folder, std::uint64_t limit) {
+  // The lock goes with the descriptor, however the process ends.
+  FileDescriptor const lock(::open((folder + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (!lock.is_open() || ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return;
+  auto const packs = open_packs(folder);
+  remove_rubbish(folder, packs);
+  std::uint64_t size = 0;
+  for (auto const& pack : packs) size += pack.file_size();
+  rewrite(folder, packs, choose(packs, size > limit ? limit / 4 * 3 : limit));
+}
+
+}  // namespace axisc::cli

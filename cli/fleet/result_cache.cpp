@@ -1,0 +1,78 @@
+#include "cli/fleet/result_cache.hpp"
+
+#include "cli/fleet/byte_stream.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/quantities.hpp"
+
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+/// 0 is no error.
+std::uint64_t as_number(std::optional<validator::FileError> error) {
+  return error ? static_cast<std::uint64_t>(*error) + 1 : 0;
+}
+
+}  // namespace
+
+Digest CachedInput::key(Digest const& content) const {
+  Hasher hasher;
+  hasher.digest(run_);
+  hasher.text(path_);
+  hasher.digest(content);
+  return hasher.finish();
+}
+
+std::optional<std::string> CachedInput::find() {
+  auto const own = files_.state_of(path_);
+  if (!own || own->error) return std::nullopt;
+  auto const entry = cache_.store_.find(key(own->digest));
+  if (!entry) return std::nullopt;
+  ByteReader bytes(*entry);
+  for (auto left = bytes.count(); left > 0; --left) {
+    std::string const path(bytes.text());
+    auto const error = bytes.number();
+    auto const digest = bytes.digest();
+    auto const now = bytes.ok() ? files_.state_of(path) : std::nullopt;
+    if (!now || as_number(now->error) != error || now->digest != digest) return std::nullopt;
+  }
+  auto const result = bytes.text();
+  return bytes.ok() && bytes.at_end() ? std::optional(std::string(result)) : std::nullopt;
+}
+
+void CachedInput::keep(std::string_view result) {
+  auto const& dependencies = files_.dependencies();
+  auto const own = dependencies.find(path_);
+  if (!files_.is_complete() || own == dependencies.end() || own->second.error) return;
+  ByteWriter bytes;
+  bytes.number(dependencies.size() - 1);
+  for (auto const& [path, state] : dependencies) {
+    if (path == path_) continue;
+    bytes.text(path);
+    bytes.number(as_number(state.error));
+    bytes.digest(state.digest);
+  }
+  bytes.text(result);
+  cache_.store_.add(key(own->second.digest), std::move(bytes).take());
+}
+
+std::uint64_t parse_size(std::string_view option, std::string const& text) {
+  std::string_view digits = text;
+  unsigned shift = 0;
+  for (auto const& [letter, bits] : {std::pair('K', 10U), {'M', 20U}, {'G', 30U}, {'T', 40U}}) {
+    if (!digits.ends_with(letter)) continue;
+    shift = bits;
+    digits.remove_suffix(1);
+    break;
+  }
+  auto const count = parse_count(digits);
+  if (!count || *count == 0 || *count > (std::uint64_t{1} << (62U - shift))) {
+    throw Failure(
+        {.text = Text::cli_bad_size, .arguments = {{"option", std::string(option)}, {"value", text}}});
+  }
+  return *count << shift;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,68 @@
+#include "cli/fleet/run_key.hpp"
+
+#include "cli/options/machine_outline.hpp"
+#include "cli/fleet/program_digest.hpp"
+#include "cli/fleet/recorded_files.hpp"
+#include "validator/loading/loading.hpp"
+
+#include <filesystem>
+
+namespace axisc::cli {
+
+namespace {
+
+void add_options(Hasher& hasher, validator::CheckOptions const& options) {
+  hasher.number(options.cycle_time ? options.cycle_time->nanoseconds : 0);
+  hasher.number(options.axis_type ? static_cast<std::uint64_t>(*options.axis_type) + 1 : 0);
+  hasher.text(options.build ? to_text(*options.build) : "");
+  hasher.number(options.pedantic ? 1 : 0);
+  hasher.number(options.disabled.size());
+  for (auto const code : options.disabled) hasher.number(static_cast<std::uint64_t>(code));
+}
+
+void add_form(Hasher& hasher, ReportForm const& form) {
+  hasher.number(static_cast<std::uint64_t>(form.format));
+  hasher.number(static_cast<std::uint64_t>(form.write.language));
+  hasher.number(form.write.color ? 1 : 0);
+  if (!needs_context(form.format)) return;
+  hasher.text(form.context.paths.root);
+  hasher.text(form.context.paths.folder);
+}
+
+}  // namespace
+
+Digest run_digest(CheckJob const& job, ReportForm const& form) {
+  Hasher hasher;
+  hasher.digest(program_digest());
+  add_options(hasher, job.options);
+  hasher.number(job.quiet ? 1 : 0);
+  add_form(hasher, form);
+  return hasher.finish();
+}
+
+Digest input_digest(Digest const& run, CheckJob const& job, std::string const& path) {
+  Hasher hasher;
+  hasher.digest(run);
+  hasher.digest(job.settings->digest(path));
+  return hasher.finish();
+}
+
+void add_files(Hasher& hasher, CheckJob const& job, std::string const& path) {
+  hasher.text(path);
+  hasher.digest(job.settings->digest(path));
+  RecordedFiles files(nullptr);
+  if (has_extension(path, ".json")) {
+    SourceSet sources;
+    static_cast<void>(validator::load(files, path, options_for(job, path), sources));
+  } else if (auto const state = files.state_of(path)) {
+    hasher.digest(state->digest);
+    hasher.number(state->error ? 1 : 0);
+  }
+  for (auto const& [name, state] : files.dependencies()) {
+    hasher.text(name);
+    hasher.digest(state.digest);
+    hasher.number(state.error ? 1 : 0);
+  }
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,176 @@
+#include "cli/formats/contour_formats.hpp"
+
+#include "cli/report/csv.hpp"
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+#include "motion/point.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+using motion::ContourFigures;
+using motion::units_per_um;
+using nlohmann::ordered_json;
+
+std::string say(Language language, Text text, std::vector<Argument> arguments = {}) {
+  return render({.text = text, .arguments = std::move(arguments)}, language);
+}
+
+std::string micrometres(double units) {
+  return fmt::format("{:.3f}", units / units_per_um);
+}
+
+std::string order_text(ContourCase const& row, Language language) {
+  return row.order ? std::to_string(*row.order) : say(language, Text::contour_lists);
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+void add_rows(Rows& rows, ShownContour const& shown, GroupContour const& group, ContourCase const& row,
+              Language language) {
+  auto const add = [&](std::string what, ContourFigures const& figures) {
+    std::vector<std::string> cells = {format_exact(row.feed_mm_per_min), order_text(row, language),
+                                      std::move(what)};
+    for (std::size_t i = 0; i < group.axes.size(); ++i) cells.push_back(micrometres(figures.axis_error[i]));
+    cells.push_back(micrometres(figures.deviation));
+    rows.push_back(std::move(cells));
+  };
+  add(say(language, Text::contour_corner, {{"angle", format_exact(shown.angle_deg)}}), row.corner);
+  add(say(language, Text::contour_circle, {{"radius", format_exact(shown.radius_mm)}}), row.circle);
+  add(say(language, Text::contour_line), row.line);
+  std::vector<std::string> cells = {format_exact(row.feed_mm_per_min), order_text(row, language),
+                                    say(language, Text::contour_parallel)};
+  cells.resize(3 + group.axes.size());
+  cells.push_back(micrometres(row.parallel));
+  rows.push_back(std::move(cells));
+}
+
+std::string limits_text(GroupContour const& group, Language language) {
+  auto const& limits = *group.limits;
+  auto const feed = [&](std::optional<double> const& value) {
+    return value ? fmt::format("{:.1f}", *value) : say(language, Text::contour_any_feed);
+  };
+  std::string text = say(language, Text::contour_allowed_feed,
+                         {{"tolerance", format_exact(limits.tolerance_mm)},
+                          {"feed", feed(limits.corner_feed)},
+                          {"circle", feed(limits.circle_feed)}}) +
+                     "\n";
+  if (!limits.has_order) return text;
+  std::string const at = format_exact(group.cases.front().feed_mm_per_min);
+  text += limits.order ? say(language, Text::contour_allowed_order,
+                             {{"feed", at}, {"order", std::to_string(*limits.order)}})
+                       : say(language, Text::contour_no_order, {{"feed", at}});
+  return text + "\n";
+}
+
+ordered_json errors_json(GroupContour const& group, ContourFigures const& figures) {
+  ordered_json json = ordered_json::object();
+  for (std::size_t i = 0; i < group.axes.size(); ++i) {
+    json[group.axes[i]] = figures.axis_error[i] / units_per_um;
+  }
+  return json;
+}
+
+void put_figures(ordered_json& json, GroupContour const& group, ContourFigures const& figures) {
+  json["axis_error_um"] = errors_json(group, figures);
+  json["max_axis_error_um"] = figures.largest_axis_error() / units_per_um;
+  json["contour_deviation_um"] = figures.deviation / units_per_um;
+}
+
+/// The corner's figures stand directly in the case, the others under their names.
+void put_case(ordered_json& json, ShownContour const& shown, GroupContour const& group,
+              ContourCase const& row) {
+  json["feed_mm_per_min"] = row.feed_mm_per_min;
+  json["order"] = row.order ? ordered_json(*row.order) : ordered_json(nullptr);
+  json["angle_deg"] = shown.angle_deg;
+  put_figures(json, group, row.corner);
+  json["circle"]["radius_mm"] = shown.radius_mm;
+  put_figures(json["circle"], group, row.circle);
+  put_figures(json["line"], group, row.line);
+  json["parallel"]["contour_deviation_um"] = row.parallel / units_per_um;
+}
+
+ordered_json limits_json(ContourLimits const& limits) {
+  auto const optional = [](auto const& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
+  ordered_json json{{"tolerance_mm", limits.tolerance_mm},
+                    {"allowed_feed_mm_per_min", optional(limits.corner_feed)},
+                    {"circle_allowed_feed_mm_per_min", optional(limits.circle_feed)}};
+  if (limits.has_order) json["allowed_order"] = optional(limits.order);
+  return json;
+}
+
+}  // namespace
+
+std::string contour_text(ShownContour const& shown, Language language) {
+  std::string text;
+  for (auto const& group : shown.groups) {
+    if (!text.empty()) text += "\n";
+    std::string names;
+    for (auto const& axis : group.axes) names += (names.empty() ? "" : ", ") + axis;
+    text += say(language, Text::contour_group,
+                {{"group", group.name.empty() ? say(language, Text::path_group_unnamed) : group.name},
+                 {"axes", names},
+                 {"cycle_time", format_exact(shown.cycle_time_us)}}) +
+            "\n";
+    Rows rows = {{say(language, Text::contour_feed), say(language, Text::contour_order),
+                  say(language, Text::contour_what)}};
+    for (auto const& axis : group.axes) {
+      rows[0].push_back(say(language, Text::contour_axis, {{"axis", axis}}));
+    }
+    rows[0].push_back(say(language, Text::contour_deviation));
+    for (auto const& row : group.cases) add_rows(rows, shown, group, row, language);
+    text += text_table(rows, 2);
+    if (!group.synchronous) text += say(language, Text::contour_bends) + "\n";
+    if (group.limits) text += limits_text(group, language);
+  }
+  return text;
+}
+
+std::string contour_csv(ShownContour const& shown) {
+  std::string text = "group,feed_mm_per_min,order,contour,axis,axis_error_um,contour_deviation_um\n";
+  for (auto const& group : shown.groups) {
+    for (auto const& row : group.cases) {
+      auto const add = [&](std::string_view contour, ContourFigures const& figures) {
+        for (std::size_t i = 0; i < group.axes.size(); ++i) {
+          append_csv_name(text, group.name);
+          text += fmt::format(",{},{},{},", row.feed_mm_per_min, row.order ? std::to_string(*row.order) : "",
+                              contour);
+          append_csv_name(text, group.axes[i]);
+          text +=
+              fmt::format(",{},{}\n", figures.axis_error[i] / units_per_um, figures.deviation / units_per_um);
+        }
+      };
+      add("corner", row.corner);
+      add("circle", row.circle);
+      add("line", row.line);
+      add("parallel", {.axis_error = {}, .deviation = row.parallel});
+    }
+  }
+  return text;
+}
+
+std::string contour_json(ShownContour const& shown) {
+  ordered_json json{
+      {"version", 1}, {"cycle_time_us", shown.cycle_time_us}, {"groups", ordered_json::array()}};
+  for (auto const& group : shown.groups) {
+    ordered_json entry{{"group", group.name}, {"axes", group.axes}, {"synchronous", group.synchronous}};
+    put_case(entry, shown, group, group.cases.front());
+    if (group.limits) entry.update(limits_json(*group.limits));
+    entry["table"] = ordered_json::array();
+    for (auto const& row : group.cases) {
+      ordered_json line = ordered_json::object();
+      put_case(line, shown, group, row);
+      entry["table"].push_back(std::move(line));
+    }
+    json["groups"].push_back(std::move(entry));
+  }
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace axisc::cli

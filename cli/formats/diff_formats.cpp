@@ -1,0 +1,192 @@
+#include "cli/formats/diff_formats.hpp"
+
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr int figures = 4;
+
+/// One line: what, before, after, and where.
+struct Line {
+  std::string what, before, after, where;
+};
+
+class Lines {
+ public:
+  Lines(ShownDifference const& shown, Language language) : shown_(shown), language_(language) {}
+
+  [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const {
+    return render({.text = text, .arguments = std::move(arguments)}, language_);
+  }
+
+  /// What concerns the machine as a whole.
+  [[nodiscard]] std::vector<Line> machine() const {
+    auto const& difference = shown_.difference;
+    std::vector<Line> lines;
+    if (difference.cycle_time_before != difference.cycle_time_after) {
+      lines.push_back({say(Text::inspect_cycle_time),
+                       cycle_time(difference.cycle_time_before),
+                       cycle_time(difference.cycle_time_after),
+                       {}});
+    }
+    for (auto const& axis : difference.axes_removed) {
+      lines.push_back({say(Text::diff_axis, {{"axis", axis}}), say(Text::diff_present), "-", {}});
+    }
+    for (auto const& axis : difference.axes_added) {
+      lines.push_back({say(Text::diff_axis, {{"axis", axis}}), "-", say(Text::diff_present), {}});
+    }
+    return lines;
+  }
+
+  [[nodiscard]] std::vector<Line> parameters(codegen::AxisChange const& axis) const {
+    std::vector<Line> lines;
+    for (auto const& change : axis.parameters) {
+      lines.push_back({change.name, value(change.before, change.default_text),
+                       value(change.after, change.default_text),
+                       change.place_after.empty() ? change.place_before : change.place_after});
+    }
+    return lines;
+  }
+
+  [[nodiscard]] std::vector<Line> effects(codegen::AxisChange const& axis) const {
+    if (!axis.filtering_changed) return {};
+    auto const& difference = shown_.difference;
+    std::vector<Line> lines;
+    lines.push_back({say(Text::diff_delay),
+                     time(axis.before.delay_cycles, difference.cycle_time_before),
+                     time(axis.after.delay_cycles, difference.cycle_time_after),
+                     {}});
+    lines.push_back({say(Text::diff_settling),
+                     settling(axis.before, difference.cycle_time_before),
+                     settling(axis.after, difference.cycle_time_after),
+                     {}});
+    lines.push_back({say(Text::diff_overshoot),
+                     format_rounded(axis.before.overshoot * 100, figures) + " %",
+                     format_rounded(axis.after.overshoot * 100, figures) + " %",
+                     {}});
+    for (auto const& gain : axis.gains) {
+      lines.push_back({say(Text::diff_gain, {{"frequency", format_rounded(gain.frequency.value, figures)}}),
+                       decibel(gain.before),
+                       decibel(gain.after),
+                       {}});
+    }
+    lines.push_back({say(Text::diff_corner, {{"feed", format_exact(shown_.feed_mm_per_min)}}),
+                     corner(axis.before, difference.cycle_time_before),
+                     corner(axis.after, difference.cycle_time_after),
+                     {}});
+    return lines;
+  }
+
+ private:
+  static std::string cycle_time(design::CycleTime time) { return format_exact(time.microseconds()) + " µs"; }
+
+  [[nodiscard]] std::string value(std::optional<std::string> const& text,
+                                  std::optional<std::string> const& otherwise) const {
+    if (text) return *text;
+    if (!otherwise) return "-";
+    return say(Text::diff_default, {{"value", otherwise->empty() ? "\"\"" : *otherwise}});
+  }
+  static std::string time(double cycles, design::CycleTime cycle_time) {
+    return format_rounded(cycles * cycle_time.seconds() * 1e3, figures) + " ms";
+  }
+  [[nodiscard]] std::string settling(codegen::ChainFigures const& figures_of_chain,
+                                     design::CycleTime cycle_time) const {
+    if (!figures_of_chain.settling_cycles) {
+      return say(Text::diff_longer,
+                 {{"time", time(static_cast<double>(codegen::longest_settling), cycle_time)}});
+    }
+    return time(static_cast<double>(*figures_of_chain.settling_cycles), cycle_time);
+  }
+  static std::string decibel(double magnitude) {
+    constexpr double nothing = 1e-10;
+    if (magnitude < nothing) return "< -200 dB";
+    return format_rounded(std::round(2000 * std::log10(magnitude)) / 100, figures + 1) + " dB";
+  }
+  [[nodiscard]] std::string corner(codegen::ChainFigures const& figures_of_chain,
+                                   design::CycleTime cycle_time) const {
+    auto const deviation = corner_deviation_um(figures_of_chain, shown_.feed_mm_per_min, cycle_time);
+    return deviation ? format_rounded(*deviation, figures) + " µm" : "-";
+  }
+
+  ShownDifference const& shown_;
+  Language language_;
+};
+
+std::string text_block(std::vector<Line> const& lines) {
+  std::vector<std::vector<std::string>> rows;
+  for (auto const& line : lines) {
+    rows.push_back({line.what, line.before, "→", line.after});
+    if (!line.where.empty()) rows.back().push_back(line.where);
+  }
+  return text_table(rows, 2);
+}
+
+/// A cell of a Markdown table.
+std::string cell(std::string const& text) {
+  std::string escaped;
+  for (char const character : text) {
+    if (character == '|' || character == '\\' || character == '`' || character == '*' || character == '<') {
+      escaped += '\\';
+    }
+    escaped += character;
+  }
+  return escaped;
+}
+
+std::string markdown_table(Lines const& words, std::vector<Line> const& lines, Text first_column) {
+  if (lines.empty()) return {};
+  std::string text = "\n| " + words.say(first_column) + " | " + words.say(Text::diff_before) + " | " +
+                     words.say(Text::diff_after) + " |\n|---|---|---|\n";
+  for (auto const& line : lines) {
+    auto const where = line.where.empty() ? std::string() : " (" + line.where + ")";
+    text += "| " + cell(line.what + where) + " | " + cell(line.before) + " | " + cell(line.after) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<double> corner_deviation_um(codegen::ChainFigures const& figures_of_chain, double feed,
+                                          design::CycleTime cycle_time) {
+  if (!figures_of_chain.corner_deviation) return std::nullopt;
+  constexpr double um_per_mm = 1000;
+  constexpr double seconds_per_minute = 60;
+  return *figures_of_chain.corner_deviation * feed * um_per_mm / seconds_per_minute * cycle_time.seconds();
+}
+
+std::string diff_text(ShownDifference const& shown, Language language) {
+  Lines const words(shown, language);
+  if (shown.difference.empty()) {
+    return words.say(Text::diff_nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
+  }
+  std::string text = shown.before + " → " + shown.after + "\n" + text_block(words.machine());
+  for (auto const& axis : shown.difference.axes) {
+    text +=
+        "\n" + words.say(Text::diff_axis, {{"axis", axis.name}}) + "\n" + text_block(words.parameters(axis));
+    if (axis.filtering_changed) text += "\n" + text_block(words.effects(axis));
+  }
+  return text;
+}
+
+std::string diff_markdown(ShownDifference const& shown, Language language) {
+  Lines const words(shown, language);
+  if (shown.difference.empty()) {
+    return words.say(Text::diff_nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
+  }
+  std::string text = "**" + cell(shown.before) + " → " + cell(shown.after) + "**\n";
+  text += markdown_table(words, words.machine(), Text::diff_what);
+  for (auto const& axis : shown.difference.axes) {
+    text += "\n### " + words.say(Text::diff_axis, {{"axis", cell(axis.name)}}) + "\n";
+    text += markdown_table(words, words.parameters(axis), Text::diff_parameter);
+    text += markdown_table(words, words.effects(axis), Text::diff_effect);
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

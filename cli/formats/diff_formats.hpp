@@ -1,0 +1,26 @@
+// The forms in which `axisc diff` shows what changed.
+#pragma once
+
+#include "image/image_difference.hpp"
+#include "diagnostics/text.hpp"
+
+#include <string>
+
+namespace axisc::cli {
+
+struct ShownDifference {
+  std::string before, after;  ///< the inputs' names
+  codegen::ImageDifference const& difference;
+  double feed_mm_per_min = 1000;  ///< of the corner
+};
+
+[[nodiscard]] std::string diff_text(ShownDifference const& shown, Language language);
+/// For the description of a review.
+[[nodiscard]] std::string diff_markdown(ShownDifference const& shown, Language language);
+[[nodiscard]] std::string diff_json(ShownDifference const& shown);
+
+/// Corner deviation in µm for a path of `feed` mm/min.
+[[nodiscard]] std::optional<double> corner_deviation_um(codegen::ChainFigures const& figures, double feed,
+                                                        design::CycleTime cycle_time);
+
+}  // namespace axisc::cli

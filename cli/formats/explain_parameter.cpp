@@ -1,0 +1,110 @@
+#include "cli/formats/explain_formats.hpp"
+#include "cli/formats/parameter_facts.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+std::string say(Text text, Language language, std::vector<Argument> arguments = {}) {
+  return render({.text = text, .arguments = std::move(arguments)}, language);
+}
+
+/// "0 ≤", "< P-AXIS-00008": empty where there is no limit.
+std::string limit_text(schema::Limit const& limit) {
+  switch (limit.kind) {
+    case schema::Limit::Kind::none:
+      return {};
+    case schema::Limit::Kind::number:
+      return format_exact(limit.number);
+    case schema::Limit::Kind::parameter:
+      return schema::p_axis_text(limit.p_axis);
+  }
+  return {};
+}
+
+std::string range_text(schema::Parameter const& parameter, Language language) {
+  auto const minimum = limit_text(parameter.minimum);
+  auto const maximum = limit_text(parameter.maximum);
+  if (minimum.empty() && maximum.empty()) return {};
+  std::string text = say(Text::explain_value, language);
+  if (!minimum.empty()) text = minimum + (parameter.minimum.open ? " < " : " ≤ ") + text;
+  if (!maximum.empty()) text += (parameter.maximum.open ? " < " : " ≤ ") + maximum;
+  return text;
+}
+
+std::string symbols_text(schema::Parameter const& parameter) {
+  std::string text;
+  for (auto const& symbol : parameter.symbols) {
+    text += (text.empty() ? "`" : ", `") + std::string(symbol.word) + "`";
+    if (symbol.number) text += " (" + std::to_string(*symbol.number) + ")";
+  }
+  return text;
+}
+
+std::string unit_text(schema::Parameter const& parameter, Language language) {
+  std::string linear(parameter.unit_translatory);
+  std::string rotary(parameter.unit_rotary);
+  if (linear == rotary || rotary.empty()) return linear;
+  return say(Text::explain_units, language,
+             {{"translatory", std::move(linear)}, {"rotary", std::move(rotary)}});
+}
+
+/// `filter[2].order` of the last entry, so that the number of entries is seen at once.
+std::string entries_text(schema::Parameter const& parameter, Language language) {
+  if (parameter.index_count() == 0) return {};
+  auto const last =
+      static_cast<schema::Slot>(static_cast<unsigned>(parameter.first_slot) + parameter.slots - 1U);
+  return say(Text::explain_entries, language,
+             {{"first", schema::slot_name(parameter, parameter.first_slot)},
+              {"last", schema::slot_name(parameter, last)}});
+}
+
+std::string joined(std::vector<std::string> const& words) {
+  std::string text;
+  for (auto const& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string axis_types_text(std::string_view letters) {
+  std::vector<std::string> words;
+  for (char const letter : letters) words.emplace_back(1, letter);
+  return joined(words);
+}
+
+std::string example(schema::Parameter const& parameter) {
+  if (parameter.default_text.empty()) return {};
+  return "    " + schema::slot_name(parameter, parameter.first_slot) + "  " + default_text(parameter) + "\n";
+}
+
+}  // namespace
+
+std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parameter const& parameter,
+                              Language language) {
+  std::string text = "# " + std::string(parameter.name);
+  if (parameter.p_axis != 0) text += " (" + schema::p_axis_text(parameter.p_axis) + ")";
+  text += "\n\n";
+  auto const row = [&](Text label, std::string const& value) {
+    if (!value.empty()) text += "- " + say(label, language) + ": " + value + "\n";
+  };
+  row(Text::explain_type, std::string(schema::data_type_name(parameter.type)));
+  row(Text::explain_range, parameter.is_enumeration() ? "" : range_text(parameter, language));
+  row(Text::explain_symbols, symbols_text(parameter));
+  row(Text::explain_default, parameter.has_default ? default_text(parameter) : "");
+  row(Text::explain_unit, unit_text(parameter, language));
+  row(Text::explain_array, entries_text(parameter, language));
+  row(Text::explain_longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
+  row(Text::explain_axis_types, axis_types_text(parameter.axis_types));
+  row(Text::explain_since, std::string(parameter.since));
+  row(Text::explain_file, std::string(catalogue.file_of(parameter)));
+  row(Text::explain_manual, manual_section(parameter, language));
+  row(Text::explain_rules, joined(rules_about(parameter)));
+  if (auto const line = example(parameter); !line.empty()) {
+    text += "\n" + say(Text::explain_example, language) + "\n\n" + line;
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,29 @@
+// The forms in which `axisc inspect` shows an image.
+#pragma once
+
+#include "image/image_contents.hpp"
+#include "image/signature.hpp"
+#include "diagnostics/text.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct Shown {
+  std::string const& file;
+  codegen::ImageContents const& image;
+  std::vector<std::size_t> axes;                        ///< which of them
+  std::optional<codegen::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
+  bool signature_checked = false;                       ///< and the signature was found right
+  std::optional<std::size_t> memory;  ///< bytes that the runtime needs on a target, where asked for
+};
+
+[[nodiscard]] std::string inspect_text(Shown const& shown, Language language);
+[[nodiscard]] std::string inspect_json(Shown const& shown);
+/// The axes' lists, one behind the other; a comment behind each value says where it came from.
+[[nodiscard]] std::string inspect_as_list(Shown const& shown, Language language);
+
+}  // namespace axisc::cli

@@ -1,0 +1,161 @@
+#include "cli/options/filter_symbols.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/formats/inspect_formats.hpp"
+#include "cli/formats/inspect_parts_json.hpp"
+#include "cli/files/key_file.hpp"
+#include "design/filter_design.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace axisc::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json pole_json(std::complex<double> pole, design::CycleTime cycle_time) {
+  return {{"real", pole.real()},
+          {"imaginary", pole.imag()},
+          {"radius", std::abs(pole)},
+          {"frequency_hz", std::abs(std::arg(pole)) / (2 * std::numbers::pi * cycle_time.seconds())}};
+}
+
+}  // namespace
+
+ordered_json section_json(design::IncrementSection const& section, bool blocks_constant,
+                          design::CycleTime cycle_time) {
+  auto const direct = design::direct_form(section, blocks_constant);
+  auto const [first, second] = design::poles(section);
+  return {{"b0", direct.b0}, {"b1", direct.b1},
+          {"b2", direct.b2}, {"a1", direct.a1},
+          {"a2", direct.a2}, {"p", section.p},
+          {"q", section.q},  {"k", section.k},
+          {"b", section.b},  {"poles", {pole_json(first, cycle_time), pole_json(second, cycle_time)}}};
+}
+
+namespace {
+
+char const* realisation_word(design::Realisation realisation) {
+  switch (realisation) {
+    case design::Realisation::pass_through:
+      return "pass-through";
+    case design::Realisation::sections:
+      return "sections";
+    case design::Realisation::delay:
+      return "delay";
+  }
+  return "";
+}
+
+ordered_json value_json(codegen::ImageValue const& value) {
+  return {{"name", value.name}, {"value", value.value}, {"file", value.list}, {"line", value.line}};
+}
+
+ordered_json filter_json(codegen::ImageAxis const& axis, codegen::ImageFilter const& filter, bool interface,
+                         design::CycleTime cycle_time) {
+  auto const& wanted = filter.specification;
+  auto const& made = filter.design;
+  ordered_json json{
+      {"path", filter_path(filter, interface)}, {"index", filter.index}, {"type", type_word(wanted.type)}};
+  if (design::uses_prototype(wanted.type)) json["prototype"] = prototype_word(wanted.prototype);
+  if (!design::computes_order(wanted.type)) json["order"] = wanted.order;
+  if (design::uses_frequency(wanted.type)) json["frequency_hz"] = wanted.frequency.value;
+  if (design::uses_quality(wanted.type)) json["quality"] = wanted.quality;
+  if (design::uses_time_constant(wanted.type)) json["time_constant_us"] = wanted.time_constant.value;
+  json["share_percent"] = wanted.share_percent;
+  json["realisation"] = realisation_word(made.realisation);
+  if (made.realisation == design::Realisation::delay) json["pure_delay_cycles"] = made.delay_cycles;
+  json["group_delay_cycles"] = made.group_delay_cycles;
+  json["group_delay_ms"] = made.group_delay_cycles * cycle_time.seconds() * 1e3;
+  json["dc_gain"] = made.dc_gain;
+  json["overshoot_percent"] = filter.overshoot * 100;
+  json["peak_gain"] = filter.peak_gain;
+  json["pole_radius"] = made.pole_radius;
+  json["kernel_sum"] = filter.kernel_sum;
+  json["self_test_samples"] = filter.self_test_input.size();
+  json["sections"] = ordered_json::array();
+  for (auto const& section : made.sections) {
+    json["sections"].push_back(section_json(section, made.blocks_constant, cycle_time));
+  }
+  json["settings"] = ordered_json::array();
+  for (auto const& value : settings_of(axis, filter, interface)) {
+    json["settings"].push_back(value_json(value));
+  }
+  return json;
+}
+
+char const* axis_type_word(std::uint32_t type) {
+  switch (type) {
+    case 1:
+      return "T";
+    case 2:
+      return "R";
+    case 4:
+      return "S";
+    default:
+      return "?";
+  }
+}
+
+ordered_json axis_json(codegen::ImageContents const& image, std::size_t index) {
+  auto const& axis = image.axes[index];
+  ordered_json json{{"name", axis_label(image, index)},
+                    {"number", axis.number},
+                    {"type", axis_type_word(axis.type)},
+                    {"position_unit", axis.type == 1 ? "0.1 um" : "1e-4 deg"},
+                    {"position_window", axis.position_window},
+                    {"velocity_limit", axis.velocity_limit},
+                    {"acceleration_limit", axis.acceleration_limit},
+                    {"delay_cycles", axis.delay_cycles},
+                    {"delay_ms", axis.delay_cycles * image.cycle_time.seconds() * 1e3},
+                    {"peak_gain", axis.peak_gain}};
+  json["filters"] = ordered_json::array();
+  for (auto const& filter : axis.filters) {
+    json["filters"].push_back(filter_json(axis, filter, false, image.cycle_time));
+  }
+  json["interface_filters"] = ordered_json::array();
+  for (auto const& filter : axis.interface_filters) {
+    json["interface_filters"].push_back(filter_json(axis, filter, true, image.cycle_time));
+  }
+  if (axis.slot) json["linear_phase_filter"] = slot_json(*axis.slot);
+  if (axis.control) json["position_control"] = control_json(image, *axis.control);
+  json["values"] = ordered_json::array();
+  for (auto const& value : axis.values) json["values"].push_back(value_json(value));
+  return json;
+}
+
+}  // namespace
+
+std::string inspect_json(Shown const& shown) {
+  auto const& image = shown.image;
+  ordered_json json{{"version", 1},
+                    {"file", shown.file},
+                    {"format", {{"major", image.format_major}, {"minor", image.format_minor}}},
+                    {"size", image.size},
+                    {"compiler_version", image.compiler_version},
+                    {"image_version", image.image_version},
+                    {"cycle_time_us", image.cycle_time.microseconds()},
+                    {"source_digest", hexadecimal(image.source_digest)}};
+  json["signature"] = nullptr;
+  if (shown.signer) {
+    json["signature"] = {
+        {"algorithm", "Ed25519"}, {"key", key_name(*shown.signer)}, {"checked", shown.signature_checked}};
+  }
+  if (shown.memory) {
+    json["memory"] = {{"bytes", *shown.memory}, {"alignment", AXISRT_ALIGNMENT}};
+  }
+  json["lists"] = ordered_json::array();
+  for (auto const& list : image.lists) {
+    json["lists"].push_back({{"name", list.name}, {"sha256", hexadecimal(list.sha256)}});
+  }
+  json["axes"] = ordered_json::array();
+  for (auto const index : shown.axes) json["axes"].push_back(axis_json(image, index));
+  json["kernels"] = ordered_json::array();
+  for (auto const& kernel : image.kernels) json["kernels"].push_back(kernel_json(kernel, image.cycle_time));
+  json["channels"] = ordered_json::array();
+  for (auto const& group : image.groups) json["channels"].push_back(group_json(image, group));
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace axisc::cli

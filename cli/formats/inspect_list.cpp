@@ -1,0 +1,48 @@
+#include "cli/files/image_file.hpp"
+#include "cli/formats/inspect_formats.hpp"
+#include "cli/report/text_table.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t widest_column = 60;
+
+void pad(std::string& line, std::size_t column) {
+  auto const now = display_width(line);
+  line.append(now < column ? column - now : 1, ' ');
+}
+
+}  // namespace
+
+std::string inspect_as_list(Shown const& shown, Language language) {
+  std::string text;
+  for (auto const index : shown.axes) {
+    auto const& axis = shown.image.axes[index];
+    std::size_t names = 0;
+    std::size_t values = 0;
+    for (auto const& value : axis.values) {
+      names = std::max(names, std::min(display_width(value.name), widest_column));
+      values = std::max(values, std::min(display_width(value.value), widest_column));
+    }
+    if (!text.empty()) text += "\n";
+    text += "# " +
+            render({.text = Text::inspect_list_heading,
+                    .arguments = {{"axis", axis_label(shown.image, index)}, {"file", shown.file}}},
+                   language) +
+            "\n";
+    for (auto const& value : axis.values) {
+      std::string line = value.name;
+      pad(line, names + 2);
+      line += value.value;
+      pad(line, names + 2 + values + 2);
+      text += line + "(" + value.list + ":" + std::to_string(value.line) + ")\n";
+    }
+    text += "Ende\n";
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,58 @@
+#include "cli/formats/inspect_writer.hpp"
+
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t label_width = 20;
+constexpr int figures = 5;
+
+}  // namespace
+
+std::string InspectWriter::say(Text text, std::vector<Argument> arguments) const {
+  return render({.text = text, .arguments = std::move(arguments)}, language_);
+}
+
+std::string InspectWriter::row(Text label, std::string const& value) const {
+  return "  " + padded(say(label), label_width) + value + "\n";
+}
+
+std::string InspectWriter::rounded(double value) {
+  return format_rounded(value, figures);
+}
+
+std::string InspectWriter::milliseconds(double cycles) const {
+  return rounded(cycles * image_.cycle_time.seconds() * 1e3);
+}
+
+std::string InspectWriter::delay(double cycles) const {
+  return say(Text::inspect_delay_value, {{"cycles", rounded(cycles)}, {"ms", milliseconds(cycles)}});
+}
+
+std::string InspectWriter::section(std::size_t index, design::FilterDesign const& made) const {
+  auto const& section = made.sections[index];
+  auto const direct = design::direct_form(section, made.blocks_constant);
+  auto const [first, second] = design::poles(section);
+  auto const head = say(Text::inspect_section, {{"number", std::to_string(index + 1)}});
+  std::string const below(display_width(head), ' ');
+  return "    " + head + "  b0 " + format_exact(direct.b0) + "  b1 " + format_exact(direct.b1) + "  b2 " +
+         format_exact(direct.b2) + "  a1 " + format_exact(direct.a1) + "  a2 " + format_exact(direct.a2) +
+         "\n    " + below + "  p " + format_exact(section.p) + "  q " + format_exact(section.q) + "  k " +
+         format_exact(section.k) + "  b " + format_exact(section.b) + "\n    " + below + "  " +
+         say(Text::inspect_poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
+}
+
+std::string InspectWriter::pole(std::complex<double> pole) const {
+  double const frequency = std::abs(std::arg(pole)) / (2 * std::numbers::pi * image_.cycle_time.seconds());
+  return say(Text::inspect_pole,
+             {{"radius", format_rounded(std::abs(pole), 9)}, {"frequency", rounded(frequency)}});
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,116 @@
+#include "cli/formats/plant_formats.hpp"
+
+#include "cli/report/csv.hpp"
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+#include "motion/point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+using motion::MovePhase;
+using nlohmann::ordered_json;
+
+std::string say(Language language, Text text, std::vector<Argument> arguments = {}) {
+  return render({.text = text, .arguments = std::move(arguments)}, language);
+}
+
+std::string kv_text(double kv) {
+  return fmt::format("{:.1f}", kv);
+}
+
+}  // namespace
+
+std::string plant_text(ClosedLoopFigures const& figures, Language language) {
+  std::string text = say(language, Text::plant_axis,
+                         {{"axis", figures.axis},
+                          {"distance", format_exact(figures.distance_mm)},
+                          {"feed", fmt::format("{:.0f}", figures.feed_mm_per_min)},
+                          {"kv", format_exact(figures.kv)}}) +
+                     "\n";
+  std::vector<std::vector<std::string>> rows = {
+      {say(language, Text::plant_frequency), say(language, Text::plant_phase),
+       say(language, Text::plant_without), say(language, Text::plant_with)}};
+  for (auto const& found : figures.oscillations) {
+    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
+                    say(language, found.phase == MovePhase::travel ? Text::plant_travel : Text::plant_ramps),
+                    fmt::format("{:.3f}", found.without.amplitude),
+                    fmt::format("{:.3f}", found.with.amplitude)});
+  }
+  text += text_table(rows, 2);
+  if (figures.has_function) {
+    text += say(language, Text::plant_v_add,
+                {{"velocity", fmt::format("{:.0f}", figures.largest_additive)},
+                 {"limit", fmt::format("{:.0f}", figures.limit)}}) +
+            "\n";
+  } else {
+    text += say(language, Text::plant_no_function, {{"axis", figures.axis}}) + "\n";
+  }
+  if (figures.limit_hit) text += say(language, Text::plant_limit_hit) + "\n";
+  if (figures.diverges_without || figures.diverges_with) {
+    Text const which = figures.diverges_without ? Text::plant_which_without : Text::plant_which_with;
+    text += say(language, Text::plant_diverges, {{"which", say(language, which)}}) + "\n";
+  }
+  text +=
+      say(language, Text::plant_kv,
+          {{"without", kv_text(figures.highest_kv_without)}, {"with", kv_text(figures.highest_kv_with)}}) +
+      "\n";
+  return text;
+}
+
+std::string plant_json(ClosedLoopFigures const& figures) {
+  ordered_json json{{"version", 1},
+                    {"axis", figures.axis},
+                    {"distance_mm", figures.distance_mm},
+                    {"feed_mm_per_min", figures.feed_mm_per_min},
+                    {"kv_per_s", figures.kv},
+                    {"improved_position_control", figures.has_function},
+                    {"oscillations", ordered_json::array()}};
+  for (auto const& found : figures.oscillations) {
+    json["oscillations"].push_back({{"phase", found.phase == MovePhase::travel ? "travel" : "after_braking"},
+                                    {"frequency_hz", found.without.frequency},
+                                    {"amplitude_without_m_per_s2", found.without.amplitude},
+                                    {"frequency_with_hz", found.with.frequency},
+                                    {"amplitude_with_m_per_s2", found.with.amplitude}});
+  }
+  json["max_additive_velocity_um_per_s"] = figures.largest_additive;
+  json["additive_velocity_limit_um_per_s"] = figures.limit;
+  json["limit_hit"] = figures.limit_hit;
+  json["diverges"] = figures.diverges_with;
+  json["diverges_without"] = figures.diverges_without;
+  json["highest_kv_without_per_s"] = figures.highest_kv_without;
+  json["highest_kv_with_per_s"] = figures.highest_kv_with;
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string plant_csv(motion::LoopRecord const& without, motion::LoopRecord const& with,
+                      double cycle_seconds) {
+  std::string text =
+      "time_s,setpoint_mm,load_without_mm,load_with_mm,load_acceleration_without_m_per_s2,"
+      "load_acceleration_with_m_per_s2,additive_velocity_um_per_s\n";
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::size_t const count = std::max(without.cycles.size(), with.cycles.size());
+  for (std::size_t n = 0; n < count; ++n) {
+    bool const has_without = n < without.cycles.size();
+    bool const has_with = n < with.cycles.size();
+    auto const& a = has_without ? without.cycles[n] : with.cycles[n];
+    auto const& b = has_with ? with.cycles[n] : without.cycles[n];
+    append_csv_row(text,
+                   std::array{static_cast<double>(n) * cycle_seconds, a.setpoint / motion::units_per_mm,
+                              has_without ? a.load_position / motion::units_per_mm : nan,
+                              has_with ? b.load_position / motion::units_per_mm : nan,
+                              has_without ? a.load_acceleration : nan, has_with ? b.load_acceleration : nan,
+                              has_with ? b.additive_velocity : nan});
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

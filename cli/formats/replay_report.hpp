@@ -1,0 +1,58 @@
+// What a recording shows: who did what in which cycle, and where the replay gave something else.
+#pragma once
+
+#include "image/image_contents.hpp"
+#include "image/recording.hpp"
+#include "diagnostics/text.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+/// The same thing in consecutive cycles.
+struct ReplayEvent {
+  std::uint64_t first = 0, last = 0;
+  std::string subject;  ///< axis or channel
+  std::string what;     ///< "#FILTER ON [ORDER=20]"; empty for a status alone
+  axisrt_status status = AXISRT_OK;
+};
+
+struct ReplayDifference {
+  std::uint64_t cycle = 0;
+  std::string subject;
+  double recorded = 0, computed = 0;
+};
+
+class ReplayReport {
+ public:
+  ReplayReport(codegen::ImageContents const& image, Language language) : image_(image), language_(language) {}
+
+  void add(codegen::ReplayedEntry const& entry);
+  [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
+  [[nodiscard]] std::uint64_t differences() const { return differences_; }
+  [[nodiscard]] std::vector<ReplayEvent> const& events() const { return events_; }
+
+  /// For people.
+  [[nodiscard]] std::string text(std::uint32_t level) const;
+  [[nodiscard]] std::string json(std::uint32_t level) const;
+
+ private:
+  [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const;
+  [[nodiscard]] std::string name(codegen::ReplayedEntry const& entry, std::size_t axis) const;
+  void add_event(ReplayEvent event);
+  void add_call(codegen::ReplayedEntry const& entry);
+  void add_statuses(codegen::ReplayedEntry const& entry);
+  void compare(codegen::ReplayedEntry const& entry);
+
+  codegen::ImageContents const& image_;
+  Language language_;
+  std::uint64_t cycles_ = 0;
+  std::uint64_t differences_ = 0;
+  std::optional<ReplayDifference> first_difference_;
+  std::vector<ReplayEvent> events_;
+};
+
+}  // namespace axisc::cli

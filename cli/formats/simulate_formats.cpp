@@ -1,0 +1,200 @@
+#include "cli/formats/simulate_formats.hpp"
+
+#include "cli/report/csv.hpp"
+#include "cli/report/json_text.hpp"
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace axisc::cli {
+
+namespace {
+
+using motion::PathSummary;
+using motion::units_per_mm;
+using motion::units_per_um;
+
+constexpr std::size_t piece = std::size_t{1} << 16U;
+
+double largest_error(PathSummary const& summary) {
+  return *std::max_element(summary.axis_error.begin(), summary.axis_error.end());
+}
+
+/// The fields that blocks and passes have in common.
+std::string figures_json(PathSummary const& summary, SimulatedPath const& path) {
+  std::string text = "\"time_s\": " + json_number(summary.cycles * path.cycle_time.seconds()) +
+                     ", \"max_axis_error_um\": " + json_number(largest_error(summary) / units_per_um) +
+                     ", \"axis_error_um\": {";
+  for (std::size_t i = 0; i < path.axes.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += json_string(path.axes[i]) + ": " + json_number(summary.axis_error[i] / units_per_um);
+  }
+  return text + "}, \"max_contour_deviation_um\": " + json_number(summary.deviation / units_per_um) +
+         ", \"max_lag_um\": " + json_number(summary.lag / units_per_um);
+}
+
+class JsonSummary final : public SummaryWriter {
+ public:
+  JsonSummary(SimulatedPath const& path, TextSink sink) : path_(path), sink_(std::move(sink)) {
+    text_ = "{\n  \"version\": 1,\n  \"cycle_time_us\": " + json_number(path.cycle_time.microseconds()) +
+            ",\n  \"group\": " + json_string(path.group) + ",\n  \"axes\": [";
+    for (auto const& axis : path.axes) text_ += (text_.back() == '[' ? "" : ", ") + json_string(axis);
+    text_ += "],\n  \"blocks\": [";
+  }
+
+  void block(motion::BlockSummary const& summary) override {
+    text_ += any_ ? ",\n    " : "\n    ";
+    any_ = true;
+    text_ += "{\"block\": " + json_string(summary.label) + ", \"line\": " + std::to_string(summary.line) +
+             ", " + figures_json(summary, path_) + "}";
+    if (text_.size() < piece) return;
+    sink_(text_);
+    text_.clear();
+  }
+
+  void pass(motion::PassSummary const& summary) override {
+    passes_ += passes_.empty() ? "\n    " : ",\n    ";
+    passes_ += "{\"pass\": " + std::to_string(++count_) +
+               ", \"command\": " + (summary.command.empty() ? "null" : json_string(summary.command)) +
+               ", \"line\": " + (summary.line == 0 ? "null" : std::to_string(summary.line)) +
+               ", \"blocks\": " + std::to_string(summary.blocks) + ", " + figures_json(summary, path_) + "}";
+  }
+
+  void finish(std::uint64_t blocks, std::uint64_t cycles) override {
+    text_ += std::string(any_ ? "\n  ]" : "]") + ",\n  \"passes\": [" + passes_ +
+             (passes_.empty() ? "]" : "\n  ]") + ",\n  \"block_count\": " + std::to_string(blocks) +
+             ",\n  \"cycles\": " + std::to_string(cycles) +
+             ",\n  \"time_s\": " + json_number(static_cast<double>(cycles) * path_.cycle_time.seconds()) +
+             "\n}\n";
+    sink_(text_);
+  }
+
+ private:
+  SimulatedPath const& path_;
+  TextSink sink_;
+  std::string text_, passes_;
+  bool any_ = false;
+  std::size_t count_ = 0;
+};
+
+class TextSummary final : public SummaryWriter {
+ public:
+  TextSummary(SimulatedPath const& path, Language language, TextSink sink)
+      : path_(path), language_(language), sink_(std::move(sink)) {
+    row(say(Text::simulate_block), say(Text::simulate_line), headings());
+  }
+
+  void block(motion::BlockSummary const& summary) override {
+    row(summary.label, std::to_string(summary.line), cells(summary));
+    if (text_.size() < piece) return;
+    sink_(text_);
+    text_.clear();
+  }
+
+  void pass(motion::PassSummary const& summary) override {
+    std::swap(text_, passes_);
+    if (text_.empty()) row(say(Text::simulate_pass), say(Text::simulate_line), headings());
+    row(std::to_string(++count_), summary.line == 0 ? "" : std::to_string(summary.line), cells(summary));
+    text_.insert(text_.size() - 1,
+                 "  " + (summary.command.empty() ? say(Text::simulate_start) : summary.command));
+    std::swap(text_, passes_);
+  }
+
+  void finish(std::uint64_t blocks, std::uint64_t cycles) override {
+    double const seconds = static_cast<double>(cycles) * path_.cycle_time.seconds();
+    text_ += "\n" + passes_ + "\n" +
+             render({.text = Text::simulate_total,
+                     .arguments = {{"blocks", std::to_string(blocks)},
+                                   {"cycles", std::to_string(cycles)},
+                                   {"cycle_time", format_exact(path_.cycle_time.microseconds())},
+                                   {"time", fmt::format("{:.3f}", seconds)}}},
+                    language_) +
+             "\n";
+    sink_(text_);
+  }
+
+ private:
+  [[nodiscard]] std::string say(Text text) const {
+    return render({.text = text, .arguments = {}}, language_);
+  }
+
+  [[nodiscard]] std::vector<std::string> headings() const {
+    return {say(Text::simulate_time), say(Text::simulate_axis_error), say(Text::simulate_deviation),
+            say(Text::simulate_lag)};
+  }
+
+  [[nodiscard]] std::vector<std::string> cells(PathSummary const& summary) const {
+    return {fmt::format("{:.4f}", summary.cycles * path_.cycle_time.seconds()),
+            fmt::format("{:.4f}", largest_error(summary) / units_per_um),
+            fmt::format("{:.4f}", summary.deviation / units_per_um),
+            fmt::format("{:.3f}", summary.lag / units_per_um)};
+  }
+
+  void row(std::string const& name, std::string const& line, std::vector<std::string> const& cells) {
+    auto const right = [](std::string const& cell, std::size_t width) {
+      auto const used = display_width(cell);
+      return std::string(used < width ? width - used : 0, ' ') + cell;
+    };
+    text_ += padded(name, 12) + right(line, 8);
+    for (auto const& cell : cells) text_ += right(cell, 17);
+    text_ += "\n";
+  }
+
+  SimulatedPath const& path_;
+  Language language_;
+  TextSink sink_;
+  std::string text_, passes_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+CycleWriter::CycleWriter(SimulatedPath const& path, TextSink sink) : path_(path), sink_(std::move(sink)) {
+  text_ = "time_s,block,path_velocity_mm_per_min";
+  for (auto const& axis : path.axes) {
+    for (auto const* const what : {".setpoint_mm", ".filtered_mm", ".axis_error_um"}) {
+      text_ += ',';
+      append_csv_name(text_, axis + what);
+    }
+  }
+  text_ += ",contour_deviation_um\n";
+}
+
+void CycleWriter::cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) {
+  double const seconds = path_.cycle_time.seconds();
+  // Whole nanoseconds, so that times read as they are meant.
+  double const time = static_cast<double>(++cycles_ * path_.cycle_time.nanoseconds) / 1e9;
+  fmt::format_to(std::back_inserter(text_), "{},", time);
+  append_csv_name(text_, block.label);
+  text_ += ',';
+  row_.clear();
+  row_.push_back(point.point.velocity / units_per_mm / seconds * 60);
+  for (std::size_t i = 0; i < path_.axes.size(); ++i) {
+    row_.push_back(point.point.nominal[i] / units_per_mm);
+    row_.push_back(point.filtered[i] / units_per_mm);
+    row_.push_back(point.axis_error[i] / units_per_um);
+  }
+  row_.push_back(point.deviation / units_per_um);
+  append_csv_row(text_, row_);
+  if (text_.size() < piece) return;
+  sink_(text_);
+  text_.clear();
+}
+
+void CycleWriter::finish() {
+  sink_(text_);
+  text_.clear();
+}
+
+std::unique_ptr<SummaryWriter> text_summary(SimulatedPath const& path, Language language, TextSink sink) {
+  return std::make_unique<TextSummary>(path, language, std::move(sink));
+}
+
+std::unique_ptr<SummaryWriter> json_summary(SimulatedPath const& path, TextSink sink) {
+  return std::make_unique<JsonSummary>(path, std::move(sink));
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,52 @@
+// What `lint` and `compile` have in common: the options of a check and the form of its findings.
+#pragma once
+
+#include "cli/options/command_line.hpp"
+#include "validator/check.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+enum class FindingFormat : std::uint8_t { text, json, sarif, github, gitlab };
+
+/// As the user wrote them.
+struct CheckingWords {
+  std::optional<std::string> cycle_time;
+  std::optional<std::string> axis_type;
+  std::optional<std::string> build;
+  std::optional<std::string> threads;
+  std::vector<std::string> disabled;
+  std::vector<std::string> schema_files;
+  bool werror = false;
+  bool quiet = false;
+  bool pedantic = false;
+  FindingFormat format = FindingFormat::text;
+};
+
+void declare_checking(CommandLine& command_line, CheckingWords& words);
+/// `--schema FILE`, which every command that reads lists has.
+void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
+
+/// `--cycle-time`. Failure for a value that means nothing.
+[[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
+
+/// Failure for a value that means nothing.
+[[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
+
+/// `-j N`, which every command that works on several inputs has.
+void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
+
+/// What -j asks for; none without it. Failure where that is no number of threads.
+[[nodiscard]] std::optional<unsigned> asked_threads(std::optional<std::string> const& threads);
+/// For so many tasks: as many as were asked for, otherwise one per processor. A single task needs one, and the system is
+/// not asked for its processors.
+[[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
+
+/// True when the findings shall end the program with exit status 1.
+[[nodiscard]] bool objectionable(CheckingWords const& words, FindingCounts const& counts);
+
+}  // namespace axisc::cli

@@ -1,0 +1,323 @@
+#include "cli/options/command_line.hpp"
+
+#include "axisrt.h"
+#include "cli/commands/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/report/text_table.hpp"
+#include "runtime/format/image_format.h"
+#include "schema/closest_word.hpp"
+
+#include <algorithm>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t meaning_column = 30;
+constexpr std::size_t line_width = 100;
+
+std::string joined(std::vector<std::string_view> const& words, std::string_view separator) {
+  std::string text;
+  for (auto const word : words) {
+    if (!text.empty()) text += separator;
+    text += word;
+  }
+  return text;
+}
+
+/// Whether one of the words could be meant for the option.
+bool is_named(std::string_view names, std::span<std::string const> words) {
+  auto const known = split_list(names);
+  return std::any_of(known.begin(), known.end(), [&](std::string const& name) {
+    bool const is_letter = name.size() == 2;  // others may stand before it: -qj2
+    return std::any_of(words.begin(), words.end(), [&](std::string const& word) {
+      return is_letter ? word.starts_with('-') && word.find(name.back()) != std::string::npos
+                       : word.starts_with(name);
+    });
+  });
+}
+
+/// The parser's complaints begin with a name; behind it others may go on.
+bool is_about(std::string_view complaint, std::string_view name) {
+  if (!complaint.starts_with(name)) return false;
+  std::string_view const rest = complaint.substr(name.size());
+  return rest.empty() || rest.front() == ':' || rest.front() == ' ';
+}
+
+}  // namespace
+
+/// What follows an option's name; an argument has none.
+enum class CommandLine::Takes : std::uint8_t { argument, arguments, nothing, word_or_nothing, value, values };
+
+struct CommandLine::Declared {
+  Takes takes{};
+  std::string names;
+  std::string shown;
+  Text meaning{};
+  std::function<void(std::vector<std::string> const&)> take;
+  CLI::Option* option = nullptr;  ///< none where no word names it
+
+  [[nodiscard]] bool is_given() const { return option != nullptr && option->count() > 0; }
+};
+
+struct CommandLine::Parser {
+  CLI::App app;
+  std::vector<Declared> declared;
+};
+
+CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, Language language)
+    : command_(command),
+      purpose_(purpose),
+      examples_(examples),
+      language_(language),
+      parser_(std::make_unique<Parser>()) {
+  flag("-h,--help", wants_help_, Text::cli_opt_help);
+  flag("--version", wants_version_, Text::cli_opt_version);
+  choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, Text::cli_opt_lang);
+  choice("--color",
+         {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}},
+         color_, Text::cli_opt_color);
+}
+
+CommandLine::~CommandLine() = default;
+
+CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names, std::string_view shown,
+                                            Text meaning) {
+  auto& row = parser_->declared.emplace_back();
+  row.takes = takes;
+  row.names = names;
+  row.shown = shown;
+  row.meaning = meaning;
+  return row;
+}
+
+void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, Text meaning) {
+  declare(Takes::argument, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given.front();
+  };
+}
+
+void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, Text meaning) {
+  declare(Takes::arguments, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given;
+  };
+}
+
+void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
+  declare(Takes::nothing, names, {}, meaning).take = [&target](std::vector<std::string> const&) {
+    target = true;
+  };
+}
+
+void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
+                                 std::optional<std::string>& target, Text meaning) {
+  // The parser's word for a flag that stands alone.
+  declare(Takes::word_or_nothing, names, shown, meaning).take =
+      [&target](std::vector<std::string> const& given) {
+        target = given.back() == "true" ? std::string() : given.back();
+      };
+}
+
+void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                        Text meaning) {
+  declare(Takes::value, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given.back();
+  };
+}
+
+void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
+                         Text meaning) {
+  declare(Takes::values, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
+    target = given;
+  };
+}
+
+void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
+                            std::function<void(std::size_t)> take, Text meaning) {
+  auto shown = joined(words, "|");
+  declare(Takes::value, names, shown, meaning).take =
+      [name = std::string(names), words = std::move(words),
+       take = std::move(take)](std::vector<std::string> const& given) {
+        auto const found = std::find(words.begin(), words.end(), given.back());
+        if (found == words.end()) {
+          throw Failure(
+              {.text = Text::cli_bad_choice,
+               .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
+        }
+        take(static_cast<std::size_t>(found - words.begin()));
+      };
+}
+
+void CommandLine::build(Declared& row) {
+  auto& app = parser_->app;
+  switch (row.takes) {
+    case Takes::argument:
+      row.option = app.add_option("argument")->expected(1);
+      break;
+    case Takes::arguments:
+      row.option =
+          app.add_option("arguments")->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      break;
+    case Takes::nothing:
+      row.option = app.add_flag(row.names)->disable_flag_override();
+      break;
+    case Takes::word_or_nothing:
+      row.option = app.add_flag(row.names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+      break;
+    case Takes::value:
+      row.option = app.add_option(row.names)->take_last();
+      break;
+    case Takes::values:
+      row.option = app.add_option(row.names)->type_size(1)->expected(1, 1)->multi_option_policy(
+          CLI::MultiOptionPolicy::TakeAll);
+      break;
+  }
+}
+
+void CommandLine::refuse_unknown() const {
+  auto remaining = parser_->app.remaining();
+  std::erase(remaining, "--");
+  if (remaining.empty()) return;
+  auto const unknown = remaining.front().substr(0, remaining.front().find('='));
+  if (unknown.substr(0, 1) != "-") {
+    throw Failure({.text = Text::cli_superfluous_argument,
+                   .arguments = {{"argument", remaining.front()}, {"command", command_}}});
+  }
+  std::vector<std::string_view> known;
+  for (auto const& row : parser_->declared) {
+    for (std::string_view rest = row.names; !rest.empty();) {
+      auto const comma = std::min(rest.find(','), rest.size());
+      known.push_back(rest.substr(0, comma));
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+  }
+  auto const meant = schema::closest_word(unknown, known);
+  throw Failure({.text = meant.empty() ? Text::cli_unknown_option : Text::cli_unknown_option_meant,
+                 .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
+}
+
+void CommandLine::refuse_value(std::string_view complaint) const {
+  for (auto const& row : parser_->declared) {
+    if (row.option == nullptr) continue;
+    auto const name = row.option->get_name();
+    auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    if (!is_about(complaint, name) && !is_about(complaint, bare)) continue;
+    throw Failure(
+        {.text = row.shown.empty() ? Text::cli_option_without_value : Text::cli_option_value_missing,
+         .arguments = {{"option", name}, {"command", command_}}});
+  }
+  throw Failure({.text = Text::cli_unexpected, .arguments = {{"reason", std::string(complaint)}}});
+}
+
+std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
+  parser_->app.set_help_flag();
+  parser_->app.allow_extras();
+  for (auto& row : parser_->declared) {
+    if (row.names.empty() || is_named(row.names, arguments)) build(row);
+  }
+  // The parser takes them from the back.
+  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  try {
+    parser_->app.parse(reversed);
+  } catch (CLI::ParseError const& error) {
+    refuse_value(error.what());
+  }
+  for (auto const& row : parser_->declared) {
+    if (row.is_given() && (row.names == "-h,--help" || row.names == "--version")) row.take({});
+  }
+  if (wants_help_) return help();
+  if (wants_version_) return version_text();
+  refuse_unknown();
+  for (auto const& row : parser_->declared) {
+    if (row.is_given()) row.take(row.option->results());
+  }
+  return std::nullopt;
+}
+
+bool CommandLine::answers(Invocation const& invocation) {
+  auto const text = read(invocation.arguments);
+  if (text) invocation.streams.out.write(*text);
+  return text.has_value();
+}
+
+void CommandLine::require(bool given, std::string_view argument) const {
+  if (given) return;
+  throw Failure({.text = Text::cli_argument_missing,
+                 .arguments = {{"argument", std::string(argument)}, {"command", command_}}});
+}
+
+std::string help_row(std::string_view name, std::string_view meaning) {
+  std::string text = "  " + std::string(name);
+  std::size_t column = 2 + display_width(name);
+  auto const indent = [&] {
+    text.append(meaning_column - column, ' ');
+    column = meaning_column;
+  };
+  if (column + 2 > meaning_column) {
+    text += '\n';
+    column = 0;
+  }
+  indent();
+  bool first = true;
+  for (std::string_view rest = meaning; !rest.empty();) {
+    auto const word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    if (!first && column + 1 + display_width(word) > line_width) {
+      text += '\n';
+      column = 0;
+      indent();
+    } else if (!first) {
+      text += ' ';
+      ++column;
+    }
+    text += word;
+    column += display_width(word);
+    first = false;
+  }
+  return text + '\n';
+}
+
+std::string CommandLine::help() const {
+  auto const say = [this](Text text) { return render({.text = text, .arguments = {}}, language_); };
+  std::string usage =
+      say(Text::cli_help_usage) + ": axisc " + command_ + " [" + say(Text::cli_help_options) + "]";
+  std::string rows;
+  std::string options;
+  for (auto const& row : parser_->declared) {
+    if (row.names.empty()) {
+      usage += " " + row.shown;
+      rows += help_row(row.shown, say(row.meaning));
+      continue;
+    }
+    std::string name = row.names;
+    if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
+    if (!row.shown.empty()) name += (row.shown.front() == '[' ? "" : " ") + row.shown;
+    options += help_row(name, say(row.meaning));
+  }
+  return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(Text::cli_help_options_heading) + ":\n" +
+         options + "\n" + say(examples_) + "\n";
+}
+
+std::string version_text() {
+  return std::string("axisc ") + AXISC_VERSION + " (image format " + std::to_string(axim_major) + "." +
+         std::to_string(axim_minor) + ", runtime interface " + std::to_string(AXISRT_ABI_VERSION) + ")\n";
+}
+
+std::vector<std::string> split_list(std::string_view text) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    auto const comma = std::min(text.find(','), text.size());
+    auto part = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+    if (!part.empty()) parts.emplace_back(part);
+  }
+  return parts;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,107 @@
+// The options of one command, declared one by one and then read. The parser (CLI11) stays behind this interface, and
+// is told only of the options that the words at hand may name: it compares each with all others, and telling it all of one
+// command would cost more than reading a list.
+#pragma once
+
+#include "cli/options/environment.hpp"
+#include "diagnostics/text.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace axisc::cli {
+
+struct Invocation;
+
+class CommandLine {
+ public:
+  /// Declares --help, --version, --lang and --color. `examples` is the last part of the help.
+  CommandLine(std::string_view command, Text purpose, Text examples, Language language);
+  CommandLine(CommandLine const&) = delete;
+  CommandLine& operator=(CommandLine const&) = delete;
+  ~CommandLine();
+
+  // Targets must live until read() returns; what the command line does not name stays as it is.
+
+  /// Words that belong to no option, at most one.
+  void argument(std::string_view shown, std::optional<std::string>& target, Text meaning);
+  /// The same, any number of them.
+  void arguments(std::string_view shown, std::vector<std::string>& target, Text meaning);
+  /// `names` are separated by commas: "-o,--output". `shown` stands for the value in the help.
+  void flag(std::string_view names, bool& target, Text meaning);
+  void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+             Text meaning);
+  /// A flag that may carry a word, only behind "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
+  void flag_with_word(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                      Text meaning);
+  /// An option that may be repeated.
+  void values(std::string_view names, std::string_view shown, std::vector<std::string>& target, Text meaning);
+  /// One of a few words.
+  template <class Enumeration>
+  void choice(std::string_view names, std::initializer_list<std::pair<std::string_view, Enumeration>> words,
+              Enumeration& target, Text meaning) {
+    std::vector<std::string_view> keys;
+    std::vector<Enumeration> meanings;
+    for (auto const& [word, value] : words) {
+      keys.push_back(word);
+      meanings.push_back(value);
+    }
+    choice_of(
+        names, std::move(keys), [&target, meanings](std::size_t chosen) { target = meanings[chosen]; },
+        meaning);
+  }
+
+  /// Text to print instead of doing anything (--help, --version), or nothing: go on. Failure for a command line that
+  /// cannot be understood.
+  [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
+
+  /// How every command begins: reads the invocation's words. True where --help or --version was answered on standard output,
+  /// and the command is done.
+  [[nodiscard]] bool answers(Invocation const& invocation);
+  /// Failure that names `argument` and the command where it was not given.
+  void require(bool given, std::string_view argument) const;
+
+  [[nodiscard]] std::string help() const;
+  [[nodiscard]] ColorChoice color() const { return color_; }
+
+ private:
+  struct Parser;
+  struct Declared;
+  enum class Takes : std::uint8_t;
+
+  void choice_of(std::string_view names, std::vector<std::string_view> words,
+                 std::function<void(std::size_t)> take, Text meaning);
+  Declared& declare(Takes takes, std::string_view names, std::string_view shown, Text meaning);
+  void build(Declared& row);
+  void refuse_unknown() const;
+  /// What the parser complains about begins with the option's name.
+  [[noreturn]] void refuse_value(std::string_view complaint) const;
+
+  std::string command_;
+  Text purpose_;
+  Text examples_;
+  Language language_;
+  ColorChoice color_ = ColorChoice::automatic;
+  bool wants_help_ = false;
+  bool wants_version_ = false;
+  std::unique_ptr<Parser> parser_;
+};
+
+/// "axisc 0.1.0 …" with a line end.
+[[nodiscard]] std::string version_text();
+
+/// Two columns: a name and its meaning, broken into lines of at most 100 columns.
+[[nodiscard]] std::string help_row(std::string_view name, std::string_view meaning);
+
+/// "a,b,c" without blanks around the parts; empty parts are left out.
+[[nodiscard]] std::vector<std::string> split_list(std::string_view text);
+
+}  // namespace axisc::cli

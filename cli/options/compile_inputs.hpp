@@ -1,0 +1,21 @@
+// What `axisc compile` compiles, and where the images go.
+#pragma once
+
+#include "cli/options/compile_options.hpp"
+#include "cli/failure.hpp"
+
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct CompileInputs {
+  Part part;
+  std::vector<std::string> images;  ///< by input; with --print-key there may be none
+  std::vector<Failure> failures;    ///< names of a batch that cannot be used
+};
+
+/// Failure for inputs that no image can be made of, and for names that two images would have.
+[[nodiscard]] CompileInputs choose_inputs(CompileWords const& words);
+
+}  // namespace axisc::cli

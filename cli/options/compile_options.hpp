@@ -1,0 +1,34 @@
+// The command line of `axisc compile`.
+#pragma once
+
+#include "cli/options/check_options.hpp"
+#include "cli/options/fleet_options.hpp"
+#include "codegen/image_writer.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct CompileWords {
+  CheckingWords checking;
+  FleetWords fleet;
+  std::vector<std::string> inputs;
+  std::optional<std::string> output;
+  std::optional<std::string> output_folder;
+  std::optional<std::string> input_folder;
+  std::optional<std::string> depfile;
+  std::optional<std::string> image_version;
+  bool strip = false;
+
+  [[nodiscard]] bool is_batch() const { return output_folder.has_value(); }
+};
+
+void declare(CommandLine& command_line, CompileWords& words);
+/// Failure for words that do not go together.
+void require_sense(CommandLine const& command_line, CompileWords const& words);
+/// Failure for a value that means nothing.
+[[nodiscard]] codegen::ImageOptions image_options(CompileWords const& words);
+
+}  // namespace axisc::cli

@@ -1,0 +1,33 @@
+// The words of the axis list for what an image stores as numbers.
+#pragma once
+
+#include "image/image_contents.hpp"
+#include "design/filter_kinds.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// "LOWPASS".
+[[nodiscard]] std::string_view type_word(design::FilterType type);
+/// "CRIT_DAMPING".
+[[nodiscard]] std::string_view prototype_word(design::Prototype prototype);
+
+/// "DIRECT".
+[[nodiscard]] std::string_view mode_word(validator::StageMode mode);
+
+/// `filter[0]`, or `lr_param.add_interface.filter[0]`.
+[[nodiscard]] std::string filter_path(codegen::ImageFilter const& filter, bool interface);
+
+/// What the lists set for one filter, in the order of the lines.
+[[nodiscard]] std::vector<codegen::ImageValue> settings_of(codegen::ImageAxis const& axis,
+                                                           codegen::ImageFilter const& filter,
+                                                           bool interface);
+
+/// "0123abcd…".
+[[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);
+
+}  // namespace axisc::cli

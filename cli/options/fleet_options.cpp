@@ -1,0 +1,82 @@
+#include "cli/options/fleet_options.hpp"
+
+#include "cli/failure.hpp"
+
+#include <filesystem>
+#include <utility>
+
+namespace axisc::cli {
+
+void declare_fleet(CommandLine& command_line, FleetWords& words) {
+  command_line.value("--shard", "I/N", words.shard, Text::cli_opt_shard);
+  command_line.value("--cache", "FOLDER", words.cache, Text::cli_opt_cache);
+  command_line.value("--cache-size", "SIZE", words.cache_size, Text::cli_opt_cache_size);
+  command_line.flag("--print-key", words.print_key, Text::cli_opt_print_key);
+}
+
+std::vector<std::string> Part::paths() const {
+  std::vector<std::string> paths;
+  paths.reserve(chosen.size());
+  for (auto const index : chosen) paths.push_back(all[index]);
+  return paths;
+}
+
+Part choose_part(FleetWords const& words, std::vector<std::string> paths) {
+  Part part{.shard = {}, .all = std::move(paths), .chosen = {}};
+  if (words.shard) part.shard = parse_shard(*words.shard);
+  std::error_code error;
+  auto const folder = part.shard ? std::filesystem::current_path(error).generic_string() : std::string();
+  for (std::size_t i = 0; i < part.all.size(); ++i) {
+    if (!part.shard || is_in_shard(*part.shard, part.all[i], folder)) part.chosen.push_back(i);
+  }
+  return part;
+}
+
+bool reports_names(Part const& part) {
+  return !part.shard || part.shard->index == 1;
+}
+
+std::optional<ShardRecord> shard_record(Part const& part, Hasher hasher, Digest const& run,
+                                        CheckJob const& job, bool werror) {
+  if (!part.shard) return std::nullopt;
+  hasher.digest(run);
+  hasher.number(part.shard->count);
+  for (auto const& path : part.all) {
+    hasher.text(path);
+    hasher.digest(job.settings->digest(path));
+  }
+  ShardRecord record;
+  record.shard = *part.shard;
+  record.version = AXISC_VERSION;
+  record.werror = werror;
+  record.run = hexadecimal(hasher.finish());
+  return record;
+}
+
+std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err, Language language) {
+  auto const limit =
+      words.cache_size ? parse_size("--cache-size", *words.cache_size) : ResultCache::usual_size;
+  if (!words.cache) return nullptr;
+  try {
+    return std::make_unique<ResultCache>(*words.cache, limit);
+  } catch (Failure const& failure) {
+    err.write(warning_line({.text = Text::cli_cache_unusable,
+                            .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
+                           language));
+    return nullptr;
+  }
+}
+
+void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, Console& err,
+                  Language language) {
+  if (!cache) return;
+  try {
+    cache->finish();
+  } catch (Failure const& failure) {
+    err.write(warning_line({.text = Text::cli_cache_unusable,
+                            .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
+                           language));
+  }
+}
+
+}  // namespace axisc::cli

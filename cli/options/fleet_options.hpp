@@ -1,0 +1,57 @@
+// Options of commands that work on many inputs: shards, keys, caches.
+#pragma once
+
+#include "cli/options/command_line.hpp"
+#include "cli/report/console.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/report/progress.hpp"
+#include "cli/fleet/result_cache.hpp"
+#include "cli/fleet/run_key.hpp"
+#include "cli/fleet/shard.hpp"
+#include "cli/fleet/shard_record.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct FleetWords {
+  std::optional<std::string> shard;
+  std::optional<std::string> cache;
+  std::optional<std::string> cache_size;
+  bool print_key = false;
+
+  [[nodiscard]] bool asks_for_digests() const { return shard || cache || print_key; }
+};
+
+void declare_fleet(CommandLine& command_line, FleetWords& words);
+
+/// The inputs that this run looks at, with their places among all of them.
+struct Part {
+  std::optional<Shard> shard;
+  std::vector<std::string> all;
+  std::vector<std::size_t> chosen;  ///< into `all`
+
+  [[nodiscard]] std::string const& path(std::size_t index) const { return all[chosen[index]]; }
+  [[nodiscard]] std::vector<std::string> paths() const;
+};
+
+/// Failure for a shard that means nothing.
+[[nodiscard]] Part choose_part(FleetWords const& words, std::vector<std::string> paths);
+/// Failures that came before any input was read belong to the first shard, so that they are reported once.
+[[nodiscard]] bool reports_names(Part const& part);
+
+/// What `axisc merge` compares: equal for all shards of one run, whose options beside `run` are in `hasher`.
+[[nodiscard]] std::optional<ShardRecord> shard_record(Part const& part, Hasher hasher, Digest const& run,
+                                                      CheckJob const& job, bool werror);
+
+/// The cache that was asked for; where it cannot be used a warning says so, and there is none.
+[[nodiscard]] std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err,
+                                                      Language language);
+void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, Console& err,
+                  Language language);
+
+}  // namespace axisc::cli

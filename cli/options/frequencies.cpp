@@ -1,0 +1,47 @@
+#include "cli/options/frequencies.hpp"
+
+#include "cli/options/command_line.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/quantities.hpp"
+#include "diagnostics/format_number.hpp"
+
+#include <cmath>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr int default_points = 200;
+constexpr double default_decades = 4;
+
+}  // namespace
+
+std::vector<double> parse_frequencies(std::string const& text, design::CycleTime cycle_time) {
+  std::vector<double> frequencies;
+  double const nyquist = cycle_time.nyquist().value;
+  for (auto const& word : split_list(text)) {
+    auto const frequency = parse_finite(word);
+    if (!frequency || *frequency < 0 || *frequency > nyquist) {
+      throw Failure({.text = Text::cli_bad_frequency,
+                     .arguments = {{"value", word}, {"nyquist", format_exact(nyquist)}}});
+    }
+    frequencies.push_back(*frequency);
+  }
+  if (frequencies.empty()) {
+    throw Failure({.text = Text::cli_bad_frequency,
+                   .arguments = {{"value", text}, {"nyquist", format_exact(nyquist)}}});
+  }
+  return frequencies;
+}
+
+std::vector<double> default_frequencies(design::CycleTime cycle_time) {
+  std::vector<double> frequencies;
+  double const nyquist = cycle_time.nyquist().value;
+  for (int i = 0; i < default_points; ++i) {
+    double const decades = default_decades * (i + 1 - default_points) / (default_points - 1);
+    frequencies.push_back(nyquist * std::pow(10.0, decades));
+  }
+  return frequencies;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,43 @@
+#include "cli/options/image_names.hpp"
+
+#include "cli/failure.hpp"
+
+#include <filesystem>
+#include <unordered_map>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path absolute(fs::path const& path) {
+  std::error_code error;
+  auto const whole = fs::absolute(path, error).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+}  // namespace
+
+std::vector<std::string> image_names(std::vector<std::string> const& inputs, std::string const& input_folder,
+                                     std::string const& output_folder) {
+  auto const folder = absolute(input_folder.empty() ? "." : input_folder);
+  std::vector<std::string> names;
+  std::unordered_map<std::string, std::string> taken;
+  for (auto const& input : inputs) {
+    if (input == "-") throw Failure({.text = Text::cli_no_image_name, .arguments = {}});
+    auto below = absolute(input).lexically_relative(folder);
+    if (below.empty() || *below.begin() == "..") {
+      throw Failure({.text = Text::cli_outside_input_folder,
+                     .arguments = {{"file", input}, {"folder", folder.string()}}});
+    }
+    names.push_back((fs::path(output_folder) / below.replace_extension(".axim")).string());
+    auto const [first, is_new] = taken.emplace(names.back(), input);
+    if (is_new) continue;
+    throw Failure({.text = Text::cli_output_collision,
+                   .arguments = {{"first", first->second}, {"second", input}, {"file", names.back()}}});
+  }
+  return names;
+}
+
+}  // namespace axisc::cli

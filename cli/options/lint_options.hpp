@@ -1,0 +1,34 @@
+// The command line of `axisc lint`.
+#pragma once
+
+#include "cli/options/check_options.hpp"
+#include "cli/checking/fixing.hpp"
+#include "cli/options/fleet_options.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+struct LintWords {
+  CheckingWords checking;
+  FleetWords fleet;
+  std::vector<std::string> named;
+  std::optional<std::string> baseline;
+  std::optional<std::string> write_baseline;
+  std::optional<std::string> fix;
+  bool diff = false;
+  bool statistics = false;
+  bool print_config = false;
+};
+
+void declare(CommandLine& command_line, LintWords& words);
+/// Failure for words that do not go together.
+void require_sense(CommandLine const& command_line, LintWords const& words);
+[[nodiscard]] FixChoice fix_choice(LintWords const& words);
+/// What this run does not look for cannot be missing.
+[[nodiscard]] bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code);
+
+}  // namespace axisc::cli

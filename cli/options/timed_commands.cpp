@@ -1,0 +1,97 @@
+#include "cli/options/timed_commands.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/options/quantities.hpp"
+#include "validator/commands/command_check.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+namespace {
+
+[[noreturn]] void refuse(Text text, TimedCommand const& command, std::string const& path,
+                         std::vector<Argument> more = {}) {
+  std::vector<Argument> arguments = {
+      {"file", path}, {"command", command.text}, {"cycle", std::to_string(command.cycle)}};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  throw Failure({.text = text, .arguments = std::move(arguments)});
+}
+
+/// "ON, ON [ORDER=20], ON [HSC]": what the image's channels can be switched to, each once.
+std::string banks_of(codegen::ImageContents const& image) {
+  std::vector<std::string> banks;
+  for (auto const& group : image.groups) {
+    for (auto const& bank : group.banks) {
+      auto const keywords = bank.hsc ? "HSC" : to_text(bank.parameters);
+      auto const text = keywords.empty() ? std::string("ON") : "ON [" + keywords + "]";
+      if (std::find(banks.begin(), banks.end(), text) == banks.end()) banks.push_back(text);
+    }
+  }
+  std::string text;
+  for (auto const& bank : banks) text += (text.empty() ? "" : ", ") + bank;
+  return text;
+}
+
+/// An axis with the time delay bounds the order of the whole channel's commands.
+validator::CommandLimits limits_of(codegen::ImageContents const& image) {
+  validator::CommandLimits limits{.cycle_time = image.cycle_time, .time_delay = false};
+  for (auto const& axis : image.axes) {
+    if (!axis.slot || !axis.slot->kernel) continue;
+    auto const type = image.kernels[*axis.slot->kernel].specification.type;
+    limits.time_delay = limits.time_delay || type == design::KernelType::time_delay;
+  }
+  return limits;
+}
+
+TimedCommand read_timed_command(std::string const& word, ImageFile const& file, std::string const& path,
+                                Language language) {
+  auto const colon = word.find(':');
+  auto const cycle = parse_count(std::string_view(word).substr(0, colon));
+  if (colon == std::string::npos || !cycle) {
+    throw Failure({.text = Text::cli_bad_timed_command, .arguments = {{"value", word}}});
+  }
+  TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}};
+  if (file.contents.groups.empty()) refuse(Text::cli_no_banks, command, path);
+  auto checked = validator::parse_filter_command(command.text, limits_of(file.contents));
+  if (!checked.mistakes.empty() || !checked.command) {
+    auto const reason =
+        checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
+    throw Failure({.text = Text::cli_bad_command, .arguments = {{"value", word}, {"reason", reason}}});
+  }
+  command.command = *checked.command;
+  return command;
+}
+
+}  // namespace
+
+std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& words, ImageFile const& file,
+                                              std::string const& path, Language language) {
+  std::vector<TimedCommand> commands;
+  commands.reserve(words.size());
+  for (auto const& word : words) commands.push_back(read_timed_command(word, file, path, language));
+  std::stable_sort(commands.begin(), commands.end(),
+                   [](TimedCommand const& a, TimedCommand const& b) { return a.cycle < b.cycle; });
+  return commands;
+}
+
+void execute(TimedCommand const& command, codegen::RuntimeHost& host, codegen::ImageContents const& image,
+             std::string const& path) {
+  bool executed = false;
+  for (std::uint32_t group = 0; group < host.group_count(); ++group) {
+    switch (host.command(group, command.command)) {
+      case AXISRT_OK:
+        executed = true;
+        break;
+      case AXISRT_NO_BANK:
+        break;
+      case AXISRT_BUSY:
+        refuse(Text::cli_command_busy, command, path);
+      default:
+        refuse(Text::cli_command_standstill, command, path);
+    }
+  }
+  if (!executed) refuse(Text::cli_no_bank, command, path, {{"banks", banks_of(image)}});
+}
+
+}  // namespace axisc::cli

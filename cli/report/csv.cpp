@@ -1,0 +1,161 @@
+#include "cli/report/csv.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/quantities.hpp"
+#include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
+#include "diagnostics/utf8.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t piece = std::size_t{1} << 16U;
+constexpr std::size_t longest_line = std::size_t{1} << 20U;
+constexpr std::size_t longest_shown = 40;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::uint32_t code_points(std::string_view text) {
+  return static_cast<std::uint32_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
+}
+
+std::string shown(std::string_view text) {
+  return repair_utf8(text.size() > longest_shown ? text.substr(0, longest_shown) : text);
+}
+
+struct CsvPlace {
+  std::string const& file;
+  std::uint64_t line;
+  std::uint32_t column;
+};
+
+[[noreturn]] void fail(Text text, CsvPlace const& place, std::vector<Argument> arguments = {}) {
+  arguments.push_back(
+      {"place", place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
+  throw Failure({.text = text, .arguments = std::move(arguments)}, csv_malformed);
+}
+
+}  // namespace
+
+CsvReader::CsvReader(std::string name, ByteSource source)
+    : name_(std::move(name)), source_(std::move(source)) {
+  if (!next_line()) fail(Text::ax9005_empty, {name_, 1, 1});
+  split_line();
+  header_line_ = number_;
+  for (auto const& field : fields_) {
+    if (field.text.empty()) fail(Text::ax9005_unnamed_column, {name_, number_, field.column});
+    std::string column(field.text);
+    if (std::find(header_.begin(), header_.end(), column) != header_.end()) {
+      fail(Text::ax9005_duplicate_column, {name_, number_, field.column}, {{"column", shown(column)}});
+    }
+    header_.push_back(std::move(column));
+    header_columns_.push_back(field.column);
+  }
+}
+
+bool CsvReader::next_line() {
+  for (;;) {
+    auto const end = buffer_.find('\n', used_);
+    if (end == std::string::npos && !ended_) {
+      buffer_.erase(0, used_);
+      used_ = 0;
+      if (buffer_.size() > longest_line) fail(Text::ax9005_long_line, {name_, number_ + 1, 1});
+      auto const filled = buffer_.size();
+      buffer_.resize(filled + piece);
+      auto const got = source_({buffer_.data() + filled, piece});
+      buffer_.resize(filled + got);
+      ended_ = got == 0;
+      continue;
+    }
+    if (used_ == buffer_.size()) return false;
+    auto const stop = std::min(end, buffer_.size());
+    line_ = std::string_view(buffer_).substr(used_, stop - used_);
+    used_ = std::min(stop + 1, buffer_.size());
+    ++number_;
+    if (number_ == 1 && line_.substr(0, byte_order_mark.size()) == byte_order_mark) {
+      line_.remove_prefix(byte_order_mark.size());
+    }
+    if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
+    if (!std::all_of(line_.begin(), line_.end(), ascii::is_blank)) return true;
+  }
+}
+
+void CsvReader::split_line() {
+  fields_.clear();
+  std::uint32_t column = 1;
+  for (std::string_view rest = line_;;) {
+    while (!rest.empty() && ascii::is_blank(rest.front())) {
+      rest.remove_prefix(1);
+      ++column;
+    }
+    bool const quoted = !rest.empty() && rest.front() == '"';
+    auto const closing = quoted ? rest.find('"', 1) : std::string_view::npos;
+    if (quoted && closing == std::string_view::npos) fail(Text::ax9005_open_quote, {name_, number_, column});
+    auto const comma = rest.find(',', quoted ? closing : 0);
+    auto const raw = rest.substr(0, comma);
+    auto text = raw;
+    while (!text.empty() && ascii::is_blank(text.back())) text.remove_suffix(1);
+    if (quoted && text.back() == '"' && text.size() == closing + 1) {
+      text.remove_prefix(1);
+      text.remove_suffix(1);
+    }
+    fields_.push_back({text, column});
+    if (comma == std::string_view::npos) return;
+    column += code_points(raw) + 1;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+bool CsvReader::next(std::span<double> row) {
+  if (!next_line()) return false;
+  split_line();
+  if (fields_.size() != header_.size()) {
+    auto const at = fields_.size() > header_.size() ? fields_[header_.size()].column : fields_.back().column;
+    fail(Text::ax9005_field_count, {name_, number_, at},
+         {{"fields", std::to_string(fields_.size())}, {"columns", std::to_string(header_.size())}});
+  }
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    auto const value = parse_number(fields_[i].text);
+    if (!value) {
+      fail(Text::ax9005_number, {name_, number_, fields_[i].column},
+           {{"text", shown(fields_[i].text)}, {"column", shown(header_[i])}});
+    }
+    row[i] = *value;
+  }
+  return true;
+}
+
+void CsvReader::refuse_column(std::size_t index, std::string_view known) const {
+  fail(Text::ax9005_unknown_column, {name_, header_line_, header_columns_[index]},
+       {{"column", shown(header_[index])}, {"known", std::string(known)}});
+}
+
+void append_csv_name(std::string& line, std::string_view name) {
+  if (name.find_first_of(",\"\n\r") == std::string_view::npos) {
+    line += name;
+    return;
+  }
+  line += '"';
+  for (char const character : name) {
+    if (character == '"') line += '"';
+    line += character;
+  }
+  line += '"';
+}
+
+void append_csv_row(std::string& text, std::span<double const> row) {
+  bool first = true;
+  for (double const value : row) {
+    if (!first) text += ',';
+    first = false;
+    text += format_exact(value);
+  }
+  text += '\n';
+}
+
+}  // namespace axisc::cli

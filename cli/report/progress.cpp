@@ -1,0 +1,74 @@
+#include "cli/report/progress.hpp"
+
+#include "cli/files/file_descriptor.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::size_t bar_width = 30;
+constexpr std::chrono::milliseconds pause{100};
+constexpr std::chrono::milliseconds patience{500};
+
+}  // namespace
+
+Progress::~Progress() {
+  hide();
+  for (auto* const console : consoles_) console->before_printing({});
+}
+
+void Progress::hide() {
+  if (std::exchange(written_, false)) static_cast<void>(write_all(2, "\r\033[K"));
+}
+
+void Progress::stand_aside_for(Console& console) {
+  if (!shown_) return;
+  console.before_printing([this] { hide(); });
+  consoles_.push_back(&console);
+}
+
+bool Progress::is_due() {
+  if (!shown_) return false;
+  auto const now = std::chrono::steady_clock::now();
+  if (now - last_ < pause) return false;
+  last_ = now;
+  return true;
+}
+
+void Progress::show(double share, double seconds) {
+  if (!is_due()) return;
+  draw(share, {.text = Text::simulate_progress,
+               .arguments = {{"percent", fmt::format("{:.0f}", share * 100)},
+                             {"time", fmt::format("{:.1f}", seconds)}}});
+}
+
+void Progress::show(std::size_t done, std::size_t count) {
+  if (!is_due()) return;
+  std::chrono::duration<double> const seconds = last_ - begun_;
+  if (seconds < patience) return;
+  draw(static_cast<double>(done) / static_cast<double>(count),
+       {.text = Text::cli_progress,
+        .arguments = {{"done", std::to_string(done)},
+                      {"count", std::to_string(count)},
+                      {"rate", fmt::format("{:.0f}", static_cast<double>(done) / seconds.count())}}});
+}
+
+void Progress::draw(double share, Message const& message) {
+  written_ = true;
+  auto const filled = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * bar_width);
+  std::string const bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
+  static_cast<void>(write_all(2, "\r[" + bar + "] " + render(message, language_) + "\033[K"));
+}
+
+bool progress_is_seen() {
+  return ::isatty(2) != 0;
+}
+
+}  // namespace axisc::cli

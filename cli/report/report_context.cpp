@@ -1,0 +1,47 @@
+#include "cli/report/report_context.hpp"
+
+#include "validator/engine/rule.hpp"
+
+#include <filesystem>
+#include <optional>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<fs::path> repository_of(fs::path folder) {
+  while (true) {
+    std::error_code error;
+    // A folder, or a file in the work trees and submodules of git.
+    if (fs::exists(folder / ".git", error)) return folder;
+    if (!folder.has_relative_path()) return std::nullopt;
+    folder = folder.parent_path();
+  }
+}
+
+}  // namespace
+
+ReportContext report_context(std::string const& first_input) {
+  ReportContext context;
+  context.version = AXISC_VERSION;
+  for (auto const& rule : validator::rules()) {
+    context.rules.push_back({.code = rule.code,
+                             .name = rule.name,
+                             .severity = rule.severity,
+                             .control = rule.control,
+                             .page = page(rule)});
+  }
+  std::error_code error;
+  auto const folder = fs::current_path(error);
+  if (error) return context;
+  auto root = repository_of(folder);
+  if (!root && !first_input.empty()) {
+    root = repository_of((folder / first_input).lexically_normal().parent_path());
+  }
+  context.paths = {.root = root.value_or(folder).string(), .folder = folder.string()};
+  return context;
+}
+
+}  // namespace axisc::cli

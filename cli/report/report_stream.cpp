@@ -1,0 +1,187 @@
+#include "cli/report/report_stream.hpp"
+
+#include "cli/codes.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace axisc::cli {
+
+namespace {
+
+bool needs_occurrences(ReportPlan const& plan) {
+  auto const format = plan.form.format;
+  return format == FindingFormat::sarif || format == FindingFormat::gitlab || plan.baseline ||
+         plan.write_baseline;
+}
+
+std::string_view name_of(Code code) {
+  auto const* const rule = validator::find_rule(code);
+  return rule == nullptr ? std::string_view{} : rule->name;
+}
+
+}  // namespace
+
+ReportStream::ReportStream(ReportPlan plan, Console& out)
+    : plan_(std::move(plan)), out_(out), numbers_(needs_occurrences(plan_)) {
+  if (plan_.baseline) missing_ = *plan_.baseline;
+  if (plan_.form.format == FindingFormat::json) out_.write(json_head());
+  if (plan_.form.format == FindingFormat::gitlab) out_.write("[");
+}
+
+void ReportStream::add(std::size_t number, CheckedInput const& checked) {
+  files_.insert(checked.files.begin(), checked.files.end());
+  for (auto const& finding : checked.findings) add(finding);
+  std::vector<std::size_t> artifacts;
+  artifacts.reserve(used_.size());
+  for (auto const index : used_) artifacts.push_back(number_of(checked.artifacts[index]));
+  used_.clear();
+  auto const shown = std::exchange(shown_, 0);
+  if (!plan_.shard || shown == 0) return;
+  plan_.shard->inputs.push_back({.number = number, .findings = shown, .artifacts = std::move(artifacts)});
+}
+
+void ReportStream::add(WrittenFinding const& finding) {
+  if (finding.identity.code == cycle_time_assumed && std::exchange(assumption_said_, true)) return;
+  std::uint32_t const occurrence =
+      numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
+  if (is_hidden(finding, occurrence)) return;
+  count(finding);
+  print(finding, occurrence);
+  ++shown_;
+  used_.insert(finding.artifacts.begin(), finding.artifacts.end());
+}
+
+std::size_t ReportStream::number_of(Artifact const& artifact) {
+  // Machines name one list in many ways.
+  auto const path = shown_path(plan_.form.context.paths, artifact.name);
+  auto const [number, is_new] = artifact_numbers_.try_emplace(path, artifacts_.size());
+  if (is_new) artifacts_.push_back(artifact);
+  return number->second;
+}
+
+void ReportStream::count(WrittenFinding const& finding) {
+  counts_.add(finding.severity);
+  auto const code = finding.identity.code;
+  auto const [row, is_new] = codes_.try_emplace(code);
+  if (is_new) row->second = {.code = code, .name = name_of(code)};
+  ++row->second.count;
+  if (finding.fixable) ++row->second.fixable;
+}
+
+bool ReportStream::is_hidden(WrittenFinding const& finding, std::uint32_t occurrence) {
+  if (plan_.write_baseline) {
+    found_.add(finding.identity, occurrence);
+    if (!found_.holds(finding.identity, occurrence)) return false;
+  } else {
+    if (!plan_.baseline || !plan_.baseline->holds(finding.identity, occurrence)) return false;
+    missing_.remove(finding.identity, occurrence);
+  }
+  ++hidden_;
+  return true;
+}
+
+void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence) {
+  auto const format = plan_.form.format;
+  bool const has_elements = std::exchange(has_elements_, true);
+  if (format == FindingFormat::sarif) {
+    // The holes of the rules stay: which rules are listed is known at the end.
+    std::string filled = finding.text;
+    auto const number = std::to_string(occurrence);
+    for (auto at = filled.find(occurrence_hole); at != std::string::npos; at = filled.find(occurrence_hole)) {
+      filled.replace(at, 1, number);
+    }
+    sarif_results_.add(static_cast<std::uint64_t>(finding.identity.code), filled);
+    return;
+  }
+  bool const is_list = format == FindingFormat::json || format == FindingFormat::gitlab;
+  if (is_list && has_elements) out_.write(",");
+  if (format == FindingFormat::gitlab) {
+    out_.write(fill_holes(finding.text, {.occurrence = occurrence}));
+  } else {
+    out_.write(finding.text);
+  }
+}
+
+void ReportStream::fail(std::size_t order, Failure const& failure) {
+  auto const language = plan_.form.write.language;
+  plan_.form.context.failures.push_back(failure.sentence(language));
+  if (!plan_.shard) return;
+  plan_.shard->failures.push_back(
+      {.order = order, .line = failure.line(language), .sentence = failure.sentence(language)});
+}
+
+std::vector<CodeCount> ReportStream::frequent_codes() const {
+  std::vector<CodeCount> rows;
+  rows.reserve(codes_.size());
+  for (auto const& [code, row] : codes_) rows.push_back(row);
+  most_frequent_first(rows);
+  return rows;
+}
+
+std::optional<BaselineFacts> ReportStream::baseline_facts(std::function<bool(Code)> const& judged) const {
+  if (!plan_.baseline && !plan_.write_baseline) return std::nullopt;
+  BaselineFacts facts{.hidden = hidden_, .stale = {}};
+  if (plan_.write_baseline) {
+    facts.recorded = found_.size();
+  } else if (plan_.form.context.failures.empty()) {
+    facts.stale = missing_.identities();
+    std::erase_if(facts.stale, [&](Identity const& identity) { return !judged(identity.code); });
+  }
+  return facts;
+}
+
+void ReportStream::print_sarif() {
+  auto const& form = plan_.form;
+  std::set<Code> codes;
+  for (auto const& [code, row] : codes_) codes.insert(code);
+  out_.write(sarif_head(codes, artifacts_, form.context, form.write.language));
+  bool first = true;
+  sarif_results_.replay([&](std::uint64_t code, std::string_view element) {
+    if (!std::exchange(first, false)) out_.write(",");
+    auto const index = rule_index(codes, static_cast<Code>(code), form.context);
+    out_.write(fill_holes(element, {.rule_index = index}));
+  });
+}
+
+void ReportStream::finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged,
+                          int status) {
+  RunFacts const run{.files = files_.size(),
+                     .fixes = fixes,
+                     .baseline = baseline_facts(judged),
+                     .statistics = plan_.statistics};
+  std::string shard;
+  if (plan_.shard) {
+    plan_.shard->status = status;
+    plan_.shard->files.assign(files_.begin(), files_.end());
+    std::sort(plan_.shard->files.begin(), plan_.shard->files.end());
+    shard = as_json(*plan_.shard);
+  }
+  auto const rows = frequent_codes();
+  switch (plan_.form.format) {
+    case FindingFormat::text:
+      if (run.statistics && !rows.empty()) {
+        out_.write(write_text_statistics(rows, plan_.form.write) + "\n");
+      }
+      if (!plan_.quiet && run.files > 0 && (plan_.counts_always || has_elements_)) {
+        out_.write(write_text_facts(run, plan_.form.write) +
+                   write_text_summary(run.files, counts_, plan_.form.write));
+      }
+      break;
+    case FindingFormat::json:
+      out_.write(json_tail(has_elements_, run, counts_, rows, shard));
+      break;
+    case FindingFormat::sarif:
+      print_sarif();
+      out_.write(sarif_tail(has_elements_, shard));
+      break;
+    case FindingFormat::gitlab:
+      out_.write(has_elements_ ? "\n]\n" : "]\n");
+      break;
+    case FindingFormat::github:
+      break;
+  }
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,83 @@
+// The report of a run, printed while the run goes on: findings leave memory as soon as those of all inputs before are
+// printed.
+#pragma once
+
+#include "cli/checking/baseline.hpp"
+#include "cli/checking/checked_input.hpp"
+#include "cli/report/console.hpp"
+#include "cli/fleet/shard_record.hpp"
+#include "cli/report/spool.hpp"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace axisc::cli {
+
+struct ReportPlan {
+  ReportForm form;
+  bool quiet = false;
+  bool statistics = false;
+  bool counts_always = false;        ///< the last line of the text form also where nothing was found
+  std::optional<Baseline> baseline;  ///< what it holds is not shown
+  bool write_baseline = false;       ///< `baseline` is to be what was found
+  std::optional<ShardRecord> shard;  ///< for `axisc merge`
+};
+
+class ReportStream {
+ public:
+  ReportStream(ReportPlan plan, Console& out);
+
+  /// By rising `number`, that of the input among all inputs of the run.
+  void add(std::size_t number, CheckedInput const& checked);
+  /// A finding of the input that is added next.
+  void add(WrittenFinding const& finding);
+  /// An input that could not be read, for formats that say so.
+  void fail(std::size_t order, Failure const& failure);
+
+  /// What the findings that are shown count to.
+  [[nodiscard]] FindingCounts const& counts() const { return counts_; }
+  [[nodiscard]] std::unordered_set<std::string> const& files() const { return files_; }
+  /// With `write_baseline`: what was found.
+  [[nodiscard]] Baseline const& found() const { return found_; }
+
+  /// Prints what is left. `judged` says of an entry of the baseline whether the run looks for it. `status` is that of the
+  /// run, for a shard.
+  void finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged, int status);
+
+ private:
+  void count(WrittenFinding const& finding);
+  /// Its place in the list of artifacts, where it is put if it is not there.
+  [[nodiscard]] std::size_t number_of(Artifact const& artifact);
+  [[nodiscard]] bool is_hidden(WrittenFinding const& finding, std::uint32_t occurrence);
+  [[nodiscard]] std::optional<BaselineFacts> baseline_facts(std::function<bool(Code)> const& judged) const;
+  void print(WrittenFinding const& finding, std::uint32_t occurrence);
+  void print_sarif();
+  [[nodiscard]] std::vector<CodeCount> frequent_codes() const;
+
+  ReportPlan plan_;
+  Console& out_;
+  bool numbers_;                  ///< occurrences matter to the format or the baseline
+  bool assumption_said_ = false;  ///< AX9006
+  std::size_t shown_ = 0;         ///< findings of the input that is added next
+  std::set<std::uint32_t> used_;  ///< their artifacts
+  bool has_elements_ = false;
+  std::unordered_set<std::string> files_;
+  FindingCounts counts_;
+  std::map<Code, CodeCount> codes_;
+  /// By a digest of the identity: a fleet has millions of them.
+  std::unordered_map<std::uint64_t, std::uint32_t> occurrences_;
+  Baseline found_;
+  Baseline missing_;  ///< entries that nothing has answered to so far
+  std::size_t hidden_ = 0;
+  Spool sarif_results_;
+  std::vector<Artifact> artifacts_;
+  std::unordered_map<std::string, std::size_t> artifact_numbers_;
+};
+
+}  // namespace axisc::cli

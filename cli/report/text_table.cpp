@@ -1,0 +1,37 @@
+#include "cli/report/text_table.hpp"
+
+#include "diagnostics/utf8.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+std::size_t display_width(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string result(text);
+  auto const now = display_width(text);
+  if (now < width) result.append(width - now, ' ');
+  return result;
+}
+
+std::string text_table(std::span<std::vector<std::string> const> rows, std::size_t indent) {
+  std::vector<std::size_t> widths;
+  for (auto const& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
+  }
+  std::string text;
+  for (auto const& row : rows) {
+    std::string line(indent, ' ');
+    for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i]) + "  ";
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,60 @@
+#include "cli/settings/located_file.hpp"
+
+#include "cli/files/disk_files.hpp"
+#include "cli/failure.hpp"
+#include "configuration/json_check.hpp"
+#include "configuration/json_reading.hpp"
+
+#include <utility>
+#include <variant>
+
+namespace axisc::cli {
+
+namespace {
+
+std::vector<Message> sentences_of(validator::JsonProblem const& problem) {
+  std::vector<Message> sentences{problem.message};
+  if (!problem.suggestion.empty()) {
+    sentences.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", problem.suggestion}}});
+  }
+  if (!problem.known_keys.empty()) {
+    sentences.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+  }
+  return sentences;
+}
+
+}  // namespace
+
+LocatedFile::LocatedFile(std::string path, validator::JsonShape const& shape, Text malformed,
+                         std::optional<Code> code)
+    : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_whole(path_, Dash::is_a_name)) {
+  auto parsed = validator::parse_json(source_.bytes(), source_.text_begin());
+  if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
+  document_ = std::get<validator::JsonDocument>(std::move(parsed));
+  auto const problems = validator::check_json(document_, shape_).problems;
+  if (!problems.empty()) refuse(problems.front().span, sentences_of(problems.front()));
+}
+
+validator::JsonValue const* LocatedFile::find(validator::JsonValue const& object,
+                                              std::string_view key) const {
+  auto const* const member = object.find(key);
+  return member == nullptr ? nullptr : &document_[member->value];
+}
+
+void LocatedFile::fill(validator::JsonShape const& shape, validator::JsonValue const& object,
+                       void* target) const {
+  std::vector<bool> const all(document_.values.size(), true);
+  validator::JsonReading(document_, all).fill(shape, object, target);
+}
+
+void LocatedFile::refuse(Span span, Text what, std::vector<Argument> arguments) const {
+  refuse(span, {Message{.text = what, .arguments = std::move(arguments)}});
+}
+
+void LocatedFile::refuse(Span span, std::vector<Message> sentences) const {
+  auto const position = source_.position(span.begin);
+  throw Failure(path_ + ":" + std::to_string(position.line) + ":" + std::to_string(position.column),
+                std::move(sentences), code_);
+}
+
+}  // namespace axisc::cli

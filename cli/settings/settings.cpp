@@ -1,0 +1,250 @@
+#include "cli/settings/settings.hpp"
+
+#include "cli/codes.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/finding_codes.hpp"
+#include "cli/options/glob.hpp"
+#include "cli/settings/located_file.hpp"
+#include "cli/options/machine_outline.hpp"
+#include "cli/settings/schema_file.hpp"
+#include "cli/options/environment.hpp"
+#include "configuration/json_reading.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using validator::by;
+using validator::into;
+using validator::JsonDocument;
+using validator::JsonKey;
+using validator::JsonShape;
+using validator::JsonValue;
+using Kind = validator::JsonShapeKind;
+using enum validator::JsonPresence;
+
+constexpr std::string_view file_name = "axisc.json";
+
+constexpr JsonShape build_shape{
+    .accepts = [](std::string_view text) { return validator::parse_build_version(text).has_value(); },
+    .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
+    .sentence = Text::settings_build};
+constexpr std::array<std::string_view, 2> languages = {"en", "de"};
+constexpr JsonShape language_shape{.words = languages};
+constexpr JsonShape code_shape{.accepts = [](std::string_view text) { return find_code(text).has_value(); },
+                               .pattern = "^([Aa][Xx][0-9]{4}|[a-z][a-z0-9-]*)$",
+                               .sentence = Text::settings_code};
+constexpr JsonShape codes_shape{.kind = Kind::list, .items = &code_shape};
+constexpr std::array<std::string_view, 3> severities = {"error", "warning", "note"};
+constexpr JsonShape severity_shape{.words = severities};
+constexpr JsonShape severities_shape{.kind = Kind::map, .items = &severity_shape, .names = &code_shape};
+
+void store_build(JsonDocument const& /*document*/, JsonValue const& value, Settings& settings) {
+  settings.build = validator::parse_build_version(value.string);
+}
+
+void store_language(JsonDocument const& /*document*/, JsonValue const& value, Settings& settings) {
+  settings.language = parse_language(value.string);
+}
+
+template <typename Target>
+void store_codes(JsonDocument const& document, JsonValue const& value, Target& target) {
+  for (auto const item : value.items) target.disabled.push_back(*find_code(document[item].string));
+}
+
+void store_severities(JsonDocument const& document, JsonValue const& value, Settings& settings) {
+  for (auto const& member : value.members) {
+    auto const& word = document[member.value].string;
+    settings.severities[*find_code(member.key)] = word == "error"     ? Severity::error
+                                                  : word == "warning" ? Severity::warning
+                                                                      : Severity::note;
+  }
+}
+
+constexpr std::array path_keys = {
+    JsonKey{"pattern", &validator::json_text, required,
+            "Files it applies to, relative to the settings: old/**.", into<&PathSettings::pattern>},
+    JsonKey{"disable", &codes_shape, optional, "Findings that are not reported in these files.",
+            by<store_codes<PathSettings>>}};
+constexpr JsonShape path_shape{.kind = Kind::object, .title = "Settings of some files", .keys = path_keys};
+constexpr JsonShape paths_shape{.kind = Kind::list, .items = &path_shape};
+
+constexpr std::array settings_keys = {
+    JsonKey{"cycle_time_us", &validator::json_cycle_time, optional,
+            "Cycle time in microseconds for lists alone; a machine file says its own.",
+            into<&Settings::cycle_time>},
+    JsonKey{"build", &build_shape, optional, "Build of the control that the lists are for, V3.1.3080.00.",
+            by<store_build>},
+    JsonKey{"language", &language_shape, optional, "Language of messages.", by<store_language>},
+    JsonKey{"disable", &codes_shape, optional, "Findings that are not reported, by code or name.",
+            by<store_codes<Settings>>},
+    JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
+            by<store_severities>},
+    JsonKey{"schema", &validator::json_texts, optional, "Schema files, relative to the settings."},
+    JsonKey{"paths", &paths_shape, optional, "Findings that are not reported in some files.",
+            into<&Settings::paths>}};
+
+}  // namespace
+
+constexpr JsonShape settings_shape{.kind = Kind::object, .title = "Settings of axisc", .keys = settings_keys};
+
+namespace {
+
+/// Paths begin at the settings, wherever the program runs.
+void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings& settings) {
+  for (auto const item : list.items) {
+    auto const& name = file[item].string;
+    auto const path = (fs::path(file.path()).parent_path() / name).lexically_normal().string();
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) {
+      file.refuse(file[item].span, Text::settings_schema_missing, {{"file", name}});
+    }
+    settings.schema_files.push_back(path);
+    settings.catalogue = with_schema_file(settings.catalogue, path);
+  }
+}
+
+/// Below `folder`, with slashes; the whole path where it lies elsewhere.
+std::string relative_to(std::string const& folder, std::string const& path) {
+  std::error_code error;
+  auto const absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+  auto const relative = absolute.lexically_relative(folder);
+  return relative.empty() ? absolute.generic_string() : relative.generic_string();
+}
+
+bool covers(std::string const& folder, std::string const& pattern, std::string const& path) {
+  return matches_glob(pattern, relative_to(folder, path));
+}
+
+Digest digest_of_files(std::vector<std::string> const& paths) {
+  Hasher hasher;
+  DiskFiles files;
+  for (auto const& path : paths) {
+    auto const bytes = files.read(path);
+    auto const* const text = std::get_if<std::string>(&bytes);
+    hasher.text(path);
+    hasher.text(text == nullptr ? std::string_view{} : *text);
+  }
+  return hasher.finish();
+}
+
+void require_unchanged(std::vector<std::string> const& paths, Digest const& before) {
+  if (digest_of_files(paths) != before) throw validator::SourceChanged(paths.front());
+}
+
+/// Behind all links; as far as it exists where it does not.
+fs::path canonical_folder(std::string const& folder) {
+  std::unique_ptr<char, decltype(&std::free)> const found(::realpath(folder.c_str(), nullptr), std::free);
+  if (found) return found.get();
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(folder, error), error);
+}
+
+}  // namespace
+
+Settings read_settings(std::string const& path, std::string const& folder) {
+  LocatedFile const file(path, settings_shape, Text::settings_json);
+  Settings settings;
+  settings.file = path;
+  settings.folder = folder;
+  file.fill(&settings);
+  if (auto const* const list = file.find(file.root(), "schema")) read_schema_files(file, *list, settings);
+  return settings;
+}
+
+schema::Catalogue SettingsFinder::catalogue(std::string const& input) {
+  if (auto const* const settings = find(input)) return settings->catalogue;
+  std::lock_guard const lock(mutex_);
+  read_schema_files();
+  return *without_settings_;
+}
+
+Digest SettingsFinder::digest(std::string const& input) {
+  if (auto const* const settings = find(input)) return settings->digest;
+  std::lock_guard const lock(mutex_);
+  read_schema_files();
+  return schema_digest_;
+}
+
+void SettingsFinder::read_schema_files() {
+  if (without_settings_) return;
+  schema_digest_ = digest_of_files(schema_files_);
+  without_settings_ = with_schema_files({}, schema_files_);
+  require_unchanged(schema_files_, schema_digest_);
+}
+
+Settings const* SettingsFinder::find(std::string const& input) {
+  auto const slash = input.rfind('/');
+  std::string asked = slash == std::string::npos ? "." : input.substr(0, std::max(slash, std::size_t{1}));
+  std::lock_guard const lock(mutex_);
+  if (auto const known = asked_.find(asked); known != asked_.end()) return known->second;
+  auto const* const settings = look_for(asked);
+  asked_.emplace(std::move(asked), settings);
+  return settings;
+}
+
+Settings const* SettingsFinder::look_for(std::string const& asked) {
+  std::error_code error;
+  auto const folder = canonical_folder(asked);
+  auto known = known_.find(folder.string());
+  if (known == known_.end()) {
+    std::optional<Settings> found;
+    for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
+      auto const file = candidate / file_name;
+      if (fs::is_regular_file(file, error)) {
+        auto const shown = fs::proximate(file, fs::current_path(error), error);
+        found = read_digested(shown.empty() ? file.string() : shown.string(), candidate.string());
+      }
+      if (candidate == candidate.parent_path()) break;
+    }
+    known = known_.emplace(folder.string(), std::move(found)).first;
+  }
+  return known->second ? &*known->second : nullptr;
+}
+
+Settings SettingsFinder::read_digested(std::string const& file, std::string const& folder) const {
+  auto const own = digest_of_files({file});
+  auto settings = read_settings(file, folder);
+  settings.catalogue = with_schema_files(settings.catalogue, schema_files_);
+  auto files = settings.schema_files;
+  files.insert(files.end(), schema_files_.begin(), schema_files_.end());
+  Hasher hasher;
+  hasher.digest(own);
+  hasher.digest(digest_of_files(files));
+  if (!settings.paths.empty()) {
+    // Patterns are compared with names below the folder, which depend on where the program runs.
+    std::error_code error;
+    hasher.text(folder);
+    hasher.text(fs::current_path(error).string());
+  }
+  settings.digest = hasher.finish();
+  require_unchanged({file}, own);
+  return settings;
+}
+
+validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
+                                      std::string const& input) {
+  // A machine file says its own cycle time, and only the command line knows better.
+  if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
+  if (!options.build) options.build = settings.build;
+  options.catalogue = settings.catalogue;
+  options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
+  options.severities = settings.severities;
+  for (auto const& rule : settings.paths) {
+    options.paths.push_back({.covers = [folder = settings.folder, pattern = rule.pattern](
+                                           auto const& file) { return covers(folder, pattern, file); },
+                             .disabled = rule.disabled});
+  }
+  return options;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,101 @@
+// `axisc.json`: what a team has agreed on for the lists of a folder and those below it.
+//
+//   {
+//     "cycle_time_us": 1000,                      for lists alone; a machine file says its own
+//     "build": "V3.1.3080.00",
+//     "language": "de",
+//     "disable": ["AX4007"],
+//     "severity": {"AX3013": "error"},
+//     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
+//     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]
+//   }
+//
+// A severity decides about exit statuses, about which finding of a token stands, and about whether an image is made, in
+// every command alike; a code that is given one is looked for without --pedantic, unless it is a note either way. A
+// pattern is compared with the file in which a finding is: a default list and the lists of axes may have different rules.
+//
+// All keys are optional. The file is looked for beside each input and upwards; the nearest one counts alone. What the
+// command line says wins.
+#pragma once
+
+#include "cli/fleet/digest.hpp"
+#include "diagnostics/finding.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/check.hpp"
+#include "configuration/json_shape.hpp"
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace axisc::cli {
+
+struct PathSettings {
+  std::string pattern;  ///< relative to the folder of the settings
+  std::vector<Code> disabled;
+};
+
+struct Settings {
+  std::string file;    ///< "lists/axisc.json"
+  std::string folder;  ///< patterns begin here
+  std::optional<design::CycleTime> cycle_time;
+  std::optional<validator::BuildVersion> build;
+  std::optional<Language> language;
+  std::vector<Code> disabled;
+  std::map<Code, Severity> severities;
+  std::vector<PathSettings> paths;
+  std::vector<std::string> schema_files;
+  schema::Catalogue catalogue;  ///< with these and those of the command line
+  Digest digest;                ///< of everything above
+};
+
+/// Failure, with line and column, for anything that is no settings file.
+[[nodiscard]] Settings read_settings(std::string const& path, std::string const& folder);
+
+/// What a settings file may say.
+extern validator::JsonShape const settings_shape;
+
+/// The settings of each folder, read once. May be used by several threads.
+class SettingsFinder {
+ public:
+  /// `schema_files` are those of the command line; they are read behind those of each axisc.json, so that they win.
+  explicit SettingsFinder(std::vector<std::string> schema_files = {})
+      : schema_files_(std::move(schema_files)) {}
+
+  /// Those that apply to an input; none where no axisc.json stands beside or above it, and for standard input that of the
+  /// working folder. Lives as long as the finder. Cost: system calls once per folder.
+  [[nodiscard]] Settings const* find(std::string const& input);
+  /// What the lists of an input may set.
+  [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
+  /// Of all that the two say: names and contents of settings and schema files.
+  [[nodiscard]] Digest digest(std::string const& input);
+  [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }
+
+ private:
+  void read_schema_files();
+  [[nodiscard]] Settings read_digested(std::string const& file, std::string const& folder) const;
+  [[nodiscard]] Settings const* look_for(std::string const& asked);
+
+  std::vector<std::string> schema_files_;
+  std::mutex mutex_;
+  std::map<std::string, std::optional<Settings>> known_;    ///< by folder
+  std::unordered_map<std::string, Settings const*> asked_;  ///< by folder as inputs write it
+  std::optional<schema::Catalogue> without_settings_;       ///< with the command line's files alone
+  Digest schema_digest_;                                    ///< of the command line's files
+};
+
+/// `options` of the command line, filled up with what the settings say.
+[[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
+                                                    std::string const& input);
+
+/// What `lint --print-config` shows for one input: each setting, and where it comes from.
+[[nodiscard]] std::string describe_settings(std::string const& input,
+                                            validator::CheckOptions const& command_line,
+                                            std::vector<std::string> const& schema_files,
+                                            Settings const* settings, Language language);
+
+}  // namespace axisc::cli

@@ -1,0 +1,65 @@
+#include "cli/settings/settings.hpp"
+#include "cli/report/text_table.hpp"
+#include "diagnostics/format_number.hpp"
+#include "diagnostics/location.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+std::string say(Text text, Language language) {
+  return render({.text = text, .arguments = {}}, language);
+}
+
+std::string joined(std::vector<Code> const& codes) {
+  std::string text;
+  for (Code const code : codes) text += (text.empty() ? "" : ", ") + code_text(code);
+  return text;
+}
+
+}  // namespace
+
+std::string describe_settings(std::string const& input, validator::CheckOptions const& command_line,
+                              std::vector<std::string> const& schema_files, Settings const* settings,
+                              Language language) {
+  auto const from_command_line = say(Text::settings_from_command_line, language);
+  auto const from_default = say(Text::settings_from_default, language);
+  auto const from_file = settings ? settings->file : std::string();
+  std::vector<std::vector<std::string>> rows;
+  auto const add = [&](std::string const& name, std::string const& value, std::string const& origin) {
+    rows.push_back({name, value, origin});
+  };
+  if (command_line.cycle_time) {
+    add("cycle_time_us", format_exact(command_line.cycle_time->microseconds()), from_command_line);
+  } else if (settings && settings->cycle_time) {
+    add("cycle_time_us", format_exact(settings->cycle_time->microseconds()), from_file);
+  } else {
+    add("cycle_time_us", say(Text::settings_cycle_time_default, language), from_default);
+  }
+  if (command_line.build) {
+    add("build", to_text(*command_line.build), from_command_line);
+  } else if (settings && settings->build) {
+    add("build", to_text(*settings->build), from_file);
+  } else {
+    add("build", "-", from_default);
+  }
+  add("language", language == Language::german ? "de" : "en",
+      settings && settings->language ? from_file : from_default);
+  if (!command_line.disabled.empty()) add("disable", joined(command_line.disabled), from_command_line);
+  if (settings) {
+    for (auto const& file : settings->schema_files) add("schema", file, from_file);
+  }
+  for (auto const& file : schema_files) add("schema", file, from_command_line);
+  if (settings) {
+    if (!settings->disabled.empty()) add("disable", joined(settings->disabled), from_file);
+    for (auto const& rule : settings->paths) {
+      add("paths: " + rule.pattern, joined(rule.disabled), from_file);
+    }
+    for (auto const& [code, severity] : settings->severities) {
+      add("severity: " + code_text(code), std::string(severity_name(severity)), from_file);
+    }
+  }
+  return input + "\n" + text_table(rows, 2);
+}
+
+}  // namespace axisc::cli

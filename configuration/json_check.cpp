@@ -1,0 +1,260 @@
+#include "configuration/json_check.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "diagnostics/ascii.hpp"
+#include "schema/closest_word.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+using Kind = JsonShapeKind;
+using Words = std::vector<std::string_view>;
+
+std::string joined(Words const& words) {
+  std::string text;
+  for (std::string_view const word : words) text.append(text.empty() ? "" : ", ").append(word);
+  return text;
+}
+
+std::string range_text(JsonShape const& shape) {
+  if (shape.lowest == shape.highest) return "= " + format_exact(shape.lowest);
+  std::string text;
+  if (std::isfinite(shape.lowest)) text = (shape.above_lowest ? "> " : "≥ ") + format_exact(shape.lowest);
+  if (std::isfinite(shape.highest)) {
+    text.append(text.empty() ? "≤ " : ", ≤ ").append(format_exact(shape.highest));
+  }
+  return text;
+}
+
+bool is_in_range(JsonShape const& shape, double number) {
+  bool const whole = shape.kind != Kind::whole_number || number == std::floor(number);
+  bool const above = shape.above_lowest ? number > shape.lowest : number >= shape.lowest;
+  return whole && above && number <= shape.highest;
+}
+
+bool is_of_kind(JsonShape const& shape, JsonValue const& value) {
+  switch (shape.kind) {
+    case Kind::null:
+      return value.kind == JsonKind::null;
+    case Kind::flag:
+      return value.kind == JsonKind::boolean;
+    case Kind::number:
+    case Kind::whole_number:
+      return value.kind == JsonKind::number;
+    case Kind::text:
+      return value.kind == JsonKind::string;
+    case Kind::list:
+      return value.kind == JsonKind::array;
+    case Kind::object:
+    case Kind::map:
+      return value.kind == JsonKind::object;
+    case Kind::anything:
+    case Kind::either:
+      break;
+  }
+  return true;
+}
+
+Text list_sentence(JsonShape const& items) {
+  if (items.kind == Kind::text) return Text::json_list_of_texts;
+  return items.kind == Kind::object ? Text::json_list_of_objects : Text::json_list;
+}
+
+Text number_sentence(JsonShape const& shape) {
+  if (shape.kind == Kind::whole_number) return Text::json_whole;
+  return range_text(shape).empty() || shape.sentence ? Text::json_number : Text::json_range;
+}
+
+class Checker {
+ public:
+  explicit Checker(JsonDocument const& document) : document_(document) {
+    check_.readable.resize(document.values.size());
+  }
+
+  JsonCheck check(JsonShape const& shape) && {
+    check_value(shape, 0, {});
+    return std::move(check_);
+  }
+
+ private:
+  JsonProblem& add(Span span, Text text, std::vector<Argument> arguments = {}) {
+    return check_.problems.emplace_back(
+        JsonProblem{span, {.text = text, .arguments = std::move(arguments)}, {}, {}, {}});
+  }
+
+  /// The shape's own sentence, or the general one.
+  JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, std::string value,
+                      Text general) {
+    std::vector<Argument> arguments{{"key", std::string(key)}, {"value", std::move(value)}};
+    if (!shape.sentence) arguments.push_back({"range", range_text(shape)});
+    return add(span, shape.sentence.value_or(general), std::move(arguments));
+  }
+
+  void refuse_kind(JsonShape const& shape, Span span, std::string_view key) {
+    Argument const name{"key", std::string(key)};
+    switch (shape.kind) {
+      case Kind::flag:
+        add(span, Text::json_flag, {name});
+        break;
+      case Kind::number:
+      case Kind::whole_number:
+        add(span, number_sentence(shape), {name, {"range", range_text(shape)}});
+        break;
+      case Kind::text:
+        add(span, Text::json_text, {name});
+        break;
+      case Kind::list:
+        add(span, list_sentence(*shape.items), {name});
+        break;
+      default:
+        add(span, Text::json_object);
+    }
+  }
+
+  void check_value(JsonShape const& shape, std::size_t index, std::string_view key) {
+    JsonValue const& value = document_[index];
+    if (!is_of_kind(shape, value)) return refuse_kind(shape, value.span, key);
+    check_.readable[index] = true;
+    switch (shape.kind) {
+      case Kind::number:
+      case Kind::whole_number:
+        if (is_in_range(shape, value.number)) break;
+        check_.readable[index] = false;
+        refuse(shape, value.span, key, format_exact(value.number), number_sentence(shape));
+        break;
+      case Kind::text:
+        check_.readable[index] = check_text(shape, value.string, value.span, key);
+        break;
+      case Kind::list:
+        check_list(shape, value, key);
+        break;
+      case Kind::object:
+        check_object(shape, value);
+        break;
+      case Kind::map:
+        check_map(shape, value, key);
+        break;
+      case Kind::either:
+        check_alternatives(shape, index, key);
+        break;
+      default:
+        break;
+    }
+  }
+
+  bool check_text(JsonShape const& shape, std::string const& text, Span span, std::string_view key) {
+    if (!shape.words.empty()) {
+      bool const known = std::any_of(shape.words.begin(), shape.words.end(), [&](std::string_view word) {
+        return shape.ignores_case ? ascii::equal_ignoring_case(word, text) : word == text;
+      });
+      if (known) return true;
+      Words const words(shape.words.begin(), shape.words.end());
+      JsonProblem& problem =
+          add(span, Text::json_one_of, {{"key", std::string(key)}, {"values", joined(words)}});
+      problem.suggestion = schema::closest_word(text, words);
+      return false;
+    }
+    if (text.empty() && !shape.may_be_empty) {
+      add(span, Text::json_empty_text, {{"key", std::string(key)}});
+      return false;
+    }
+    if (shape.accepts == nullptr || shape.accepts(text)) return true;
+    refuse(shape, span, key, text, Text::json_text);
+    return false;
+  }
+
+  void check_list(JsonShape const& shape, JsonValue const& list, std::string_view key) {
+    if (list.items.size() < shape.fewest) refuse(shape, list.span, key, {}, Text::json_empty_text);
+    std::set<std::string_view> seen;
+    for (std::size_t const item : list.items) {
+      JsonValue const& value = document_[item];
+      if (!is_of_kind(*shape.items, value)) {
+        bool const has_sentence = list_sentence(*shape.items) != Text::json_list;
+        refuse_kind(has_sentence ? shape : *shape.items, value.span, key);
+        continue;
+      }
+      check_value(*shape.items, item, key);
+      if (shape.distinct && !seen.insert(value.string).second) {
+        add(value.span, Text::json_repeated_value, {{"key", std::string(key)}, {"value", value.string}});
+      }
+    }
+  }
+
+  void check_object(JsonShape const& shape, JsonValue const& object) {
+    std::unordered_map<std::string_view, Span> seen;
+    for (JsonMember const& member : object.members) {
+      auto const key = std::find_if(shape.keys.begin(), shape.keys.end(),
+                                    [&](JsonKey const& each) { return each.name == member.key; });
+      if (key == shape.keys.end()) {
+        refuse_unknown(shape, member);
+      } else if (is_first(seen, member)) {
+        check_value(*key->shape, member.value, member.key);
+      }
+    }
+    for (JsonKey const& key : shape.keys) {
+      auto const found = seen.find(key.name);
+      if (found == seen.end()) {
+        if (key.presence == JsonPresence::required)
+          add(object.span, Text::json_missing_key, {{"key", std::string(key.name)}});
+      } else if (!key.excludes.empty() && seen.contains(key.excludes)) {
+        add(found->second, Text::json_excludes,
+            {{"key", std::string(key.name)}, {"other", std::string(key.excludes)}});
+      }
+    }
+  }
+
+  void check_map(JsonShape const& shape, JsonValue const& map, std::string_view key) {
+    if (map.members.size() < shape.fewest) refuse(shape, map.span, key, {}, Text::json_empty_text);
+    std::unordered_map<std::string_view, Span> seen;
+    for (JsonMember const& member : map.members) {
+      if (!is_first(seen, member)) continue;
+      check_text(*shape.names, member.key, member.key_span, key);
+      check_value(*shape.items, member.value, member.key);
+    }
+  }
+
+  void check_alternatives(JsonShape const& shape, std::size_t index, std::string_view key) {
+    std::size_t const before = check_.problems.size();
+    for (JsonShape const* const alternative : shape.alternatives) {
+      check_value(*alternative, index, key);
+      if (check_.problems.size() == before) return;
+      check_.problems.erase(check_.problems.begin() + static_cast<std::ptrdiff_t>(before),
+                            check_.problems.end());
+    }
+    check_.readable[index] = false;
+    refuse(shape, document_[index].span, key, document_[index].string, Text::json_text);
+  }
+
+  /// A finding for a key that the object has already.
+  bool is_first(std::unordered_map<std::string_view, Span>& seen, JsonMember const& member) {
+    auto const [first, is_new] = seen.try_emplace(member.key, member.key_span);
+    if (!is_new) add(member.key_span, Text::json_repeated_key, {{"key", member.key}}).first = first->second;
+    return is_new;
+  }
+
+  void refuse_unknown(JsonShape const& shape, JsonMember const& member) {
+    Words names;
+    for (JsonKey const& key : shape.keys) names.push_back(key.name);
+    JsonProblem& problem = add(member.key_span, Text::json_unknown_key, {{"key", member.key}});
+    problem.suggestion = schema::closest_word(member.key, names);
+    problem.known_keys = joined(names);
+  }
+
+  JsonDocument const& document_;
+  JsonCheck check_;
+};
+
+}  // namespace
+
+JsonCheck check_json(JsonDocument const& document, JsonShape const& shape) {
+  return Checker(document).check(shape);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,32 @@
+// Whether a JSON document is as a table says.
+#pragma once
+
+#include "diagnostics/text.hpp"
+#include "configuration/json_shape.hpp"
+#include "configuration/located_json.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+struct JsonProblem {
+  Span span;  ///< of the key or value that is wrong; of the object's bracket where a key is missing
+  Message message;
+  std::optional<Span> first;  ///< of a repeated key: where it is for the first time
+  std::string suggestion;     ///< what was probably meant to be at `span`, without quotes; may be empty
+  std::string known_keys;     ///< for an unknown key: "name, list, drive"
+};
+
+struct JsonCheck {
+  /// Of each object its members in the order of the text, then its missing keys.
+  std::vector<JsonProblem> problems;
+  /// By index of the document's values: which may be read. A list or object may be although something in it may not.
+  std::vector<bool> readable;
+};
+
+/// Of a repeated key the first counts. Unknown keys are not looked into.
+[[nodiscard]] JsonCheck check_json(JsonDocument const& document, JsonShape const& shape);
+
+}  // namespace axisc::validator

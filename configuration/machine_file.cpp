@@ -1,0 +1,203 @@
+#include "configuration/machine_file.hpp"
+
+#include "schema/closest_word.hpp"
+#include "validator/views/drive.hpp"
+#include "configuration/json_check.hpp"
+#include "configuration/located_json.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+using Kind = JsonShapeKind;
+using enum JsonPresence;
+
+constexpr auto drive_words = [] {
+  std::array<std::string_view, drive_types.size()> words;
+  std::transform(drive_types.begin(), drive_types.end(), words.begin(),
+                 [](DriveType const& drive) { return drive.word; });
+  return words;
+}();
+constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
+constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
+
+constexpr JsonShape drive_shape{.words = drive_words, .ignores_case = true};
+constexpr JsonShape position_control_shape{.words = position_controls, .ignores_case = true};
+constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
+
+void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
+  axis.type = equal_ignoring_case(value.string, "T")   ? AxisType::translatory
+              : equal_ignoring_case(value.string, "R") ? AxisType::rotary
+                                                       : AxisType::spindle;
+}
+
+constexpr std::array axis_keys = {
+    JsonKey{"name", &json_text, required, "Name of the axis, unique in the machine.",
+            into<&MachineFileAxis::name>},
+    JsonKey{"list", &json_text, required, "Its parameter list, relative to the machine file.",
+            into<&MachineFileAxis::list>},
+    JsonKey{"drive", &drive_shape, optional, "Type of the drive; wins over kenngr.antr_typ of the list.",
+            into<&MachineFileAxis::drive>},
+    JsonKey{"position_control", &position_control_shape, optional, "Where the position is controlled.",
+            into<&MachineFileAxis::position_control>},
+    JsonKey{"type", &axis_type_shape, optional,
+            "Translatory, rotary or spindle; wins over kenngr.achs_typ of the list.", by<store_axis_type>}};
+constexpr JsonShape axis_shape{.kind = Kind::object, .title = "Axis", .keys = axis_keys};
+constexpr JsonShape axes_shape{
+    .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = Text::ax4020_no_axes};
+
+constexpr std::array group_keys = {
+    JsonKey{"name", &json_text, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
+    JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
+            into<&MachineFileGroup::axes>},
+    JsonKey{"programs", &json_texts, optional, "Programs that are checked against this group alone.",
+            into<&MachineFileGroup::programs>}};
+constexpr JsonShape group_shape{.kind = Kind::object, .title = "Group of axes", .keys = group_keys};
+constexpr JsonShape groups_shape{.kind = Kind::list, .items = &group_shape};
+
+constexpr std::array gantry_keys = {
+    JsonKey{"master", &json_text, required, "Name of the leading axis.", into<&MachineFileGantry::master>},
+    JsonKey{"slaves", &json_texts, required, "Names of the axes that follow.",
+            into<&MachineFileGantry::slaves>}};
+constexpr JsonShape gantry_shape{.kind = Kind::object, .title = "Gantry", .keys = gantry_keys};
+constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
+
+constexpr std::array machine_keys = {
+    JsonKey{"machine", &json_text, optional, "Name of the machine.", into<&MachineFile::machine>},
+    JsonKey{"cycle_time_us", &json_cycle_time, optional, "Cycle time of the control in microseconds.",
+            into<&MachineFile::cycle_time>},
+    JsonKey{"default_list", &json_text, optional,
+            "List with the values that the lists of the axes leave out.", into<&MachineFile::default_list>},
+    JsonKey{"axes", &axes_shape, required, "All axes of the machine.", into<&MachineFile::axes>},
+    JsonKey{"groups", &groups_shape, optional, "Axes that move together.", into<&MachineFile::groups>},
+    JsonKey{"gantries", &gantries_shape, optional, "Axes that follow another one.",
+            into<&MachineFile::gantries>},
+    JsonKey{"programs", &json_texts, optional, "Programs that are checked against every group.",
+            into<&MachineFile::programs>},
+    JsonKey{"filter_sets", &json_texts, optional,
+            "#FILTER commands that programs may use beside those of `programs`.",
+            into<&MachineFile::filter_sets>},
+    JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>}};
+}  // namespace
+
+constexpr JsonShape machine_file_shape{
+    .kind = Kind::object, .title = "Machine of axisc", .keys = machine_keys};
+
+namespace {
+
+class MachineFileReader {
+ public:
+  MachineFileReader(SourceId source, ReportedFindings& findings)
+      : source_(source), report_(findings, *find_rule(Code{4020})) {}
+
+  void broken(JsonError const& error) {
+    add(error.span,
+        {.text = error.span.empty() ? Text::ax4020_json_end : Text::ax4020_json, .arguments = {}});
+  }
+
+  MachineFile read(JsonDocument const& document) {
+    JsonCheck const check = check_json(document, machine_file_shape);
+    for (JsonProblem const& problem : check.problems) tell(problem);
+    MachineFile machine;
+    if (!check.readable.front()) return machine;
+    JsonReading(document, check.readable, source_).fill(machine_file_shape, document.root(), &machine);
+    require_distinct_axes(machine.axes);
+    for (MachineFileGroup& group : machine.groups) require_axes(group.axes);
+    for (MachineFileGantry& gantry : machine.gantries) {
+      if (!gantry.master.text.empty() && !is_axis(gantry.master)) gantry.master.text.clear();
+      require_axes(gantry.slaves);
+    }
+    std::erase_if(machine.gantries, [](MachineFileGantry const& each) { return each.master.text.empty(); });
+    return machine;
+  }
+
+ private:
+  Finding& add(Span span, Message message) {
+    return report_.add(Place{.source = source_, .span = span}, std::move(message));
+  }
+
+  void tell(JsonProblem const& problem) {
+    Finding& finding = add(problem.span, problem.message);
+    suggest(finding, problem.suggestion);
+    if (!problem.known_keys.empty()) {
+      finding.notes.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+    }
+    if (problem.first) relate(finding, {.source = source_, .span = *problem.first});
+  }
+
+  static void relate(Finding& finding, Place first) {
+    finding.related.push_back({.place = first, .message = {.text = Text::json_first, .arguments = {}}});
+  }
+
+  static void suggest(Finding& finding, std::string const& word) {
+    if (word.empty()) return;
+    finding.help.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", word}}});
+    Fix fix;
+    fix.title = {.text = Text::json_fix, .arguments = {{"replacement", word}}};
+    fix.edits.push_back({.place = *finding.place, .text = '"' + word + '"'});
+    finding.fix = std::move(fix);
+  }
+
+  /// Leaves out repeated axes and those without name or list; all names are known from here on.
+  void require_distinct_axes(std::vector<MachineFileAxis>& axes) {
+    auto const leave_out = [&](MachineFileAxis const& axis) {
+      if (axis.name.text.empty()) return true;
+      auto const [first, is_new] = axis_names_.try_emplace(axis.name.text, axis.name.place);
+      if (is_new) return axis.list.text.empty();
+      Message message{.text = Text::ax4020_repeated_axis, .arguments = {{"name", axis.name.text}}};
+      relate(add(axis.name.place.span, std::move(message)), first->second);
+      return true;
+    };
+    std::vector<MachineFileAxis> kept;
+    for (MachineFileAxis& axis : axes) {
+      if (!leave_out(axis)) kept.push_back(std::move(axis));
+    }
+    axes = std::move(kept);
+  }
+
+  bool is_axis(LocatedText const& name) {
+    if (axis_names_.contains(name.text)) return true;
+    std::vector<std::string_view> known;
+    for (auto const& [axis, place] : axis_names_) known.push_back(axis);
+    Message message{.text = Text::ax4020_unknown_axis, .arguments = {{"name", name.text}}};
+    suggest(add(name.place.span, std::move(message)), std::string(schema::closest_word(name.text, known)));
+    return false;
+  }
+
+  void require_axes(std::vector<LocatedText>& names) {
+    std::erase_if(names, [this](LocatedText const& name) { return !is_axis(name); });
+  }
+
+  SourceId source_;
+  Report report_;
+  std::map<std::string, Place> axis_names_;
+};
+
+}  // namespace
+
+MachineFile read_machine_file(SourceSet const& sources, SourceId source, ReportedFindings& findings) {
+  SourceText const& text = sources[source];
+  MachineFileReader reader(source, findings);
+  auto const parsed = parse_json(text.bytes(), text.text_begin());
+  if (auto const* const error = std::get_if<JsonError>(&parsed)) {
+    reader.broken(*error);
+    return {};
+  }
+  return reader.read(std::get<JsonDocument>(parsed));
+}
+
+bool looks_like_machine_file(std::string_view bytes) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (bytes.substr(0, mark.size()) == mark) bytes.remove_prefix(mark.size());
+  std::size_t const first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  return bytes[first] == '{' || bytes.find("\"axes\"") != std::string_view::npos;
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,58 @@
+// What a machine file says, as it says it: names, not yet files that were read.
+#pragma once
+
+#include "design/units.hpp"
+#include "diagnostics/finding.hpp"
+#include "configuration/json_reading.hpp"
+#include "machine/machine.hpp"
+#include "validator/engine/report.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+struct MachineFileAxis {
+  LocatedText name;
+  LocatedText list;
+  std::optional<LocatedText> drive;  ///< SERCOS, PROFIDRIVE, CANopen, …; wins over kenngr.antr_typ
+  std::optional<LocatedText> position_control;  ///< drive or cnc
+  std::optional<AxisType> type;
+};
+
+struct MachineFileGroup {
+  std::optional<LocatedText> name;
+  std::vector<LocatedText> axes;
+  std::vector<LocatedText> programs;  ///< checked against this group alone
+};
+
+struct MachineFileGantry {
+  LocatedText master;
+  std::vector<LocatedText> slaves;
+};
+
+struct MachineFile {
+  std::optional<LocatedText> machine;
+  std::optional<design::CycleTime> cycle_time;
+  std::optional<LocatedText> default_list;
+  std::vector<MachineFileAxis> axes;
+  std::vector<MachineFileGroup> groups;
+  std::vector<MachineFileGantry> gantries;
+  std::vector<LocatedText> programs;     ///< checked against every group
+  std::vector<LocatedText> filter_sets;  ///< commands that programs may use beside `programs`
+  bool inch = false;                     ///< lengths in programs are inches
+};
+
+/// Reads `sources[source]`; what is wrong becomes AX4020 findings and is left out of the result. Axes without name or
+/// list, and repeated ones, are left out.
+[[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
+                                            ReportedFindings& findings);
+
+/// What a machine file may say.
+extern JsonShape const machine_file_shape;
+
+/// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".
+[[nodiscard]] bool looks_like_machine_file(std::string_view bytes);
+
+}  // namespace axisc::validator

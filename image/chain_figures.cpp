@@ -1,0 +1,138 @@
+#include "image/chain_figures.hpp"
+
+#include "image/runtime_host.hpp"
+#include "design/filter_analysis.hpp"
+#include "design/filter_kinds.hpp"
+#include "design/kernel_analysis.hpp"
+#include "design/kernel_kinds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace axisc::codegen {
+namespace {
+
+constexpr double settled_within = 1e-4;
+
+std::vector<design::FilterDesign> designs(ImageAxis const& axis) {
+  std::vector<design::FilterDesign> chain;
+  for (ImageFilter const& filter : axis.filters) chain.push_back(filter.design);
+  return chain;
+}
+
+ImageKernel const* kernel_at_start(ImageContents const& contents, std::size_t axis) {
+  auto const& slot = contents.axes[axis].slot;
+  if (!slot || !slot->on_at_start || !slot->kernel) return nullptr;
+  return &contents.kernels[*slot->kernel];
+}
+
+/// Executes the chain of one axis from rest at 0; `setpoint(n)` from cycle 0 on.
+template <class Setpoint>
+std::vector<double> execute(RuntimeHost& host, std::size_t axis, std::uint64_t cycles, Setpoint setpoint) {
+  std::vector<double> in(host.axis_count(), 0);
+  std::vector<double> out(host.axis_count(), 0);
+  std::vector<double> result;
+  result.reserve(cycles);
+  static_cast<void>(host.reset_all(0));
+  for (std::uint64_t n = 0; n < cycles; ++n) {
+    in[axis] = setpoint(n);
+    static_cast<void>(host.step(in, out));
+    result.push_back(out[axis]);
+  }
+  return result;
+}
+
+/// Distance of the origin from the line between two points.
+double distance_to_origin(double x0, double y0, double x1, double y1) {
+  double const dx = x1 - x0;
+  double const dy = y1 - y0;
+  double const length = dx * dx + dy * dy;
+  double const t = length > 0 ? std::clamp(-(x0 * dx + y0 * dy) / length, 0.0, 1.0) : 0.0;
+  return std::hypot(x0 + t * dx, y0 + t * dy);
+}
+
+/// One axis ends a ramp in the corner while the other begins one. By superposition the ending ramp's answer is the endless
+/// ramp's, n - delay, less the beginning one's, r[n].
+double corner(std::vector<double> const& ramp, double delay) {
+  double nearest = delay;  // long before the corner the path lies on the first line
+  double x_before = -delay;
+  double y_before = 0;
+  for (std::size_t n = 0; n < ramp.size(); ++n) {
+    double const y = ramp[n];
+    double const x = static_cast<double>(n) - delay - y;
+    nearest = std::min(nearest, distance_to_origin(x_before, y_before, x, y));
+    x_before = x;
+    y_before = y;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
+                           std::size_t axis) {
+  ChainFigures figures{.delay_cycles = contents.axes[axis].delay_cycles,
+                       .settling_cycles = std::nullopt,
+                       .overshoot = 0,
+                       .corner_deviation = std::nullopt};
+  auto host = RuntimeHost::create(image);
+  auto* const runtime = std::get_if<RuntimeHost>(&host);
+  if (runtime == nullptr) return figures;
+  auto const chain = designs(contents.axes[axis]);
+  ImageKernel const* const kernel = kernel_at_start(contents, axis);
+  auto const bound = design::step_figures(chain, longest_settling, settled_within / 10).settling_cycles;
+  std::uint64_t const cycles =
+      bound.value_or(longest_settling) + (kernel != nullptr ? kernel->design.tail_sums.size() : 0) + 1;
+
+  auto const step = execute(*runtime, axis, cycles, [](std::uint64_t) { return 1.0; });
+  double dc_gain = 1;
+  for (design::FilterDesign const& filter : chain) dc_gain *= filter.dc_gain;
+  std::uint64_t settled = cycles;
+  while (settled > 0 && std::abs(step[settled - 1] - dc_gain) <= settled_within) --settled;
+  if (bound) figures.settling_cycles = settled;
+  double const highest = *std::max_element(step.begin(), step.end());
+  if (dc_gain > 0) figures.overshoot = std::max(0.0, (highest - dc_gain) / dc_gain);
+  if (dc_gain == 1) {
+    auto const ramp = execute(*runtime, axis, cycles, [](std::uint64_t n) { return static_cast<double>(n); });
+    figures.corner_deviation = corner(ramp, figures.delay_cycles);
+  }
+  return figures;
+}
+
+double chain_magnitude(ImageContents const& contents, std::size_t axis, design::Hertz frequency) {
+  auto const chain = designs(contents.axes[axis]);
+  double magnitude = design::chain_response(chain, frequency, contents.cycle_time).magnitude;
+  if (ImageKernel const* const kernel = kernel_at_start(contents, axis)) {
+    magnitude *= design::kernel_response(kernel->design, frequency, contents.cycle_time).magnitude;
+  }
+  return magnitude;
+}
+
+std::vector<design::Hertz> characteristic_frequencies(ImageContents const& contents, std::size_t axis) {
+  std::vector<design::Hertz> frequencies;
+  for (ImageFilter const& filter : contents.axes[axis].filters) {
+    auto const& wanted = filter.specification;
+    auto const& kind = design::kind_of(wanted.type);
+    if (kind.uses_frequency) frequencies.push_back(wanted.frequency);
+    if (kind.time_constant && kind.time_constant->meaning == design::TimeMeaning::lag) {
+      frequencies.push_back({1e6 / (2 * std::numbers::pi * wanted.time_constant.value)});
+    }
+  }
+  if (ImageKernel const* const kernel = kernel_at_start(contents, axis)) {
+    auto const& wanted = kernel->specification;
+    if (design::kind_of(wanted.type).uses_frequency) frequencies.push_back(wanted.frequency);
+  }
+  sort_frequencies(frequencies);
+  return frequencies;
+}
+
+void sort_frequencies(std::vector<design::Hertz>& frequencies) {
+  auto const below = [](design::Hertz a, design::Hertz b) { return a.value < b.value; };
+  auto const same = [](design::Hertz a, design::Hertz b) { return a.value == b.value; };
+  std::sort(frequencies.begin(), frequencies.end(), below);
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end(), same), frequencies.end());
+}
+
+}  // namespace axisc::codegen

@@ -1,0 +1,23 @@
+// From checked lists to the typed machine.
+#pragma once
+
+#include "validator/views/axis_views.hpp"
+#include "validator/check.hpp"
+#include "validator/loading/loading.hpp"
+
+#include <deque>
+#include <vector>
+
+namespace axisc::validator {
+
+struct BuiltMachine {
+  Machine machine;
+  std::vector<NotCompiled> not_compiled;
+};
+
+/// Call it only where no error was found and every file was read. `views` has one entry per axis. The machine reads programs again from `files` when
+/// their bytes are asked for.
+[[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
+                                         SourceSet const& sources, Files& files);
+
+}  // namespace axisc::validator

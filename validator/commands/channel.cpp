@@ -1,0 +1,69 @@
+#include "validator/commands/channel.hpp"
+
+#include "validator/commands/command_check.hpp"
+#include "validator/views/fir_view.hpp"
+
+#include <algorithm>
+
+namespace axisc::validator {
+namespace {
+
+class SetCollector {
+ public:
+  SetCollector(CommandLimits const& limits, std::vector<NotCompiled>& not_compiled)
+      : limits_(limits), not_compiled_(not_compiled) {}
+
+  void add(CheckedCommand const& checked, Place place, std::string_view written) {
+    if (checked.command) {
+      FilterCommand const& command = *checked.command;
+      bool const needs_none =
+          command.filter_switch == FilterSwitch::off || command.hsc || command.parameters.empty();
+      if (needs_none || std::find(sets.begin(), sets.end(), command.parameters) != sets.end()) return;
+      sets.push_back(command.parameters);
+    } else if (!checked.mistakes.empty()) {
+      not_compiled_.push_back({.place = place,
+                               .feature = {.text = Text::not_compiled_command,
+                                           .arguments = {{"command", std::string(written)}}}});
+    }
+  }
+
+  [[nodiscard]] CommandLimits const& limits() const { return limits_; }
+
+  std::vector<FilterParameters> sets;
+
+ private:
+  CommandLimits const& limits_;
+  std::vector<NotCompiled>& not_compiled_;
+};
+
+void add_program(LoadedProgram const& program, SourceSet const& sources, SetCollector& collector) {
+  std::string_view const text = sources[program.source].bytes();
+  for (grammar::NcCommand const& command : program.tree.commands) {
+    if (command.kind != grammar::CommandKind::filter) continue;
+    collector.add(check_command(command, text, collector.limits(), Variables::accepted),
+                  {.source = program.source, .span = command.name}, "#FILTER");
+  }
+}
+
+}  // namespace
+
+bool has_time_delay(LoadedMachine const& machine, LoadedGroup const& group) {
+  return std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
+    return FirView(machine.axes[axis].merged.values).configured_type() == FirType::time_delay;
+  });
+}
+
+std::vector<FilterParameters> filter_sets_of(LoadedMachine const& machine, LoadedGroup const& group,
+                                             SourceSet const& sources,
+                                             std::vector<NotCompiled>& not_compiled) {
+  CommandLimits const limits{.cycle_time = machine.cycle_time.value_or(design::CycleTime{}),
+                             .time_delay = has_time_delay(machine, group)};
+  SetCollector collector(limits, not_compiled);
+  for (std::size_t const program : group.programs) add_program(machine.programs[program], sources, collector);
+  for (LocatedText const& set : machine.filter_sets) {
+    collector.add(parse_filter_command(set.text, limits), set.place, set.text);
+  }
+  return std::move(collector.sets);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,295 @@
+#include "validator/commands/command_check.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "grammar/number.hpp"
+#include "schema/closest_word.hpp"
+#include "validator/commands/command_keywords.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+using grammar::CommandKind;
+using grammar::CommandProblemKind;
+using grammar::CommandSwitch;
+using grammar::Keyword;
+using grammar::KeywordValue;
+using grammar::NcCommand;
+
+constexpr Code syntax_mistake{5001};
+constexpr Code keyword_mistake{5002};
+constexpr std::string_view hsc = "HSC";
+
+std::string_view slice(std::string_view text, Span span) {
+  return text.substr(span.begin, span.size());
+}
+
+Text text_of(CommandProblemKind kind) {
+  switch (kind) {
+    case CommandProblemKind::letter_case:
+      return Text::ax5001_letter_case;
+    case CommandProblemKind::unexpected_text:
+      return Text::ax5001_unexpected;
+    case CommandProblemKind::expected_keyword:
+      return Text::ax5001_expected_keyword;
+    case CommandProblemKind::unclosed_bracket:
+      return Text::ax5001_unclosed;
+  }
+  return Text::ax5001_unexpected;
+}
+
+Message syntax_of(CommandKind kind) {
+  return {.text = kind == CommandKind::filter ? Text::ax5001_syntax_filter : Text::ax5001_syntax_guard,
+          .arguments = {}};
+}
+
+std::string_view proper_name(CommandKind kind) {
+  return kind == CommandKind::filter ? "#FILTER" : "#VIB GUARD";
+}
+
+/// The number of an integer or real token. A value that no double holds is infinite, and so out of every range.
+double number_of(std::string_view token) {
+  return grammar::real_value(token).value_or(token.front() == '-' ? -HUGE_VAL : HUGE_VAL);
+}
+
+class CommandCheck {
+ public:
+  CommandCheck(NcCommand const& command, std::string_view text, CommandLimits const& limits,
+               Variables variables)
+      : command_(command), text_(text), limits_(limits), variables_(variables) {}
+
+  CheckedCommand check() {
+    check_structure();
+    hsc_ = command_.kind == CommandKind::filter && means_hsc(command_, text_);
+    result_.hsc = hsc_;
+    for (std::size_t i = 0; i < command_.keywords.size(); ++i) check_keyword(i);
+    if (command_.command_switch == CommandSwitch::on) result_.filter_switch = FilterSwitch::on;
+    if (command_.command_switch == CommandSwitch::off) result_.filter_switch = FilterSwitch::off;
+    if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
+    std::stable_sort(
+        checked_.mistakes.begin(), checked_.mistakes.end(),
+        [](CommandMistake const& a, CommandMistake const& b) { return a.span.begin < b.span.begin; });
+    return std::move(checked_);
+  }
+
+ private:
+  CommandMistake& add(Code code, Span span, Text text, std::vector<Argument> arguments = {}) {
+    CommandMistake& mistake = checked_.mistakes.emplace_back();
+    mistake.code = code;
+    mistake.span = span;
+    mistake.message = {.text = text, .arguments = std::move(arguments)};
+    if (code == syntax_mistake) mistake.notes.push_back(syntax_of(command_.kind));
+    return mistake;
+  }
+
+  [[nodiscard]] std::string word(Span span) const { return std::string(slice(text_, span)); }
+
+  void check_structure() {
+    if (!command_.problem || follows_keyword_without_value()) return;
+    std::string const proper(proper_name(command_.kind));
+    CommandMistake& mistake = add(syntax_mistake, command_.problem->span, text_of(command_.problem->kind),
+                                  {{"command", proper}, {"text", word(command_.problem->span)}});
+    if (command_.problem->kind == CommandProblemKind::letter_case) {
+      mistake.better = proper;
+    } else {
+      usable_ = false;
+      std::string_view const written = slice(text_, command_.problem->span);
+      for (std::string_view const known : {"ON", "OFF"}) {
+        if (ascii::equal_ignoring_case(written, known)) mistake.better = known;
+      }
+    }
+  }
+
+  void check_keyword(std::size_t index) {
+    Keyword const& keyword = command_.keywords[index];
+    std::string const name = word(keyword.name);
+    std::vector<std::string_view> const& known = keywords_of(command_.kind);
+    bool const is_hsc = command_.kind == CommandKind::filter && name == hsc;
+    if (!is_hsc && std::find(known.begin(), known.end(), name) == known.end()) {
+      unknown(keyword, name, known);
+    } else if (Keyword const* const first = earlier(index, name)) {
+      CommandMistake& mistake =
+          add(keyword_mistake, keyword.name, Text::ax5002_repeated, {{"keyword", name}});
+      mistake.first = first->name;
+      mistake.control = keyword_repeated;
+    } else if (is_hsc) {
+      check_hsc(keyword);
+    } else if (hsc_) {
+      beside_hsc(keyword, name);
+    } else {
+      check_value(keyword, name);
+    }
+  }
+
+  void check_hsc(Keyword const& keyword) {
+    if (keyword.kind == KeywordValue::none) return;
+    usable_ = false;
+    add(syntax_mistake, keyword.name, Text::ax5001_no_value_allowed, {{"keyword", std::string(hsc)}});
+  }
+
+  void unknown(Keyword const& keyword, std::string const& name, std::vector<std::string_view> const& known) {
+    usable_ = false;
+    CommandMistake& mistake = add(keyword_mistake, keyword.name, Text::ax5002_unknown,
+                                  {{"keyword", name}, {"command", std::string(proper_name(command_.kind))}});
+    std::string all;
+    for (std::string_view const word : known) all.append(all.empty() ? "" : ", ").append(word);
+    if (command_.kind == CommandKind::filter) all.append(", ").append(hsc);
+    mistake.notes.push_back({.text = Text::ax5002_known, .arguments = {{"keywords", std::move(all)}}});
+    std::string_view const closest = schema::closest_word(name, known);
+    if (closest.empty()) return;
+    mistake.better = closest;
+    mistake.help.push_back(
+        {.text = Text::parameter_did_you_mean, .arguments = {{"suggestion", std::string(closest)}}});
+  }
+
+  [[nodiscard]] Keyword const* earlier(std::size_t index, std::string_view name) const {
+    for (std::size_t i = 0; i < index; ++i) {
+      if (slice(text_, command_.keywords[i].name) == name) return &command_.keywords[i];
+    }
+    return nullptr;
+  }
+
+  void beside_hsc(Keyword const& keyword, std::string const& name) {
+    usable_ = false;
+    if (std::exchange(beside_hsc_reported_, true)) return;
+    add(keyword_mistake, keyword.name, Text::ax5002_beside_hsc, {{"keyword", name}});
+  }
+
+  void check_value(Keyword const& keyword, std::string const& name) {
+    switch (keyword.kind) {
+      case KeywordValue::none:
+      case KeywordValue::missing:
+        usable_ = false;
+        add(syntax_mistake, keyword.name, Text::ax5001_no_value, {{"keyword", name}});
+        return;
+      case KeywordValue::malformed:
+        usable_ = false;
+        add(syntax_mistake, keyword.value, Text::ax5001_no_number,
+            {{"value", word(keyword.value)}, {"keyword", name}});
+        return;
+      case KeywordValue::variable:
+        usable_ = false;
+        if (variables_ == Variables::refused) {
+          add(keyword_mistake, keyword.value, Text::ax5002_variable,
+              {{"value", word(keyword.value)}, {"keyword", name}});
+        }
+        return;
+      case KeywordValue::integer:
+      case KeywordValue::real:
+        break;
+    }
+    double const value = number_of(slice(text_, keyword.value));
+    KeywordRange const range = range_of(name, limits_);
+    if (!range.contains(value)) out_of_range(keyword, name, value, range);
+    if (usable(name, value, range)) take(name, value);
+  }
+
+  /// An ORDER_TIME below one cycle has a meaning: the filter is off.
+  bool usable(std::string_view name, double value, KeywordRange const& range) {
+    bool const fits = range.contains(value) || (name == "ORDER_TIME" && value >= 0 && value < range.minimum);
+    usable_ = usable_ && fits;
+    return fits;
+  }
+
+  void out_of_range(Keyword const& keyword, std::string const& name, double value,
+                    KeywordRange const& range) {
+    CommandMistake& mistake = add(keyword_mistake, keyword.value, Text::ax5002_range,
+                                  {{"keyword", name}, {"value", word(keyword.value)}});
+    mistake.label = Message{.text = range.whole ? Text::ax5002_range_whole : Text::fixed_placeholder,
+                            .arguments = {{"text", range.text}}};
+    mistake.control = range.control;
+    if (range.control.empty()) mistake.reaction.reset();
+    bool const order = name == "ORDER" || name == "ORDER_TIME";
+    if (order && limits_.time_delay) mistake.notes.push_back({.text = Text::ax5002_delay, .arguments = {}});
+    if (order && value > *range.maximum) {
+      mistake.control = "50911";
+      mistake.reaction = Text::filter_reaction_clipped;
+      mistake.value = std::to_string(limits_.longest_order());
+    } else if (name == "ORDER_TIME") {
+      mistake.control = "50910";
+      mistake.reaction = Text::filter_reaction_inactive;
+    }
+    mistake.depends_on_cycle_time = range.depends_on_cycle_time;
+  }
+
+  void take(std::string_view name, double value) {
+    FilterParameters& parameters = result_.parameters;
+    if (name == "ORDER") parameters.order = static_cast<std::uint32_t>(value);
+    if (name == "ORDER_TIME") order_of_time_ = design::order_of_time({value}, limits_.cycle_time).value_or(0);
+    if (name == "SHARE") parameters.share_percent = value;
+    if (name == "FCUT") parameters.frequency = design::Hertz{value};
+    if (name == "QUALITY") parameters.quality = value;
+    if (name == "AX_DEV") result_.tolerance = value;
+    if (name == "ACC_FACT") result_.acceleration_factor = value;
+  }
+
+  FilterCommand finished() {
+    if (!result_.parameters.order) result_.parameters.order = order_of_time_;
+    return result_;
+  }
+
+  /// `[ORDER 20]` is one mistake: the keyword without value says it.
+  [[nodiscard]] bool follows_keyword_without_value() const {
+    if (command_.keywords.empty() || command_.problem->kind == CommandProblemKind::letter_case) return false;
+    Keyword const& last = command_.keywords.back();
+    bool const complete = last.kind != KeywordValue::none && last.kind != KeywordValue::missing &&
+                          last.kind != KeywordValue::malformed;
+    return !complete && slice(text_, last.name) != hsc;
+  }
+
+  NcCommand const& command_;
+  std::string_view text_;
+  CommandLimits const& limits_;
+  Variables variables_;
+  CheckedCommand checked_;
+  FilterCommand result_;
+  std::optional<std::uint32_t> order_of_time_;
+  bool hsc_ = false;
+  bool beside_hsc_reported_ = false;
+  bool usable_ = true;
+};
+
+}  // namespace
+
+CheckedCommand check_command(NcCommand const& command, std::string_view text, CommandLimits const& limits,
+                             Variables variables) {
+  return CommandCheck(command, text, limits, variables).check();
+}
+
+CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits) {
+  std::optional<NcCommand> const command = grammar::parse_nc_command(text);
+  if (command && command->kind == CommandKind::filter) {
+    return check_command(*command, text, limits, Variables::refused);
+  }
+  CheckedCommand none;
+  CommandMistake& mistake = none.mistakes.emplace_back();
+  mistake.code = syntax_mistake;
+  mistake.span = command ? command->name : Span{.begin = 0, .end = static_cast<std::uint32_t>(text.size())};
+  mistake.message = {.text = Text::ax5001_no_filter_command, .arguments = {}};
+  mistake.notes.push_back(syntax_of(CommandKind::filter));
+  return none;
+}
+
+Keyword const* find_keyword(NcCommand const& command, std::string_view text, std::string_view name) {
+  auto const found = std::find_if(command.keywords.begin(), command.keywords.end(),
+                                  [&](Keyword const& known) { return slice(text, known.name) == name; });
+  return found == command.keywords.end() ? nullptr : &*found;
+}
+
+bool means_hsc(NcCommand const& command, std::string_view text) {
+  return find_keyword(command, text, hsc) != nullptr;
+}
+
+bool gives_order(NcCommand const& command, std::string_view text) {
+  bool const switches_off = command.command_switch == CommandSwitch::off;
+  if (command.kind != CommandKind::filter || switches_off || means_hsc(command, text)) return false;
+  Keyword const* const order = find_keyword(command, text, "ORDER");
+  if (order == nullptr) return find_keyword(command, text, "ORDER_TIME") != nullptr;
+  bool const number = order->kind == KeywordValue::integer || order->kind == KeywordValue::real;
+  return !number || number_of(slice(text, order->value)) != 0;
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,72 @@
+// From a parsed command of an NC program to what it asks for, or to what is wrong with it.
+#pragma once
+
+#include "design/kernel_design.hpp"
+#include "design/units.hpp"
+#include "diagnostics/finding.hpp"
+#include "grammar/nc_command.hpp"
+#include "machine/filter_command.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator {
+
+/// How far the keywords of a channel's commands may go.
+struct CommandLimits {
+  design::CycleTime cycle_time;
+  bool time_delay = false;  ///< an axis of the channel has the FIR time delay, which ends at order 100
+
+  [[nodiscard]] std::uint32_t longest_order() const {
+    return time_delay ? design::longest_kernel_delay : design::longest_kernel_order;
+  }
+};
+
+/// Whether a value may be a variable of the running program. Where it is, nobody knows its value before.
+enum class Variables : std::uint8_t { accepted, refused };
+
+/// Something wrong with a command: AX5001, or AX5002 for its keywords. Spans count like those of the command.
+struct CommandMistake {
+  Code code{};
+  Span span;
+  Message message;
+  std::optional<Message> label;
+  std::vector<Message> notes;
+  std::vector<Message> help;
+  std::optional<Span> first;          ///< where a repeated keyword stands first
+  std::optional<std::string> better;  ///< what to write in `span` instead
+  std::string control;                ///< the control's message numbers; empty where none is known
+  std::optional<Text> reaction = Text::program_reaction_aborted;  ///< none where it is not documented
+  std::string value;  ///< what the control runs with instead; empty where none is known
+  bool depends_on_cycle_time = false;
+};
+
+struct CheckedCommand {
+  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and where a value cannot be used: unreadable, out
+  /// of range, or a variable. An ORDER_TIME below one cycle is order 0 beside its mistake.
+  std::optional<FilterCommand> command;
+  std::vector<CommandMistake> mistakes;
+};
+
+/// Checks #FILTER or #VIB GUARD, whose spans count from the start of `text`.
+[[nodiscard]] CheckedCommand check_command(grammar::NcCommand const& command, std::string_view text,
+                                           CommandLimits const& limits, Variables variables);
+
+/// The text of one #FILTER command: "#FILTER ON [ORDER=20 SHARE=80]". Without mistakes there is a command.
+[[nodiscard]] CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits);
+
+/// It switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0, or ORDER_TIME. A value that
+/// is reported as a mistake counts too.
+[[nodiscard]] bool gives_order(grammar::NcCommand const& command, std::string_view text);
+
+/// It has the keyword HSC: the HSC filters are meant, not the FIR filters.
+[[nodiscard]] bool means_hsc(grammar::NcCommand const& command, std::string_view text);
+
+/// The keyword of that name; null where the command has none.
+[[nodiscard]] grammar::Keyword const* find_keyword(grammar::NcCommand const& command, std::string_view text,
+                                                   std::string_view name);
+
+}  // namespace axisc::validator

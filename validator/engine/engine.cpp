@@ -1,0 +1,355 @@
+#include "validator/engine/engine.hpp"
+
+#include "validator/views/axis_views.hpp"
+#include "validator/commands/channel.hpp"
+#include "validator/engine/policy.hpp"
+#include "validator/engine/precedence.hpp"
+#include "validator/engine/suppression.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace axisc::validator {
+namespace {
+
+/// Whether a rule that needs T has anything to look at: an active standard filter, a configured FIR or HSC filter, an
+/// enabled Improved Position Control.
+bool uses_cycle_time(AxisContext const& axis) {
+  for (FilterView const& filter : axis.filters) {
+    if (filter.active() || (filter.port == FilterPort::setpoint && filter.is_hsc())) return true;
+  }
+  return axis.fir.type.value.number != 0 || axis.position_control.enable.value.flag();
+}
+
+AxisContext context_of(LoadedMachine const& machine, std::size_t index, AxisViews const& views,
+                       design::CycleTime cycle_time, SourceSet const& sources) {
+  LoadedAxis const& axis = machine.axes[index];
+  return {.machine = machine,
+          .index = index,
+          .name = axis.name,
+          .type = axis.type,
+          .values = axis.merged.values,
+          .cycle_time = cycle_time,
+          .sources = sources,
+          .default_list = machine.list_of_defaults(),
+          .axis_list = machine.lists[axis.list].list,
+          .reference_problems = axis.merged.reference_problems,
+          .filters = views.filters,
+          .designs = views.designs,
+          .fir = views.fir,
+          .position_control = views.position_control};
+}
+
+constexpr Code cycle_time_assumed{9006};
+
+class Engine {
+ public:
+  Engine(LoadedMachine const& machine, std::deque<AxisViews> const& views, ReportedFindings reported,
+         CheckOptions const& options, SourceSet const& sources)
+      : machine_(machine),
+        views_(views),
+        policy_(options, sources),
+        sources_(sources),
+        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
+        reported_(std::move(reported)) {
+    list_contexts_.reserve(machine.lists.size());
+    // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
+    std::size_t expected = reported_.findings.size();
+    for (NamedList const& named : machine.lists) {
+      expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
+    }
+    reported_.findings.reserve(expected);
+  }
+
+  EngineResult run(FindingSink const& sink) {
+    run_list_checks();
+    if (!machine_.default_list_missing) {
+      for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
+      run_machine_checks();
+    }
+    run_programs();
+    run_filter_sets();
+    return tell_all(decide(), sink);
+  }
+
+ private:
+  [[nodiscard]] bool enabled(Rule const& rule) const { return policy_.enabled(rule); }
+
+  /// Calls a check and keeps what it reports.
+  template <typename CheckFunction, typename Context>
+  void call(Rule const& rule, CheckFunction check, Context const& context, std::string_view axis,
+            Subject const* subject) {
+    std::size_t const before = reported_.findings.size();
+    Report report(reported_, rule, axis);
+    check(context, report);
+    for (std::size_t i = before; i < reported_.findings.size(); ++i) {
+      Reported& finding = reported_.findings[i];
+      finding.subject = subject;
+      finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
+      if (!finding.said) continue;
+      // What a check said of its own, whichever way.
+      Finding const& said = *reported_.said[*finding.said];
+      finding.axis = said.axis;
+      finding.severity = said.severity;
+      finding.place = said.place.value_or(finding.place);
+    }
+  }
+
+  /// The axis that alone uses a list; empty where several do.
+  [[nodiscard]] std::string_view owner_of(std::size_t list) const {
+    std::string_view owner;
+    bool found = machine_.default_list == list;
+    for (LoadedAxis const& axis : machine_.axes) {
+      if (axis.list != list) continue;
+      if (found) return {};
+      found = true;
+      owner = axis.name;
+    }
+    return owner;
+  }
+
+  void run_list_checks() {
+    for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
+      LoadedList const& list = machine_.lists[i].list;
+      ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
+      std::string_view const owner = owner_of(i);
+      for (Rule const& rule : rules_with<ListCheck>()) {
+        if (!policy_.enabled(rule, list.source)) continue;
+        call(rule, std::get<ListCheck>(rule.check), context, owner, nullptr);
+      }
+    }
+  }
+
+  void run_axis(std::size_t index) {
+    AxisContext const& context =
+        axis_contexts_.emplace_back(context_of(machine_, index, views_[index], cycle_time_, sources_));
+    cycle_time_needed_ = cycle_time_needed_ || uses_cycle_time(context);
+    std::vector<Subject const*> subjects;
+    subjects.reserve(context.filters.size());
+    for (FilterView const& filter : context.filters) {
+      subjects.push_back(&subjects_.emplace_back(
+          Subject{.axis = index, .port = filter.port, .filter = filter.index, .program = {}}));
+    }
+    for (Rule const& rule : rules_with<AxisCheck, FilterCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<AxisCheck>(&rule.check)) {
+        call(rule, *check, context, context.name, nullptr);
+      } else if (auto const* const filter_check = std::get_if<FilterCheck>(&rule.check)) {
+        for (std::size_t i = 0; i < context.filters.size(); ++i) {
+          call(rule, *filter_check, FilterContext{.axis = context, .filter = context.filters[i]},
+               context.name, subjects[i]);
+        }
+      }
+    }
+  }
+
+  void run_machine_checks() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    for (Rule const& rule : rules_with<MachineCheck, GroupCheck>()) {
+      if (!enabled(rule)) continue;
+      if (auto const* const check = std::get_if<MachineCheck>(&rule.check)) {
+        call(rule, *check, whole, {}, nullptr);
+      } else if (auto const* const group_check = std::get_if<GroupCheck>(&rule.check)) {
+        for (LoadedGroup const& group : machine_.groups) {
+          call(rule, *group_check, GroupContext{.whole = whole, .group = group}, {}, nullptr);
+        }
+      }
+    }
+  }
+
+  /// The channels that run a program; null for one that none runs, or whose axes have no known values.
+  [[nodiscard]] std::vector<LoadedGroup const*> groups_of(std::size_t program) const {
+    std::vector<LoadedGroup const*> groups;
+    for (LoadedGroup const& group : machine_.groups) {
+      bool const runs =
+          std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
+      if (runs && !machine_.default_list_missing) groups.push_back(&group);
+    }
+    if (groups.empty()) groups.push_back(nullptr);
+    return groups;
+  }
+
+  [[nodiscard]] CommandLimits limits_of(LoadedGroup const* group) const {
+    CommandLimits limits{.cycle_time = cycle_time_, .time_delay = false};
+    if (group != nullptr) limits.time_delay = has_time_delay(machine_, *group);
+    return limits;
+  }
+
+  void run_programs() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    for (std::size_t index = 0; index < machine_.programs.size(); ++index) {
+      LoadedProgram const& program = machine_.programs[index];
+      std::string_view const text = sources_[program.source].bytes();
+      Subject const& subject = subjects_.emplace_back(
+          Subject{.axis = 0, .port = FilterPort::setpoint, .filter = 0, .program = index});
+      for (LoadedGroup const* const group : groups_of(index)) {
+        for (grammar::NcCommand const& command : program.tree.commands) {
+          if (command.kind == grammar::CommandKind::axis_exchange) continue;
+          CheckedCommand const checked = check_command(command, text, limits_of(group), Variables::accepted);
+          run_command(
+              {.whole = whole, .checked = checked, .source = program.source, .offset = 0, .instead = {}});
+          note_cycle_time(command, text);
+        }
+        ProgramContext const context{.whole = whole, .program = program, .text = text, .group = group};
+        for (Rule const& rule : rules()) {
+          auto const* const only = std::get_if<ProgramCheck>(&rule.check);
+          ProgramCheck const check = only != nullptr ? *only : rule.program_check;
+          if (check != nullptr && enabled(rule)) call(rule, check, context, {}, &subject);
+        }
+      }
+    }
+  }
+
+  void run_filter_sets() {
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    std::vector<LoadedGroup const*> groups{nullptr};
+    if (!machine_.default_list_missing) {
+      for (LoadedGroup const& group : machine_.groups) groups.push_back(&group);
+    }
+    for (LocatedText const& set : machine_.filter_sets) {
+      Span const quoted = set.place.span;
+      bool const plain = quoted.size() == set.text.size() + 2;
+      for (LoadedGroup const* const group : groups) {
+        CheckedCommand const checked = parse_filter_command(set.text, limits_of(group));
+        run_command({.whole = whole,
+                     .checked = checked,
+                     .source = set.place.source,
+                     .offset = quoted.begin + 1,
+                     .instead = plain ? std::nullopt : std::optional(quoted)});
+        run_program_checks_of_set(set, group, plain ? quoted.begin + 1 : 0,
+                                  plain ? std::nullopt : std::optional(quoted));
+      }
+      if (auto const command = grammar::parse_nc_command(set.text)) note_cycle_time(*command, set.text);
+    }
+  }
+
+  /// Rules that look at NC programs beside lists see a command of the machine file as a program of one line.
+  void run_program_checks_of_set(LocatedText const& set, LoadedGroup const* group, std::uint32_t offset,
+                                 std::optional<Span> instead) {
+    auto const command = grammar::parse_nc_command(set.text);
+    if (!command) return;
+    LoadedProgram program;
+    program.source = set.place.source;
+    program.tree.commands.push_back(*command);
+    MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
+    ProgramContext const context{.whole = whole, .program = program, .text = set.text, .group = group};
+    std::size_t const before = reported_.findings.size();
+    for (Rule const& rule : rules()) {
+      if (rule.program_check != nullptr && enabled(rule)) {
+        call(rule, rule.program_check, context, {}, nullptr);
+      }
+    }
+    for (std::size_t i = before; i < reported_.findings.size(); ++i) {
+      Span& span = reported_.findings[i].place.span;
+      span = instead.value_or(Span{.begin = span.begin + offset, .end = span.end + offset});
+    }
+  }
+
+  void run_command(CommandContext const& context) {
+    if (context.checked.mistakes.empty()) return;
+    for (Rule const& rule : rules_with<CommandCheck>()) {
+      if (enabled(rule)) call(rule, std::get<CommandCheck>(rule.check), context, {}, nullptr);
+    }
+  }
+
+  void note_cycle_time(grammar::NcCommand const& command, std::string_view text) {
+    bool const uses = command.kind == grammar::CommandKind::filter &&
+                      (find_keyword(command, text, "ORDER_TIME") != nullptr ||
+                       find_keyword(command, text, "FCUT") != nullptr);
+    cycle_time_needed_ = cycle_time_needed_ || uses;
+  }
+
+  /// The findings that stand, in output order.
+  [[nodiscard]] Standing decide() {
+    Suppressions suppressions;
+    for (NamedList const& list : machine_.lists) {
+      suppressions.add(sources_, list.list.source, list.list.tree.directives);
+    }
+    for (LoadedProgram const& program : machine_.programs) {
+      suppressions.add(sources_, program.source, program.tree.directives);
+    }
+    Standing standing;
+    standing.reserve(reported_.findings.size());
+    admit(0, standing, [&](Reported const& finding) {
+      return !suppressions.silences(finding.rule->code, finding.place, sources_);
+    });
+    report_unused(suppressions, standing);
+    drop_replaced(reported_, standing);
+    put_in_order(reported_, standing);
+    merge_shared(reported_, standing);
+    keep_highest_per_token(reported_, standing);
+    put_in_output_order(reported_, standing);
+    return standing;
+  }
+
+  /// Of what was reported from `first` on, what the options and then `wanted` let through, with its severity.
+  template <typename Wanted>
+  void admit(std::size_t first, Standing& standing, Wanted wanted) {
+    for (std::size_t number = first; number < reported_.findings.size(); ++number) {
+      Reported& finding = reported_.findings[number];
+      if (!policy_.enabled(*finding.rule, finding.place.source) || !wanted(finding)) continue;
+      finding.severity = policy_.severity(finding.rule->code, finding.severity);
+      standing.push_back(static_cast<std::uint32_t>(number));
+    }
+  }
+
+  void report_unused(Suppressions& suppressions, Standing& standing) {
+    if (!enabled(*find_rule(Code{1013}))) return;
+    std::size_t const before = reported_.findings.size();
+    suppressions.report_unused(
+        sources_, [this](Code code, SourceId source) { return policy_.enabled(*find_rule(code), source); },
+        reported_);
+    admit(before, standing, [](Reported const&) { return true; });
+  }
+
+  /// Said whether notes are wanted or not: it tells what all others rest on.
+  [[nodiscard]] Finding assumed_cycle_time() const {
+    Finding finding = new_finding(*find_rule(cycle_time_assumed));
+    finding.severity = policy_.severity(finding.code, finding.severity);
+    finding.file = machine_.path;
+    finding.message = {.text = Text::ax9006, .arguments = {}};
+    finding.help.push_back({.text = Text::ax9006_help, .arguments = {}});
+    return finding;
+  }
+
+  EngineResult tell_all(Standing const& standing, FindingSink const& sink) {
+    EngineResult result{.has_errors = false,
+                        .cycle_time_assumed = cycle_time_needed_ && !machine_.cycle_time};
+    if (result.cycle_time_assumed && !policy_.disables(cycle_time_assumed, machine_.path)) {
+      Finding assumed = assumed_cycle_time();
+      result.has_errors = assumed.severity == Severity::error;
+      sink(assumed);
+    }
+    for (std::uint32_t const number : standing) {
+      Reported const& finding = reported_.findings[number];
+      result.has_errors = result.has_errors || finding.severity == Severity::error;
+      Finding told = tell(reported_, finding);
+      sink(told);
+    }
+    return result;
+  }
+
+  LoadedMachine const& machine_;
+  std::deque<AxisViews> const& views_;
+  Policy policy_;
+  SourceSet const& sources_;
+  design::CycleTime cycle_time_;
+  bool cycle_time_needed_ = false;
+  // What findings refer to until they are told.
+  std::vector<ListContext> list_contexts_;  ///< one per list
+  std::deque<AxisContext> axis_contexts_;
+  std::deque<Subject> subjects_;
+  ReportedFindings reported_;
+};
+
+}  // namespace
+
+EngineResult run_rules(LoadedMachine const& machine, std::deque<AxisViews> const& views,
+                       ReportedFindings loading, CheckOptions const& options, SourceSet const& sources,
+                       FindingSink const& sink) {
+  return Engine(machine, views, std::move(loading), options, sources).run(sink);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,142 @@
+#include "validator/engine/suppression.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::string_view blanks = " \t";
+
+struct Word {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+bool is_code_character(char c) {
+  return ascii::is_letter(c) || ascii::is_digit(c);
+}
+
+/// Offset behind `axisc: allow`; npos where the comment says something else.
+std::size_t behind_allow(std::string_view comment) {
+  constexpr std::string_view mark = "axisc:";
+  constexpr std::string_view allow = "allow";
+  std::size_t const at = comment.find(mark);
+  if (at == std::string_view::npos) return at;
+  std::size_t const word = comment.find_first_not_of(blanks, at + mark.size());
+  if (word == std::string_view::npos || comment.substr(word, allow.size()) != allow) {
+    return std::string_view::npos;
+  }
+  std::size_t const end = word + allow.size();
+  return end == comment.size() || !is_code_character(comment[end]) ? end : std::string_view::npos;
+}
+
+/// The words of `AX3005, AX2005 because …`: the first one, and each one behind a comma.
+std::vector<Word> words_of(std::string_view comment, std::size_t from) {
+  std::vector<Word> words;
+  std::size_t at = from;
+  while (true) {
+    std::size_t const begin = comment.find_first_not_of(blanks, at);
+    if (begin == std::string_view::npos || !is_code_character(comment[begin])) break;
+    std::size_t end = begin;
+    while (end < comment.size() && is_code_character(comment[end])) ++end;
+    words.push_back({.begin = begin, .end = end});
+    at = comment.find_first_not_of(blanks, end);
+    if (at == std::string_view::npos || comment[at] != ',') break;
+    ++at;
+  }
+  return words;
+}
+
+/// Without the comma and blanks around it.
+std::string trimmed_entry(std::string_view text) {
+  constexpr std::string_view around = " \t,";
+  std::size_t const begin = std::min(text.find_first_not_of(around), text.size());
+  return std::string(text.substr(begin, text.find_last_not_of(around) + 1 - begin));
+}
+
+/// What a repair takes out of the comment, so that the codes before and behind are still read.
+Word removed_with(std::vector<Word> const& words, std::size_t which, std::string_view comment) {
+  if (words.size() == 1) {
+    std::size_t begin = comment.find("axisc:");
+    while (begin > 0 && blanks.find(comment[begin - 1]) != std::string_view::npos) --begin;
+    return {.begin = begin, .end = words[0].end};
+  }
+  if (which == 0) return {.begin = words[0].begin, .end = words[1].begin};
+  return {.begin = words[which - 1].end, .end = words[which].end};
+}
+
+/// "AX3005" as 3005; 0 for anything else.
+Code code_of(std::string_view word) {
+  std::uint16_t number = 0;
+  if (word.size() != 6 || word.substr(0, 2) != "AX") return Code{};
+  auto const [end, error] = std::from_chars(word.data() + 2, word.data() + word.size(), number);
+  return end == word.data() + word.size() && error == std::errc{} ? static_cast<Code>(number) : Code{};
+}
+
+}  // namespace
+
+void Suppressions::add(SourceSet const& sources, SourceId source,
+                       std::vector<grammar::Directive> const& directives) {
+  std::vector<Allowance>& allowances = allowances_[source];
+  for (grammar::Directive const& directive : directives) {
+    std::string_view const comment = sources[source].slice(directive.comment);
+    std::size_t const from = behind_allow(comment);
+    if (from == std::string_view::npos) continue;
+    std::vector<Word> words = words_of(comment, from);
+    if (words.empty()) words.push_back({.begin = from, .end = from});
+    auto const place_of = [&](Word const& word) {
+      return Place{.source = source,
+                   .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
+                            .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
+    };
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      Word const& word = words[i];
+      Allowance allowance;
+      allowance.code = code_of(comment.substr(word.begin, word.end - word.begin));
+      allowance.known = find_rule(allowance.code) != nullptr;
+      allowance.next_line = directive.whole_line;
+      allowance.line = directive.line + (directive.whole_line ? 1 : 0);
+      allowance.place = place_of(word);
+      allowance.removed = place_of(removed_with(words, i, comment));
+      allowances.push_back(allowance);
+    }
+  }
+}
+
+bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
+  auto const allowances = allowances_.find(place.source);
+  if (allowances == allowances_.end() || allowances->second.empty()) return false;
+  std::uint32_t const line = sources[place.source].position(place.span.begin).line;
+  // Directives come in the order of the lines, so what they silence does too.
+  auto allowance =
+      std::lower_bound(allowances->second.begin(), allowances->second.end(), line,
+                       [](Allowance const& earlier, std::uint32_t wanted) { return earlier.line < wanted; });
+  bool silenced = false;
+  for (; allowance != allowances->second.end() && allowance->line == line; ++allowance) {
+    if (allowance->code != code) continue;
+    allowance->used = true;
+    silenced = true;
+  }
+  return silenced;
+}
+
+void Suppressions::report(Allowance const& allowance, SourceSet const& sources, ReportedFindings& reported) {
+  std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
+  Text text = allowance.next_line ? Text::ax1013_next_line : Text::ax1013;
+  if (!allowance.known) text = word.empty() ? Text::ax1013_empty : Text::ax1013_unknown;
+  Message message{.text = text, .arguments = {}};
+  if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
+  Finding& finding = Report(reported, *find_rule(unused_allowance)).add(allowance.place, std::move(message));
+  std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
+  Fix fix;
+  fix.title = {.text = Text::ax1013_fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
+  fix.edits.push_back({.place = allowance.removed, .text = {}});
+  fix.safety = FixSafety::safe;
+  finding.fix = std::move(fix);
+}
+
+}  // namespace axisc::validator

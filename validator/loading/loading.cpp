@@ -1,0 +1,329 @@
+#include "validator/loading/loading.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "grammar/axis_list.hpp"
+#include "validator/commands/command_check.hpp"
+#include "validator/views/gantry.hpp"
+#include "validator/engine/rule.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::string_view separators = "/\\";
+
+std::string_view file_name(std::string_view path) {
+  std::size_t const separator = path.find_last_of(separators);
+  return separator == std::string_view::npos ? path : path.substr(separator + 1);
+}
+
+std::string_view without_extension(std::string_view name) {
+  std::size_t const point = name.find_last_of('.');
+  return point == std::string_view::npos || point == 0 ? name : name.substr(0, point);
+}
+
+bool is_absolute(std::string_view path) {
+  bool const drive = path.size() > 1 && path[1] == ':';
+  return drive || (!path.empty() && separators.find(path.front()) != std::string_view::npos);
+}
+
+/// `name` as seen from the folder of `path`.
+std::string beside(std::string const& path, std::string const& name) {
+  if (is_absolute(name)) return name;
+  return path.substr(0, path.size() - file_name(path).size()) + name;
+}
+
+bool ends_in(std::string_view path, std::string_view extension) {
+  if (path.size() < extension.size()) return false;
+  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+}
+
+std::variant<std::string, FileError> read_text(Files& files, std::string const& path) {
+  std::variant<std::string, FileError> bytes = files.read(path);
+  if (auto const* const text = std::get_if<std::string>(&bytes)) {
+    std::variant<std::monostate, FileError> const problem = check_text(*text);
+    if (auto const* const error = std::get_if<FileError>(&problem)) return *error;
+  }
+  return bytes;
+}
+
+LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
+  SourceText const& text = sources[source];
+  LoadedList list;
+  list.source = source;
+  list.catalogue = catalogue;
+  ReadList read = read_list(text, catalogue);
+  list.tree = std::move(read.tree);
+  list.readings = std::move(read.readings);
+  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
+  return list;
+}
+
+Text text_of(FileError error) {
+  switch (error) {
+    case FileError::not_found:
+      return Text::ax4020_not_found;
+    case FileError::is_folder:
+      return Text::ax4020_is_folder;
+    case FileError::no_permission:
+      return Text::ax4020_no_permission;
+    case FileError::not_readable:
+      return Text::ax4020_not_readable;
+    case FileError::too_large:
+      return Text::ax4020_too_large;
+    case FileError::line_too_long:
+      return Text::ax4020_line_too_long;
+    case FileError::binary:
+      return Text::ax4020_binary;
+    case FileError::utf16:
+      return Text::ax4020_utf16;
+    case FileError::image:
+      return Text::ax4020_image;
+  }
+  return Text::ax4020_not_readable;
+}
+
+class Loader {
+ public:
+  Loader(Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
+      : files_(files), options_(options), sources_(sources), machine_(machine) {}
+
+  std::optional<FileError> load(std::string const& path) {
+    machine_.path = path;
+    machine_.name = without_extension(file_name(path));
+    machine_.files.push_back(path);
+    if (auto const error = ends_in(path, ".nc") ? load_program() : load_text()) return *error;
+    if (machine_.groups.empty()) add_default_group();
+    for (LoadedGroup& group : machine_.groups) {
+      for (std::size_t const program : common_programs_) {
+        if (!runs_in(group, program)) group.programs.push_back(program);
+      }
+    }
+    machine_.gantries = gantries_of(machine_);
+    if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+    machine_.build = options_.build;
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<FileError> load_program() {
+    auto const program = add_program(std::string(file_name(machine_.path)), machine_.path);
+    if (auto const* const error = std::get_if<FileError>(&program)) return *error;
+    return std::nullopt;
+  }
+
+  /// A list or a machine file.
+  std::optional<FileError> load_text() {
+    std::variant<std::string, FileError> bytes = read_text(files_, machine_.path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+    auto& text = std::get<std::string>(bytes);
+    bool const is_machine = ends_in(machine_.path, ".json") && looks_like_machine_file(text);
+    SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
+    if (is_machine) {
+      load_machine(source);
+    } else {
+      load_single(source);
+    }
+    return std::nullopt;
+  }
+
+  void load_single(SourceId source) {
+    machine_.lists.push_back(
+        {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
+    LoadedAxis& axis = add_axis(0, std::nullopt);
+    EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
+    bool const named = name.set() && !name.unusable && !name.value.text.empty();
+    axis.name = named ? std::string(name.value.text) : machine_.name;
+    machine_.name = axis.name;
+  }
+
+  void load_machine(SourceId source) {
+    MachineFile const file = read_machine_file(sources_, source, machine_.findings);
+    machine_.machine_file = source;
+    machine_.inch = file.inch;
+    if (file.machine) machine_.name = file.machine->text;
+    machine_.cycle_time = file.cycle_time;
+    if (file.default_list) {
+      machine_.default_list = list_named(*file.default_list);
+      machine_.default_list_missing = !machine_.default_list;
+      if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
+      by_path_.clear();
+    }
+    for (MachineFileAxis const& named : file.axes) {
+      std::optional<std::size_t> const list = list_named(named.list);
+      if (!list) continue;
+      LoadedAxis& axis = add_axis(*list, named.type);
+      axis.name = named.name.text;
+      axis.drive = named.drive;
+      if (named.position_control) {
+        axis.position_control =
+            named.position_control->text == "drive" ? PositionController::drive : PositionController::cnc;
+      }
+    }
+    for (MachineFileGroup const& group : file.groups) add_group(group);
+    for (MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
+    for (LocatedText const& name : file.programs) {
+      if (auto const program = program_named(name)) common_programs_.push_back(*program);
+    }
+    machine_.filter_sets = file.filter_sets;
+  }
+
+  /// None for an axis whose list could not be read.
+  [[nodiscard]] std::optional<std::size_t> axis_named(LocatedText const& name) const {
+    auto const axis = std::find_if(machine_.axes.begin(), machine_.axes.end(),
+                                   [&](LoadedAxis const& known) { return known.name == name.text; });
+    if (axis == machine_.axes.end()) return std::nullopt;
+    return static_cast<std::size_t>(axis - machine_.axes.begin());
+  }
+
+  void add_group(MachineFileGroup const& named) {
+    LoadedGroup& group = machine_.groups.emplace_back();
+    if (named.name) group.name = named.name->text;
+    for (LocatedText const& name : named.axes) {
+      std::optional<std::size_t> const axis = axis_named(name);
+      if (axis) group.axes.push_back(*axis);
+    }
+    for (LocatedText const& name : named.programs) {
+      std::optional<std::size_t> const program = program_named(name);
+      if (program && !runs_in(group, *program)) group.programs.push_back(*program);
+    }
+    std::sort(group.axes.begin(), group.axes.end());
+    group.axes.erase(std::unique(group.axes.begin(), group.axes.end()), group.axes.end());
+  }
+
+  void add_default_group() {
+    LoadedGroup group;
+    for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
+      if (machine_.axes[axis].type != AxisType::spindle) group.axes.push_back(axis);
+    }
+    if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
+  }
+
+  void add_claims(MachineFileGantry const& gantry) {
+    std::optional<std::size_t> const master = axis_named(gantry.master);
+    if (!master) return;
+    machine_.gantry_claims.push_back({.axis = *master, .master = std::nullopt, .place = gantry.master.place});
+    for (LocatedText const& name : gantry.slaves) {
+      std::optional<std::size_t> const slave = axis_named(name);
+      if (!slave || slave == master) continue;
+      machine_.gantry_claims.push_back({.axis = *slave, .master = master, .place = name.place});
+    }
+  }
+
+  LoadedAxis& add_axis(std::size_t list, std::optional<AxisType> type) {
+    if (options_.axis_type) type = options_.axis_type;
+    std::optional<bool> rotary;
+    if (type) rotary = *type != AxisType::translatory;
+    MergedValues merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
+    AxisType const known_type = type.value_or(axis_type_of(merged.values));
+    machine_.axes.push_back(
+        {.name = {}, .type = known_type, .list = list, .drive = {}, .merged = std::move(merged)});
+    return machine_.axes.back();
+  }
+
+  /// Index of the list; a file that several axes name is read once.
+  std::optional<std::size_t> list_named(LocatedText const& name) {
+    std::string const path = beside(machine_.path, name.text);
+    std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
+    auto const known = by_path_.find(key);
+    if (known != by_path_.end()) return known->second;
+    std::variant<std::string, FileError> bytes = read_text(files_, path);
+    if (auto const* const error = std::get_if<FileError>(&bytes)) {
+      missing(name, *error);
+      return std::nullopt;
+    }
+    machine_.files.push_back(path);
+    SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+    std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
+    machine_.lists.push_back({.name = shown, .list = parse(sources_, source, options_.catalogue)});
+    by_path_.emplace(key, machine_.lists.size() - 1);
+    return machine_.lists.size() - 1;
+  }
+
+  /// Index of the program.
+  std::variant<std::size_t, FileError> add_program(std::string name, std::string const& path) {
+    std::variant<ReadProgram, FileError> read =
+        read_program(files_, path, options_.whole_programs ? ProgramText::whole : ProgramText::excerpt);
+    if (auto const* const error = std::get_if<FileError>(&read)) return *error;
+    auto& content = std::get<ReadProgram>(read);
+    LoadedProgram program;
+    program.name = std::move(name);
+    program.path = path;
+    program.mark = content.mark;
+    program.source = sources_.add(std::move(content.text));
+    program.tree = std::move(content.tree);
+    std::string_view const text = sources_[program.source].bytes();
+    program.gives_order =
+        std::any_of(program.tree.commands.begin(), program.tree.commands.end(),
+                    [&](grammar::NcCommand const& command) { return gives_order(command, text); });
+    machine_.programs.push_back(std::move(program));
+    return machine_.programs.size() - 1;
+  }
+
+  /// Index of the program; a file that is named several times is read once.
+  std::optional<std::size_t> program_named(LocatedText const& name) {
+    std::string const path = beside(machine_.path, name.text);
+    std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
+    auto const known = programs_by_path_.find(key);
+    if (known != programs_by_path_.end()) return known->second;
+    std::variant<std::size_t, FileError> const program = add_program(name.text, path);
+    if (auto const* const error = std::get_if<FileError>(&program)) {
+      missing(name, *error);
+      return std::nullopt;
+    }
+    machine_.files.push_back(path);
+    programs_by_path_.emplace(key, std::get<std::size_t>(program));
+    return std::get<std::size_t>(program);
+  }
+
+  [[nodiscard]] static bool runs_in(LoadedGroup const& group, std::size_t program) {
+    return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
+  }
+
+  void missing(LocatedText const& name, FileError error) {
+    machine_.complete = false;
+    Report(machine_.findings, *find_rule(Code{4020}))
+        .add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
+  }
+
+  Files& files_;
+  CheckOptions const& options_;
+  SourceSet& sources_;
+  LoadedMachine& machine_;
+  std::map<std::string, std::size_t> by_path_;
+  std::map<std::string, std::size_t> programs_by_path_;
+  std::vector<std::size_t> common_programs_;  ///< those that every group runs
+};
+
+}  // namespace
+
+bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
+  auto const belongs = [axis](LoadedGroup const& group) {
+    return std::find(group.axes.begin(), group.axes.end(), axis) != group.axes.end();
+  };
+  for (LoadedGroup const& group : machine.groups) {
+    if (!belongs(group)) continue;
+    for (std::size_t const program : group.programs) {
+      if (machine.programs[program].gives_order) return true;
+    }
+    for (LocatedText const& text : machine.filter_sets) {
+      auto const command = grammar::parse_nc_command(text.text);
+      if (command && gives_order(*command, text.text)) return true;
+    }
+  }
+  return false;
+}
+
+std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+                                            CheckOptions const& options, SourceSet& sources) {
+  std::variant<LoadedMachine, FileError> loaded;
+  auto const error = Loader(files, options, sources, std::get<LoadedMachine>(loaded)).load(path);
+  if (error) loaded = *error;
+  return loaded;
+}
+
+}  // namespace axisc::validator

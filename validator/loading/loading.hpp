@@ -1,0 +1,96 @@
+// From a path to lists that were read and merged: what the rules look at.
+#pragma once
+
+#include "grammar/nc_program.hpp"
+#include "validator/check.hpp"
+#include "validator/values/effective_values.hpp"
+#include "configuration/machine_file.hpp"
+#include "validator/loading/program_reading.hpp"
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::validator {
+
+struct NamedList {
+  std::string name;  ///< as the machine file names it; the file's own name for a single list
+  LoadedList list;
+};
+
+struct LoadedAxis {
+  std::string name;
+  AxisType type = AxisType::translatory;
+  std::size_t list = 0;              ///< index into LoadedMachine::lists
+  std::optional<LocatedText> drive;  ///< of the machine file; wins over kenngr.antr_typ
+  PositionController position_control =
+      PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
+  MergedValues merged;
+};
+
+/// An NC program, alone or named by a machine file.
+struct LoadedProgram {
+  std::string name;  ///< as the machine file names it; the file's own name for a single program
+  std::string path;
+  ContentMark mark;   ///< of the bytes that were checked
+  SourceId source{};  ///< an excerpt, unless the options ask for all of it: the lines that `tree` points into
+  grammar::NcProgram tree;
+  bool gives_order = false;  ///< one of its #FILTER commands gives an order
+};
+
+/// A channel: its axes and the NC programs that run in it.
+struct LoadedGroup {
+  std::string name;
+  std::vector<std::size_t> axes;  ///< indices into LoadedMachine::axes
+  std::vector<std::size_t>
+      programs;  ///< indices into LoadedMachine::programs: its own and those of every group
+};
+
+/// Gantry as lists and machine file together say it.
+struct LoadedGantry {
+  std::size_t master = 0;
+  std::vector<std::size_t> slaves;
+};
+
+/// A part that the machine file gives an axis in a gantry.
+struct GantryClaim {
+  std::size_t axis = 0;
+  std::optional<std::size_t> master;  ///< none: the axis is a master itself
+  Place place;                        ///< the axis' name there
+};
+
+struct LoadedMachine {
+  std::string name;
+  std::string path;  ///< the input
+  std::optional<design::CycleTime> cycle_time;
+  std::deque<NamedList> lists;  ///< each file once, in the order in which they were read; none is moved
+  std::optional<std::size_t> default_list;
+  bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
+  bool complete = true;               ///< every file that is named was read
+  std::vector<LoadedAxis> axes;
+  std::vector<LoadedProgram> programs;   ///< each file once
+  std::vector<LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
+  std::vector<LoadedGroup> groups;       ///< without any in the machine file: all axes but spindles
+  std::vector<LoadedGantry> gantries;
+  std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
+  std::optional<SourceId> machine_file;    ///< none for a single list
+  bool inch = false;                       ///< lengths in programs are inches
+  std::optional<BuildVersion> build;       ///< of the control, where the options name it
+  ReportedFindings findings;               ///< AX4020
+  std::vector<std::string> files;
+
+  [[nodiscard]] LoadedList const* list_of_defaults() const {
+    return default_list ? &lists[*default_list].list : nullptr;
+  }
+};
+
+/// A #FILTER command of an NC program or of `filter_sets` gives the axis' FIR filter an order.
+[[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
+
+/// Reads the input and every file that it names. An error only where the input itself cannot be read. The machine looks
+/// into `sources`, which live longer.
+[[nodiscard]] std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+                                                          CheckOptions const& options, SourceSet& sources);
+
+}  // namespace axisc::validator

@@ -1,0 +1,178 @@
+// Internal defaults, then the default list, then the axis' own list: what the control would run with, and
+// why.
+#pragma once
+
+#include "diagnostics/source_text.hpp"
+#include "grammar/axis_list.hpp"
+#include "schema/catalogue.hpp"
+#include "validator/values/reading.hpp"
+#include "schema/value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator {
+
+/// A list that was read: its source, its tree, its role, and what each assignment means.
+struct LoadedList {
+  SourceId source{};
+  schema::Catalogue catalogue;
+  grammar::AxisList tree;
+  bool is_default_list = false;
+  Readings readings;  ///< one per assignment of the tree
+  std::vector<LostAssignment> lost;
+};
+
+enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
+
+/// One concrete parameter of one axis.
+struct EffectiveValue {
+  schema::Parameter const* row = nullptr;  ///< of the slot; never null in EffectiveValues
+  Value value;
+  Span name_span;  ///< in the list that counts
+  Span value_span;
+  SourceId source{};
+  std::uint32_t line = 0;
+  schema::Slot slot{};
+  Origin origin = Origin::internal_default;
+  bool has_value = false;  ///< the line that counts could be read as name and value: `value_span` is one
+  /// A list sets the parameter, but the line cannot be used (it has a finding of its own). Rules that need
+  /// the value stay silent: one mistake, one message. `value` is then that of the earlier stage.
+  bool unusable = false;
+  bool referenced = false;  ///< the value came through a reference to another parameter
+
+  [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
+  /// The token in the list that counts; none for the internal default.
+  [[nodiscard]] std::optional<Place> value_place() const {
+    if (!has_value) return std::nullopt;
+    return Place{.source = source, .span = value_span};
+  }
+  /// The same of the name.
+  [[nodiscard]] std::optional<Place> name_place() const {
+    if (!set()) return std::nullopt;
+    return Place{.source = source, .span = name_span};
+  }
+};
+
+/// True where a list gives the parameter a value that differs from its documented default. A value equal to the default
+/// means "not configured".
+[[nodiscard]] bool configured(EffectiveValue const& value);
+
+/// All parameters of one axis that a list sets, and the documented defaults of the others. Of both, most nobody asks for, so
+/// a value is made when it is first looked at, and stays where it is: one EffectiveValues serves one thread at a time.
+class EffectiveValues {
+ public:
+  explicit EffectiveValues(schema::Catalogue catalogue = {});
+  /// What the lines of the lists say, of which the first may be null; they live longer. Lines without a value of their own
+  /// are for who calls edit().
+  EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list);
+  /// Moving leaves the values where they are.
+  EffectiveValues(EffectiveValues&&) noexcept = default;
+  EffectiveValues& operator=(EffectiveValues&&) noexcept = default;
+  EffectiveValues(EffectiveValues const&) = delete;
+  EffectiveValues& operator=(EffectiveValues const&) = delete;
+  ~EffectiveValues() = default;
+
+  /// Value of one slot. Cost: constant.
+  [[nodiscard]] EffectiveValue const& operator[](schema::Slot slot) const {
+    std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    return entry == 0 ? look_up(slot) : value_at(entry - 1);
+  }
+  /// By name, for rules: at("filter[].order", 1). The name is a pattern of the catalogue, the indices are in
+  /// range.
+  [[nodiscard]] EffectiveValue const& at(std::string_view pattern, std::uint32_t first_index = 0,
+                                         std::uint32_t second_index = 0) const;
+  [[nodiscard]] schema::Parameter const& row(schema::Slot slot) const {
+    return catalogue_.parameter_of(slot);
+  }
+  [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
+  /// A list sets the parameter, perhaps in a line that cannot be used.
+  [[nodiscard]] bool is_set(schema::Slot slot) const {
+    std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
+    if (entry != 0) return value_at(entry - 1).set();
+    auto const sets = [slot](LoadedList const* list) {
+      return list != nullptr && list->readings.last_of(slot) != 0;
+    };
+    return sets(lists_[0]) || sets(lists_[1]);
+  }
+  /// What lists set in the order in which the lines that count stand, default list first. Cost: all of them are made and
+  /// sorted.
+  [[nodiscard]] std::vector<EffectiveValue const*> set_values() const;
+  /// Those whose value came through a reference.
+  [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
+
+  /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
+  EffectiveValue& edit(schema::Slot slot);
+  /// The value of a reference, which was looked up.
+  void refer(schema::Slot slot, Value value);
+
+ private:
+  /// Values lie in blocks that never grow, so that none of them moves.
+  static constexpr std::size_t block_size = 64;
+
+  EffectiveValue const& look_up(schema::Slot slot) const;
+  /// Makes the entry of a slot that has none.
+  EffectiveValue& add(EffectiveValue value) const;
+  [[nodiscard]] EffectiveValue& value_at(std::size_t index) const {
+    return blocks_[index / block_size][index % block_size];
+  }
+
+  schema::Catalogue catalogue_;
+  std::array<LoadedList const*, 2> lists_{};  ///< the one that counts first; null where there is none
+  /// 0: not yet looked at; else index + 1. There are at most schema::most_slots.
+  mutable std::vector<std::uint16_t> entry_of_slot_;
+  mutable std::vector<std::vector<EffectiveValue>> blocks_;
+  std::vector<schema::Slot> referenced_slots_;
+};
+
+/// What a line of a list gives its parameter, which is known.
+[[nodiscard]] EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment);
+
+/// Whether the line that counts for `a` stands before that for `b`: by list, the default list first, and line.
+[[nodiscard]] bool stands_before(EffectiveValue const& a, EffectiveValue const& b);
+
+/// `filter[2].order`, and "P-AXIS-00140" or empty.
+[[nodiscard]] std::string parameter_name(EffectiveValue const& value);
+[[nodiscard]] std::string parameter_number(EffectiveValue const& value);
+
+/// Row of a pattern of the built-in catalogue, `filter[].order`. Schema files move no slot of the families that are
+/// compiled.
+[[nodiscard]] schema::Parameter const& row_at(std::string_view pattern);
+
+/// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
+enum class ReferenceTrouble : std::uint8_t {
+  unresolvable,
+  circular,
+  wrong_type,
+  wrong_index,
+  other_unit,  ///< the only one that leaves the value usable
+  out_of_data_range,
+};
+
+struct ReferenceProblem {
+  ReferenceTrouble trouble{};
+  schema::Slot slot{};       ///< the parameter whose value is the reference
+  std::uint32_t p_axis = 0;  ///< what it names
+  std::uint32_t index = 0;
+  std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
+  double number = 0;                   ///< out_of_data_range: the value there
+  std::vector<schema::Slot> circle;    ///< the other members of a circle
+};
+
+struct MergedValues {
+  EffectiveValues values;
+  std::vector<ReferenceProblem> reference_problems;
+};
+
+/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
+/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. The values look
+/// into the lists and their sources, which live longer. Cost: linear in the assignments.
+[[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
+                                       std::optional<bool> rotary);
+
+}  // namespace axisc::validator

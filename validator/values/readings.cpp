@@ -1,0 +1,43 @@
+#include "validator/values/reading.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace axisc::validator {
+
+Reading Readings::operator[](std::size_t assignment) const {
+  BriefReading const& brief = brief_[assignment];
+  if (brief.other != 0) return others_[brief.other - 1];
+  Reading reading;
+  reading.row = &catalogue_.parameter_of(brief.slot);
+  reading.slot = brief.slot;
+  reading.name_status = schema::NameLookup::Status::found;
+  reading.status = ReadingStatus::value;
+  reading.text = assignments_[assignment].value;
+  reading.value.number = brief.number;
+  if (brief.text == BriefReading::own_text) {
+    reading.value.text = bytes_.substr(reading.text.begin, reading.text.size());
+  } else if (brief.text != BriefReading::no_text) {
+    reading.value.text = reading.row->symbols[brief.text - std::size_t{1}].word;
+  }
+  return reading;
+}
+
+std::optional<schema::Slot> Readings::slot(std::size_t assignment) const {
+  BriefReading const& brief = brief_[assignment];
+  if (brief.other != 0 && !others_[brief.other - 1].known()) return std::nullopt;
+  return brief.slot;
+}
+
+std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
+  auto const found = std::lower_bound(
+      suggested_.begin(), suggested_.end(), assignment,
+      [](Suggested const& suggested, std::size_t wanted) { return suggested.assignment < wanted; });
+  if (found == suggested_.end() || found->assignment != assignment) return {};
+  return found->names;
+}
+
+}  // namespace axisc::validator

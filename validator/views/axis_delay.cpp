@@ -1,0 +1,83 @@
+#include "validator/views/axis_delay.hpp"
+
+#include "design/filter_design.hpp"
+#include "validator/views/fir_view.hpp"
+#include "validator/views/hsc_view.hpp"
+
+#include <cmath>
+
+namespace axisc::validator {
+namespace {
+
+class Sum {
+ public:
+  Sum(EffectiveValues const& values, design::CycleTime cycle_time)
+      : values_(values), cycle_time_(cycle_time) {}
+
+  std::optional<AxisDelay> take() {
+    if (!add_filters() || !add_hsc() || !add_fir()) return std::nullopt;
+    return result_;
+  }
+
+ private:
+  void add(double cycles, EffectiveValue const& cause) {
+    result_.cycles += cycles;
+    if (result_.cause != nullptr && std::abs(cycles) <= largest_) return;
+    largest_ = std::abs(cycles);
+    result_.cause = &cause;
+  }
+
+  /// False, like the others, where something cannot be designed.
+  bool add_filters() {
+    for (FilterView const& filter : touched_filters(values_)) {
+      if (filter.port != FilterPort::setpoint || is_configured_hsc(filter)) continue;
+      if (filter.unusable()) return false;
+      if (!filter.active()) continue;
+      auto const specification = filter.specification(cycle_time_);
+      if (!specification) return false;
+      auto const design = design::design_filter(*specification, cycle_time_, design::Precision::quick);
+      add(design.group_delay_cycles, filter.anchor(filter.enable));
+    }
+    return true;
+  }
+
+  bool add_hsc() {
+    for (FilterView const& filter : configured_hsc(values_)) {
+      if (hsc_type(filter) == HscType::novib && !(filter.order.value.number > 0)) continue;
+      auto const kernel = hsc_kernel(filter, cycle_time_);
+      if (!kernel || filter.index != 0) return false;
+      result_.kernel = ConfiguredKernel{
+          .family = KernelFamily::hsc, .index = 0, .specification = *kernel, .on_at_start = false};
+      EffectiveValue const& cause = filter.order.value.number > 0 ? filter.order : filter.time_constant;
+      add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : filter.prototype);
+    }
+    return true;
+  }
+
+  bool add_fir() {
+    FirView const fir(values_);
+    if (!fir.configured()) return !fir.type.unusable;
+    auto const kernel = fir.specification(cycle_time_);
+    if (!kernel) return false;
+    result_.kernel = ConfiguredKernel{.family = KernelFamily::fir,
+                                      .index = 0,
+                                      .specification = *kernel,
+                                      .on_at_start = fir.enable.value.flag()};
+    EffectiveValue const& cause = fir.order.value.number > 0 ? fir.order : fir.order_time;
+    add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : fir.type);
+    return true;
+  }
+
+  EffectiveValues const& values_;
+  design::CycleTime cycle_time_;
+  AxisDelay result_;
+  double largest_ = 0;
+};
+
+}  // namespace
+
+std::optional<AxisDelay> axis_delay(EffectiveValues const& values, design::CycleTime cycle_time) {
+  return Sum(values, cycle_time).take();
+}
+
+}  // namespace axisc::validator

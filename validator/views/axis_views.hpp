@@ -1,0 +1,32 @@
+// The filters of one axis as its lists configure them, each looked at once: for the rules, and for building the machine.
+#pragma once
+
+#include "validator/views/filter_designs.hpp"
+#include "validator/views/filter_view.hpp"
+#include "validator/views/fir_view.hpp"
+#include "validator/views/position_control_view.hpp"
+
+#include <vector>
+
+namespace axisc::validator {
+
+/// Stays where it is, because its parts refer to each other; the EffectiveValues live longer.
+struct AxisViews {
+  std::vector<FilterView> filters;  ///< those that a list touches: see touched_filters()
+  FilterDesigns designs;            ///< of these
+  FirView fir;
+  PositionControlView position_control;
+
+  AxisViews(EffectiveValues const& values, design::CycleTime cycle_time)
+      : filters(touched_filters(values)),
+        designs(filters, cycle_time),
+        fir(values),
+        position_control(values) {}
+  AxisViews(AxisViews const&) = delete;
+  AxisViews(AxisViews&&) = delete;
+  AxisViews& operator=(AxisViews const&) = delete;
+  AxisViews& operator=(AxisViews&&) = delete;
+  ~AxisViews() = default;
+};
+
+}  // namespace axisc::validator

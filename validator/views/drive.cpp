@@ -1,0 +1,43 @@
+#include "validator/views/drive.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace axisc::validator {
+namespace {
+
+template <typename Matches>
+DriveType const* find_drive(Matches matches) {
+  auto const* const found = std::find_if(drive_types.begin(), drive_types.end(), matches);
+  return found == drive_types.end() ? nullptr : found;
+}
+
+}  // namespace
+
+DriveType const* drive_of(LoadedAxis const& axis) {
+  if (axis.drive) {
+    return find_drive([&](DriveType const& drive) { return drive.word == axis.drive->text; });
+  }
+  EffectiveValue const& type = axis.merged.values.at("kenngr.antr_typ");
+  if (type.unusable) return nullptr;
+  return find_drive([&](DriveType const& drive) { return drive.number == type.value.number; });
+}
+
+PositionController position_controller(LoadedAxis const& axis) {
+  if (axis.position_control != PositionController::unknown) return axis.position_control;
+  EffectiveValue const& mode = axis.merged.values.at("antr.operation_mode");
+  if (mode.unusable || is_open_loop(mode)) return PositionController::unknown;
+  std::string_view const word = mode.value.text;
+  if (word == "CNC_POSITION_CONTROL") return PositionController::cnc;
+  if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") return PositionController::drive;
+  DriveType const* const drive = drive_of(axis);
+  if (drive == nullptr) return PositionController::unknown;
+  return drive->digital ? PositionController::drive : PositionController::cnc;
+}
+
+bool is_open_loop(EffectiveValue const& operation_mode) {
+  constexpr std::string_view open = "OPEN_POSITION_LOOP";
+  return !operation_mode.unusable && operation_mode.value.text.starts_with(open);
+}
+
+}  // namespace axisc::validator

@@ -1,0 +1,49 @@
+// The parameters of an axis' FIR filter, seen together: filter_fir.
+#pragma once
+
+#include "design/kernel_design.hpp"
+#include "validator/values/effective_values.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace axisc::validator {
+
+/// Values are the numbers of P-AXIS-00586.
+enum class FirType : std::uint8_t {
+  none = 0,
+  moving_average = 1,
+  gaussian = 2,
+  windowed_sinc = 3,
+  time_delay = 4,
+};
+
+/// References stay valid while the EffectiveValues live.
+struct FirView {
+  EffectiveValue const& enable;
+  EffectiveValue const& type;
+  EffectiveValue const& order;
+  EffectiveValue const& order_time;
+  EffectiveValue const& share;
+  EffectiveValue const& frequency;
+  EffectiveValue const& quality;
+
+  explicit FirView(EffectiveValues const& values);
+
+  /// none as well where the type cannot be used or is out of range.
+  [[nodiscard]] FirType configured_type() const;
+  /// Type 1 to 4, enabled or not: #FILTER may switch it on.
+  [[nodiscard]] bool configured() const { return configured_type() != FirType::none; }
+  /// 200, for the time delay 100.
+  [[nodiscard]] std::uint32_t longest_order() const;
+  /// order, where it is 0 what order_time gives; 0 where neither gives one. May lie above longest_order().
+  [[nodiscard]] double resulting_order(design::CycleTime cycle_time) const;
+  /// The kernel of a configured filter with the lists' values, order 0 where none results; none where a value is out
+  /// of range. Values that the type ignores keep the specification's own defaults, so that equal filters have equal
+  /// specifications.
+  [[nodiscard]] std::optional<design::KernelSpecification> specification(design::CycleTime cycle_time) const;
+  /// Where a finding about `wanted` stands, as for FilterView.
+  [[nodiscard]] EffectiveValue const& anchor(EffectiveValue const& wanted) const;
+};
+
+}  // namespace axisc::validator

@@ -1,0 +1,37 @@
+// An HSC filter as a linear-phase kernel: prototype HSC in filter[i], types HSC_MEAN and HSC_SHAPER (NoVib).
+#pragma once
+
+#include "design/kernel_design.hpp"
+#include "validator/views/filter_view.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace axisc::validator {
+
+/// Values are the numbers of P-AXIS-00204.
+enum class HscType : std::uint8_t { mean = 8, novib = 12 };
+
+/// A filter[i] with prototype HSC: configured, whatever its type.
+[[nodiscard]] bool is_configured_hsc(FilterView const& filter);
+
+/// Every configured HSC filter, in order of i; the control accepts one, in filter[0].
+[[nodiscard]] std::vector<FilterView> configured_hsc(EffectiveValues const& values);
+/// The same of touched_filters().
+[[nodiscard]] std::vector<FilterView> configured_hsc(std::span<FilterView const> filters);
+
+/// Its type; none where it cannot be used or is no HSC type, and for everything that is no configured HSC filter.
+[[nodiscard]] std::optional<HscType> hsc_type(FilterView const& filter);
+
+/// Its order; for the mean, where order is 0, what time_constant gives (by default 10000 µs); 0 where there is none:
+/// time_constant < T, and NoVib without an order.
+[[nodiscard]] double resulting_hsc_order(FilterView const& filter, design::CycleTime cycle_time);
+
+/// Its kernel, NoVib with the default order, because it computes its own. None where a value is out of range or NoVib
+/// has no order, without which it never works.
+[[nodiscard]] std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
+                                                                    design::CycleTime cycle_time);
+
+}  // namespace axisc::validator

@@ -1,0 +1,87 @@
+#include "validator/views/units_text.hpp"
+
+#include "diagnostics/format_number.hpp"
+
+#include <array>
+
+namespace axisc::validator {
+namespace {
+
+struct UnitRow {
+  std::string_view raw;
+  double factor;
+  std::string_view name;
+};
+
+constexpr std::array<UnitRow, 24> table = {{
+    {.raw = "0.1 um", .factor = 1e-4, .name = "mm"},
+    {.raw = "um", .factor = 1e-3, .name = "mm"},
+    {.raw = "1e-4 deg", .factor = 1e-4, .name = "°"},
+    {.raw = "1e-3 deg", .factor = 1e-3, .name = "°"},
+    {.raw = "deg", .factor = 1, .name = "°"},
+    {.raw = "us", .factor = 1e-3, .name = "ms"},
+    {.raw = "um/s", .factor = 1e-3, .name = "mm/s"},
+    {.raw = "1e-3 deg/s", .factor = 1e-3, .name = "°/s"},
+    {.raw = "mm/s^2", .factor = 1, .name = "mm/s²"},
+    {.raw = "deg/s^2", .factor = 1, .name = "°/s²"},
+    {.raw = "mm/s^3", .factor = 1, .name = "mm/s³"},
+    {.raw = "deg/s^3", .factor = 1, .name = "°/s³"},
+    {.raw = "m/s^3", .factor = 1, .name = "m/s³"},
+    {.raw = "1e3 deg/min^3", .factor = 1e3, .name = "°/min³"},
+    {.raw = "0.1 %", .factor = 0.1, .name = "%"},
+    {.raw = "0.01/s", .factor = 0.01, .name = "1/s"},
+    {.raw = "0.1 um/rev", .factor = 1e-4, .name = "mm/rev"},
+    {.raw = "1e-4 deg/rev", .factor = 1e-4, .name = "°/rev"},
+    {.raw = "um/m", .factor = 1, .name = "µm/m"},
+    {.raw = "s/deg^2", .factor = 1, .name = "s/°²"},
+    {.raw = "kg m^2", .factor = 1, .name = "kg·m²"},
+    {.raw = "N m", .factor = 1, .name = "N·m"},
+    {.raw = "cycle", .factor = 1, .name = "T"},
+    {.raw = "increment", .factor = 1, .name = "inc"},
+}};
+
+UnitRow row_of(std::string_view unit) {
+  for (UnitRow const& row : table) {
+    if (row.raw == unit) return row;
+  }
+  return {.raw = unit, .factor = 1, .name = unit};
+}
+
+}  // namespace
+
+std::string_view unit_of(schema::Parameter const& parameter, AxisType type) {
+  return type == AxisType::translatory ? parameter.unit_translatory : parameter.unit_rotary;
+}
+
+std::string physical(double raw, std::string_view unit) {
+  UnitRow const row = row_of(unit);
+  std::string text = format_rounded(raw * row.factor, 12);
+  if (!row.name.empty()) text.append(" ").append(row.name);
+  return text;
+}
+
+bool is_scaled(std::string_view unit) {
+  return row_of(unit).factor != 1;
+}
+
+std::string raw_unit_name(std::string_view unit) {
+  struct Replacement {
+    std::string_view plain;
+    std::string_view printed;
+  };
+  constexpr std::array<Replacement, 5> replacements = {{
+      {.plain = "um", .printed = "µm"},
+      {.plain = "us", .printed = "µs"},
+      {.plain = "deg", .printed = "°"},
+      {.plain = "^2", .printed = "²"},
+      {.plain = "^3", .printed = "³"},
+  }};
+  std::string text(unit);
+  for (Replacement const& replacement : replacements) {
+    std::size_t const at = text.find(replacement.plain);
+    if (at != std::string::npos) text.replace(at, replacement.plain.size(), replacement.printed);
+  }
+  return text;
+}
+
+}  // namespace axisc::validator
