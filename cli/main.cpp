@@ -115,7 +115,7 @@ std::string failure_line(Language language) {
     throw;
   } catch (Failure const& failure) {
     return failure.line(language);
-  } catch (validator::SourceChanged const& changed) {
+  } catch (configuration::SourceChanged const& changed) {
     return Failure({.text = Text::ax9001_changed, .arguments = {{"file", changed.path()}}}, cannot_read)
         .line(language);
   } catch (std::bad_alloc const&) {

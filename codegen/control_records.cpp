@@ -7,17 +7,17 @@
 namespace axisc::codegen {
 namespace {
 
-using validator::AxisConfiguration;
+using machine::AxisConfiguration;
 
 /// The stages' filters first: a record of a stage names them.
-Range add_stages(std::uint32_t axis, validator::PositionControl const& control, FilterRecords& filters,
+Range add_stages(std::uint32_t axis, machine::PositionControl const& control, FilterRecords& filters,
                  ImageTables& tables) {
   Range const range{.first = tables.stages.count(),
                     .count = static_cast<std::uint32_t>(control.stages.size())};
-  for (validator::PositionControlStage const& stage : control.stages) {
+  for (machine::PositionControlStage const& stage : control.stages) {
     std::uint32_t const first_filter = tables.filters.count();
     if (stage.oscillator) filters.add(axis, *stage.oscillator);
-    std::vector<validator::ConfiguredFilter> configured;
+    std::vector<machine::ConfiguredFilter> configured;
     for (design::FilterSpecification const& filter : stage.filters) {
       auto const place = static_cast<std::uint32_t>(configured.size() + (stage.oscillator ? 1 : 0));
       configured.push_back({.index = place, .specification = filter});
@@ -36,19 +36,19 @@ Range add_stages(std::uint32_t axis, validator::PositionControl const& control, 
 }
 
 /// The axis whose stages give this axis' additive velocity; none where there is no Improved Position Control.
-std::optional<std::size_t> source_of(validator::Machine const& machine, std::size_t axis) {
+std::optional<std::size_t> source_of(machine::Machine const& machine, std::size_t axis) {
   auto const master = machine.axes[axis].gantry_master;
   std::size_t const source = master.value_or(axis);
   if (!machine.axes[source].position_control) return std::nullopt;
   return source;
 }
 
-void add_control(validator::Machine const& machine, std::uint32_t axis, std::size_t source,
+void add_control(machine::Machine const& machine, std::uint32_t axis, std::size_t source,
                  FilterRecords& filters, ImageTables& tables) {
   AxisConfiguration const& configuration = machine.axes[axis];
-  validator::PositionControl const& control = *machine.axes[source].position_control;
+  machine::PositionControl const& control = *machine.axes[source].position_control;
   Range const stages = source == axis ? add_stages(axis, control, filters, tables) : Range{};
-  validator::DriveScaling const& scaling = configuration.drive_scaling;
+  machine::DriveScaling const& scaling = configuration.drive_scaling;
   Record<records::control> record = tables.controls.append();
   record.set(fields::control::axis, axis);
   record.set(fields::control::source, static_cast<std::uint32_t>(source));
@@ -67,7 +67,7 @@ void add_control(validator::Machine const& machine, std::uint32_t axis, std::siz
 
 }  // namespace
 
-void add_control_records(validator::Machine const& machine, FilterRecords& filters, ImageTables& tables) {
+void add_control_records(machine::Machine const& machine, FilterRecords& filters, ImageTables& tables) {
   for (std::uint32_t axis = 0; axis < machine.axes.size(); ++axis) {
     auto const source = source_of(machine, axis);
     if (source) add_control(machine, axis, *source, filters, tables);

@@ -25,10 +25,10 @@ void set_proof(Record<records::filter>& record, FilterProof const& proof) {
 }  // namespace
 
 Range FilterRecords::add(std::uint32_t axis, std::uint32_t port,
-                         std::span<validator::ConfiguredFilter const> configured) {
+                         std::span<machine::ConfiguredFilter const> configured) {
   if (configured.empty()) return {};
   Range const range{.first = tables_.filters.count(), .count = static_cast<std::uint32_t>(configured.size())};
-  for (validator::ConfiguredFilter const& filter : configured) {
+  for (machine::ConfiguredFilter const& filter : configured) {
     auto const compiled = designs_.filter(filter.specification, cycle_time_);
     Record<records::filter> record = append({.axis = axis, .port = port, .index = filter.index}, *compiled);
     set_specification(record, filter.specification);

@@ -17,7 +17,7 @@ class FilterRecords {
       : tables_(tables), designs_(designs), cycle_time_(cycle_time), strip_(strip) {}
 
   /// The filters of one chain, in their order.
-  Range add(std::uint32_t axis, std::uint32_t port, std::span<validator::ConfiguredFilter const> configured);
+  Range add(std::uint32_t axis, std::uint32_t port, std::span<machine::ConfiguredFilter const> configured);
   /// The oscillator that begins a stage of Improved Position Control; the stage's filters follow.
   void add(std::uint32_t axis, design::OscillatorSpecification const& oscillator);
 

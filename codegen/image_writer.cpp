@@ -14,7 +14,7 @@ namespace {
 
 class ImageBuilder {
  public:
-  ImageBuilder(validator::Machine const& machine, ImageOptions const& options, KnownDesigns& designs)
+  ImageBuilder(machine::Machine const& machine, ImageOptions const& options, KnownDesigns& designs)
       : machine_(machine),
         options_(options),
         designs_(designs),
@@ -25,11 +25,11 @@ class ImageBuilder {
     KernelPlan const plan = plan_kernels(machine_, kernels_, [this](std::size_t axis) {
       return chain(machine_.axes[axis].filters).peak_gain;
     });
-    for (validator::AxisConfiguration const& axis : machine_.axes) add_axis(axis);
+    for (machine::AxisConfiguration const& axis : machine_.axes) add_axis(axis);
     add_control_records(machine_, filter_records_, tables_);
     add_kernel_records(plan, kernels_, options_.strip, tables_);
     if (!options_.strip) {
-      for (validator::MachineList const& list : machine_.lists) add_list(list);
+      for (machine::MachineList const& list : machine_.lists) add_list(list);
       for (std::uint32_t axis = 0; axis < machine_.axes.size(); ++axis) add_values(axis);
     }
     return assemble_image({.cycle_time_ns = machine_.cycle_time.nanoseconds,
@@ -41,7 +41,7 @@ class ImageBuilder {
   }
 
  private:
-  void add_axis(validator::AxisConfiguration const& axis) {
+  void add_axis(machine::AxisConfiguration const& axis) {
     std::uint32_t const axis_index = tables_.axes.count();
     Range const chain = filter_records_.add(axis_index, axim_port_setpoint, axis.filters);
     Range const interface_chain =
@@ -56,7 +56,7 @@ class ImageBuilder {
     }
     record.set(fields::axis::number, axis.number);
     record.set(fields::axis::type, static_cast<std::uint32_t>(axis.type));
-    record.set(fields::axis::position_unit, axis.type == validator::AxisType::translatory ? 0U : 1U);
+    record.set(fields::axis::position_unit, axis.type == machine::AxisType::translatory ? 0U : 1U);
     record.set(fields::axis::first_filter, chain.first);
     record.set(fields::axis::filter_count, chain.count);
     record.set(fields::axis::first_interface_filter, interface_chain.first);
@@ -69,16 +69,16 @@ class ImageBuilder {
   }
 
   /// {1, 0} for none.
-  [[nodiscard]] ChainProof chain(std::span<validator::ConfiguredFilter const> filters) {
+  [[nodiscard]] ChainProof chain(std::span<machine::ConfiguredFilter const> filters) {
     if (filters.empty()) return {};
     std::vector<design::FilterSpecification> specifications;
     specifications.reserve(filters.size());
-    for (validator::ConfiguredFilter const& filter : filters) specifications.push_back(filter.specification);
+    for (machine::ConfiguredFilter const& filter : filters) specifications.push_back(filter.specification);
     return designs_.chain(specifications, machine_.cycle_time);
   }
 
   /// The standard filters, and the kernel that works from start-up.
-  [[nodiscard]] ChainProof as_it_starts(validator::AxisConfiguration const& axis) {
+  [[nodiscard]] ChainProof as_it_starts(machine::AxisConfiguration const& axis) {
     ChainProof proof = chain(axis.filters);
     if (!axis.kernel || !axis.kernel->on_at_start) return proof;
     std::uint32_t const kernel = kernels_.index_of(axis.kernel->specification);
@@ -88,7 +88,7 @@ class ImageBuilder {
     return proof;
   }
 
-  void add_list(validator::MachineList const& list) {
+  void add_list(machine::MachineList const& list) {
     TextRange const name = tables_.names.add(list.name);
     Record<records::list> record = tables_.lists.append();
     record.set(fields::list::name_offset, name.offset);
@@ -98,7 +98,7 @@ class ImageBuilder {
   }
 
   void add_values(std::uint32_t axis) {
-    for (validator::SourcedValue const& value : machine_.axes[axis].values) {
+    for (machine::SourcedValue const& value : machine_.axes[axis].values) {
       TextRange const name = tables_.names.add(value.name);
       TextRange const text = tables_.names.add(value.text);
       Record<records::value> record = tables_.values.append();
@@ -112,7 +112,7 @@ class ImageBuilder {
     }
   }
 
-  validator::Machine const& machine_;
+  machine::Machine const& machine_;
   ImageOptions const& options_;
   KnownDesigns& designs_;
   CompiledKernels kernels_;
@@ -122,12 +122,12 @@ class ImageBuilder {
 
 }  // namespace
 
-std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options) {
+std::vector<std::byte> write_image(machine::Machine const& machine, ImageOptions const& options) {
   KnownDesigns designs;
   return write_image(machine, options, designs);
 }
 
-std::vector<std::byte> write_image(validator::Machine const& machine, ImageOptions const& options,
+std::vector<std::byte> write_image(machine::Machine const& machine, ImageOptions const& options,
                                    KnownDesigns& designs) {
   return ImageBuilder(machine, options, designs).build();
 }

@@ -16,10 +16,10 @@ struct ImageOptions {
 };
 
 /// Byte-identical for equal machines and options, on every host and at every optimisation level.
-[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine,
+[[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
                                                  ImageOptions const& options);
 /// The same for one of many machines: what another one has already had designed is taken from there.
-[[nodiscard]] std::vector<std::byte> write_image(validator::Machine const& machine,
+[[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
                                                  ImageOptions const& options, KnownDesigns& designs);
 
 }  // namespace axisc::codegen

@@ -11,13 +11,13 @@ namespace {
 
 class Planner {
  public:
-  Planner(validator::Machine const& machine, CompiledKernels& kernels,
+  Planner(machine::Machine const& machine, CompiledKernels& kernels,
           std::function<double(std::size_t)> const& peak_gain)
       : machine_(machine), kernels_(kernels), peak_gain_(peak_gain), slot_of_axis_(machine.axes.size()) {}
 
   KernelPlan plan() {
     add_slots();
-    for (validator::MachineGroup const& group : machine_.groups) add_group(group);
+    for (machine::MachineGroup const& group : machine_.groups) add_group(group);
     for (PlannedSlot& slot : plan_.slots) slot.history = longest(slot);
     for (PlannedGroup& group : plan_.groups) set_fades(group);
     return std::move(plan_);
@@ -41,7 +41,7 @@ class Planner {
     }
   }
 
-  void add_group(validator::MachineGroup const& group) {
+  void add_group(machine::MachineGroup const& group) {
     std::size_t const index = plan_.groups.size();
     PlannedGroup planned{.name = group.name, .members = {}, .banks = {}, .off_fade_cycles = 0};
     bool has_slot = false;
@@ -64,7 +64,7 @@ class Planner {
     if (has_hsc) add_bank(index, {}, true);
   }
 
-  void add_bank(std::size_t group, validator::FilterParameters const& parameters, bool hsc) {
+  void add_bank(std::size_t group, machine::FilterParameters const& parameters, bool hsc) {
     PlannedGroup& planned = plan_.groups[group];
     PlannedBank bank{.parameters = parameters, .hsc = hsc, .choices = {}, .fade_cycles = 0};
     for (std::size_t member = 0; member < planned.members.size(); ++member) {
@@ -85,7 +85,7 @@ class Planner {
     return kernel;
   }
 
-  static bool is_hsc(PlannedSlot const& slot) { return slot.family == validator::KernelFamily::hsc; }
+  static bool is_hsc(PlannedSlot const& slot) { return slot.family == machine::KernelFamily::hsc; }
 
   [[nodiscard]] std::uint32_t longest(PlannedSlot const& slot) const {
     std::size_t tails = 0;
@@ -97,7 +97,7 @@ class Planner {
 
   /// Cycles from the worst kernel that `slot` may be at to `kernel`; 0 where standstill is needed.
   [[nodiscard]] std::uint32_t slot_fade(PlannedSlot const& slot, std::uint32_t kernel) const {
-    validator::AxisConfiguration const& axis = machine_.axes[slot.axis];
+    machine::AxisConfiguration const& axis = machine_.axes[slot.axis];
     double distance = 0;
     for (std::uint32_t const from : reachable_[*slot_of_axis_[slot.axis]]) {
       distance = std::max(distance, tail_distance(design_of(from), design_of(kernel)));
@@ -138,7 +138,7 @@ class Planner {
     return longest;
   }
 
-  validator::Machine const& machine_;
+  machine::Machine const& machine_;
   CompiledKernels& kernels_;
   std::function<double(std::size_t)> const& peak_gain_;
   std::vector<std::optional<std::size_t>> slot_of_axis_;
@@ -149,7 +149,7 @@ class Planner {
 }  // namespace
 
 design::KernelSpecification with_parameters(design::KernelSpecification specification,
-                                            validator::FilterParameters const& parameters) {
+                                            machine::FilterParameters const& parameters) {
   if (parameters.order) specification.order = *parameters.order;
   if (parameters.share_percent) specification.share_percent = *parameters.share_percent;
   if (parameters.frequency) specification.frequency = *parameters.frequency;
@@ -157,7 +157,7 @@ design::KernelSpecification with_parameters(design::KernelSpecification specific
   return specification;
 }
 
-KernelPlan plan_kernels(validator::Machine const& machine, CompiledKernels& kernels,
+KernelPlan plan_kernels(machine::Machine const& machine, CompiledKernels& kernels,
                         std::function<double(std::size_t axis)> const& peak_gain) {
   return Planner(machine, kernels, peak_gain).plan();
 }

@@ -16,7 +16,7 @@ namespace axisc::codegen {
 /// The linear-phase filter of an axis.
 struct PlannedSlot {
   std::size_t axis = 0;
-  validator::KernelFamily family = validator::KernelFamily::fir;
+  machine::KernelFamily family = machine::KernelFamily::fir;
   std::uint32_t index = 0;           ///< i of filter[i] for HSC
   std::uint32_t kernel = no_kernel;  ///< of the lists' values
   bool on_at_start = false;
@@ -27,7 +27,7 @@ struct PlannedSlot {
 
 /// A set of #FILTER parameters.
 struct PlannedBank {
-  validator::FilterParameters parameters;
+  machine::FilterParameters parameters;
   bool hsc = false;
   std::vector<std::uint32_t> choices;  ///< kernel of each member
   std::uint32_t fade_cycles = 0;       ///< 0: at standstill only
@@ -47,11 +47,11 @@ struct KernelPlan {
 
 /// The kernel that a command makes of an axis' filter: the lists' values and what the parameters name.
 [[nodiscard]] design::KernelSpecification with_parameters(design::KernelSpecification specification,
-                                                          validator::FilterParameters const& parameters);
+                                                          machine::FilterParameters const& parameters);
 
 /// `peak_gain(axis)` is that of the axis' other filters. Designs every kernel that a command can call for. An axis that
 /// several groups name belongs to the first of them.
-[[nodiscard]] KernelPlan plan_kernels(validator::Machine const& machine, CompiledKernels& kernels,
+[[nodiscard]] KernelPlan plan_kernels(machine::Machine const& machine, CompiledKernels& kernels,
                                       std::function<double(std::size_t axis)> const& peak_gain);
 
 }  // namespace axisc::codegen

@@ -16,7 +16,7 @@ class Hash {
   void add(std::span<std::byte const> bytes) {
     crypto_hash_sha256_update(&state_, reinterpret_cast<unsigned char const*>(bytes.data()), bytes.size());
   }
-  void add_content(validator::MachineList const& list) {
+  void add_content(machine::MachineList const& list) {
     if (!list.stored) return add(list.content);
     list.stored->read([this](std::string_view piece) { add(piece); });
   }
@@ -38,15 +38,15 @@ Sha256 sha256(std::string_view bytes) {
   return hash.finish();
 }
 
-Sha256 sha256(validator::MachineList const& list) {
+Sha256 sha256(machine::MachineList const& list) {
   Hash hash;
   hash.add_content(list);
   return hash.finish();
 }
 
-Sha256 source_digest(std::span<validator::MachineList const> lists) {
+Sha256 source_digest(std::span<machine::MachineList const> lists) {
   Hash hash;
-  for (validator::MachineList const& list : lists) {
+  for (machine::MachineList const& list : lists) {
     std::array<std::byte, 1 + sizeof(std::uint64_t)> separator{};
     std::uint64_t const size = list.stored ? list.stored->size : list.content.size();
     store_little_endian(std::span(separator).subspan(1), size);

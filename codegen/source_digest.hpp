@@ -14,9 +14,9 @@ using Sha256 = std::array<std::uint8_t, 32>;
 
 [[nodiscard]] Sha256 sha256(std::string_view bytes);
 /// Of the bytes of one source.
-[[nodiscard]] Sha256 sha256(validator::MachineList const& list);
+[[nodiscard]] Sha256 sha256(machine::MachineList const& list);
 
 /// For each list its name, a zero byte, its size as little-endian u64, its bytes.
-[[nodiscard]] Sha256 source_digest(std::span<validator::MachineList const> lists);
+[[nodiscard]] Sha256 source_digest(std::span<machine::MachineList const> lists);
 
 }  // namespace axisc::codegen

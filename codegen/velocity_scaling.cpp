@@ -13,7 +13,7 @@ using Exact = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
 constexpr double largest_weight = 7;
 
 /// Seconds of the time base, as a quotient.
-Exact time_base(validator::DriveScaling const& scaling, design::CycleTime cycle_time) {
+Exact time_base(machine::DriveScaling const& scaling, design::CycleTime cycle_time) {
   constexpr int seconds_per_minute = 60;
   constexpr int nanoseconds_per_second = 1'000'000'000;
   switch (scaling.time_base) {
@@ -28,23 +28,23 @@ Exact time_base(validator::DriveScaling const& scaling, design::CycleTime cycle_
 
 }  // namespace
 
-double stage_weight(validator::PositionControlStage const& stage) {
+double stage_weight(machine::PositionControlStage const& stage) {
   return std::min(stage.weight_numerator / stage.weight_denominator, largest_weight);
 }
 
-double velocity_limit(validator::PositionControl const& control, double v_max) {
+double velocity_limit(machine::PositionControl const& control, double v_max) {
   return control.limit_factor * v_max / 1000;
 }
 
-double increments_per_velocity(validator::DriveScaling const& scaling, design::CycleTime cycle_time) {
+double increments_per_velocity(machine::DriveScaling const& scaling, design::CycleTime cycle_time) {
   switch (scaling.controller) {
-    case validator::PositionController::drive:
+    case machine::PositionController::drive:
       return static_cast<double>(
           Exact(Exact(scaling.v_reso_num) / Exact(scaling.v_reso_denom) * time_base(scaling, cycle_time)));
-    case validator::PositionController::cnc:
+    case machine::PositionController::cnc:
       return static_cast<double>(
           Exact(Exact(6) * Exact(scaling.multi_gain_z) / (Exact(scaling.multi_gain_n) * 100'000)));
-    case validator::PositionController::unknown:
+    case machine::PositionController::unknown:
       break;
   }
   return 0;

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 namespace {
 
 bool is_image(std::string_view bytes) {
@@ -87,4 +87,4 @@ std::variant<std::monostate, FileError> check_text(std::string_view bytes) {
   return std::monostate{};
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

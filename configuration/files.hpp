@@ -11,7 +11,7 @@
 #include <string_view>
 #include <variant>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 enum class FileError : std::uint8_t {
   not_found,
@@ -66,4 +66,4 @@ inline constexpr std::size_t judged_beginning = 8000;
 /// What is wrong with bytes that were read, before they are parsed: too large, one line too long, not a text.
 [[nodiscard]] std::variant<std::monostate, FileError> check_text(std::string_view bytes);
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

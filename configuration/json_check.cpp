@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 namespace {
 
 using Kind = JsonShapeKind;
@@ -257,4 +257,4 @@ JsonCheck check_json(JsonDocument const& document, JsonShape const& shape) {
   return Checker(document).check(shape);
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 struct JsonProblem {
   Span span;  ///< of the key or value that is wrong; of the object's bracket where a key is missing
@@ -29,4 +29,4 @@ struct JsonCheck {
 /// Of a repeated key the first counts. Unknown keys are not looked into.
 [[nodiscard]] JsonCheck check_json(JsonDocument const& document, JsonShape const& shape);
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 void JsonReading::fill(JsonShape const& shape, JsonValue const& object, void* target) const {
   for (JsonKey const& key : shape.keys) {
@@ -37,4 +37,4 @@ void JsonReading::assign(JsonShape const& /*shape*/, JsonValue const& value, des
   target = design::CycleTime{static_cast<std::uint32_t>(std::round(value.number * 1e3))};
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 /// A text of a file with its place; a word of a table in the table's spelling.
 struct LocatedText {
@@ -91,4 +91,4 @@ void by(JsonReading const& reading, JsonShape const& /*shape*/, JsonValue const&
   function(reading.document(), value, *static_cast<Target*>(target));
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

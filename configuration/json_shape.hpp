@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 class JsonReading;
 struct JsonShape;
@@ -82,4 +82,4 @@ inline constexpr JsonShape json_texts{.kind = JsonShapeKind::list, .items = &jso
 inline constexpr JsonShape json_cycle_time{
     .kind = JsonShapeKind::number, .lowest = 1e-3, .highest = 1e6, .sentence = Text::json_cycle_time};
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

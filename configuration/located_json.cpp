@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 namespace {
 
 using Json = nlohmann::json;
@@ -153,4 +153,4 @@ std::variant<JsonDocument, JsonError> parse_json(std::string_view bytes, std::ui
   return builder.result();
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

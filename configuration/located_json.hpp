@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 enum class JsonKind : std::uint8_t { null, boolean, number, string, array, object };
 
@@ -54,4 +54,4 @@ inline constexpr std::size_t deepest_json = 64;
 [[nodiscard]] std::variant<JsonDocument, JsonError> parse_json(std::string_view bytes,
                                                                std::uint32_t text_begin);
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <utility>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 namespace {
 
 using Kind = JsonShapeKind;
@@ -32,9 +32,9 @@ constexpr JsonShape position_control_shape{.words = position_controls, .ignores_
 constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
 
 void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
-  axis.type = equal_ignoring_case(value.string, "T")   ? AxisType::translatory
-              : equal_ignoring_case(value.string, "R") ? AxisType::rotary
-                                                       : AxisType::spindle;
+  axis.type = equal_ignoring_case(value.string, "T")   ? machine::AxisType::translatory
+              : equal_ignoring_case(value.string, "R") ? machine::AxisType::rotary
+                                                       : machine::AxisType::spindle;
 }
 
 constexpr std::array axis_keys = {
@@ -200,4 +200,4 @@ bool looks_like_machine_file(std::string_view bytes) {
   return bytes[first] == '{' || bytes.find("\"axes\"") != std::string_view::npos;
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

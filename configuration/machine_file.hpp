@@ -11,14 +11,14 @@
 #include <string>
 #include <vector>
 
-namespace axisc::validator {
+namespace axisc::configuration {
 
 struct MachineFileAxis {
   LocatedText name;
   LocatedText list;
   std::optional<LocatedText> drive;  ///< SERCOS, PROFIDRIVE, CANopen, …; wins over kenngr.antr_typ
   std::optional<LocatedText> position_control;  ///< drive or cnc
-  std::optional<AxisType> type;
+  std::optional<machine::AxisType> type;
 };
 
 struct MachineFileGroup {
@@ -55,4 +55,4 @@ extern JsonShape const machine_file_shape;
 /// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".
 [[nodiscard]] bool looks_like_machine_file(std::string_view bytes);
 
-}  // namespace axisc::validator
+}  // namespace axisc::configuration

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <variant>
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 constexpr double settled_within = 1e-4;
@@ -135,4 +135,4 @@ void sort_frequencies(std::vector<design::Hertz>& frequencies) {
   frequencies.erase(std::unique(frequencies.begin(), frequencies.end(), same), frequencies.end());
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

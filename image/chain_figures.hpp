@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 struct ChainFigures {
   double delay_cycles = 0;  ///< group delay at 0 Hz
@@ -41,4 +41,4 @@ inline constexpr std::uint64_t longest_settling = std::uint64_t{1} << 18U;
 /// Rising, each once.
 void sort_frequencies(std::vector<design::Hertz>& frequencies);
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -18,7 +18,7 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 struct ImageFilter {
   std::uint32_t index = 0;
@@ -43,7 +43,7 @@ struct ImageKernel {
 
 /// The linear-phase filter of an axis.
 struct ImageSlot {
-  validator::KernelFamily family = validator::KernelFamily::fir;
+  machine::KernelFamily family = machine::KernelFamily::fir;
   std::uint32_t index = 0;
   std::optional<std::size_t> kernel;  ///< of the lists' values; none: the setpoint passes unchanged
   bool on_at_start = false;
@@ -51,7 +51,7 @@ struct ImageSlot {
 };
 
 struct ImageBank {
-  validator::FilterParameters parameters;
+  machine::FilterParameters parameters;
   bool hsc = false;
   std::vector<std::optional<std::size_t>> kernels;  ///< of each member
   std::uint32_t fade_cycles = 0;                    ///< 0: at standstill only
@@ -67,7 +67,7 @@ struct ImageGroup {
 /// A stage of Improved Position Control. Its oscillator, if any, is the first filter: type 0, the damping as quality.
 struct ImageStage {
   std::uint32_t index = 0;
-  validator::StageMode mode = validator::StageMode::direct;
+  machine::StageMode mode = machine::StageMode::direct;
   bool has_oscillator = false;
   double weight = 0, weight_numerator = 0, weight_denominator = 0;
   std::vector<ImageFilter> filters;
@@ -76,7 +76,7 @@ struct ImageStage {
 struct ImageControl {
   std::size_t source = 0;  ///< axis whose stages give the additive velocity
   std::vector<ImageStage> stages;
-  validator::DriveScaling scaling;
+  machine::DriveScaling scaling;
   double limit = 0, limit_factor = 0;
   double increments_per_velocity = 0;
 };
@@ -121,4 +121,4 @@ struct ImageContents {
 /// Runs axisrt_verify first; a status other than AXISRT_OK is returned instead of contents.
 [[nodiscard]] std::variant<ImageContents, axisrt_status> read_image(std::span<std::byte const> bytes);
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 /// The value that counts for each name: the last one that the lists set.
@@ -18,11 +18,11 @@ std::map<std::string, ImageValue const*> effective(ImageAxis const& axis) {
 }
 
 std::optional<double> number_of(schema::Parameter const& parameter, std::string const& text) {
-  if (auto const* const symbol = validator::read_symbol(parameter, text).symbol) {
+  if (auto const* const symbol = schema::read_symbol(parameter, text).symbol) {
     return symbol->number ? std::optional<double>(*symbol->number) : std::nullopt;
   }
-  auto const reading = validator::read_real(text);
-  if (reading.status != validator::NumberStatus::good) return std::nullopt;
+  auto const reading = schema::read_real(text);
+  if (reading.status != schema::NumberStatus::good) return std::nullopt;
   return reading.number;
 }
 
@@ -168,4 +168,4 @@ ImageDifference compare_images(ImageSide const& before, ImageSide const& after) 
   return difference;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 /// A parameter that means something else now. A list that does not set it leaves the documented default.
 struct ParameterChange {
@@ -54,4 +54,4 @@ struct ImageSide {
 /// value (0x14 and 20, LOWPASS and 1) are no change.
 [[nodiscard]] ImageDifference compare_images(ImageSide const& before, ImageSide const& after);
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

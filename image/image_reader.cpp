@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 /// No records where the image has no such section.
@@ -131,4 +131,4 @@ std::variant<ImageContents, axisrt_status> read_image(std::span<std::byte const>
   return read(ImageRecords(image.bytes()));
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -1,12 +1,12 @@
 #include "image/image_records.hpp"
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 ImageStage read_stage(ImageRecords const& image, ConstRecord<records::stage> record) {
   std::uint32_t const first_filter = record.get(fields::stage::first_filter);
   return {.index = record.get(fields::stage::index),
-          .mode = static_cast<validator::StageMode>(record.get(fields::stage::mode)),
+          .mode = static_cast<machine::StageMode>(record.get(fields::stage::mode)),
           .has_oscillator = image.filters[first_filter].get(fields::filter::type) == 0,
           .weight = record.get(fields::stage::weight),
           .weight_numerator = record.get(fields::stage::weight_numerator),
@@ -19,7 +19,7 @@ ImageStage read_stage(ImageRecords const& image, ConstRecord<records::stage> rec
 ImageControl read_control(ImageRecords const& image, ConstRecord<records::control> record) {
   ImageControl control{.source = record.get(fields::control::source),
                        .stages = {},
-                       .scaling = {.controller = static_cast<validator::PositionController>(
+                       .scaling = {.controller = static_cast<machine::PositionController>(
                                        record.get(fields::control::controller)),
                                    .v_reso_num = record.get(fields::control::v_reso_num),
                                    .v_reso_denom = record.get(fields::control::v_reso_denom),
@@ -35,4 +35,4 @@ ImageControl read_control(ImageRecords const& image, ConstRecord<records::contro
   return control;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -1,6 +1,6 @@
 #include "image/image_records.hpp"
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 design::FilterSpecification specification(ConstRecord<records::filter> record) {
@@ -66,4 +66,4 @@ std::vector<ImageFilter> read_chain(ImageRecords const& image, std::uint32_t fir
   return filters;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -1,6 +1,6 @@
 #include "image/image_records.hpp"
 
-namespace axisc::codegen {
+namespace axisc::image {
 namespace {
 
 std::optional<std::size_t> optional_index(std::uint32_t index) {
@@ -59,7 +59,7 @@ ImageKernel read_kernel(ImageRecords const& image, ConstRecord<records::kernel> 
 }
 
 ImageSlot read_slot(ConstRecord<records::slot> record) {
-  return {.family = static_cast<validator::KernelFamily>(record.get(fields::slot::family)),
+  return {.family = static_cast<machine::KernelFamily>(record.get(fields::slot::family)),
           .index = record.get(fields::slot::index),
           .kernel = optional_index(record.get(fields::slot::kernel)),
           .on_at_start = record.get(fields::slot::on_at_start) != 0,
@@ -82,4 +82,4 @@ ImageGroup read_group(ImageRecords const& image, ConstRecord<records::group> rec
   return group;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 /// Records of one section. A higher minor version may have longer ones; what is known stands at their
 /// beginning.
@@ -79,4 +79,4 @@ struct ImageRecords {
 [[nodiscard]] ImageGroup read_group(ImageRecords const& image, ConstRecord<records::group> record);
 [[nodiscard]] ImageControl read_control(ImageRecords const& image, ConstRecord<records::control> record);
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -6,7 +6,7 @@
 #include <bit>
 #include <utility>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 namespace {
 
@@ -197,4 +197,4 @@ bool Recording::next(ReplayedEntry& entry) {
   return true;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 enum class RecordedKind : std::uint8_t {
   step,
@@ -69,4 +69,4 @@ class Recording {
   bool damaged_ = false;
 };
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

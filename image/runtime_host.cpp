@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level) {
   AlignedBytes const aligned(image);
@@ -101,21 +101,21 @@ axisrt_status RuntimeHost::step_velocity(Velocities const& in, std::span<double>
                               status.empty() ? nullptr : status.data());
 }
 
-axisrt_status RuntimeHost::command(std::uint32_t group, validator::FilterCommand const& command) {
+axisrt_status RuntimeHost::command(std::uint32_t group, machine::FilterCommand const& command) {
   axisrt_filter_command words{};
   words.size = sizeof words;
   switch (command.filter_switch) {
-    case validator::FilterSwitch::unchanged:
+    case machine::FilterSwitch::unchanged:
       words.action = AXISRT_ACTION_SET;
       break;
-    case validator::FilterSwitch::on:
+    case machine::FilterSwitch::on:
       words.action = AXISRT_ACTION_ON;
       break;
-    case validator::FilterSwitch::off:
+    case machine::FilterSwitch::off:
       words.action = AXISRT_ACTION_OFF;
       break;
   }
-  validator::FilterParameters const& parameters = command.parameters;
+  machine::FilterParameters const& parameters = command.parameters;
   if (command.hsc) words.keywords |= AXISRT_KEYWORD_HSC;
   if (parameters.order) words.keywords |= AXISRT_KEYWORD_ORDER;
   if (parameters.share_percent) words.keywords |= AXISRT_KEYWORD_SHARE;
@@ -173,4 +173,4 @@ std::vector<std::byte> RuntimeHost::recording() const {
   return bytes;
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

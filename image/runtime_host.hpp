@@ -15,7 +15,7 @@
 #include <variant>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 /// Bytes that the runtime needs for an image at an axisrt_level, also at one that this processor lacks. Expects a verified
 /// image and a known level.
@@ -55,7 +55,7 @@ class RuntimeHost {
     return axisrt_reset_velocity(runtime_, axis, v_set, v_motor, v_direct);
   }
   /// What a #FILTER command does to a group. Parameters are ignored for OFF.
-  [[nodiscard]] axisrt_status command(std::uint32_t group, validator::FilterCommand const& command);
+  [[nodiscard]] axisrt_status command(std::uint32_t group, machine::FilterCommand const& command);
   /// The end of an NC program.
   [[nodiscard]] axisrt_status end_program(std::uint32_t group);
   /// All axes, their interfaces and velocities too; the worst status.
@@ -99,4 +99,4 @@ class RuntimeHost {
   axisrt_recorder* recorder_ = nullptr;
 };
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

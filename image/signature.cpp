@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <sodium/crypto_sign.h>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 namespace {
 
@@ -65,4 +65,4 @@ int verify_with_public_key(void* public_key, std::uint8_t const* named_key, void
                                      key.data());
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 /// First bytes of the SHA-256 of the public key: names a key, proves nothing.
 using KeyId = std::array<std::uint8_t, 8>;
@@ -67,4 +67,4 @@ void wipe(std::span<char> text);
 [[nodiscard]] int verify_with_public_key(void* public_key, std::uint8_t const* named_key, void const* image,
                                          std::size_t image_size, std::uint8_t const* signature);
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

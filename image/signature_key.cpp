@@ -7,7 +7,7 @@
 #include <sodium/crypto_sign.h>
 #include <sodium/utils.h>
 
-namespace axisc::codegen {
+namespace axisc::image {
 
 namespace {
 
@@ -107,4 +107,4 @@ void wipe(std::span<char> text) {
   sodium_memzero(text.data(), text.size());
 }
 
-}  // namespace axisc::codegen
+}  // namespace axisc::image

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace axisc::validator {
+namespace axisc::machine {
 
 std::string to_text(FilterParameters const& parameters) {
   std::string text;
@@ -16,4 +16,4 @@ std::string to_text(FilterParameters const& parameters) {
   return text;
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::machine

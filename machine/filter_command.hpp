@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace axisc::validator {
+namespace axisc::machine {
 
 /// The keywords of #FILTER that decide which kernel an axis gets. What is absent keeps the axis list's value.
 /// Canonical: ORDER_TIME has become the order it means at the NC cycle time (0 below one cycle), and is dropped beside
@@ -39,4 +39,4 @@ struct FilterCommand {
   double acceleration_factor = 1;  ///< ACC_FACT
 };
 
-}  // namespace axisc::validator
+}  // namespace axisc::machine

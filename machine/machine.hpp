@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-namespace axisc::validator {
+namespace axisc::machine {
 
 /// Values are the numbers of P-AXIS-00018.
 enum class AxisType : std::uint8_t { translatory = 1, rotary = 2, spindle = 4 };
@@ -139,4 +139,4 @@ struct Machine {
   bool inch = false;  ///< lengths in NC programs are inches
 };
 
-}  // namespace axisc::validator
+}  // namespace axisc::machine

@@ -65,7 +65,7 @@ double strength(std::vector<LoopCycle> const& cycles, std::size_t first, std::si
 
 }  // namespace
 
-LoopRecord simulate_loop(codegen::RuntimeHost& runtime, AxisMove const& move, PlantParameters const& plant,
+LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters const& plant,
                          bool with_function) {
   double const T = runtime.cycle_time().seconds();
   LoopRecord record;
@@ -115,7 +115,7 @@ bool diverges(LoopRecord const& record, double cycle_seconds) {
   return late > still && late > 0.7 * early;
 }
 
-double highest_kv(codegen::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
+double highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
                   bool with_function) {
   double const T = runtime.cycle_time().seconds();
   auto const keeps = [&](double kv) {

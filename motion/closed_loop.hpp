@@ -42,7 +42,7 @@ struct LoopRecord {
 inline constexpr double rest_seconds = 1.5;
 
 /// `with_function`: the additive velocity acts; else it is only calculated. The runtime is reset first.
-[[nodiscard]] LoopRecord simulate_loop(codegen::RuntimeHost& runtime, AxisMove const& move,
+[[nodiscard]] LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move,
                                        PlantParameters const& plant, bool with_function);
 
 /// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
@@ -50,7 +50,7 @@ inline constexpr double rest_seconds = 1.5;
 
 /// The largest Kv, up to a thousand times the plant's smallest, at which the loop does not diverge; 0 where there is none.
 /// Within 1 %.
-[[nodiscard]] double highest_kv(codegen::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
+[[nodiscard]] double highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
                                 bool with_function);
 
 }  // namespace axisc::motion

@@ -6,11 +6,11 @@
 namespace axisc::motion {
 
 std::variant<GroupRuntime, axisrt_status> GroupRuntime::create(std::span<std::byte const> image,
-                                                               codegen::ImageContents const& contents,
+                                                               image::ImageContents const& contents,
                                                                std::vector<std::size_t> axes) {
-  auto host = codegen::RuntimeHost::create(image);
+  auto host = image::RuntimeHost::create(image);
   if (auto const* const status = std::get_if<axisrt_status>(&host)) return *status;
-  GroupRuntime group(std::get<codegen::RuntimeHost>(std::move(host)), std::move(axes));
+  GroupRuntime group(std::get<image::RuntimeHost>(std::move(host)), std::move(axes));
   for (std::uint32_t i = 0; i < contents.groups.size(); ++i) {
     auto const& members = contents.groups[i].members;
     if (std::find_first_of(members.begin(), members.end(), group.axes_.begin(), group.axes_.end()) !=
@@ -31,7 +31,7 @@ axisrt_status GroupRuntime::reset(Point const& position) {
   return worst;
 }
 
-axisrt_status GroupRuntime::command(validator::FilterCommand const& command) {
+axisrt_status GroupRuntime::command(machine::FilterCommand const& command) {
   axisrt_status worst = AXISRT_OK;
   for (auto const group : image_groups_) worst = std::max(worst, host_.command(group, command));
   return worst;

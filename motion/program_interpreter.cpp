@@ -286,8 +286,8 @@ void ProgramInterpreter::take_filter(Token const& token) {
   auto const line_end = kept_.find('\n', last);
   bool const bracket = !command.keywords.empty() && behind != std::string::npos && behind < line_end;
   if (command.keywords.empty()) {
-    char const* const word = change.command.filter_switch == validator::FilterSwitch::on ? " ON" : " OFF";
-    bool const none = change.command.filter_switch == validator::FilterSwitch::unchanged;
+    char const* const word = change.command.filter_switch == machine::FilterSwitch::on ? " ON" : " OFF";
+    bool const none = change.command.filter_switch == machine::FilterSwitch::unchanged;
     change.text = "#FILTER" + std::string(none ? "" : word);
   } else {
     change.text = kept_.substr(command.name.begin, (bracket ? behind + 1 : last) - command.name.begin);

@@ -22,7 +22,7 @@ namespace axisc::motion {
 
 /// A #FILTER command.
 struct FilterChange {
-  validator::FilterCommand command;
+  machine::FilterCommand command;
   double tolerance = 0;  ///< AX_DEV in position units
   std::string text;      ///< as the program writes it, blanks and comments around it left out
   std::uint32_t line = 0;

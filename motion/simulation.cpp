@@ -59,7 +59,7 @@ void Simulation::command(FilterChange const& change) {
   }
   learn_answers();
   if (!change.command.hsc) {
-    bool const off = change.command.filter_switch == validator::FilterSwitch::off;
+    bool const off = change.command.filter_switch == machine::FilterSwitch::off;
     tolerance_ = off ? 0 : change.tolerance;
     acceleration_factor_ = off ? 1 : change.command.acceleration_factor;
   }

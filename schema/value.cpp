@@ -10,7 +10,7 @@
 #include <optional>
 #include <system_error>
 
-namespace axisc::validator {
+namespace axisc::schema {
 namespace {
 
 struct Digits {
@@ -163,4 +163,4 @@ std::uint16_t default_reference(schema::Parameter const& parameter) {
   return number;
 }
 
-}  // namespace axisc::validator
+}  // namespace axisc::schema

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-namespace axisc::validator {
+namespace axisc::schema {
 
 /// Numbers of every kind, booleans and numbered symbols carry `number`; words and strings carry `text` as
 /// well. Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
@@ -80,4 +80,4 @@ struct SymbolReading {
 /// The number behind a default of the form `P-AXIS-00008`; 0 for every other default.
 [[nodiscard]] std::uint16_t default_reference(schema::Parameter const& parameter);
 
-}  // namespace axisc::validator
+}  // namespace axisc::schema

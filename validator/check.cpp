@@ -22,11 +22,11 @@ std::deque<AxisViews> views_of(LoadedMachine const& machine) {
 
 }  // namespace
 
-CheckResult check(Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources,
+CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources,
                   FindingSink const& sink) {
   CheckResult result;
-  std::variant<LoadedMachine, FileError> loaded = load(files, path, options, sources);
-  if (auto const* const error = std::get_if<FileError>(&loaded)) {
+  std::variant<LoadedMachine, configuration::FileError> loaded = load(files, path, options, sources);
+  if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
     result.unreadable = *error;
     return result;
   }
@@ -47,7 +47,7 @@ CheckResult check(Files& files, std::string const& path, CheckOptions const& opt
   return result;
 }
 
-CheckResult check(Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources) {
+CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources) {
   std::vector<Finding> findings;
   CheckResult result = check(files, path, options, sources,
                              [&findings](Finding& finding) { findings.push_back(std::move(finding)); });

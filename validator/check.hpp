@@ -26,7 +26,7 @@ struct PathRule {
 
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
-  std::optional<AxisType> axis_type;            ///< overrides kenngr.achs_typ of a list
+  std::optional<machine::AxisType> axis_type;            ///< overrides kenngr.achs_typ of a list
   std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;
@@ -51,11 +51,11 @@ struct CheckResult {
   std::vector<Finding> findings;  ///< in output order; empty where a sink takes them
   /// Only where it is wanted, without errors, not of an NC program, and not of a machine file in which something cannot be
   /// understood, even where AX4020 is silenced.
-  std::optional<Machine> machine;
+  std::optional<machine::Machine> machine;
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file give it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it
-  std::optional<FileError> unreadable;    ///< the input itself could not be read: exit status 2
+  std::optional<configuration::FileError> unreadable;    ///< the input itself could not be read: exit status 2
   std::vector<std::string> files;         ///< every file that was read, in order (for dependency files)
 };
 
@@ -63,10 +63,10 @@ struct CheckResult {
 /// else one axis list. `sources` receives every
 /// text read, of NC programs only the lines that findings can point at (see whole_programs). The machine may read programs again, so `files` must
 /// live as long as it. Never throws for bad input.
-[[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
+[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources);
 /// The same for who needs one finding at a time: nothing holds them together in memory.
-[[nodiscard]] CheckResult check(Files& files, std::string const& path, CheckOptions const& options,
+[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
                                 SourceSet& sources, FindingSink const& sink);
 
 }  // namespace axisc::validator

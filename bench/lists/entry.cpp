@@ -39,13 +39,13 @@ void EntryTable::number(schema::Parameter const& parameter, double value) {
     return;
   }
   if (parameter.is_enumeration()) {
-    if (validator::symbol_of_number(parameter, value) == nullptr) wrong_type();
+    if (schema::symbol_of_number(parameter, value) == nullptr) wrong_type();
     return;
   }
   if (parameter.type == DataType::string) return wrong_type();
   bool const outside = violates(parameter.minimum, value, true) || violates(parameter.maximum, value, false);
   if (!outside) return;
-  auto const standard = validator::default_value(parameter);
+  auto const standard = schema::default_value(parameter);
   if (!standard || standard->number != value) entry.verdict = Verdict::out_of_range;
 }
 
@@ -56,7 +56,7 @@ void EntryTable::truth(schema::Parameter const& parameter, bool value) {
 
 void EntryTable::word(schema::Parameter const& parameter, std::string_view word) {
   if (!parameter.symbols.empty()) {
-    schema::Symbol const* const symbol = validator::read_symbol(parameter, word).symbol;
+    schema::Symbol const* const symbol = schema::read_symbol(parameter, word).symbol;
     if (symbol == nullptr) return wrong_type();
     entries_.back().number = symbol->number.value_or(0);
   } else if (parameter.type != DataType::string) {

@@ -74,10 +74,10 @@ validator::CheckOptions single_parameters() {
 }
 
 /// A file that was read already, as the texts of the other readers were: it is handed over and not copied.
-class ReadFile final : public validator::Files {
+class ReadFile final : public configuration::Files {
  public:
   explicit ReadFile(std::string& content) : content_(content) {}
-  std::variant<std::string, validator::FileError> read(std::string const& /*path*/) override {
+  std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
     return std::move(content_);
   }
 

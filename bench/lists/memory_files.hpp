@@ -11,15 +11,15 @@
 
 namespace axisc::bench {
 
-class MemoryFiles final : public validator::Files {
+class MemoryFiles final : public configuration::Files {
  public:
   /// `content` lives longer than this.
   void put(std::string path, std::string_view content) {
     contents_.insert_or_assign(std::move(path), content);
   }
-  std::variant<std::string, validator::FileError> read(std::string const& path) override {
+  std::variant<std::string, configuration::FileError> read(std::string const& path) override {
     auto const content = contents_.find(path);
-    if (content == contents_.end()) return validator::FileError::not_found;
+    if (content == contents_.end()) return configuration::FileError::not_found;
     return std::string(content->second);
   }
 

@@ -123,11 +123,11 @@ std::vector<Case> const& cases() {
 
 Contender make_case(std::string const& name, std::size_t axes) {
   Contender contender;
-  validator::Machine machine;
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
   for (std::size_t i = 0; i < axes; ++i) {
     Chain const chain = chain_of(name, i);
-    validator::AxisConfiguration axis;
+    machine::AxisConfiguration axis;
     axis.name = "A" + std::to_string(i);
     axis.velocity_limit = 1e6;
     axis.acceleration_limit = 1e4;
@@ -135,7 +135,7 @@ Contender make_case(std::string const& name, std::size_t axes) {
       axis.filters.push_back({.index = k, .specification = chain.filters[k]});
     }
     if (chain.kernel) {
-      axis.kernel = validator::ConfiguredKernel{.family = validator::KernelFamily::fir,
+      axis.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
                                                 .index = 0,
                                                 .specification = *chain.kernel,
                                                 .on_at_start = true};

@@ -80,9 +80,9 @@ Pair take_turns(std::size_t rounds, std::size_t count, std::function<void()> con
   return best;
 }
 
-codegen::RuntimeHost host_of(Contender const& contender) {
-  auto made = codegen::RuntimeHost::create(contender.image, std::nullopt, AXISRT_LEVEL_AUTOMATIC);
-  auto host = std::get<codegen::RuntimeHost>(std::move(made));
+image::RuntimeHost host_of(Contender const& contender) {
+  auto made = image::RuntimeHost::create(contender.image, std::nullopt, AXISRT_LEVEL_AUTOMATIC);
+  auto host = std::get<image::RuntimeHost>(std::move(made));
   static_cast<void>(host.reset_all(1e9));
   return host;
 }

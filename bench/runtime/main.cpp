@@ -78,10 +78,10 @@ void add_case(std::string const& name, std::size_t axes) {
   add("plain" + end, axes,
       [contender](double const* in, double* out) { step_plain(contender->plain, in, out); });
   for (Level const& level : levels) {
-    auto made = codegen::RuntimeHost::create(contender->image, std::nullopt, level.number);
-    if (!std::holds_alternative<codegen::RuntimeHost>(made)) continue;
+    auto made = image::RuntimeHost::create(contender->image, std::nullopt, level.number);
+    if (!std::holds_alternative<image::RuntimeHost>(made)) continue;
     auto const runtime =
-        std::make_shared<codegen::RuntimeHost>(std::get<codegen::RuntimeHost>(std::move(made)));
+        std::make_shared<image::RuntimeHost>(std::get<image::RuntimeHost>(std::move(made)));
     static_cast<void>(runtime->reset_all(1e9));
     add(level.name + end, axes, [runtime, axes](double const* in, double* out) {
       static_cast<void>(runtime->step({in, axes}, {out, axes}));

@@ -12,7 +12,7 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
   return settings == nullptr ? options : with_settings(std::move(options), *settings, path);
 }
 
-JudgedInput judge_input(CheckJob const& job, std::string const& path, validator::Files& files,
+JudgedInput judge_input(CheckJob const& job, std::string const& path, configuration::Files& files,
                         ReportForm const& form, SourceSet& sources, TakeFinding const& take) {
   FindingWriter writer(sources, form, take);
   JudgedInput judged;
@@ -26,13 +26,13 @@ JudgedInput judge_input(CheckJob const& job, std::string const& path, validator:
   return judged;
 }
 
-CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
                          ReportForm const& form, TakeFinding const& take) {
   SourceSet sources;
   return judge_input(job, path, files, form, sources, take).checked;
 }
 
-CheckedInput check_input(CheckJob const& job, std::string const& path, validator::Files& files,
+CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
                          ReportForm const& form) {
   std::deque<WrittenFinding> findings;
   auto checked = check_input(job, path, files, form, keep_in(findings));

@@ -9,7 +9,7 @@ namespace axisc::cli {
 
 namespace {
 
-CompiledImage image_of(validator::Machine const& machine, CompileJob const& job) {
+CompiledImage image_of(machine::Machine const& machine, CompileJob const& job) {
   CompiledImage image;
   for (auto const& axis : machine.axes) {
     image.filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
@@ -21,7 +21,7 @@ CompiledImage image_of(validator::Machine const& machine, CompileJob const& job)
   return image;
 }
 
-void compile(CompileJob const& job, std::string const& path, validator::Files& files,
+void compile(CompileJob const& job, std::string const& path, configuration::Files& files,
              CompiledInput& compiled) {
   SourceSet sources;
   std::deque<WrittenFinding> findings;
@@ -37,7 +37,7 @@ void compile(CompileJob const& job, std::string const& path, validator::Files& f
 
 }  // namespace
 
-CompiledInput compile_input(CompileJob const& job, std::string const& path, validator::Files& files) {
+CompiledInput compile_input(CompileJob const& job, std::string const& path, configuration::Files& files) {
   CompiledInput compiled;
   try {
     compile(job, path, files, compiled);

@@ -31,7 +31,7 @@ struct CompiledInput {
 
 /// May be called by several threads.
 [[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path,
-                                          validator::Files& files);
+                                          configuration::Files& files);
 
 // As a cache keeps it; an input with a failure is not kept.
 [[nodiscard]] std::string to_bytes(CompiledInput const& compiled);

@@ -14,18 +14,18 @@ namespace axisc::cli {
 using EditedBytes = std::map<std::string, std::string>;
 
 /// Reads the edited bytes where there are any. Several of these may share one map while nobody changes it.
-class EditedFiles final : public validator::Files {
+class EditedFiles final : public configuration::Files {
  public:
   EditedFiles(EditedBytes const& edited, bool dash_is_standard_input)
       : edited_(edited), disk_(dash_is_standard_input) {}
 
-  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
     auto const found = edited_.find(path);
     return found == edited_.end() ? disk_.read(path) : found->second;
   }
 
-  [[nodiscard]] std::optional<validator::FileError> read_pieces(
-      std::string const& path, validator::PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override {
     return edited_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
   }
 

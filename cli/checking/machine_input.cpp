@@ -9,7 +9,7 @@
 namespace axisc::cli {
 
 std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
-                                                    validator::Files& files, Invocation const& invocation,
+                                                    configuration::Files& files, Invocation const& invocation,
                                                     bool color) {
   SourceSet sources;
   auto result = validator::check(files, path, options_for(job, path), sources);

@@ -14,7 +14,7 @@ namespace axisc::cli {
 /// machine of the result reads its NC programs from `files` again.
 [[nodiscard]] std::optional<validator::CheckResult> check_machine(CheckJob const& job,
                                                                   std::string const& path,
-                                                                  validator::Files& files,
+                                                                  configuration::Files& files,
                                                                   Invocation const& invocation, bool color);
 
 }  // namespace axisc::cli

@@ -50,21 +50,21 @@ bool is_image(std::string_view bytes) {
 }
 
 /// Gives back the file that another reader has read already.
-class HeldFiles final : public validator::Files {
+class HeldFiles final : public configuration::Files {
  public:
-  HeldFiles(validator::Files& files, std::string path, std::string content)
+  HeldFiles(configuration::Files& files, std::string path, std::string content)
       : files_(files), path_(std::move(path)), content_(std::move(content)) {}
-  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override {
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
     if (path == path_) return content_;
     return files_.read(path);
   }
-  [[nodiscard]] std::optional<validator::FileError> read_pieces(
-      std::string const& path, validator::PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override {
     return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
   }
 
  private:
-  validator::Files& files_;
+  configuration::Files& files_;
   std::string path_, content_;
 };
 
@@ -74,8 +74,8 @@ std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job,
                                    bool color) {
   DiskFiles disk(path == "-");
   auto read = disk.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&read)) {
-    if (*error == validator::FileError::image || *error == validator::FileError::binary) {
+  if (auto const* const error = std::get_if<configuration::FileError>(&read)) {
+    if (*error == configuration::FileError::image || *error == configuration::FileError::binary) {
       return load_image(path);
     }
     throw unreadable(path, *error);
@@ -108,7 +108,7 @@ ExitStatus diff(Invocation const& invocation) {
   if (!before || !after) return ExitStatus::findings;
 
   auto const difference =
-      codegen::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
+      image::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
                               {.image = after->bytes.bytes(), .contents = after->contents});
   ShownDifference const shown{
       .before = words.inputs[0], .after = words.inputs[1], .difference = difference, .feed_mm_per_min = feed};

@@ -46,7 +46,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     DiskFiles files;
     auto const bytes = files.read(input);
-    if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(input, *error);
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) throw unreadable(input, *error);
     auto const folder = std::filesystem::path(input).parent_path();
     for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
       if (!is_program(named)) add((folder / named).string());
@@ -58,10 +58,10 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
 std::string read_list(std::string const& path) {
   DiskFiles files(path == "-");
   auto bytes = files.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) throw unreadable(path, *error);
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) throw unreadable(path, *error);
   auto& text = std::get<std::string>(bytes);
-  auto const problem = validator::check_text(text);
-  if (auto const* const error = std::get_if<validator::FileError>(&problem)) throw unreadable(path, *error);
+  auto const problem = configuration::check_text(text);
+  if (auto const* const error = std::get_if<configuration::FileError>(&problem)) throw unreadable(path, *error);
   return std::move(text);
 }
 

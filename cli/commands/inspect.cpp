@@ -25,10 +25,10 @@ enum class Target : std::uint32_t {
 /// Failure where the signature is not right by this key.
 void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
   auto const key = load_public_key(key_path);
-  auto const status = codegen::check_signature(file.bytes.bytes(), key);
+  auto const status = image::check_signature(file.bytes.bytes(), key);
   if (status == AXISRT_OK) return;
-  auto const wanted = codegen::key_id(key);
-  auto const signer = codegen::signer(file.bytes.bytes());
+  auto const wanted = image::key_id(key);
+  auto const signer = image::signer(file.bytes.bytes());
   bool const other_key = signer && *signer != wanted;
   throw Failure({.text = !signer     ? Text::ax9004_unsigned
                          : other_key ? Text::ax9004_other_key
@@ -72,11 +72,11 @@ ExitStatus inspect(Invocation const& invocation) {
   Shown shown{.file = *path,
               .image = file.contents,
               .axes = chosen_axes(file.contents, axis),
-              .signer = codegen::signer(file.bytes.bytes()),
+              .signer = image::signer(file.bytes.bytes()),
               .signature_checked = key.has_value(),
               .memory = std::nullopt};
   if (target != Target::none) {
-    shown.memory = codegen::runtime_memory(file.bytes.bytes(), static_cast<std::uint32_t>(target));
+    shown.memory = image::runtime_memory(file.bytes.bytes(), static_cast<std::uint32_t>(target));
   }
   if (as_list) {
     if (file.contents.lists.empty()) {

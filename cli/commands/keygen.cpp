@@ -12,11 +12,11 @@ ExitStatus keygen(Invocation const& invocation) {
   command_line.argument("KEY", path, Text::cli_arg_new_key);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "KEY");
-  auto const key = codegen::make_secret_key();
+  auto const key = image::make_secret_key();
   write_keys(*path, key);
   invocation.streams.out.write(
       render({.text = Text::cli_keys_made,
-              .arguments = {{"file", *path}, {"key", key_name(codegen::key_id(key.public_key()))}}},
+              .arguments = {{"file", *path}, {"key", key_name(image::key_id(key.public_key()))}}},
              invocation.language) +
       "\n");
   return ExitStatus::success;

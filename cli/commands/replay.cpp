@@ -29,19 +29,19 @@ struct ReplayWords {
                  not_an_image);
 }
 
-codegen::Recording open_recording(std::string const& path, ImageFile const& image) {
+image::Recording open_recording(std::string const& path, ImageFile const& image) {
   auto const bytes = read_whole(path);
-  auto recording = codegen::Recording::open(image.bytes.bytes(), std::as_bytes(std::span(bytes)));
+  auto recording = image::Recording::open(image.bytes.bytes(), std::as_bytes(std::span(bytes)));
   if (auto const* const status = std::get_if<axisrt_status>(&recording)) {
     throw unusable_recording(path, *status);
   }
-  return std::get<codegen::Recording>(std::move(recording));
+  return std::get<image::Recording>(std::move(recording));
 }
 
 /// One row for each cycle: setpoint and output of every axis.
 class CycleTable {
  public:
-  CycleTable(std::string const& path, codegen::ImageContents const& image) : file_(path) {
+  CycleTable(std::string const& path, image::ImageContents const& image) : file_(path) {
     text_ = "cycle";
     for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
       for (char const* const column : {".setpoint", ""}) {
@@ -51,8 +51,8 @@ class CycleTable {
     }
     text_ += '\n';
   }
-  void add(codegen::ReplayedEntry const& entry) {
-    if (entry.kind != codegen::RecordedKind::step) return;
+  void add(image::ReplayedEntry const& entry) {
+    if (entry.kind != image::RecordedKind::step) return;
     row_.assign(1, static_cast<double>(entry.cycle));
     for (std::size_t axis = 0; axis < entry.in.size(); ++axis) {
       row_.insert(row_.end(), {entry.in[axis], entry.recorded[axis]});
@@ -92,7 +92,7 @@ ExitStatus replay(Invocation const& invocation) {
   std::optional<CycleTable> table;
   if (words.output) table.emplace(*words.output, image.contents);
   ReplayReport report(image.contents, invocation.language);
-  codegen::ReplayedEntry entry;
+  image::ReplayedEntry entry;
   while (recording.next(entry)) {
     report.add(entry);
     if (table) table->add(entry);

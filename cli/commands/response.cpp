@@ -80,7 +80,7 @@ std::string json_rows(std::string const& axis, PortResponse const& response,
 
 void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
                 std::vector<std::size_t> const& axes, std::vector<double> const& frequencies,
-                codegen::RuntimeHost const& host) {
+                image::RuntimeHost const& host) {
   auto const cycle_time = file.contents.cycle_time;
   out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(words.port)) +
             ",\n  \"cycle_time_us\": " + json_number(cycle_time.microseconds()) + ",\n  \"response\": [\n");

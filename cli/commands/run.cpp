@@ -123,7 +123,7 @@ ByteSource open_source(std::string const& path) {
   };
 }
 
-std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, codegen::ImageContents const& image) {
+std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, image::ImageContents const& image) {
   if (words.input) return std::make_unique<CsvStimulus>(image, *words.input, open_source(*words.input));
   auto const text = words.signal.value_or("step");
   auto const signal = Signal::parse(text);

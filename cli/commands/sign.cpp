@@ -30,7 +30,7 @@ ExitStatus sign(Invocation const& invocation) {
   command_line.require(words.image != "-" || words.output, "-o");
   auto const key = load_secret_key(*words.key);
   auto const file = load_image(*words.image);
-  auto const bytes = codegen::sign(file.bytes.bytes(), key);
+  auto const bytes = image::sign(file.bytes.bytes(), key);
   auto const& target = words.output ? *words.output : *words.image;
   refuse_overwriting(target, {*words.key});
   OutputFile output(target);
@@ -39,7 +39,7 @@ ExitStatus sign(Invocation const& invocation) {
   if (words.quiet) return ExitStatus::success;
   invocation.streams.err.write(render({.text = Text::cli_signed,
                                        .arguments = {{"file", target},
-                                                     {"key", key_name(codegen::key_id(key.public_key()))},
+                                                     {"key", key_name(image::key_id(key.public_key()))},
                                                      {"bytes", std::to_string(bytes.size())}}},
                                       invocation.language) +
                                "\n");

@@ -38,7 +38,7 @@ Move read_move(std::string const& word) {
   return move;
 }
 
-std::size_t axis_of(validator::Machine const& machine, std::string const& name) {
+std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
   std::string known;
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     if (machine.axes[i].name == name) return i;

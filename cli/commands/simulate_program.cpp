@@ -20,12 +20,12 @@ class CommandCollector final : public motion::PathListener {
   void motion(motion::ProgrammedBlock const& /*block*/) override {}
   void command(motion::FilterChange const& change) override {
     auto const& parameters = change.command.parameters;
-    if (parameters.empty() || change.command.filter_switch == validator::FilterSwitch::off) return;
+    if (parameters.empty() || change.command.filter_switch == machine::FilterSwitch::off) return;
     if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
   }
   void end() override {}
 
-  std::vector<validator::FilterParameters> sets;
+  std::vector<machine::FilterParameters> sets;
 };
 
 /// Hands what happens to the summary and to the CSV of cycles.
@@ -45,19 +45,19 @@ class Recorder final : public motion::SimulationListener {
   std::unique_ptr<SummaryWriter> summary;
 };
 
-motion::ProgramChannel channel_of(validator::Machine const& machine, validator::MachineGroup const& group) {
+motion::ProgramChannel channel_of(machine::Machine const& machine, machine::MachineGroup const& group) {
   motion::ProgramChannel channel;
   channel.inch = machine.inch;
   channel.limits = command_limits(machine, group);
   for (auto const axis : group.axes) {
     channel.axes.push_back(machine.axes[axis].name);
-    channel.rotary.push_back(machine.axes[axis].type != validator::AxisType::translatory);
+    channel.rotary.push_back(machine.axes[axis].type != machine::AxisType::translatory);
   }
   return channel;
 }
 
 /// vb_max [µm/s], a_max [mm/s²] and a_trans_weight [0.1 %] per NC cycle.
-motion::PathLimits limits_of(validator::Machine const& machine, validator::MachineGroup const& group) {
+motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGroup const& group) {
   double const T = machine.cycle_time.seconds();
   std::vector<motion::AxisLimits> limits;
   for (auto const index : group.axes) {
@@ -102,8 +102,8 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
   return errors == 0;
 }
 
-[[noreturn]] void fail(motion::SimulationFailure const& failure, validator::Machine const& machine,
-                       validator::MachineGroup const& group) {
+[[noreturn]] void fail(motion::SimulationFailure const& failure, machine::Machine const& machine,
+                       machine::MachineGroup const& group) {
   if (failure.blocking_axis) {
     throw Failure({.text = Text::cli_blocks_constant,
                    .arguments = {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name},

@@ -21,7 +21,7 @@ void require(axisrt_status status) {
 
 }  // namespace
 
-Execution::Execution(std::string path, codegen::RuntimeHost host, codegen::ImageContents const& image,
+Execution::Execution(std::string path, image::RuntimeHost host, image::ImageContents const& image,
                      Stimulus& stimulus, std::vector<TimedCommand> commands)
     : path_(std::move(path)),
       host_(std::move(host)),
@@ -73,7 +73,7 @@ std::vector<Execution::Output> Execution::outputs() const {
     if (!control) continue;
     std::string const label = axis_label(image_, axis);
     outputs.push_back({.name = label + ".v_add", .values = &v_add_, .axis = axis});
-    if (control->scaling.controller == validator::PositionController::unknown) continue;
+    if (control->scaling.controller == machine::PositionController::unknown) continue;
     outputs.push_back({.name = label + ".increments", .values = &increments_, .axis = axis});
   }
   return outputs;

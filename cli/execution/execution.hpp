@@ -32,7 +32,7 @@ struct Noticed {
 class Execution {
  public:
   /// `path` is the image's file in messages.
-  Execution(std::string path, codegen::RuntimeHost host, codegen::ImageContents const& image,
+  Execution(std::string path, image::RuntimeHost host, image::ImageContents const& image,
             Stimulus& stimulus, std::vector<TimedCommand> commands);
 
   /// Keeps the last cycles from now on. Failure where that does not work.
@@ -60,8 +60,8 @@ class Execution {
   void notice(axisrt_status worst, std::uint64_t cycle, Noticed& noticed) const;
 
   std::string path_;
-  codegen::RuntimeHost host_;
-  codegen::ImageContents const& image_;
+  image::RuntimeHost host_;
+  image::ImageContents const& image_;
   Stimulus& stimulus_;
   std::vector<TimedCommand> commands_;  ///< by rising cycle
   std::size_t next_command_ = 0;

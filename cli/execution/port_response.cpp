@@ -8,14 +8,14 @@ namespace axisc::cli {
 
 namespace {
 
-design::WeightedChain chain_of(std::vector<codegen::ImageFilter> const& filters, double weight) {
+design::WeightedChain chain_of(std::vector<image::ImageFilter> const& filters, double weight) {
   design::WeightedChain chain{.weight = weight, .filters = {}};
   for (auto const& filter : filters) chain.filters.push_back(filter.design);
   return chain;
 }
 
-std::optional<design::KernelDesign> switched_on(codegen::ImageContents const& image,
-                                                codegen::RuntimeHost const& host, std::size_t axis) {
+std::optional<design::KernelDesign> switched_on(image::ImageContents const& image,
+                                                image::RuntimeHost const& host, std::size_t axis) {
   auto const state = host.axis_state(static_cast<std::uint32_t>(axis));
   auto const* const known = std::get_if<axisrt_axis_state>(&state);
   if (known == nullptr || known->kernel == AXISRT_NO_KERNEL) return std::nullopt;
@@ -24,7 +24,7 @@ std::optional<design::KernelDesign> switched_on(codegen::ImageContents const& im
 
 }  // namespace
 
-PortResponse::PortResponse(codegen::ImageContents const& image, codegen::RuntimeHost const& host,
+PortResponse::PortResponse(image::ImageContents const& image, image::RuntimeHost const& host,
                            std::size_t axis, Port port)
     : cycle_time_(image.cycle_time) {
   auto const& contents = image.axes[axis];

@@ -14,7 +14,7 @@ namespace axisc::cli {
 /// all three velocities to the additive velocity, -Σ weight·stage, without its limit.
 class PortResponse {
  public:
-  PortResponse(codegen::ImageContents const& image, codegen::RuntimeHost const& host, std::size_t axis,
+  PortResponse(image::ImageContents const& image, image::RuntimeHost const& host, std::size_t axis,
                Port port);
 
   [[nodiscard]] design::ResponsePoint at(design::Hertz frequency) const;

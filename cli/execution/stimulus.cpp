@@ -9,7 +9,7 @@ namespace axisc::cli {
 namespace {
 
 /// Every column the image has a use for, in image order.
-std::vector<Channel> all_channels(codegen::ImageContents const& image) {
+std::vector<Channel> all_channels(image::ImageContents const& image) {
   std::vector<Channel> channels;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {
     channels.push_back({.axis = axis, .input = Input::setpoint});
@@ -32,12 +32,12 @@ Port port_of(Input input) {
   return input == Input::interface ? Port::interface : Port::velocity;
 }
 
-std::string channel_name(codegen::ImageContents const& image, Channel const& channel) {
+std::string channel_name(image::ImageContents const& image, Channel const& channel) {
   constexpr std::array<char const*, inputs> suffixes = {"", ".interface", ".v_set", ".v_motor", ".v_direct"};
   return axis_label(image, channel.axis) + suffixes[static_cast<std::size_t>(channel.input)];
 }
 
-SignalStimulus::SignalStimulus(codegen::ImageContents const& image, Facts const& facts)
+SignalStimulus::SignalStimulus(image::ImageContents const& image, Facts const& facts)
     : facts_(facts), cycle_time_(image.cycle_time), channels_(all_channels(image)) {
   std::erase_if(channels_, [&](Channel const& channel) { return port_of(channel.input) != facts.port; });
 }
@@ -49,7 +49,7 @@ bool SignalStimulus::next(std::span<double> values) {
   return true;
 }
 
-CsvStimulus::CsvStimulus(codegen::ImageContents const& image, std::string name, ByteSource source)
+CsvStimulus::CsvStimulus(image::ImageContents const& image, std::string name, ByteSource source)
     : reader_(std::move(name), std::move(source)) {
   auto const known = all_channels(image);
   for (std::size_t column = 0; column < reader_.header().size(); ++column) {

@@ -26,7 +26,7 @@ struct Channel {
 [[nodiscard]] Port port_of(Input input);
 
 /// "X", "X.interface", "X.v_set", "X.v_motor", "X.v_direct".
-[[nodiscard]] std::string channel_name(codegen::ImageContents const& image, Channel const& channel);
+[[nodiscard]] std::string channel_name(image::ImageContents const& image, Channel const& channel);
 
 class Stimulus {
  public:
@@ -51,7 +51,7 @@ class SignalStimulus final : public Stimulus {
     std::uint64_t cycles = 0;
     Port port = Port::setpoint;
   };
-  SignalStimulus(codegen::ImageContents const& image, Facts const& facts);
+  SignalStimulus(image::ImageContents const& image, Facts const& facts);
 
   [[nodiscard]] std::vector<Channel> const& channels() const override { return channels_; }
   [[nodiscard]] bool next(std::span<double> values) override;
@@ -66,7 +66,7 @@ class SignalStimulus final : public Stimulus {
 /// The columns of a CSV file. A column that the image has no use for is a Failure (AX9005).
 class CsvStimulus final : public Stimulus {
  public:
-  CsvStimulus(codegen::ImageContents const& image, std::string name, ByteSource source);
+  CsvStimulus(image::ImageContents const& image, std::string name, ByteSource source);
 
   [[nodiscard]] std::vector<Channel> const& channels() const override { return channels_; }
   [[nodiscard]] bool next(std::span<double> values) override { return reader_.next(values); }

@@ -13,7 +13,7 @@ namespace axisc::cli {
 
 namespace {
 
-using validator::FileError;
+using configuration::FileError;
 
 using Bytes = std::variant<std::string, FileError>;
 
@@ -50,7 +50,7 @@ Bytes read_descriptor(int descriptor, std::optional<std::size_t> size) {
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return error_of(errno);
       filled += static_cast<std::size_t>(got);
-      if (filled > validator::largest_file) return FileError::too_large;
+      if (filled > configuration::largest_file) return FileError::too_large;
       if (got == 0 || filled == size) {
         bytes.resize(filled);
         return bytes;
@@ -73,7 +73,7 @@ std::variant<OpenFile, FileError> open_file(std::string const& path) {
   if (S_ISDIR(facts.st_mode)) return FileError::is_folder;
   if (!S_ISREG(facts.st_mode)) return file;
   auto const size = static_cast<std::uint64_t>(facts.st_size);
-  if (size > validator::largest_file) return FileError::too_large;
+  if (size > configuration::largest_file) return FileError::too_large;
   file.size = static_cast<std::size_t>(size);
   return file;
 }
@@ -88,7 +88,7 @@ Bytes read_path(std::string const& path) {
   return read_file(std::get<OpenFile>(file));
 }
 
-std::optional<FileError> read_blocks(int descriptor, validator::PieceReceiver const& receive) {
+std::optional<FileError> read_blocks(int descriptor, configuration::PieceReceiver const& receive) {
   std::string block(block_size, '\0');
   while (true) {
     auto const got = ::read(descriptor, block.data(), block.size());
@@ -135,7 +135,7 @@ Bytes DiskFiles::read(std::string const& path) {
 }
 
 std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
-                                                validator::PieceReceiver const& receive) {
+                                                configuration::PieceReceiver const& receive) {
   if (dash_is_standard_input_ && path == "-") return Files::read_pieces(path, receive);
   auto held = pipes_.find(path);
   if (held == pipes_.end()) {

@@ -13,14 +13,14 @@
 namespace axisc::cli {
 
 /// Reads files and pipes.
-class DiskFiles final : public validator::Files {
+class DiskFiles final : public configuration::Files {
  public:
   /// `dash_is_standard_input`: "-" is no file name. Standard input is read once and kept.
   explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
-  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override;
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
   /// Memory: one block; a pipe, which gives its bytes once, is kept whole.
-  [[nodiscard]] std::optional<validator::FileError> read_pieces(
-      std::string const& path, validator::PieceReceiver const& receive) override;
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override;
 
  private:
   bool dash_is_standard_input_;
@@ -29,7 +29,7 @@ class DiskFiles final : public validator::Files {
 };
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
-[[nodiscard]] Failure unreadable(std::string const& path, validator::FileError error);
+[[nodiscard]] Failure unreadable(std::string const& path, configuration::FileError error);
 
 enum class Dash : std::uint8_t { is_standard_input, is_a_name };
 

@@ -41,17 +41,17 @@ Failure unusable_image(std::string const& path, axisrt_status status) {
 ImageFile load_image(std::string const& path) {
   auto const text = read_whole(path);
   codegen::AlignedBytes bytes(std::as_bytes(std::span(text)));
-  auto contents = codegen::read_image(bytes.bytes());
+  auto contents = image::read_image(bytes.bytes());
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
-  return {.bytes = std::move(bytes), .contents = std::get<codegen::ImageContents>(std::move(contents))};
+  return {.bytes = std::move(bytes), .contents = std::get<image::ImageContents>(std::move(contents))};
 }
 
-std::string axis_label(codegen::ImageContents const& image, std::size_t axis) {
+std::string axis_label(image::ImageContents const& image, std::size_t axis) {
   auto const& name = image.axes[axis].name;
   return name.empty() ? "axis" + std::to_string(axis) : name;
 }
 
-std::vector<std::size_t> chosen_axes(codegen::ImageContents const& image,
+std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
                                      std::optional<std::string> const& name) {
   std::vector<std::size_t> chosen;
   std::vector<std::string> labels;
@@ -95,13 +95,13 @@ std::uint32_t level_of(std::optional<std::string> const& word) {
            {"option", "--level"}, {"value", *word}, {"choices", "portable, auto, v2, v3, v4, neon"}}});
 }
 
-codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file, std::uint32_t level) {
-  auto host = codegen::RuntimeHost::create(file.bytes.bytes(), std::nullopt, level);
+image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file, std::uint32_t level) {
+  auto host = image::RuntimeHost::create(file.bytes.bytes(), std::nullopt, level);
   if (auto const* const status = std::get_if<axisrt_status>(&host)) {
     if (*status == AXISRT_NO_LEVEL) throw Failure({.text = Text::cli_no_level, .arguments = {}});
     throw unusable_image(path, *status);
   }
-  return std::get<codegen::RuntimeHost>(std::move(host));
+  return std::get<image::RuntimeHost>(std::move(host));
 }
 
 }  // namespace axisc::cli

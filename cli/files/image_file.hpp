@@ -17,7 +17,7 @@ namespace axisc::cli {
 
 struct ImageFile {
   codegen::AlignedBytes bytes;
-  codegen::ImageContents contents;
+  image::ImageContents contents;
 };
 
 /// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a damaged image
@@ -28,10 +28,10 @@ struct ImageFile {
 [[nodiscard]] Failure unusable_image(std::string const& path, axisrt_status status);
 
 /// The axis' name; "axis0" for the first axis of a stripped image.
-[[nodiscard]] std::string axis_label(codegen::ImageContents const& image, std::size_t axis);
+[[nodiscard]] std::string axis_label(image::ImageContents const& image, std::size_t axis);
 
 /// Indices of the axes that a command shall show: all of them, or the one that `--axis` names. Failure for another name.
-[[nodiscard]] std::vector<std::size_t> chosen_axes(codegen::ImageContents const& image,
+[[nodiscard]] std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
                                                    std::optional<std::string> const& name);
 
 enum class Port : std::uint8_t { setpoint, interface, velocity };
@@ -48,7 +48,7 @@ inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
 
 /// The runtime for an image that was loaded, at an axisrt_level. Failure AX9004 where this processor fails its self-tests,
 /// another one where it does not have that level.
-[[nodiscard]] codegen::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
+[[nodiscard]] image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
                                                  std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 
 }  // namespace axisc::cli

@@ -68,7 +68,7 @@ class KeyText {
   }
   KeyText(KeyText const&) = delete;
   KeyText& operator=(KeyText const&) = delete;
-  ~KeyText() { codegen::wipe(bytes_); }
+  ~KeyText() { image::wipe(bytes_); }
   [[nodiscard]] std::string_view text() const { return {bytes_.data(), size_}; }
 
  private:
@@ -79,34 +79,34 @@ class KeyText {
 FileDescriptor open_key(std::string const& path) {
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.is_open()) return file;
-  auto const error = errno == ENOENT || errno == ENOTDIR ? validator::FileError::not_found
-                     : errno == EACCES || errno == EPERM ? validator::FileError::no_permission
-                                                         : validator::FileError::not_readable;
+  auto const error = errno == ENOENT || errno == ENOTDIR ? configuration::FileError::not_found
+                     : errno == EACCES || errno == EPERM ? configuration::FileError::no_permission
+                                                         : configuration::FileError::not_readable;
   throw unreadable(path, error);
 }
 
 }  // namespace
 
-void write_keys(std::string const& path, codegen::SecretKey const& key) {
+void write_keys(std::string const& path, image::SecretKey const& key) {
   NewFile open(path + ".pub", everybody_reads);
   NewFile secret(path, owner_only);
-  open.write(codegen::public_key_text(key.public_key()));
-  auto text = codegen::secret_key_text(key);
+  open.write(image::public_key_text(key.public_key()));
+  auto text = image::secret_key_text(key);
   try {
     secret.write(text);
   } catch (...) {
-    codegen::wipe(text);
+    image::wipe(text);
     throw;
   }
-  codegen::wipe(text);
+  image::wipe(text);
   open.keep();
   secret.keep();
 }
 
-codegen::SecretKey load_secret_key(std::string const& path) {
+image::SecretKey load_secret_key(std::string const& path) {
   FileDescriptor const file = open_key(path);
   KeyText const text(file.get());
-  auto key = codegen::read_secret_key(text.text());
+  auto key = image::read_secret_key(text.text());
   if (!key) throw Failure({.text = Text::ax9001_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
   struct stat facts {};
   if (::fstat(file.get(), &facts) != 0 || (facts.st_mode & others) != 0) {
@@ -115,15 +115,15 @@ codegen::SecretKey load_secret_key(std::string const& path) {
   return std::move(*key);
 }
 
-codegen::PublicKey load_public_key(std::string const& path) {
+image::PublicKey load_public_key(std::string const& path) {
   FileDescriptor const file = open_key(path);
   KeyText const text(file.get());
-  auto const key = codegen::read_public_key(text.text());
+  auto const key = image::read_public_key(text.text());
   if (!key) throw Failure({.text = Text::ax9001_no_public_key, .arguments = {{"file", path}}}, cannot_read);
   return *key;
 }
 
-std::string key_name(codegen::KeyId const& id) {
+std::string key_name(image::KeyId const& id) {
   return hexadecimal(id);
 }
 

@@ -10,8 +10,8 @@
 
 namespace axisc::cli {
 
-validator::CommandLimits command_limits(validator::Machine const& machine,
-                                        validator::MachineGroup const& group) {
+validator::CommandLimits command_limits(machine::Machine const& machine,
+                                        machine::MachineGroup const& group) {
   return {.cycle_time = machine.cycle_time,
           .time_delay = std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
             auto const& kernel = machine.axes[axis].kernel;
@@ -34,15 +34,15 @@ std::optional<CheckedMachine> checked_machine(std::string const& path,
       .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
 }
 
-ImageFile image_of(validator::Machine const& machine, std::string const& path) {
+ImageFile image_of(machine::Machine const& machine, std::string const& path) {
   auto const bytes = codegen::write_image(machine, {});
-  auto contents = codegen::read_image(bytes);
+  auto contents = image::read_image(bytes);
   if (auto const* const status = std::get_if<axisrt_status>(&contents)) throw unusable_image(path, *status);
   return {.bytes = codegen::AlignedBytes(bytes),
-          .contents = std::get<codegen::ImageContents>(std::move(contents))};
+          .contents = std::get<image::ImageContents>(std::move(contents))};
 }
 
-motion::GroupRuntime group_runtime(ImageFile const& image, validator::MachineGroup const& group,
+motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
                                    std::string const& path) {
   if (group.axes.size() > motion::most_axes) {
     throw Failure({.text = Text::cli_too_many_axes,
@@ -55,7 +55,7 @@ motion::GroupRuntime group_runtime(ImageFile const& image, validator::MachineGro
   return std::get<motion::GroupRuntime>(std::move(runtime));
 }
 
-std::size_t chosen_group(validator::Machine const& machine, std::optional<std::string> const& name,
+std::size_t chosen_group(machine::Machine const& machine, std::optional<std::string> const& name,
                          std::string const& path) {
   std::string known;
   for (std::size_t i = 0; i < machine.groups.size(); ++i) {
@@ -70,8 +70,8 @@ std::size_t chosen_group(validator::Machine const& machine, std::optional<std::s
   throw Failure({.text = Text::cli_unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
 }
 
-validator::FilterCommand read_filter_command(validator::Machine const& machine,
-                                             validator::MachineGroup const& group, std::string const& text,
+machine::FilterCommand read_filter_command(machine::Machine const& machine,
+                                             machine::MachineGroup const& group, std::string const& text,
                                              Language language) {
   auto const checked = validator::parse_filter_command(text, command_limits(machine, group));
   if (checked.command && checked.mistakes.empty()) return *checked.command;
@@ -80,9 +80,9 @@ validator::FilterCommand read_filter_command(validator::Machine const& machine,
   throw Failure({.text = Text::cli_not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
 }
 
-std::vector<validator::FilterCommand> filters_on() {
-  using validator::FilterCommand;
-  using validator::FilterSwitch;
+std::vector<machine::FilterCommand> filters_on() {
+  using machine::FilterCommand;
+  using machine::FilterSwitch;
   return {FilterCommand{.filter_switch = FilterSwitch::on, .parameters = {}},
           FilterCommand{.filter_switch = FilterSwitch::on, .hsc = true, .parameters = {}}};
 }

@@ -17,7 +17,7 @@ namespace axisc::cli {
 
 struct CheckedMachine {
   std::unique_ptr<DiskFiles> disk;  ///< from which the machine reads its NC programs again
-  validator::Machine machine;
+  machine::Machine machine;
   std::vector<std::string> files;  ///< that were read
 };
 
@@ -28,26 +28,26 @@ struct CheckedMachine {
                                                             Invocation const& invocation, bool color);
 
 /// The image of a machine, in memory.
-[[nodiscard]] ImageFile image_of(validator::Machine const& machine, std::string const& path);
+[[nodiscard]] ImageFile image_of(machine::Machine const& machine, std::string const& path);
 
 /// The runtime for one of the machine's groups. Failure for more axes than a path has.
-[[nodiscard]] motion::GroupRuntime group_runtime(ImageFile const& image, validator::MachineGroup const& group,
+[[nodiscard]] motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
                                                  std::string const& path);
 
 /// The group of that name; the first one without a name. Failure where there is none.
-[[nodiscard]] std::size_t chosen_group(validator::Machine const& machine,
+[[nodiscard]] std::size_t chosen_group(machine::Machine const& machine,
                                        std::optional<std::string> const& name, std::string const& path);
 
 /// How far the keywords of the group's commands may go.
-[[nodiscard]] validator::CommandLimits command_limits(validator::Machine const& machine,
-                                                      validator::MachineGroup const& group);
+[[nodiscard]] validator::CommandLimits command_limits(machine::Machine const& machine,
+                                                      machine::MachineGroup const& group);
 
 /// One #FILTER command of the command line. Failure for anything else.
-[[nodiscard]] validator::FilterCommand read_filter_command(validator::Machine const& machine,
-                                                           validator::MachineGroup const& group,
+[[nodiscard]] machine::FilterCommand read_filter_command(machine::Machine const& machine,
+                                                           machine::MachineGroup const& group,
                                                            std::string const& text, Language language);
 
 /// What a program's start would do for `contour`: every FIR and HSC filter that is configured works.
-[[nodiscard]] std::vector<validator::FilterCommand> filters_on();
+[[nodiscard]] std::vector<machine::FilterCommand> filters_on();
 
 }  // namespace axisc::cli

@@ -23,9 +23,9 @@ constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::max();
 
 [[noreturn]] void fail(std::string const& path, int error) {
-  if (error == ENOENT) throw unreadable(path, validator::FileError::not_found);
-  if (error == EISDIR) throw unreadable(path, validator::FileError::is_folder);
-  if (error == EACCES) throw unreadable(path, validator::FileError::no_permission);
+  if (error == ENOENT) throw unreadable(path, configuration::FileError::not_found);
+  if (error == EISDIR) throw unreadable(path, configuration::FileError::is_folder);
+  if (error == EACCES) throw unreadable(path, configuration::FileError::no_permission);
   throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
                 cannot_read);
 }
@@ -54,7 +54,7 @@ ProgramLines::ProgramLines(std::string path) : path_(std::move(path)) {
     }
     size_ = content_.size();
   }
-  if (size_ >= longest_program) throw unreadable(path_, validator::FileError::too_large);
+  if (size_ >= longest_program) throw unreadable(path_, configuration::FileError::too_large);
 }
 
 std::size_t ProgramLines::fill(char* buffer, std::size_t size) {
@@ -69,7 +69,7 @@ std::size_t ProgramLines::fill(char* buffer, std::size_t size) {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(path_, errno);
     read_ += static_cast<std::uint64_t>(got);
-    if (read_ >= longest_program) throw unreadable(path_, validator::FileError::too_large);
+    if (read_ >= longest_program) throw unreadable(path_, configuration::FileError::too_large);
     return static_cast<std::size_t>(got);
   }
 }
@@ -102,7 +102,7 @@ void ProgramLines::read(std::function<bool(std::string_view, std::uint32_t)> con
     buffer.erase(0, begin);
     offset += static_cast<std::uint32_t>(begin);
     searched = buffer.size();
-    if (buffer.size() > longest_line) throw unreadable(path_, validator::FileError::line_too_long);
+    if (buffer.size() > longest_line) throw unreadable(path_, configuration::FileError::line_too_long);
   }
 }
 

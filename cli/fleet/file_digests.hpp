@@ -35,7 +35,7 @@ struct FileFacts {
 /// The content of a file, or why there is none.
 struct FileState {
   Digest digest;
-  std::optional<validator::FileError> error;
+  std::optional<configuration::FileError> error;
   friend bool operator==(FileState const&, FileState const&) = default;
 };
 

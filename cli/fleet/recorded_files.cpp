@@ -45,7 +45,7 @@ void RecordedFiles::record(std::string const& path, FileState const& state) {
   if (!is_new && known->second != state) complete_ = false;
 }
 
-std::variant<std::string, validator::FileError> RecordedFiles::read(std::string const& path) {
+std::variant<std::string, configuration::FileError> RecordedFiles::read(std::string const& path) {
   if (auto const kept = kept_.find(path); kept != kept_.end()) {
     auto bytes = std::move(kept->second);
     kept_.erase(kept);
@@ -54,7 +54,7 @@ std::variant<std::string, validator::FileError> RecordedFiles::read(std::string 
   }
   Reading const reading(digests_, path);
   auto bytes = disk_.read(path);
-  if (auto const* const error = std::get_if<validator::FileError>(&bytes)) {
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
     record(path, {.digest = {}, .error = *error});
     return bytes;
   }
@@ -65,8 +65,8 @@ std::variant<std::string, validator::FileError> RecordedFiles::read(std::string 
   return bytes;
 }
 
-std::optional<validator::FileError> RecordedFiles::read_pieces(std::string const& path,
-                                                               validator::PieceReceiver const& receive) {
+std::optional<configuration::FileError> RecordedFiles::read_pieces(std::string const& path,
+                                                               configuration::PieceReceiver const& receive) {
   Reading const reading(digests_, path);
   if (!reading.is_regular()) complete_ = false;
   Hasher hasher;
@@ -92,7 +92,7 @@ std::optional<FileState> RecordedFiles::state_of(std::string const& path) {
   if (!facts && may_be_pipe(path)) return std::nullopt;
   if (!facts || facts->size <= most_kept) {
     auto bytes = disk_.read(path);
-    if (auto const* const error = std::get_if<validator::FileError>(&bytes)) {
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
       return FileState{.digest = {}, .error = *error};
     }
     auto const digest = digest_of(std::get<std::string>(bytes));

@@ -14,14 +14,14 @@ namespace axisc::cli {
 /// What a result depends on, by path. Files that were looked for and are not there count too.
 using Dependencies = std::map<std::string, FileState>;
 
-class RecordedFiles final : public validator::Files {
+class RecordedFiles final : public configuration::Files {
  public:
   /// `digests` may be null: then every file is read for its digest.
   explicit RecordedFiles(FileDigests* digests) : digests_(digests) {}
 
-  [[nodiscard]] std::variant<std::string, validator::FileError> read(std::string const& path) override;
-  [[nodiscard]] std::optional<validator::FileError> read_pieces(
-      std::string const& path, validator::PieceReceiver const& receive) override;
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& path, configuration::PieceReceiver const& receive) override;
 
   /// State of a file: from the table where it has not changed, else it is read. A file that is not too large is kept and
   /// not read again by read(). None for what is no regular file: a pipe gives its bytes once.

@@ -47,7 +47,7 @@ class CachedInput {
 
   [[nodiscard]] std::optional<std::string> find();
   /// To make the result with.
-  [[nodiscard]] validator::Files& files() { return files_; }
+  [[nodiscard]] configuration::Files& files() { return files_; }
   void keep(std::string_view result);
 
  private:

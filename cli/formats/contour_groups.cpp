@@ -16,7 +16,7 @@ namespace {
 /// One group's chains, switched as the user wants them.
 class GroupChains {
  public:
-  GroupChains(validator::Machine machine, std::size_t group, std::vector<validator::FilterCommand> commands,
+  GroupChains(machine::Machine machine, std::size_t group, std::vector<machine::FilterCommand> commands,
               std::string path)
       : machine_(std::move(machine)), group_(group), commands_(std::move(commands)), path_(std::move(path)) {
     for (auto const& command : commands_) add_set(command.parameters);
@@ -45,19 +45,19 @@ class GroupChains {
     return std::get<std::vector<motion::ChainAnswer>>(std::move(answered));
   }
 
-  [[nodiscard]] validator::MachineGroup const& group() const { return machine_.groups[group_]; }
-  [[nodiscard]] validator::Machine const& machine() const { return machine_; }
+  [[nodiscard]] machine::MachineGroup const& group() const { return machine_.groups[group_]; }
+  [[nodiscard]] machine::Machine const& machine() const { return machine_; }
 
  private:
-  void add_set(validator::FilterParameters const& parameters) {
+  void add_set(machine::FilterParameters const& parameters) {
     auto& sets = machine_.groups[group_].filter_sets;
     if (parameters.empty() || std::find(sets.begin(), sets.end(), parameters) != sets.end()) return;
     sets.push_back(parameters);
   }
 
-  validator::Machine machine_;
+  machine::Machine machine_;
   std::size_t group_;
-  std::vector<validator::FilterCommand> commands_;
+  std::vector<machine::FilterCommand> commands_;
   std::string path_;
   std::optional<motion::GroupRuntime> runtime_;
 };
@@ -85,12 +85,12 @@ std::optional<std::uint32_t> allowed_order(GroupChains& chains, std::uint32_t hi
 }
 
 /// Highest order that a command may give to all axes; 0 where none has a FIR filter.
-std::uint32_t highest_order(validator::Machine const& machine, validator::MachineGroup const& group) {
+std::uint32_t highest_order(machine::Machine const& machine, machine::MachineGroup const& group) {
   std::uint32_t highest = 0;
   bool delays = false;
   for (auto const axis : group.axes) {
     auto const& kernel = machine.axes[axis].kernel;
-    if (!kernel || kernel->family != validator::KernelFamily::fir) continue;
+    if (!kernel || kernel->family != machine::KernelFamily::fir) continue;
     highest = design::longest_kernel_order;
     delays = delays || kernel->specification.type == design::KernelType::time_delay;
   }

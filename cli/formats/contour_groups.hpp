@@ -22,9 +22,9 @@ struct ContourRequest {
 
 /// A group with its filters switched by these commands.
 struct ContourGroup {
-  validator::Machine const& machine;
+  machine::Machine const& machine;
   std::size_t group = 0;
-  std::vector<validator::FilterCommand> commands;
+  std::vector<machine::FilterCommand> commands;
   std::string path;  ///< of the machine, for messages
 };
 

@@ -44,7 +44,7 @@ class Lines {
     return lines;
   }
 
-  [[nodiscard]] std::vector<Line> parameters(codegen::AxisChange const& axis) const {
+  [[nodiscard]] std::vector<Line> parameters(image::AxisChange const& axis) const {
     std::vector<Line> lines;
     for (auto const& change : axis.parameters) {
       lines.push_back({change.name, value(change.before, change.default_text),
@@ -54,7 +54,7 @@ class Lines {
     return lines;
   }
 
-  [[nodiscard]] std::vector<Line> effects(codegen::AxisChange const& axis) const {
+  [[nodiscard]] std::vector<Line> effects(image::AxisChange const& axis) const {
     if (!axis.filtering_changed) return {};
     auto const& difference = shown_.difference;
     std::vector<Line> lines;
@@ -95,11 +95,11 @@ class Lines {
   static std::string time(double cycles, design::CycleTime cycle_time) {
     return format_rounded(cycles * cycle_time.seconds() * 1e3, figures) + " ms";
   }
-  [[nodiscard]] std::string settling(codegen::ChainFigures const& figures_of_chain,
+  [[nodiscard]] std::string settling(image::ChainFigures const& figures_of_chain,
                                      design::CycleTime cycle_time) const {
     if (!figures_of_chain.settling_cycles) {
       return say(Text::diff_longer,
-                 {{"time", time(static_cast<double>(codegen::longest_settling), cycle_time)}});
+                 {{"time", time(static_cast<double>(image::longest_settling), cycle_time)}});
     }
     return time(static_cast<double>(*figures_of_chain.settling_cycles), cycle_time);
   }
@@ -108,7 +108,7 @@ class Lines {
     if (magnitude < nothing) return "< -200 dB";
     return format_rounded(std::round(2000 * std::log10(magnitude)) / 100, figures + 1) + " dB";
   }
-  [[nodiscard]] std::string corner(codegen::ChainFigures const& figures_of_chain,
+  [[nodiscard]] std::string corner(image::ChainFigures const& figures_of_chain,
                                    design::CycleTime cycle_time) const {
     auto const deviation = corner_deviation_um(figures_of_chain, shown_.feed_mm_per_min, cycle_time);
     return deviation ? format_rounded(*deviation, figures) + " µm" : "-";
@@ -152,7 +152,7 @@ std::string markdown_table(Lines const& words, std::vector<Line> const& lines, T
 
 }  // namespace
 
-std::optional<double> corner_deviation_um(codegen::ChainFigures const& figures_of_chain, double feed,
+std::optional<double> corner_deviation_um(image::ChainFigures const& figures_of_chain, double feed,
                                           design::CycleTime cycle_time) {
   if (!figures_of_chain.corner_deviation) return std::nullopt;
   constexpr double um_per_mm = 1000;

@@ -10,7 +10,7 @@ namespace axisc::cli {
 
 struct ShownDifference {
   std::string before, after;  ///< the inputs' names
-  codegen::ImageDifference const& difference;
+  image::ImageDifference const& difference;
   double feed_mm_per_min = 1000;  ///< of the corner
 };
 
@@ -20,7 +20,7 @@ struct ShownDifference {
 [[nodiscard]] std::string diff_json(ShownDifference const& shown);
 
 /// Corner deviation in µm for a path of `feed` mm/min.
-[[nodiscard]] std::optional<double> corner_deviation_um(codegen::ChainFigures const& figures, double feed,
+[[nodiscard]] std::optional<double> corner_deviation_um(image::ChainFigures const& figures, double feed,
                                                         design::CycleTime cycle_time);
 
 }  // namespace axisc::cli

@@ -13,7 +13,7 @@ ordered_json optional_json(std::optional<Value> const& value) {
   return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
-ordered_json figures_json(codegen::ChainFigures const& figures, double feed, design::CycleTime cycle_time) {
+ordered_json figures_json(image::ChainFigures const& figures, double feed, design::CycleTime cycle_time) {
   double const ms = cycle_time.seconds() * 1e3;
   ordered_json json{{"delay_ms", figures.delay_cycles * ms}, {"overshoot_percent", figures.overshoot * 100}};
   json["settling_ms"] = figures.settling_cycles
@@ -23,7 +23,7 @@ ordered_json figures_json(codegen::ChainFigures const& figures, double feed, des
   return json;
 }
 
-ordered_json axis_json(codegen::AxisChange const& axis, ShownDifference const& shown) {
+ordered_json axis_json(image::AxisChange const& axis, ShownDifference const& shown) {
   ordered_json json{{"name", axis.name}, {"parameters", ordered_json::array()}};
   for (auto const& change : axis.parameters) {
     json["parameters"].push_back({{"name", change.name},

@@ -18,15 +18,15 @@ std::string InspectWriter::control_text(std::size_t axis) const {
            : say(Text::inspect_control_of_master, {{"axis", axis_label(image_, control->source)}})) +
       "\n    ";
   switch (control->scaling.controller) {
-    case validator::PositionController::drive:
+    case machine::PositionController::drive:
       text += say(Text::inspect_control_drive,
                   {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
-    case validator::PositionController::cnc:
+    case machine::PositionController::cnc:
       text += say(Text::inspect_control_cnc,
                   {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
-    case validator::PositionController::unknown:
+    case machine::PositionController::unknown:
       text += say(Text::inspect_control_unknown);
       break;
   }
@@ -35,7 +35,7 @@ std::string InspectWriter::control_text(std::size_t axis) const {
   return text;
 }
 
-std::string InspectWriter::stage_text(codegen::ImageStage const& stage) const {
+std::string InspectWriter::stage_text(image::ImageStage const& stage) const {
   std::string text = "    " +
                      say(Text::inspect_stage, {{"index", std::to_string(stage.index)},
                                                {"mode", std::string(mode_word(stage.mode))},

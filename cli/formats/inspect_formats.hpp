@@ -14,9 +14,9 @@ namespace axisc::cli {
 
 struct Shown {
   std::string const& file;
-  codegen::ImageContents const& image;
+  image::ImageContents const& image;
   std::vector<std::size_t> axes;                        ///< which of them
-  std::optional<codegen::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
+  std::optional<image::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
   bool signature_checked = false;                       ///< and the signature was found right
   std::optional<std::size_t> memory;  ///< bytes that the runtime needs on a target, where asked for
 };

@@ -48,11 +48,11 @@ char const* realisation_word(design::Realisation realisation) {
   return "";
 }
 
-ordered_json value_json(codegen::ImageValue const& value) {
+ordered_json value_json(image::ImageValue const& value) {
   return {{"name", value.name}, {"value", value.value}, {"file", value.list}, {"line", value.line}};
 }
 
-ordered_json filter_json(codegen::ImageAxis const& axis, codegen::ImageFilter const& filter, bool interface,
+ordered_json filter_json(image::ImageAxis const& axis, image::ImageFilter const& filter, bool interface,
                          design::CycleTime cycle_time) {
   auto const& wanted = filter.specification;
   auto const& made = filter.design;
@@ -98,7 +98,7 @@ char const* axis_type_word(std::uint32_t type) {
   }
 }
 
-ordered_json axis_json(codegen::ImageContents const& image, std::size_t index) {
+ordered_json axis_json(image::ImageContents const& image, std::size_t index) {
   auto const& axis = image.axes[index];
   ordered_json json{{"name", axis_label(image, index)},
                     {"number", axis.number},

@@ -30,7 +30,7 @@ Text type_text(design::KernelType type) {
   return Text::inspect_novib;
 }
 
-bool concerns(codegen::ImageGroup const& group, std::span<std::size_t const> axes) {
+bool concerns(image::ImageGroup const& group, std::span<std::size_t const> axes) {
   return std::any_of(group.members.begin(), group.members.end(), [&](std::size_t member) {
     return std::find(axes.begin(), axes.end(), member) != axes.end();
   });
@@ -41,7 +41,7 @@ bool concerns(codegen::ImageGroup const& group, std::span<std::size_t const> axe
 std::string InspectWriter::slot_text(std::size_t axis) const {
   auto const& slot = image_.axes[axis].slot;
   if (!slot) return {};
-  bool const hsc = slot->family == validator::KernelFamily::hsc;
+  bool const hsc = slot->family == machine::KernelFamily::hsc;
   auto const when = say(slot->on_at_start ? Text::inspect_on_at_start : Text::inspect_on_by_command);
   return "\n  " +
          say(hsc ? Text::inspect_slot_hsc : Text::inspect_slot_fir, {{"index", std::to_string(slot->index)},
@@ -141,7 +141,7 @@ std::string InspectWriter::channel_text(std::size_t index) const {
     bool any = false;
     for (std::size_t member = 0; member < group.members.size(); ++member) {
       auto const& slot = image_.axes[group.members[member]].slot;
-      bool const concerned = slot && (slot->family == validator::KernelFamily::hsc) == bank.hsc;
+      bool const concerned = slot && (slot->family == machine::KernelFamily::hsc) == bank.hsc;
       rows.back().push_back(concerned ? kernel_name(bank.kernels[member]) : "-");
       any = any || concerned;
     }

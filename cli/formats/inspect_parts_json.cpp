@@ -31,19 +31,19 @@ char const* type_name(design::KernelType type) {
   return "";
 }
 
-char const* controller_name(validator::PositionController controller) {
+char const* controller_name(machine::PositionController controller) {
   switch (controller) {
-    case validator::PositionController::drive:
+    case machine::PositionController::drive:
       return "drive";
-    case validator::PositionController::cnc:
+    case machine::PositionController::cnc:
       return "cnc";
-    case validator::PositionController::unknown:
+    case machine::PositionController::unknown:
       break;
   }
   return "unknown";
 }
 
-ordered_json stage_json(codegen::ImageStage const& stage, design::CycleTime cycle_time) {
+ordered_json stage_json(image::ImageStage const& stage, design::CycleTime cycle_time) {
   ordered_json json{{"index", stage.index},
                     {"mode", mode_word(stage.mode)},
                     {"weight", stage.weight},
@@ -79,8 +79,8 @@ ordered_json stage_json(codegen::ImageStage const& stage, design::CycleTime cycl
 
 }  // namespace
 
-ordered_json slot_json(codegen::ImageSlot const& slot) {
-  bool const hsc = slot.family == validator::KernelFamily::hsc;
+ordered_json slot_json(image::ImageSlot const& slot) {
+  bool const hsc = slot.family == machine::KernelFamily::hsc;
   return {{"path", hsc ? "filter[" + std::to_string(slot.index) + "]" : "filter_fir"},
           {"family", hsc ? "HSC" : "FIR"},
           {"on_at_start", slot.on_at_start},
@@ -88,7 +88,7 @@ ordered_json slot_json(codegen::ImageSlot const& slot) {
           {"channel", index_json(slot.group)}};
 }
 
-ordered_json kernel_json(codegen::ImageKernel const& kernel, design::CycleTime cycle_time) {
+ordered_json kernel_json(image::ImageKernel const& kernel, design::CycleTime cycle_time) {
   auto const& wanted = kernel.specification;
   auto const& kind = design::kind_of(wanted.type);
   ordered_json json{{"type", type_name(wanted.type)}, {"order", wanted.order}};
@@ -112,7 +112,7 @@ ordered_json kernel_json(codegen::ImageKernel const& kernel, design::CycleTime c
   return json;
 }
 
-ordered_json group_json(codegen::ImageContents const& image, codegen::ImageGroup const& group) {
+ordered_json group_json(image::ImageContents const& image, image::ImageGroup const& group) {
   ordered_json json{{"name", group.name}, {"axes", ordered_json::array()}, {"banks", ordered_json::array()}};
   for (auto const axis : group.members) json["axes"].push_back(axis_label(image, axis));
   for (auto const& bank : group.banks) {
@@ -126,7 +126,7 @@ ordered_json group_json(codegen::ImageContents const& image, codegen::ImageGroup
   return json;
 }
 
-ordered_json control_json(codegen::ImageContents const& image, codegen::ImageControl const& control) {
+ordered_json control_json(image::ImageContents const& image, image::ImageControl const& control) {
   ordered_json json{{"source", axis_label(image, control.source)},
                     {"limit", control.limit},
                     {"limit_factor", control.limit_factor},

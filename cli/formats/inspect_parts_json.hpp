@@ -9,12 +9,12 @@ namespace axisc::cli {
 
 [[nodiscard]] nlohmann::ordered_json section_json(design::IncrementSection const& section,
                                                   bool blocks_constant, design::CycleTime cycle_time);
-[[nodiscard]] nlohmann::ordered_json slot_json(codegen::ImageSlot const& slot);
-[[nodiscard]] nlohmann::ordered_json kernel_json(codegen::ImageKernel const& kernel,
+[[nodiscard]] nlohmann::ordered_json slot_json(image::ImageSlot const& slot);
+[[nodiscard]] nlohmann::ordered_json kernel_json(image::ImageKernel const& kernel,
                                                  design::CycleTime cycle_time);
-[[nodiscard]] nlohmann::ordered_json group_json(codegen::ImageContents const& image,
-                                                codegen::ImageGroup const& group);
-[[nodiscard]] nlohmann::ordered_json control_json(codegen::ImageContents const& image,
-                                                  codegen::ImageControl const& control);
+[[nodiscard]] nlohmann::ordered_json group_json(image::ImageContents const& image,
+                                                image::ImageGroup const& group);
+[[nodiscard]] nlohmann::ordered_json control_json(image::ImageContents const& image,
+                                                  image::ImageControl const& control);
 
 }  // namespace axisc::cli

@@ -69,7 +69,7 @@ class TextForm : public InspectWriter {
     return type == 4 ? Text::inspect_spindle : Text::inspect_translatory;
   }
 
-  std::string filters(codegen::ImageAxis const& axis, std::vector<codegen::ImageFilter> const& chain,
+  std::string filters(image::ImageAxis const& axis, std::vector<image::ImageFilter> const& chain,
                       bool interface) const {
     if (chain.empty()) return interface ? "" : "\n  " + say(Text::inspect_no_filter) + "\n";
     std::vector<std::vector<std::string>> rows{
@@ -85,7 +85,7 @@ class TextForm : public InspectWriter {
     return text;
   }
 
-  std::vector<std::string> figures_of(codegen::ImageFilter const& filter) const {
+  std::vector<std::string> figures_of(image::ImageFilter const& filter) const {
     auto const& wanted = filter.specification;
     auto const& made = filter.design;
     auto const type = wanted.type;
@@ -103,7 +103,7 @@ class TextForm : public InspectWriter {
             rounded(filter.peak_gain)};
   }
 
-  std::string details(codegen::ImageAxis const& axis, codegen::ImageFilter const& filter,
+  std::string details(image::ImageAxis const& axis, image::ImageFilter const& filter,
                       bool interface) const {
     auto const& made = filter.design;
     std::string text =

@@ -13,7 +13,7 @@ namespace axisc::cli {
 
 class InspectWriter {
  public:
-  InspectWriter(codegen::ImageContents const& image, Language language)
+  InspectWriter(image::ImageContents const& image, Language language)
       : image_(image), language_(language) {}
 
   /// The kernels that the axes may execute; empty without any.
@@ -35,7 +35,7 @@ class InspectWriter {
   /// Improved Position Control of an axis, or nothing.
   [[nodiscard]] std::string control_text(std::size_t axis) const;
 
-  codegen::ImageContents const& image_;
+  image::ImageContents const& image_;
   Language language_;
 
  private:
@@ -45,7 +45,7 @@ class InspectWriter {
   [[nodiscard]] std::string kernel_details(std::size_t index) const;
   [[nodiscard]] std::string change(std::uint32_t fade_cycles) const;
   [[nodiscard]] std::string channel_text(std::size_t index) const;
-  [[nodiscard]] std::string stage_text(codegen::ImageStage const& stage) const;
+  [[nodiscard]] std::string stage_text(image::ImageStage const& stage) const;
 };
 
 }  // namespace axisc::cli

@@ -13,8 +13,8 @@ namespace axisc::cli {
 
 namespace {
 
-using codegen::RecordedKind;
-using codegen::ReplayedEntry;
+using image::RecordedKind;
+using image::ReplayedEntry;
 using nlohmann::ordered_json;
 
 /// Rows of the text; a recording of a restless controller has thousands.

@@ -28,9 +28,9 @@ struct ReplayDifference {
 
 class ReplayReport {
  public:
-  ReplayReport(codegen::ImageContents const& image, Language language) : image_(image), language_(language) {}
+  ReplayReport(image::ImageContents const& image, Language language) : image_(image), language_(language) {}
 
-  void add(codegen::ReplayedEntry const& entry);
+  void add(image::ReplayedEntry const& entry);
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
   [[nodiscard]] std::uint64_t differences() const { return differences_; }
   [[nodiscard]] std::vector<ReplayEvent> const& events() const { return events_; }
@@ -41,13 +41,13 @@ class ReplayReport {
 
  private:
   [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const;
-  [[nodiscard]] std::string name(codegen::ReplayedEntry const& entry, std::size_t axis) const;
+  [[nodiscard]] std::string name(image::ReplayedEntry const& entry, std::size_t axis) const;
   void add_event(ReplayEvent event);
-  void add_call(codegen::ReplayedEntry const& entry);
-  void add_statuses(codegen::ReplayedEntry const& entry);
-  void compare(codegen::ReplayedEntry const& entry);
+  void add_call(image::ReplayedEntry const& entry);
+  void add_statuses(image::ReplayedEntry const& entry);
+  void compare(image::ReplayedEntry const& entry);
 
-  codegen::ImageContents const& image_;
+  image::ImageContents const& image_;
   Language language_;
   std::uint64_t cycles_ = 0;
   std::uint64_t differences_ = 0;

@@ -29,11 +29,11 @@ Code parse_code(std::string const& word) {
                  .arguments = {{"code", word}, {"meant", std::string(meant)}}});
 }
 
-validator::AxisType parse_axis_type(std::string const& word) {
+machine::AxisType parse_axis_type(std::string const& word) {
   auto const letter = ascii::upper_case(word);
-  if (letter == "T") return validator::AxisType::translatory;
-  if (letter == "R") return validator::AxisType::rotary;
-  if (letter == "S") return validator::AxisType::spindle;
+  if (letter == "T") return machine::AxisType::translatory;
+  if (letter == "R") return machine::AxisType::rotary;
+  if (letter == "S") return machine::AxisType::spindle;
   throw Failure({.text = Text::cli_bad_choice,
                  .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
 }

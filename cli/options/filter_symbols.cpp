@@ -24,18 +24,18 @@ std::string_view prototype_word(design::Prototype prototype) {
   return word_of("filter[0].prototype", static_cast<int>(prototype));
 }
 
-std::string_view mode_word(validator::StageMode mode) {
+std::string_view mode_word(machine::StageMode mode) {
   return word_of("lr_param.improved_position_control.stage[0].mode", static_cast<int>(mode));
 }
 
-std::string filter_path(codegen::ImageFilter const& filter, bool interface) {
+std::string filter_path(image::ImageFilter const& filter, bool interface) {
   return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
 }
 
-std::vector<codegen::ImageValue> settings_of(codegen::ImageAxis const& axis,
-                                             codegen::ImageFilter const& filter, bool interface) {
+std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
+                                             image::ImageFilter const& filter, bool interface) {
   auto const prefix = filter_path(filter, interface) + ".";
-  std::vector<codegen::ImageValue> settings;
+  std::vector<image::ImageValue> settings;
   for (auto const& value : axis.values) {
     if (value.name.substr(0, prefix.size()) == prefix) settings.push_back(value);
   }

@@ -17,14 +17,14 @@ namespace axisc::cli {
 [[nodiscard]] std::string_view prototype_word(design::Prototype prototype);
 
 /// "DIRECT".
-[[nodiscard]] std::string_view mode_word(validator::StageMode mode);
+[[nodiscard]] std::string_view mode_word(machine::StageMode mode);
 
 /// `filter[0]`, or `lr_param.add_interface.filter[0]`.
-[[nodiscard]] std::string filter_path(codegen::ImageFilter const& filter, bool interface);
+[[nodiscard]] std::string filter_path(image::ImageFilter const& filter, bool interface);
 
 /// What the lists set for one filter, in the order of the lines.
-[[nodiscard]] std::vector<codegen::ImageValue> settings_of(codegen::ImageAxis const& axis,
-                                                           codegen::ImageFilter const& filter,
+[[nodiscard]] std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
+                                                           image::ImageFilter const& filter,
                                                            bool interface);
 
 /// "0123abcd…".

@@ -19,7 +19,7 @@ namespace {
 }
 
 /// "ON, ON [ORDER=20], ON [HSC]": what the image's channels can be switched to, each once.
-std::string banks_of(codegen::ImageContents const& image) {
+std::string banks_of(image::ImageContents const& image) {
   std::vector<std::string> banks;
   for (auto const& group : image.groups) {
     for (auto const& bank : group.banks) {
@@ -34,7 +34,7 @@ std::string banks_of(codegen::ImageContents const& image) {
 }
 
 /// An axis with the time delay bounds the order of the whole channel's commands.
-validator::CommandLimits limits_of(codegen::ImageContents const& image) {
+validator::CommandLimits limits_of(image::ImageContents const& image) {
   validator::CommandLimits limits{.cycle_time = image.cycle_time, .time_delay = false};
   for (auto const& axis : image.axes) {
     if (!axis.slot || !axis.slot->kernel) continue;
@@ -75,7 +75,7 @@ std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& wo
   return commands;
 }
 
-void execute(TimedCommand const& command, codegen::RuntimeHost& host, codegen::ImageContents const& image,
+void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,
              std::string const& path) {
   bool executed = false;
   for (std::uint32_t group = 0; group < host.group_count(); ++group) {

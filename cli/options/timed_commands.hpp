@@ -14,7 +14,7 @@ namespace axisc::cli {
 struct TimedCommand {
   std::uint64_t cycle = 0;
   std::string text;  ///< the command as it was written
-  validator::FilterCommand command;
+  machine::FilterCommand command;
 };
 
 /// The commands by rising cycle, those of one cycle in the order of the command line. Failure for words that are no
@@ -25,7 +25,7 @@ struct TimedCommand {
 
 /// Executes the command in every channel that has kernels for it. Failure, naming the banks, where none has; and where a
 /// filter is still changing over or the axes would have to stand.
-void execute(TimedCommand const& command, codegen::RuntimeHost& host, codegen::ImageContents const& image,
+void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,
              std::string const& path);
 
 }  // namespace axisc::cli

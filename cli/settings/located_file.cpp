@@ -12,7 +12,7 @@ namespace axisc::cli {
 
 namespace {
 
-std::vector<Message> sentences_of(validator::JsonProblem const& problem) {
+std::vector<Message> sentences_of(configuration::JsonProblem const& problem) {
   std::vector<Message> sentences{problem.message};
   if (!problem.suggestion.empty()) {
     sentences.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", problem.suggestion}}});
@@ -25,26 +25,26 @@ std::vector<Message> sentences_of(validator::JsonProblem const& problem) {
 
 }  // namespace
 
-LocatedFile::LocatedFile(std::string path, validator::JsonShape const& shape, Text malformed,
+LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape, Text malformed,
                          std::optional<Code> code)
     : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_whole(path_, Dash::is_a_name)) {
-  auto parsed = validator::parse_json(source_.bytes(), source_.text_begin());
-  if (auto const* const error = std::get_if<validator::JsonError>(&parsed)) refuse(error->span, malformed);
-  document_ = std::get<validator::JsonDocument>(std::move(parsed));
-  auto const problems = validator::check_json(document_, shape_).problems;
+  auto parsed = configuration::parse_json(source_.bytes(), source_.text_begin());
+  if (auto const* const error = std::get_if<configuration::JsonError>(&parsed)) refuse(error->span, malformed);
+  document_ = std::get<configuration::JsonDocument>(std::move(parsed));
+  auto const problems = configuration::check_json(document_, shape_).problems;
   if (!problems.empty()) refuse(problems.front().span, sentences_of(problems.front()));
 }
 
-validator::JsonValue const* LocatedFile::find(validator::JsonValue const& object,
+configuration::JsonValue const* LocatedFile::find(configuration::JsonValue const& object,
                                               std::string_view key) const {
   auto const* const member = object.find(key);
   return member == nullptr ? nullptr : &document_[member->value];
 }
 
-void LocatedFile::fill(validator::JsonShape const& shape, validator::JsonValue const& object,
+void LocatedFile::fill(configuration::JsonShape const& shape, configuration::JsonValue const& object,
                        void* target) const {
   std::vector<bool> const all(document_.values.size(), true);
-  validator::JsonReading(document_, all).fill(shape, object, target);
+  configuration::JsonReading(document_, all).fill(shape, object, target);
 }
 
 void LocatedFile::refuse(Span span, Text what, std::vector<Argument> arguments) const {

@@ -17,19 +17,19 @@ class LocatedFile {
  public:
   /// Failure where the file cannot be read, with the sentence `malformed` where it is not JSON, and with the first thing in
   /// it that is not as `shape` says; these carry `code`.
-  LocatedFile(std::string path, validator::JsonShape const& shape, Text malformed,
+  LocatedFile(std::string path, configuration::JsonShape const& shape, Text malformed,
               std::optional<Code> code = std::nullopt);
 
   [[nodiscard]] std::string const& path() const { return path_; }
   [[nodiscard]] std::string_view bytes() const { return source_.bytes().substr(source_.text_begin()); }
-  [[nodiscard]] validator::JsonValue const& root() const { return document_.root(); }
-  [[nodiscard]] validator::JsonValue const& operator[](std::size_t index) const { return document_[index]; }
+  [[nodiscard]] configuration::JsonValue const& root() const { return document_.root(); }
+  [[nodiscard]] configuration::JsonValue const& operator[](std::size_t index) const { return document_[index]; }
   /// A key's value; null where `object` does not have the key.
-  [[nodiscard]] validator::JsonValue const* find(validator::JsonValue const& object,
+  [[nodiscard]] configuration::JsonValue const* find(configuration::JsonValue const& object,
                                                  std::string_view key) const;
   /// Stores what the file, or an object in it, says where the shape's keys say.
   void fill(void* target) const { fill(shape_, root(), target); }
-  void fill(validator::JsonShape const& shape, validator::JsonValue const& object, void* target) const;
+  void fill(configuration::JsonShape const& shape, configuration::JsonValue const& object, void* target) const;
   /// Failure: the place as "axisc.json:3:5", and `what`.
   [[noreturn]] void refuse(Span span, Text what, std::vector<Argument> arguments = {}) const;
 
@@ -37,10 +37,10 @@ class LocatedFile {
   [[noreturn]] void refuse(Span span, std::vector<Message> sentences) const;
 
   std::string path_;
-  validator::JsonShape const& shape_;
+  configuration::JsonShape const& shape_;
   std::optional<Code> code_;
   SourceText source_;
-  validator::JsonDocument document_;
+  configuration::JsonDocument document_;
 };
 
 }  // namespace axisc::cli

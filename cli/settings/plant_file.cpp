@@ -12,13 +12,13 @@ namespace axisc::cli {
 namespace {
 
 using motion::PlantParameters;
-using validator::by;
-using validator::JsonKey;
-using validator::JsonReading;
-using validator::JsonShape;
-using validator::JsonValue;
-using Kind = validator::JsonShapeKind;
-using enum validator::JsonPresence;
+using configuration::by;
+using configuration::JsonKey;
+using configuration::JsonReading;
+using configuration::JsonShape;
+using configuration::JsonValue;
+using Kind = configuration::JsonShapeKind;
+using enum configuration::JsonPresence;
 
 constexpr double unit = 1, kilo = 1e3, mega = 1e6, milli = 1e-3, micro = 1e-6, percent = 1e-2;
 
@@ -29,7 +29,7 @@ void quantity(JsonReading const& /*reading*/, JsonShape const& /*shape*/, JsonVa
   static_cast<PlantParameters*>(target)->*member = value.number * in;
 }
 
-void store_feedback(validator::JsonDocument const& /*document*/, JsonValue const& value,
+void store_feedback(configuration::JsonDocument const& /*document*/, JsonValue const& value,
                     PlantParameters& parameters) {
   parameters.feedback =
       value.string == "motor" ? motion::PositionFeedback::motor : motion::PositionFeedback::direct;
@@ -53,8 +53,8 @@ constexpr std::array<std::string_view, 2> feedbacks = {"direct", "motor"};
 constexpr JsonShape feedback{.words = feedbacks};
 
 constexpr std::array plant_keys = {
-    JsonKey{"name", &validator::json_text, required, "Name of the axis."},
-    JsonKey{"comment", &validator::any_json, optional, "Anything."},
+    JsonKey{"name", &configuration::json_text, required, "Name of the axis."},
+    JsonKey{"comment", &configuration::any_json, optional, "Anything."},
     JsonKey{"motor_mass_kg", &positive, required, "Mass of motor, gear and pinion at the pinion.",
             quantity<&PlantParameters::motor_mass>},
     JsonKey{"load_mass_kg", &positive, required, "Mass of the carriage.",

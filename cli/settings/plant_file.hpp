@@ -9,7 +9,7 @@
 namespace axisc::cli {
 
 /// What a plant file may say.
-extern validator::JsonShape const plant_file_shape;
+extern configuration::JsonShape const plant_file_shape;
 
 /// The plant of one axis. Failure AX9009 for whatever is wrong with the file, AX9001 where it cannot be read.
 [[nodiscard]] motion::PlantParameters read_plant(std::string const& path, std::string const& axis);

@@ -15,10 +15,10 @@ namespace axisc::cli {
 
 namespace {
 
-using validator::JsonKey;
-using validator::JsonShape;
-using Kind = validator::JsonShapeKind;
-using enum validator::JsonPresence;
+using configuration::JsonKey;
+using configuration::JsonShape;
+using Kind = configuration::JsonShapeKind;
+using enum configuration::JsonPresence;
 
 constexpr JsonShape version{.kind = Kind::whole_number, .lowest = 1, .highest = 1};
 
@@ -35,7 +35,7 @@ schema::Parameter const* known_row(schema::Catalogue const& catalogue, std::stri
 }
 
 struct Entry {
-  validator::JsonValue const& json;
+  configuration::JsonValue const& json;
   schema::RowReading reading;
 };
 

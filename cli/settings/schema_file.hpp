@@ -21,7 +21,7 @@
 namespace axisc::cli {
 
 /// What a schema file may say; axis-parameters.json is one.
-extern validator::JsonShape const schema_file_shape;
+extern configuration::JsonShape const schema_file_shape;
 
 /// `catalogue` with the entries of the file. Failure, with line and column, for anything that is no schema file.
 [[nodiscard]] schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path);

@@ -16,11 +16,11 @@ namespace axisc::cli {
 namespace {
 
 using schema::RowContradiction;
-using validator::JsonKey;
-using validator::JsonShape;
-using validator::JsonValue;
-using Kind = validator::JsonShapeKind;
-using enum validator::JsonPresence;
+using configuration::JsonKey;
+using configuration::JsonShape;
+using configuration::JsonValue;
+using Kind = configuration::JsonShapeKind;
+using enum configuration::JsonPresence;
 
 bool is_lower_case_name(std::string_view part) {
   if (part.ends_with("[]")) part.remove_suffix(2);
@@ -82,10 +82,10 @@ constexpr JsonShape array{.kind = Kind::list, .items = &array_size, .fewest = 1}
 constexpr JsonShape default_text{.may_be_empty = true};
 
 constexpr std::array unit_keys = {
-    JsonKey{"translatory", &validator::json_text, required, "Of linear axes."},
-    JsonKey{"rotary", &validator::json_text, required, "Of rotary axes and spindles."}};
+    JsonKey{"translatory", &configuration::json_text, required, "Of linear axes."},
+    JsonKey{"rotary", &configuration::json_text, required, "Of rotary axes and spindles."}};
 constexpr JsonShape units{.kind = Kind::object, .title = "Unit per kind of axis", .keys = unit_keys};
-constexpr std::array unit_shapes = {&validator::json_text, &units};
+constexpr std::array unit_shapes = {&configuration::json_text, &units};
 constexpr JsonShape unit = either(unit_shapes, Text::schema_unit);
 
 constexpr JsonShape any_number{.kind = Kind::number};
@@ -97,14 +97,14 @@ constexpr JsonShape limit = either(limit_shapes, Text::schema_limit);
 
 constexpr JsonShape symbol{.accepts = is_symbol, .pattern = "^[A-Z0-9_]+$", .sentence = Text::schema_symbols};
 constexpr JsonShape number_of_word = whole_number(0, 65535, Text::schema_number_names);
-constexpr std::array symbol_number_shapes = {&number_of_word, &validator::json_null};
+constexpr std::array symbol_number_shapes = {&number_of_word, &configuration::json_null};
 constexpr JsonShape symbol_number = either(symbol_number_shapes, Text::schema_symbols);
 constexpr JsonShape symbols{.kind = Kind::map,
                             .items = &symbol_number,
                             .names = &symbol,
                             .fewest = 1,
                             .sentence = Text::schema_symbols};
-constexpr JsonShape number_names{.kind = Kind::map, .items = &number_of_word, .names = &validator::json_text};
+constexpr JsonShape number_names{.kind = Kind::map, .items = &number_of_word, .names = &configuration::json_text};
 
 constexpr JsonShape max_length = whole_number(1, 255);
 constexpr std::array<std::string_view, 3> axis_type_words = {"T", "R", "S"};

@@ -23,14 +23,14 @@ namespace axisc::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using validator::by;
-using validator::into;
-using validator::JsonDocument;
-using validator::JsonKey;
-using validator::JsonShape;
-using validator::JsonValue;
-using Kind = validator::JsonShapeKind;
-using enum validator::JsonPresence;
+using configuration::by;
+using configuration::into;
+using configuration::JsonDocument;
+using configuration::JsonKey;
+using configuration::JsonShape;
+using configuration::JsonValue;
+using Kind = configuration::JsonShapeKind;
+using enum configuration::JsonPresence;
 
 constexpr std::string_view file_name = "axisc.json";
 
@@ -71,7 +71,7 @@ void store_severities(JsonDocument const& document, JsonValue const& value, Sett
 }
 
 constexpr std::array path_keys = {
-    JsonKey{"pattern", &validator::json_text, required,
+    JsonKey{"pattern", &configuration::json_text, required,
             "Files it applies to, relative to the settings: old/**.", into<&PathSettings::pattern>},
     JsonKey{"disable", &codes_shape, optional, "Findings that are not reported in these files.",
             by<store_codes<PathSettings>>}};
@@ -79,7 +79,7 @@ constexpr JsonShape path_shape{.kind = Kind::object, .title = "Settings of some 
 constexpr JsonShape paths_shape{.kind = Kind::list, .items = &path_shape};
 
 constexpr std::array settings_keys = {
-    JsonKey{"cycle_time_us", &validator::json_cycle_time, optional,
+    JsonKey{"cycle_time_us", &configuration::json_cycle_time, optional,
             "Cycle time in microseconds for lists alone; a machine file says its own.",
             into<&Settings::cycle_time>},
     JsonKey{"build", &build_shape, optional, "Build of the control that the lists are for, V3.1.3080.00.",
@@ -89,7 +89,7 @@ constexpr std::array settings_keys = {
             by<store_codes<Settings>>},
     JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
             by<store_severities>},
-    JsonKey{"schema", &validator::json_texts, optional, "Schema files, relative to the settings."},
+    JsonKey{"schema", &configuration::json_texts, optional, "Schema files, relative to the settings."},
     JsonKey{"paths", &paths_shape, optional, "Findings that are not reported in some files.",
             into<&Settings::paths>}};
 
@@ -138,7 +138,7 @@ Digest digest_of_files(std::vector<std::string> const& paths) {
 }
 
 void require_unchanged(std::vector<std::string> const& paths, Digest const& before) {
-  if (digest_of_files(paths) != before) throw validator::SourceChanged(paths.front());
+  if (digest_of_files(paths) != before) throw configuration::SourceChanged(paths.front());
 }
 
 /// Behind all links; as far as it exists where it does not.

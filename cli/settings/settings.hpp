@@ -57,7 +57,7 @@ struct Settings {
 [[nodiscard]] Settings read_settings(std::string const& path, std::string const& folder);
 
 /// What a settings file may say.
-extern validator::JsonShape const settings_shape;
+extern configuration::JsonShape const settings_shape;
 
 /// The settings of each folder, read once. May be used by several threads.
 class SettingsFinder {

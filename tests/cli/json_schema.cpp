@@ -10,10 +10,10 @@ namespace axisc::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using validator::JsonKey;
-using validator::JsonPresence;
-using validator::JsonShape;
-using Kind = validator::JsonShapeKind;
+using configuration::JsonKey;
+using configuration::JsonPresence;
+using configuration::JsonShape;
+using Kind = configuration::JsonShapeKind;
 
 Json schema_of(JsonShape const& shape);
 

@@ -8,6 +8,6 @@
 namespace axisc::test {
 
 /// The shape as a JSON schema of draft 7.
-[[nodiscard]] std::string json_schema(validator::JsonShape const& shape);
+[[nodiscard]] std::string json_schema(configuration::JsonShape const& shape);
 
 }  // namespace axisc::test

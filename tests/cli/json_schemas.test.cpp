@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 using namespace axisc::test;
-using axisc::validator::JsonShape;
+using axisc::configuration::JsonShape;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -30,7 +30,7 @@ struct FileKind {
 
 std::vector<FileKind> const& kinds() {
   static std::vector<FileKind> const all = {
-      {"docs/schemas/machine.schema.json", axisc::validator::machine_file_shape, R"({
+      {"docs/schemas/machine.schema.json", axisc::configuration::machine_file_shape, R"({
         "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
         "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
                  {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],
@@ -59,10 +59,10 @@ std::vector<FileKind> const& kinds() {
 }
 
 bool reader_accepts(FileKind const& kind, std::string const& text) {
-  auto const parsed = axisc::validator::parse_json(text, 0);
-  auto const* const document = std::get_if<axisc::validator::JsonDocument>(&parsed);
+  auto const parsed = axisc::configuration::parse_json(text, 0);
+  auto const* const document = std::get_if<axisc::configuration::JsonDocument>(&parsed);
   REQUIRE(document != nullptr);
-  return axisc::validator::check_json(*document, kind.shape).problems.empty();
+  return axisc::configuration::check_json(*document, kind.shape).problems.empty();
 }
 
 bool schema_accepts(FileKind const& kind, std::string const& text) {

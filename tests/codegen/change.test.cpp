@@ -26,8 +26,8 @@ constexpr design::CycleTime cycle_time{1'000'000};
 constexpr std::size_t axes = 3;
 
 /// Three axes; the variants differ in every filter.
-validator::Machine machine_variant(int variant) {
-  validator::Machine machine;
+machine::Machine machine_variant(int variant) {
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
   machine.axes.resize(axes);
   double const f = variant == 0 ? 40 : 55;
@@ -56,7 +56,7 @@ validator::Machine machine_variant(int variant) {
 /// A runtime with its memory.
 class Made {
  public:
-  Made(validator::Machine const& machine, std::uint32_t image_version, axisrt* active = nullptr,
+  Made(machine::Machine const& machine, std::uint32_t image_version, axisrt* active = nullptr,
        std::uint32_t options = 0)
       : Made(codegen::write_image(machine, {.strip = false, .image_version = image_version}), active,
              options) {}
@@ -247,7 +247,7 @@ TEST_CASE("a prepared runtime gives what the active one gives if the images are 
 
 TEST_CASE("images of other machines and older ones are refused", "[change]") {
   Made active(machine_variant(0), 5);
-  validator::Machine other = machine_variant(1);
+  machine::Machine other = machine_variant(1);
   other.axes[1].name = "V";
   CHECK(Made(other, 6, active.runtime).status == AXISRT_OTHER_AXES);
   other = machine_variant(1);
@@ -268,7 +268,7 @@ TEST_CASE("a chain that blocks the constant part and other position control chan
   for (bool const blocks : {true, false}) {
     Made active(machine_variant(0), 0);
     for (std::uint32_t i = 0; i < axes; ++i) REQUIRE(axisrt_reset(active.runtime, i, 0) == AXISRT_OK);
-    validator::Machine changed = machine_variant(1);
+    machine::Machine changed = machine_variant(1);
     if (blocks) {
       changed.axes[0].filters[0].specification = {
           .type = FilterType::highpass, .order = 1, .frequency = {10}};

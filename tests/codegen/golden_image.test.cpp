@@ -48,7 +48,7 @@ std::vector<std::byte> with_version_of(std::vector<std::byte> image, std::vector
   return image;
 }
 
-void write_if_missing(char const* path, validator::Machine const& machine, ImageOptions const& options) {
+void write_if_missing(char const* path, machine::Machine const& machine, ImageOptions const& options) {
   std::filesystem::path const file = std::filesystem::path(AXISC_SOURCE_DIR) / path;
   if (!test::update_golden() || std::filesystem::exists(file)) return;
   std::filesystem::create_directories(file.parent_path());
@@ -123,7 +123,7 @@ TEST_CASE("an image of format 1.1 is read", "[image][golden]") {
   REQUIRE(contents.axes.size() == 5);
   CHECK(contents.kernels[0].specification.type == design::KernelType::gaussian);
   CHECK(contents.kernels[0].design.tail_sums.size() == 22);
-  CHECK(contents.axes[2].slot->family == validator::KernelFamily::hsc);
+  CHECK(contents.axes[2].slot->family == machine::KernelFamily::hsc);
   CHECK(contents.groups[0].name == "mill");
   CHECK(contents.groups[0].banks[1].parameters.order == 40U);
   CHECK(contents.groups[0].banks[6].hsc);
@@ -141,8 +141,8 @@ TEST_CASE("an image of format 1.1 runs", "[image][golden]") {
   CHECK(runtime.group_count() == 2);
   CHECK(runtime.has_position_control(3));
   std::vector<double> outputs(5);
-  validator::FilterCommand command;
-  command.filter_switch = validator::FilterSwitch::on;
+  machine::FilterCommand command;
+  command.filter_switch = machine::FilterSwitch::on;
   command.parameters = test::filter_set(40);
   CHECK(runtime.command(0, command) == AXISRT_OK);
   for (int cycle = 0; cycle < 200; ++cycle) {
@@ -163,7 +163,7 @@ TEST_CASE("images have the same bytes with every compiler, at every optimisation
   std::string lines;
   for (int i = 0; i < 24; ++i) {
     // Everything behind the header: it names the compiler's version.
-    validator::Machine const machine =
+    machine::Machine const machine =
         with_kernels ? test::random_kernel_machine(random, 0.005) : test::random_machine(random, 0.005);
     std::vector<std::byte> const image = write_image(machine, {});
     std::string const content(reinterpret_cast<char const*>(image.data()) + 128, image.size() - 128);

@@ -7,7 +7,7 @@
 namespace axisc::codegen {
 namespace {
 
-void check_filter(ImageFilter const& filter, validator::ConfiguredFilter const& configured,
+void check_filter(ImageFilter const& filter, machine::ConfiguredFilter const& configured,
                   design::CycleTime cycle_time) {
   CHECK(filter.index == configured.index);
   CHECK(filter.specification == configured.specification);
@@ -31,7 +31,7 @@ void check_filter(ImageFilter const& filter, validator::ConfiguredFilter const& 
 }
 
 void check_chain(std::vector<ImageFilter> const& chain,
-                 std::vector<validator::ConfiguredFilter> const& configured, design::CycleTime cycle_time) {
+                 std::vector<machine::ConfiguredFilter> const& configured, design::CycleTime cycle_time) {
   REQUIRE(chain.size() == configured.size());
   for (std::size_t i = 0; i < chain.size(); ++i) check_filter(chain[i], configured[i], cycle_time);
 }
@@ -39,7 +39,7 @@ void check_chain(std::vector<ImageFilter> const& chain,
 }  // namespace
 
 TEST_CASE("what is written is read back", "[image]") {
-  validator::Machine const machine = test::sample_machine();
+  machine::Machine const machine = test::sample_machine();
   std::vector<std::byte> const image = write_image(machine, {.image_version = 41});
   ImageContents const contents = test::contents_of(image);
 
@@ -60,7 +60,7 @@ TEST_CASE("what is written is read back", "[image]") {
   REQUIRE(contents.axes.size() == machine.axes.size());
   for (std::size_t i = 0; i < contents.axes.size(); ++i) {
     ImageAxis const& axis = contents.axes[i];
-    validator::AxisConfiguration const& configured = machine.axes[i];
+    machine::AxisConfiguration const& configured = machine.axes[i];
     CHECK(axis.name == configured.name);
     CHECK(axis.number == configured.number);
     CHECK(axis.type == static_cast<std::uint32_t>(configured.type));
@@ -86,11 +86,11 @@ TEST_CASE("what is written is read back", "[image]") {
 }
 
 TEST_CASE("kernels, channels and banks are read back", "[image]") {
-  validator::Machine const machine = test::kernel_machine();
+  machine::Machine const machine = test::kernel_machine();
   ImageContents const contents = test::contents_of(write_image(machine, {}));
 
   ImageSlot const slot = contents.axes[0].slot.value();
-  CHECK(slot.family == validator::KernelFamily::fir);
+  CHECK(slot.family == machine::KernelFamily::fir);
   CHECK(slot.on_at_start);
   CHECK(slot.group == 0U);
   ImageKernel const& kernel = contents.kernels.at(slot.kernel.value());
@@ -114,7 +114,7 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
   CHECK(contents.axes[0].delay_cycles == Approx(11 + 5).epsilon(1e-2));  // and the PT1
 
   ImageSlot const hsc = contents.axes[2].slot.value();
-  CHECK(hsc.family == validator::KernelFamily::hsc);
+  CHECK(hsc.family == machine::KernelFamily::hsc);
   CHECK_FALSE(hsc.on_at_start);
   CHECK(contents.kernels[hsc.kernel.value()].specification.share_percent == 90);
   CHECK(contents.axes[2].delay_cycles == 0);
@@ -146,25 +146,25 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
 }
 
 TEST_CASE("position control is read back", "[image]") {
-  validator::Machine const machine = test::kernel_machine();
+  machine::Machine const machine = test::kernel_machine();
   ImageContents const contents = test::contents_of(write_image(machine, {}));
   ImageControl const control = contents.axes[0].control.value();
   CHECK(control.source == 0);
   CHECK(control.limit == 500'000);
   CHECK(control.limit_factor == 1000);
-  CHECK(control.scaling.controller == validator::PositionController::drive);
+  CHECK(control.scaling.controller == machine::PositionController::drive);
   CHECK(control.scaling.v_reso_num == 3);
   CHECK(control.scaling.v_reso_denom == 7);
   CHECK(control.scaling.time_base == 2);
   CHECK(control.increments_per_velocity == Approx(3.0 / 7 * 0.001).epsilon(1e-15));
   REQUIRE(control.stages.size() == 2);
-  CHECK(control.stages[0].mode == validator::StageMode::direct);
+  CHECK(control.stages[0].mode == machine::StageMode::direct);
   CHECK_FALSE(control.stages[0].has_oscillator);
   CHECK(control.stages[0].weight == 3);
   REQUIRE(control.stages[0].filters.size() == 1);
   CHECK(control.stages[0].filters[0].specification == machine.axes[0].position_control->stages[0].filters[0]);
   CHECK(control.stages[1].index == 1);
-  CHECK(control.stages[1].mode == validator::StageMode::indirect);
+  CHECK(control.stages[1].mode == machine::StageMode::indirect);
   CHECK(control.stages[1].has_oscillator);
   CHECK(control.stages[1].weight == 1.9);
   CHECK(control.stages[1].weight_numerator == 190);

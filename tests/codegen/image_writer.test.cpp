@@ -28,7 +28,7 @@ std::string version_of(std::vector<std::byte> const& image) {
 }  // namespace
 
 TEST_CASE("a naive writer that only knows the document builds the same bytes", "[image]") {
-  validator::Machine const machine = GENERATE(sample_machine(), kernel_machine());
+  machine::Machine const machine = GENERATE(sample_machine(), kernel_machine());
   bool const strip = GENERATE(false, true);
   std::vector<std::byte> const image = write_image(machine, {.strip = strip, .image_version = 17});
   check_equal_bytes(
@@ -39,7 +39,7 @@ TEST_CASE("a naive writer that only knows the document builds the same bytes", "
 TEST_CASE("a naive writer agrees on random machines", "[image]") {
   test::Random random(20240607);
   for (int i = 0; i < 40; ++i) {
-    validator::Machine const machine = test::random_kernel_machine(random, 0.002);
+    machine::Machine const machine = test::random_kernel_machine(random, 0.002);
     std::vector<std::byte> const image = write_image(machine, {.strip = true});
     check_equal_bytes(image,
                       test::naive_image(machine, {.strip = true, .compiler_version = version_of(image)}));
@@ -47,7 +47,7 @@ TEST_CASE("a naive writer agrees on random machines", "[image]") {
 }
 
 TEST_CASE("a machine without axes or filters has an image too", "[image]") {
-  validator::Machine machine;
+  machine::Machine machine;
   std::vector<std::byte> const empty = write_image(machine, {});
   check_equal_bytes(empty, test::naive_image(machine, {.compiler_version = version_of(empty)}));
   CHECK(contents_of(empty).axes.empty());
@@ -62,14 +62,14 @@ TEST_CASE("equal machines give equal bytes", "[image]") {
 }
 
 TEST_CASE("the machine's own name is not in the image", "[image]") {
-  validator::Machine renamed = sample_machine();
+  machine::Machine renamed = sample_machine();
   renamed.name = "/home/somebody/other";
   check_equal_bytes(write_image(renamed, {}), write_image(sample_machine(), {}));
 }
 
 TEST_CASE("equal filters share coefficients and self-tests", "[image]") {
-  validator::Machine const once = sample_machine();
-  validator::Machine twice = once;
+  machine::Machine const once = sample_machine();
+  machine::Machine twice = once;
   twice.axes.push_back(once.axes[0]);
   twice.axes.back().values.clear();
   // One axis record, two filters of the chain and one of the interface, and no other record.

@@ -15,8 +15,8 @@ using design::KernelType;
 
 constexpr design::CycleTime cycle_time{1'000'000};
 
-validator::Machine machine_with_kernels(std::vector<KernelSpecification> const& kernels) {
-  validator::Machine machine;
+machine::Machine machine_with_kernels(std::vector<KernelSpecification> const& kernels) {
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
   for (KernelSpecification const& kernel : kernels) {
     machine.axes.emplace_back();
@@ -116,8 +116,8 @@ TEST_CASE("a constant setpoint comes out unchanged for 1e8 cycles", "[.][slow]")
 }
 
 TEST_CASE("a constant setpoint comes out unchanged through any sequence of commands", "[kernel]") {
-  validator::Machine machine = machine_with_kernels(every_kind(36));
-  validator::MachineGroup group{.name = "channel", .axes = {}, .filter_sets = {}};
+  machine::Machine machine = machine_with_kernels(every_kind(36));
+  machine::MachineGroup group{.name = "channel", .axes = {}, .filter_sets = {}};
   for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) group.axes.push_back(axis);
   for (std::uint32_t const order : {0U, 1U, 12U, 77U, 100U})
     group.filter_sets.push_back(test::filter_set(order));
@@ -130,8 +130,8 @@ TEST_CASE("a constant setpoint comes out unchanged through any sequence of comma
   CHECK(runtime.reset_all(x) == AXISRT_OK);
   bool constant = true;
   for (int n = 0; n < 20'000; ++n) {
-    validator::FilterCommand command;
-    command.filter_switch = static_cast<validator::FilterSwitch>(random.below(3));
+    machine::FilterCommand command;
+    command.filter_switch = static_cast<machine::FilterSwitch>(random.below(3));
     if (random.below(3) != 0) command.parameters = group.filter_sets[random.below(6)];
     if (random.below(20) == 0) {
       REQUIRE(runtime.end_program(0) == AXISRT_OK);

@@ -12,8 +12,8 @@ using design::FilterType;
 using design::KernelSpecification;
 using design::KernelType;
 using design::Prototype;
-using validator::KernelFamily;
-using validator::StageMode;
+using machine::KernelFamily;
+using machine::StageMode;
 
 FilterSpecification band_pass(double frequency, double quality) {
   return {.type = FilterType::bandpass,
@@ -23,8 +23,8 @@ FilterSpecification band_pass(double frequency, double quality) {
           .quality = quality};
 }
 
-validator::AxisConfiguration axis(std::string name, std::uint32_t number) {
-  validator::AxisConfiguration axis;
+machine::AxisConfiguration axis(std::string name, std::uint32_t number) {
+  machine::AxisConfiguration axis;
   axis.name = std::move(name);
   axis.number = number;
   axis.velocity_limit = 500'000;
@@ -36,9 +36,9 @@ KernelType random_fir_type(Random& random) {
   return static_cast<KernelType>(random.below(4));
 }
 
-validator::ConfiguredKernel random_kernel(Random& random, design::CycleTime cycle_time) {
+machine::ConfiguredKernel random_kernel(Random& random, design::CycleTime cycle_time) {
   bool const hsc = random.below(3) == 0;
-  validator::ConfiguredKernel kernel;
+  machine::ConfiguredKernel kernel;
   kernel.family = hsc ? KernelFamily::hsc : KernelFamily::fir;
   KernelSpecification& specification = kernel.specification;
   specification.type = random_fir_type(random);
@@ -54,8 +54,8 @@ validator::ConfiguredKernel random_kernel(Random& random, design::CycleTime cycl
   return kernel;
 }
 
-validator::FilterParameters random_parameters(Random& random, design::CycleTime cycle_time) {
-  validator::FilterParameters parameters;
+machine::FilterParameters random_parameters(Random& random, design::CycleTime cycle_time) {
+  machine::FilterParameters parameters;
   if (random.below(2) == 0) parameters.order = random.below(101);
   if (random.below(2) == 0) parameters.share_percent = random.below(101);
   if (random.below(4) == 0) parameters.frequency = {random.between(0.01, 0.9) * cycle_time.nyquist().value};
@@ -63,13 +63,13 @@ validator::FilterParameters random_parameters(Random& random, design::CycleTime 
   return parameters;
 }
 
-validator::PositionControl random_position_control(Random& random, design::CycleTime cycle_time) {
+machine::PositionControl random_position_control(Random& random, design::CycleTime cycle_time) {
   double const nyquist = cycle_time.nyquist().value;
-  validator::PositionControl control;
+  machine::PositionControl control;
   control.limit_factor = random.below(1001);
   std::uint32_t const stages = 1 + random.below(3);
   for (std::uint32_t i = 0; i < stages; ++i) {
-    validator::PositionControlStage stage;
+    machine::PositionControlStage stage;
     stage.index = i;
     stage.mode = static_cast<StageMode>(1 + random.below(3));
     double const frequency = random.between(0.005, 0.5) * nyquist;
@@ -91,8 +91,8 @@ validator::PositionControl random_position_control(Random& random, design::Cycle
   return control;
 }
 
-validator::DriveScaling random_scaling(Random& random) {
-  return {.controller = static_cast<validator::PositionController>(random.below(3)),
+machine::DriveScaling random_scaling(Random& random) {
+  return {.controller = static_cast<machine::PositionController>(random.below(3)),
           .v_reso_num = 1.0 + random.below(10'000),
           .v_reso_denom = 1.0 + random.below(1000),
           .time_base = random.below(3),
@@ -102,7 +102,7 @@ validator::DriveScaling random_scaling(Random& random) {
 
 }  // namespace
 
-validator::PositionControl manual_position_control() {
+machine::PositionControl manual_position_control() {
   return {.stages = {{.index = 0,
                       .mode = StageMode::direct,
                       .oscillator = std::nullopt,
@@ -118,13 +118,13 @@ validator::PositionControl manual_position_control() {
           .limit_factor = 1000};
 }
 
-validator::ConfiguredKernel fir(design::KernelSpecification const& specification, bool on_at_start) {
+machine::ConfiguredKernel fir(design::KernelSpecification const& specification, bool on_at_start) {
   return {
       .family = KernelFamily::fir, .index = 0, .specification = specification, .on_at_start = on_at_start};
 }
 
-validator::Machine kernel_machine() {
-  validator::Machine machine;
+machine::Machine kernel_machine() {
+  machine::Machine machine;
   machine.cycle_time = {1'000'000};
   machine.lists = {{.name = "x.lis", .content = "filter_fir.order 21\n"}};
   machine.axes = {axis("X", 1), axis("Y", 2), axis("Z", 3), axis("W", 4), axis("C", 5)};
@@ -133,19 +133,19 @@ validator::Machine kernel_machine() {
   machine.axes[0].kernel = fir({.type = KernelType::gaussian, .order = 21, .quality = 0.75}, true);
   machine.axes[0].position_control = manual_position_control();
   machine.axes[0].drive_scaling = {
-      .controller = validator::PositionController::drive, .v_reso_num = 3, .v_reso_denom = 7, .time_base = 2};
+      .controller = machine::PositionController::drive, .v_reso_num = 3, .v_reso_denom = 7, .time_base = 2};
   machine.axes[0].values = {{.name = "filter_fir.order", .text = "21", .list = 0, .line = 1}};
   machine.axes[1].kernel = fir({.type = KernelType::time_delay, .order = 11}, true);
   machine.axes[2].filters = {{.index = 1, .specification = band_pass(20, 1)}};
-  machine.axes[2].kernel = validator::ConfiguredKernel{
+  machine.axes[2].kernel = machine::ConfiguredKernel{
       .family = KernelFamily::hsc,
       .index = 0,
       .specification = {.type = KernelType::novib, .order = 5, .frequency = {40}, .share_percent = 90},
       .on_at_start = false};
   machine.axes[3].gantry_master = 0;
   machine.axes[3].drive_scaling = {
-      .controller = validator::PositionController::cnc, .multi_gain_z = 8, .multi_gain_n = 3};
-  machine.axes[4].type = validator::AxisType::rotary;
+      .controller = machine::PositionController::cnc, .multi_gain_z = 8, .multi_gain_n = 3};
+  machine.axes[4].type = machine::AxisType::rotary;
   machine.axes[4].kernel = fir({.type = KernelType::moving_average, .order = 0}, false);
   machine.groups = {{.name = "mill",
                      .axes = {0, 3, 1, 2},
@@ -156,10 +156,10 @@ validator::Machine kernel_machine() {
   return machine;
 }
 
-validator::Machine random_kernel_machine(Random& random, double lowest_frequency_times_cycle) {
-  validator::Machine machine = random_machine(random, lowest_frequency_times_cycle);
+machine::Machine random_kernel_machine(Random& random, double lowest_frequency_times_cycle) {
+  machine::Machine machine = random_machine(random, lowest_frequency_times_cycle);
   auto const axes = static_cast<std::uint32_t>(machine.axes.size());
-  for (validator::AxisConfiguration& axis : machine.axes) {
+  for (machine::AxisConfiguration& axis : machine.axes) {
     if (random.below(4) != 0) axis.kernel = random_kernel(random, machine.cycle_time);
     bool const takes_first_filter =
         axis.kernel && axis.kernel->family == KernelFamily::hsc && !axis.filters.empty();
@@ -174,7 +174,7 @@ validator::Machine random_kernel_machine(Random& random, double lowest_frequency
     machine.axes[i].position_control.reset();
     machine.axes[i].gantry_master = 0;
   }
-  validator::MachineGroup group{.name = "channel", .axes = {}, .filter_sets = {}};
+  machine::MachineGroup group{.name = "channel", .axes = {}, .filter_sets = {}};
   for (std::uint32_t i = 0; i < axes; ++i) {
     if (random.below(5) != 0) group.axes.push_back(i);
   }

@@ -13,7 +13,7 @@ namespace {
 using design::KernelSpecification;
 using design::KernelType;
 
-KernelPlan plan_of(validator::Machine const& machine, CompiledKernels& kernels, double peak_gain = 1) {
+KernelPlan plan_of(machine::Machine const& machine, CompiledKernels& kernels, double peak_gain = 1) {
   return plan_kernels(machine, kernels, [peak_gain](std::size_t) { return peak_gain; });
 }
 
@@ -22,13 +22,13 @@ constexpr design::CycleTime cycle_time{1'000'000};
 }  // namespace
 
 TEST_CASE("the plan of the sample: slots, members, banks", "[kernel-plan]") {
-  validator::Machine const machine = test::kernel_machine();
+  machine::Machine const machine = test::kernel_machine();
   KnownDesigns designs;
   CompiledKernels kernels(designs, machine.cycle_time);
   KernelPlan const plan = plan_of(machine, kernels);
   REQUIRE(plan.slots.size() == 4);
   CHECK(plan.slots[0].axis == 0);
-  CHECK(plan.slots[2].family == validator::KernelFamily::hsc);
+  CHECK(plan.slots[2].family == machine::KernelFamily::hsc);
   CHECK(plan.slots[2].history == kernels[plan.slots[2].kernel].design.tail_sums.size());
   CHECK(plan.slots[3].kernel == no_kernel);  // order 0
   CHECK(plan.slots[3].history == 200);       // of a bank
@@ -87,10 +87,10 @@ TEST_CASE("parameters change what they name", "[kernel-plan]") {
 }
 
 TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-plan]") {
-  validator::Machine machine;
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
   machine.axes.resize(2);
-  for (validator::AxisConfiguration& axis : machine.axes) {
+  for (machine::AxisConfiguration& axis : machine.axes) {
     axis.velocity_limit = 100'000;
     axis.acceleration_limit = 1000;
   }
@@ -113,7 +113,7 @@ TEST_CASE("a fade is the longest that any axis of the channel needs", "[kernel-p
 }
 
 TEST_CASE("HSC banks fade as HSC filters need it, FIR banks as FIR filters do", "[kernel-plan]") {
-  validator::Machine machine = test::kernel_machine();
+  machine::Machine machine = test::kernel_machine();
   machine.axes[2].acceleration_limit = 0;
   KnownDesigns designs;
   CompiledKernels kernels(designs, machine.cycle_time);
@@ -126,7 +126,7 @@ TEST_CASE("HSC banks fade as HSC filters need it, FIR banks as FIR filters do", 
 TEST_CASE("runtime and compiler mean the same order by a time", "[kernel-plan]") {
   test::Random random(4);
   for (std::uint32_t const nanoseconds : {125'000U, 333'333U, 400'000U, 1'000'000U, 4'000'000U}) {
-    validator::Machine machine;
+    machine::Machine machine;
     machine.cycle_time = {nanoseconds};
     machine.axes.resize(1);
     std::vector<std::byte> const image = write_image(machine, {});

@@ -20,11 +20,11 @@ using design::KernelType;
 constexpr std::size_t axes = 5;
 
 /// FIR filters of three kinds, alone and behind a low-pass that overshoots, and NoVib in front of a band-stop.
-validator::Machine switching_machine() {
-  validator::Machine machine;
+machine::Machine switching_machine() {
+  machine::Machine machine;
   machine.cycle_time = {1'000'000};
   machine.axes.resize(axes);
-  for (validator::AxisConfiguration& axis : machine.axes) {
+  for (machine::AxisConfiguration& axis : machine.axes) {
     axis.velocity_limit = 500'000;
     axis.acceleration_limit = 8000;
   }
@@ -44,7 +44,7 @@ validator::Machine switching_machine() {
       test::fir({.type = KernelType::windowed_sinc, .order = 50, .frequency = {70}}, false);
   machine.axes[3].filters = {{.index = 1, .specification = band_stop}};
   machine.axes[3].kernel =
-      validator::ConfiguredKernel{.family = validator::KernelFamily::hsc,
+      machine::ConfiguredKernel{.family = machine::KernelFamily::hsc,
                                   .index = 0,
                                   .specification = {.type = KernelType::novib, .order = 1, .frequency = {40}},
                                   .on_at_start = false};
@@ -135,12 +135,12 @@ class Watch {
   std::array<std::uint32_t, axes> kernels_{};
 };
 
-axisrt_status random_command(RuntimeHost& runtime, validator::Machine const& machine, test::Random& random) {
-  validator::FilterCommand command;
+axisrt_status random_command(RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
+  machine::FilterCommand command;
   std::uint32_t const kind = random.below(10);
   if (kind == 0) return runtime.end_program(0);
-  command.filter_switch = kind <= 3 ? validator::FilterSwitch::off : validator::FilterSwitch::on;
-  if (kind == 9) command.filter_switch = validator::FilterSwitch::unchanged;
+  command.filter_switch = kind <= 3 ? machine::FilterSwitch::off : machine::FilterSwitch::on;
+  if (kind == 9) command.filter_switch = machine::FilterSwitch::unchanged;
   std::uint32_t const set = random.below(5);
   if (set < 3) command.parameters = machine.groups[0].filter_sets[set];
   command.hsc = set == 4;
@@ -152,7 +152,7 @@ axisrt_status random_command(RuntimeHost& runtime, validator::Machine const& mac
 namespace {
 
 void switch_often(int number_of_commands) {
-  validator::Machine const machine = switching_machine();
+  machine::Machine const machine = switching_machine();
   std::vector<std::byte> const image = write_image(machine, {});
   ImageContents const contents = test::contents_of(image);
   for (ImageBank const& bank : contents.groups[0].banks) CHECK(bank.fade_cycles > 0);

@@ -89,7 +89,7 @@ TEST_CASE("threads that ask at once get one design", "[known-designs]") {
 }
 
 TEST_CASE("an image does not tell what was compiled before it", "[known-designs]") {
-  std::vector<validator::Machine> machines;
+  std::vector<machine::Machine> machines;
   test::Random random(20261121);
   for (int i = 0; i < 6; ++i) machines.push_back(test::random_kernel_machine(random, 0.01));
   machines.push_back(test::kernel_machine());

@@ -17,16 +17,16 @@ using design::FilterSpecification;
 using design::FilterType;
 using design::Prototype;
 
-std::vector<validator::ConfiguredFilter> numbered(std::vector<FilterSpecification> const& filters) {
-  std::vector<validator::ConfiguredFilter> configured;
+std::vector<machine::ConfiguredFilter> numbered(std::vector<FilterSpecification> const& filters) {
+  std::vector<machine::ConfiguredFilter> configured;
   for (FilterSpecification const& filter : filters) {
     configured.push_back({.index = static_cast<std::uint32_t>(configured.size()), .specification = filter});
   }
   return configured;
 }
 
-validator::AxisConfiguration axis(std::string name, std::uint32_t number, validator::AxisType type) {
-  validator::AxisConfiguration axis;
+machine::AxisConfiguration axis(std::string name, std::uint32_t number, machine::AxisType type) {
+  machine::AxisConfiguration axis;
   axis.name = std::move(name);
   axis.number = number;
   axis.type = type;
@@ -37,7 +37,7 @@ validator::AxisConfiguration axis(std::string name, std::uint32_t number, valida
 
 }  // namespace
 
-validator::Machine sample_machine() {
+machine::Machine sample_machine() {
   FilterSpecification const band_stop{.type = FilterType::bandstop,
                                       .prototype = Prototype::butterworth,
                                       .order = 2,
@@ -57,7 +57,7 @@ validator::Machine sample_machine() {
   FilterSpecification const delay{
       .type = FilterType::time_delay, .time_constant = {3000}, .share_percent = 75};
 
-  validator::Machine machine;
+  machine::Machine machine;
   machine.name = "sample";
   machine.cycle_time = {1'000'000};
   machine.lists = {
@@ -65,9 +65,9 @@ validator::Machine sample_machine() {
       {.name = "axes/x.lis", .content = "filter[0].order 2\nfilter[0].guete 2.5\n"},
       {.name = "axes/ä.lis", .content = ""}};
 
-  machine.axes = {axis("X", 1, validator::AxisType::translatory),
-                  axis("Y", 2, validator::AxisType::translatory), axis("Ä", 7, validator::AxisType::rotary),
-                  axis("S", 6, validator::AxisType::spindle)};
+  machine.axes = {axis("X", 1, machine::AxisType::translatory),
+                  axis("Y", 2, machine::AxisType::translatory), axis("Ä", 7, machine::AxisType::rotary),
+                  axis("S", 6, machine::AxisType::spindle)};
   machine.axes[0].filters = {{.index = 0, .specification = band_stop},
                              {.index = 2, .specification = low_pass}};
   machine.axes[0].interface_filters = {{.index = 0, .specification = lag}};
@@ -83,11 +83,11 @@ validator::Machine sample_machine() {
   return machine;
 }
 
-validator::Machine machine_with(std::vector<FilterSpecification> const& filters,
+machine::Machine machine_with(std::vector<FilterSpecification> const& filters,
                                 design::CycleTime cycle_time) {
-  validator::Machine machine;
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
-  machine.axes = {axis("X", 1, validator::AxisType::translatory)};
+  machine.axes = {axis("X", 1, machine::AxisType::translatory)};
   machine.axes[0].filters = numbered(filters);
   return machine;
 }
@@ -114,14 +114,14 @@ FilterSpecification random_filter(Random& random, design::CycleTime cycle_time, 
   return filter;
 }
 
-validator::Machine random_machine(Random& random, double lowest_frequency_times_cycle) {
+machine::Machine random_machine(Random& random, double lowest_frequency_times_cycle) {
   constexpr std::array cycle_times = {125'000U, 250'000U, 500'000U, 1'000'000U, 2'000'000U, 4'000'000U};
-  validator::Machine machine;
+  machine::Machine machine;
   machine.cycle_time = {cycle_times[random.below(cycle_times.size())]};
   design::Hertz const lowest = {lowest_frequency_times_cycle / machine.cycle_time.seconds()};
   std::uint32_t const axes = 1 + random.below(3);
   for (std::uint32_t i = 0; i < axes; ++i) {
-    machine.axes.push_back(axis("A" + std::to_string(i), i + 1, validator::AxisType::translatory));
+    machine.axes.push_back(axis("A" + std::to_string(i), i + 1, machine::AxisType::translatory));
     std::vector<FilterSpecification> filters(random.below(4));
     std::generate(filters.begin(), filters.end(),
                   [&] { return random_filter(random, machine.cycle_time, lowest); });
@@ -133,16 +133,16 @@ validator::Machine random_machine(Random& random, double lowest_frequency_times_
   return machine;
 }
 
-codegen::RuntimeHost runtime_for(std::span<std::byte const> image) {
-  auto runtime = codegen::RuntimeHost::create(image, std::nullopt, AXISRT_LEVEL_AUTOMATIC);
+image::RuntimeHost runtime_for(std::span<std::byte const> image) {
+  auto runtime = image::RuntimeHost::create(image, std::nullopt, AXISRT_LEVEL_AUTOMATIC);
   if (axisrt_status const* status = std::get_if<axisrt_status>(&runtime)) FAIL(axisrt_status_name(*status));
-  return std::get<codegen::RuntimeHost>(std::move(runtime));
+  return std::get<image::RuntimeHost>(std::move(runtime));
 }
 
-codegen::ImageContents contents_of(std::span<std::byte const> image) {
-  auto contents = codegen::read_image(image);
+image::ImageContents contents_of(std::span<std::byte const> image) {
+  auto contents = image::read_image(image);
   if (axisrt_status const* status = std::get_if<axisrt_status>(&contents)) FAIL(axisrt_status_name(*status));
-  return std::get<codegen::ImageContents>(std::move(contents));
+  return std::get<image::ImageContents>(std::move(contents));
 }
 
 }  // namespace axisc::test

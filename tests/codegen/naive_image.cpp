@@ -23,7 +23,7 @@ std::array<unsigned char, 32> hash_of(std::string const& text) {
   return hash;
 }
 
-std::string digest_input(validator::Machine const& machine) {
+std::string digest_input(machine::Machine const& machine) {
   std::string input;
   for (auto const& list : machine.lists) {
     input += list.name + '\0';
@@ -79,7 +79,7 @@ struct Section {
 
 class Writer {
  public:
-  Writer(validator::Machine const& machine, NaiveOptions const& options)
+  Writer(machine::Machine const& machine, NaiveOptions const& options)
       : machine_(machine), options_(options) {}
 
   Bytes write() {
@@ -87,7 +87,7 @@ class Writer {
     for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_control(i);
     NaiveKernelSections const kernels = naive_kernel_sections(
         machine_, options_.strip, stores_,
-        [this](validator::AxisConfiguration const& axis) { return peak_gain_of(axis); });
+        [this](machine::AxisConfiguration const& axis) { return peak_gain_of(axis); });
     if (!options_.strip) {
       for (auto const& list : machine_.lists) write_list(list);
       for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_values(i);
@@ -123,7 +123,7 @@ class Writer {
     if (!options_.strip) stores_.write_text_range(axes_, at, axis.name);
     put32(axes_, at + 8, axis.number);
     put32(axes_, at + 12, static_cast<std::uint32_t>(axis.type));
-    put32(axes_, at + 16, axis.type == validator::AxisType::translatory ? 0 : 1);
+    put32(axes_, at + 16, axis.type == machine::AxisType::translatory ? 0 : 1);
     put32(axes_, at + 20, axis.filters.empty() ? 0 : first);
     put32(axes_, at + 24, axis.filters.size());
     put32(axes_, at + 28, axis.interface_filters.empty() ? 0 : first_interface);
@@ -135,16 +135,16 @@ class Writer {
     put_double(axes_, at + 72, design::chain_delay_cycles(chain_of(axis)) + kernel.delay_cycles);
   }
 
-  [[nodiscard]] std::vector<FilterDesign> chain_of(validator::AxisConfiguration const& axis) const {
+  [[nodiscard]] std::vector<FilterDesign> chain_of(machine::AxisConfiguration const& axis) const {
     std::vector<FilterDesign> chain;
     for (auto const& filter : axis.filters) chain.push_back(design_of(filter.specification));
     return chain;
   }
-  [[nodiscard]] double peak_gain_of(validator::AxisConfiguration const& axis) const {
+  [[nodiscard]] double peak_gain_of(machine::AxisConfiguration const& axis) const {
     return axis.filters.empty() ? 1 : figures(chain_of(axis)).peak_gain;
   }
 
-  void write_filter(std::uint32_t axis, std::uint32_t port, validator::ConfiguredFilter const& configured) {
+  void write_filter(std::uint32_t axis, std::uint32_t port, machine::ConfiguredFilter const& configured) {
     auto const& specification = configured.specification;
     std::size_t const at = write_design(axis, port, configured.index, design_of(specification));
     put32(filters_, at + 36, static_cast<std::uint32_t>(specification.type));
@@ -224,9 +224,9 @@ class Writer {
     }
   }
 
-  [[nodiscard]] Wide scale_of(validator::DriveScaling const& drive) const {
-    if (drive.controller == validator::PositionController::unknown) return 0;
-    if (drive.controller == validator::PositionController::cnc) {
+  [[nodiscard]] Wide scale_of(machine::DriveScaling const& drive) const {
+    if (drive.controller == machine::PositionController::unknown) return 0;
+    if (drive.controller == machine::PositionController::cnc) {
       return Wide(drive.multi_gain_z) / drive.multi_gain_n * 6 / 100'000;
     }
     Wide const per_second = Wide(drive.v_reso_num) / drive.v_reso_denom;
@@ -234,7 +234,7 @@ class Writer {
     return drive.time_base == 1 ? per_second : Wide(per_second * machine_.cycle_time.nanoseconds / 1e9);
   }
 
-  void write_stage(std::uint32_t axis, validator::PositionControlStage const& stage) {
+  void write_stage(std::uint32_t axis, machine::PositionControlStage const& stage) {
     std::size_t const first = filters_.size() / 192;
     std::uint32_t index = 0;
     if (stage.oscillator) {
@@ -278,7 +278,7 @@ class Writer {
     return first;
   }
 
-  void write_list(validator::MachineList const& list) {
+  void write_list(machine::MachineList const& list) {
     std::size_t const at = lists_.size();
     lists_.resize(at + 64);
     stores_.write_text_range(lists_, at, list.name);
@@ -342,7 +342,7 @@ class Writer {
     return image;
   }
 
-  validator::Machine const& machine_;
+  machine::Machine const& machine_;
   NaiveOptions const& options_;
   Bytes axes_, filters_, coefficients_, controls_, stages_, lists_, values_;
   NaiveStores stores_;
@@ -360,7 +360,7 @@ std::uint32_t naive_crc32c(std::vector<std::byte> const& bytes, std::size_t begi
   return ~crc;
 }
 
-std::vector<std::byte> naive_image(validator::Machine const& machine, NaiveOptions const& options) {
+std::vector<std::byte> naive_image(machine::Machine const& machine, NaiveOptions const& options) {
   return Writer(machine, options).write();
 }
 

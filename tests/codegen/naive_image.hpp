@@ -17,7 +17,7 @@ struct NaiveOptions {
   std::string compiler_version;
 };
 
-[[nodiscard]] std::vector<std::byte> naive_image(validator::Machine const& machine,
+[[nodiscard]] std::vector<std::byte> naive_image(machine::Machine const& machine,
                                                  NaiveOptions const& options);
 
 /// Bit by bit.

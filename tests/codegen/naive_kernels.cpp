@@ -13,7 +13,7 @@ namespace {
 
 using design::KernelSpecification;
 using design::KernelType;
-using validator::KernelFamily;
+using machine::KernelFamily;
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
 
@@ -47,8 +47,8 @@ std::vector<NaiveSample> self_test(std::vector<double> const& tails) {
 
 class Writer {
  public:
-  Writer(validator::Machine const& machine, bool strip, NaiveStores& stores,
-         std::function<double(validator::AxisConfiguration const&)> const& peak_gain)
+  Writer(machine::Machine const& machine, bool strip, NaiveStores& stores,
+         std::function<double(machine::AxisConfiguration const&)> const& peak_gain)
       : machine_(machine), strip_(strip), stores_(stores), peak_gain_(peak_gain) {}
 
   NaiveKernelSections write() {
@@ -73,7 +73,7 @@ class Writer {
     std::uint32_t group, member;
   };
   struct Bank {
-    validator::FilterParameters parameters;
+    machine::FilterParameters parameters;
     bool hsc;
     std::vector<std::uint32_t> choices;
   };
@@ -102,7 +102,7 @@ class Writer {
     return machine_.axes[slot.axis].kernel->family == KernelFamily::hsc;
   }
 
-  void choose(validator::MachineGroup const& from) {
+  void choose(machine::MachineGroup const& from) {
     Group group{from.name, {}, {}};
     bool any = false;
     bool any_hsc = false;
@@ -132,7 +132,7 @@ class Writer {
     groups_.push_back(group);
   }
 
-  std::uint32_t choice(Slot& slot, validator::FilterParameters const& parameters) {
+  std::uint32_t choice(Slot& slot, machine::FilterParameters const& parameters) {
     KernelSpecification wanted = machine_.axes[slot.axis].kernel->specification;
     wanted.order = parameters.order.value_or(wanted.order);
     wanted.share_percent = parameters.share_percent.value_or(wanted.share_percent);
@@ -266,10 +266,10 @@ class Writer {
     put32(bytes, bytes.size() - 4, value);
   }
 
-  validator::Machine const& machine_;
+  machine::Machine const& machine_;
   bool strip_;
   NaiveStores& stores_;
-  std::function<double(validator::AxisConfiguration const&)> const& peak_gain_;
+  std::function<double(machine::AxisConfiguration const&)> const& peak_gain_;
   NaiveKernelSections sections_;
   std::vector<KernelSpecification> specifications_;
   std::vector<Slot> slots_;
@@ -279,7 +279,7 @@ class Writer {
 
 }  // namespace
 
-NaiveKernelFigures kernel_at_start(validator::AxisConfiguration const& axis, design::CycleTime cycle_time) {
+NaiveKernelFigures kernel_at_start(machine::AxisConfiguration const& axis, design::CycleTime cycle_time) {
   if (!axis.kernel || !axis.kernel->on_at_start) return {};
   KernelSpecification const& specification = axis.kernel->specification;
   if (specification.order == 0 || specification.share_percent == 0) return {};
@@ -289,8 +289,8 @@ NaiveKernelFigures kernel_at_start(validator::AxisConfiguration const& axis, des
 }
 
 NaiveKernelSections naive_kernel_sections(
-    validator::Machine const& machine, bool strip, NaiveStores& stores,
-    std::function<double(validator::AxisConfiguration const&)> const& peak_gain) {
+    machine::Machine const& machine, bool strip, NaiveStores& stores,
+    std::function<double(machine::AxisConfiguration const&)> const& peak_gain) {
   return Writer(machine, strip, stores, peak_gain).write();
 }
 

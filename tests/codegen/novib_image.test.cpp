@@ -15,13 +15,13 @@ namespace {
 using design::CycleTime;
 using design::Hertz;
 
-validator::Machine machine(std::vector<double> const& frequencies, CycleTime cycle_time) {
-  validator::Machine machine;
+machine::Machine machine(std::vector<double> const& frequencies, CycleTime cycle_time) {
+  machine::Machine machine;
   machine.cycle_time = cycle_time;
   for (double const frequency : frequencies) {
     machine.axes.emplace_back();
-    machine.axes.back().kernel = validator::ConfiguredKernel{
-        .family = validator::KernelFamily::hsc,
+    machine.axes.back().kernel = machine::ConfiguredKernel{
+        .family = machine::KernelFamily::hsc,
         .index = 0,
         .specification = {.type = design::KernelType::novib, .order = 1, .frequency = {frequency}},
         .on_at_start = false};
@@ -71,7 +71,7 @@ TEST_CASE("NoVib in the image suppresses its frequency and what lies within 10 %
 TEST_CASE("the longest NoVib kernel runs", "[image][novib]") {
   CycleTime const cycle_time{1'000'000};
   double const lowest = design::lowest_novib_frequency(cycle_time).value;
-  validator::Machine slowest = machine({lowest}, cycle_time);
+  machine::Machine slowest = machine({lowest}, cycle_time);
   slowest.axes[0].kernel->on_at_start = true;
   std::vector<std::byte> const image = write_image(slowest, {});
   ImageContents const contents = test::contents_of(image);

@@ -17,8 +17,8 @@ constexpr double pi = std::numbers::pi;
 constexpr design::CycleTime cycle_time{1'000'000};
 constexpr double T = 1e-3;
 
-validator::Machine machine(validator::PositionControl control) {
-  validator::Machine machine = test::machine_with({}, cycle_time);
+machine::Machine machine(machine::PositionControl control) {
+  machine::Machine machine = test::machine_with({}, cycle_time);
   machine.axes[0].position_control = std::move(control);
   return machine;
 }
@@ -58,7 +58,7 @@ double step(RuntimeHost& runtime, Velocities const& v) {
 }
 
 /// Response of the additive velocity at f, from the response to one impulse.
-Complex measured(validator::PositionControl const& control, Velocities const& impulse, double f) {
+Complex measured(machine::PositionControl const& control, Velocities const& impulse, double f) {
   constexpr int cycles = 8000;
   RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));
   CHECK(runtime.reset_velocity(0, 0, 0, 0) == AXISRT_OK);
@@ -79,7 +79,7 @@ void check_equal(Complex actual, Complex expected) {
 
 TEST_CASE("the stages of the manual's example have the gain and phase of their formulas",
           "[position-control]") {
-  validator::PositionControl const control = test::manual_position_control();
+  machine::PositionControl const control = test::manual_position_control();
   for (double const f : {1.0, 5.0, 9.0, 11.0, 14.0, 40.0, 50.0, 53.0, 56.0, 120.0, 300.0}) {
     CAPTURE(f);
     check_equal(measured(control, {.direct = 1000}, f), -3.0 * band_pass(f, 53, 10));
@@ -90,27 +90,27 @@ TEST_CASE("the stages of the manual's example have the gain and phase of their f
 
 TEST_CASE("at its frequency a direct stage counteracts, an indirect one lags by a quarter more",
           "[position-control]") {
-  validator::PositionControl const control = test::manual_position_control();
+  machine::PositionControl const control = test::manual_position_control();
   check_equal(measured(control, {.direct = 1000}, 53), -3);
   // The oscillator has the gain 1/(2 D) and lags by 90 degrees: -1.9/1.6 * -j.
   check_equal(measured(control, {.motor = 1000}, 11), Complex(0, 1.9 / 1.6));
 }
 
 TEST_CASE("the weight ends at 7", "[position-control]") {
-  validator::PositionControl control = test::manual_position_control();
+  machine::PositionControl control = test::manual_position_control();
   control.stages[0].weight_numerator = 900;
   check_equal(measured(control, {.direct = 100}, 53), -7);
 }
 
 TEST_CASE("a stage of the set point takes the commanded velocity", "[position-control]") {
-  validator::PositionControl control = test::manual_position_control();
-  control.stages[1].mode = validator::StageMode::set_point;
+  machine::PositionControl control = test::manual_position_control();
+  control.stages[1].mode = machine::StageMode::set_point;
   check_equal(measured(control, {.set = 1000}, 11), Complex(0, 1.9 / 1.6));
   check_equal(measured(control, {.motor = 1000}, 11), 0);
 }
 
 TEST_CASE("filters of the newer spelling act in series", "[position-control]") {
-  validator::PositionControl control = test::manual_position_control();
+  machine::PositionControl control = test::manual_position_control();
   control.stages.resize(1);
   control.stages[0].filters.push_back({.type = design::FilterType::allpass,
                                        .prototype = design::Prototype::bessel,
@@ -123,7 +123,7 @@ TEST_CASE("filters of the newer spelling act in series", "[position-control]") {
 }
 
 TEST_CASE("the additive velocity stays within its share of the axis' velocity", "[position-control]") {
-  validator::PositionControl control = test::manual_position_control();
+  machine::PositionControl control = test::manual_position_control();
   double const factor = GENERATE(1000.0, 40.0, 0.0);
   control.limit_factor = factor;
   RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));

@@ -12,11 +12,11 @@ namespace axisc::codegen {
 namespace {
 
 /// Commands that the image has banks for, at random.
-void command(RuntimeHost& runtime, validator::Machine const& machine, test::Random& random) {
+void command(RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
   if (runtime.group_count() == 0) return;
   auto const& sets = machine.groups[0].filter_sets;
-  validator::FilterCommand command;
-  command.filter_switch = static_cast<validator::FilterSwitch>(random.below(3));
+  machine::FilterCommand command;
+  command.filter_switch = static_cast<machine::FilterSwitch>(random.below(3));
   if (!sets.empty() && random.below(2) == 0) {
     command.parameters = sets[random.below(static_cast<std::uint32_t>(sets.size()))];
   }
@@ -33,7 +33,7 @@ bool has_dc_gain_1(ImageAxis const& axis) {
 /// Random motion with commands, then rest until every axis that can has arrived exactly.
 class Run {
  public:
-  Run(validator::Machine const& machine, std::vector<std::byte> const& image, test::Random& random)
+  Run(machine::Machine const& machine, std::vector<std::byte> const& image, test::Random& random)
       : machine_(machine),
         contents_(test::contents_of(image)),
         runtime_(test::runtime_for(image)),
@@ -88,7 +88,7 @@ class Run {
     return true;
   }
 
-  validator::Machine const& machine_;
+  machine::Machine const& machine_;
   ImageContents contents_;
   RuntimeHost runtime_;
   test::Random& random_;
@@ -101,7 +101,7 @@ void check_kernel_machines(int machines) {
   test::Random random(2);
   for (int i = 0; i < machines; ++i) {
     CAPTURE(i);
-    validator::Machine const machine = test::random_kernel_machine(random, 0.02);
+    machine::Machine const machine = test::random_kernel_machine(random, 0.02);
     CHECK(Run(machine, write_image(machine, {}), random).is_sound());
   }
 }
@@ -118,7 +118,7 @@ TEST_CASE("random machines compile, pass their self-tests and settle", "[image][
   test::Random random(1);
   for (int i = 0; i < machines; ++i) {
     CAPTURE(i);
-    validator::Machine const machine = test::random_machine(random, 0.005);
+    machine::Machine const machine = test::random_machine(random, 0.005);
     std::vector<std::byte> const image = write_image(machine, {});
     ImageContents const contents = test::contents_of(image);
     RuntimeHost runtime = test::runtime_for(image);

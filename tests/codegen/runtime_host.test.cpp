@@ -97,7 +97,7 @@ TEST_CASE("a bad setpoint is reported and does no harm", "[runtime-host]") {
 }
 
 TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
-  validator::Machine const machine = test::kernel_machine();
+  machine::Machine const machine = test::kernel_machine();
   RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
   ImageContents const contents = test::contents_of(write_image(machine, {}));
   CHECK(runtime.reset_all(0) == AXISRT_OK);
@@ -105,8 +105,8 @@ TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
   auto const kernel_of = [&](std::uint32_t axis) {
     return std::get<axisrt_axis_state>(runtime.axis_state(axis)).kernel;
   };
-  validator::FilterCommand command;
-  command.filter_switch = validator::FilterSwitch::on;
+  machine::FilterCommand command;
+  command.filter_switch = machine::FilterSwitch::on;
   for (ImageBank const& bank : contents.groups[0].banks) {
     command.parameters = bank.parameters;
     command.hsc = bank.hsc;
@@ -117,10 +117,10 @@ TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
   command.hsc = false;
   command.parameters = test::filter_set(41);
   CHECK(runtime.command(0, command) == AXISRT_NO_BANK);
-  command.filter_switch = validator::FilterSwitch::off;
+  command.filter_switch = machine::FilterSwitch::off;
   CHECK(runtime.command(0, command) == AXISRT_OK);
   CHECK(kernel_of(0) == AXISRT_NO_KERNEL);
-  command.filter_switch = validator::FilterSwitch::unchanged;
+  command.filter_switch = machine::FilterSwitch::unchanged;
   command.parameters = test::filter_set(40);
   CHECK(runtime.command(0, command) == AXISRT_OK);
   CHECK(kernel_of(0) == AXISRT_NO_KERNEL);

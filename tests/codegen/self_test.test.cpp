@@ -53,7 +53,7 @@ TEST_CASE("the runtime passes self-tests with margin", "[self-test]") {
 TEST_CASE("the runtime passes self-tests of kernels with margin", "[self-test]") {
   test::Random random(6);
   for (int i = 0; i < 200; ++i) {
-    validator::Machine machine = test::machine_with({}, {1'000'000});
+    machine::Machine machine = test::machine_with({}, {1'000'000});
     design::KernelSpecification kernel;
     kernel.type = static_cast<design::KernelType>(random.below(5));
     kernel.order = 1 + random.below(kernel.type == design::KernelType::time_delay ? 100 : 200);

@@ -24,7 +24,7 @@ TEST_CASE("SHA-256 gives the published values", "[image]") {
 }
 
 TEST_CASE("the digest of the sources tells names and contents apart", "[image]") {
-  using Lists = std::vector<validator::MachineList>;
+  using Lists = std::vector<machine::MachineList>;
   Lists const lists = {{.name = "ab", .content = "c"}, {.name = "d", .content = ""}};
   CHECK(source_digest(lists) == sha256(std::string("ab\0\1\0\0\0\0\0\0\0cd\0\0\0\0\0\0\0\0\0", 22)));
 

@@ -11,14 +11,14 @@
 namespace axisc::codegen {
 namespace {
 
-using validator::DriveScaling;
-using validator::PositionController;
+using machine::DriveScaling;
+using machine::PositionController;
 
 /// Drive increments that the runtime gives for an additive velocity of 1000 um/s.
 double increments_for_1000(DriveScaling const& scaling, design::CycleTime cycle_time) {
-  validator::Machine machine = test::machine_with({}, cycle_time);
-  validator::PositionControlStage stage;
-  stage.mode = validator::StageMode::set_point;
+  machine::Machine machine = test::machine_with({}, cycle_time);
+  machine::PositionControlStage stage;
+  stage.mode = machine::StageMode::set_point;
   stage.filters = {{.type = design::FilterType::time_delay, .time_constant = {0}}};  // passes
   machine.axes[0].position_control = {.stages = {stage}, .limit_factor = 1000};
   machine.axes[0].drive_scaling = scaling;
@@ -87,7 +87,7 @@ TEST_CASE("without a known position control there are no increments", "[position
 }
 
 TEST_CASE("a weight is a quotient, at most 7", "[position-control]") {
-  validator::PositionControlStage stage;
+  machine::PositionControlStage stage;
   stage.weight_numerator = 300;
   stage.weight_denominator = 100;
   CHECK(stage_weight(stage) == 3);

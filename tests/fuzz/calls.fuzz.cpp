@@ -114,10 +114,10 @@ class Machine {
     require(axisrt_recorder_dump(recorder_, nullptr, 0, &size) == AXISRT_MEMORY_TOO_SMALL);
     std::vector<std::byte> dump(size);
     require(axisrt_recorder_dump(recorder_, dump.data(), size, &size) == AXISRT_OK);
-    auto recording = axisc::codegen::Recording::open(std::as_bytes(std::span(bytes_)), dump);
-    require(std::holds_alternative<axisc::codegen::Recording>(recording));
-    axisc::codegen::ReplayedEntry entry;
-    auto& replayed = std::get<axisc::codegen::Recording>(recording);
+    auto recording = axisc::image::Recording::open(std::as_bytes(std::span(bytes_)), dump);
+    require(std::holds_alternative<axisc::image::Recording>(recording));
+    axisc::image::ReplayedEntry entry;
+    auto& replayed = std::get<axisc::image::Recording>(recording);
     while (replayed.next(entry)) require(entry.same());
     require(!replayed.damaged());
   }

@@ -9,13 +9,13 @@
 
 namespace {
 
-class OneFile : public axisc::validator::Files {
+class OneFile : public axisc::configuration::Files {
  public:
   explicit OneFile(std::string bytes) : bytes_(std::move(bytes)) {}
-  std::variant<std::string, axisc::validator::FileError> read(std::string const& path) override {
+  std::variant<std::string, axisc::configuration::FileError> read(std::string const& path) override {
     if (path == "x.lis" || path == "input") return bytes_;
     if (path == "m.json") return bytes_;
-    return axisc::validator::FileError::not_found;
+    return axisc::configuration::FileError::not_found;
   }
 
  private:

@@ -32,9 +32,9 @@ Bytes const& image() {
 
 /// Some cycles with commands and resets, at level portable and the best one.
 Bytes record(std::uint32_t level) {
-  auto host = axisc::codegen::RuntimeHost::create(std::as_bytes(std::span(image())), std::nullopt, level);
-  require(std::holds_alternative<axisc::codegen::RuntimeHost>(host));
-  auto& runtime = std::get<axisc::codegen::RuntimeHost>(host);
+  auto host = axisc::image::RuntimeHost::create(std::as_bytes(std::span(image())), std::nullopt, level);
+  require(std::holds_alternative<axisc::image::RuntimeHost>(host));
+  auto& runtime = std::get<axisc::image::RuntimeHost>(host);
   require(runtime.record(20) == AXISRT_OK);
   require(runtime.reset_all(0) == AXISRT_OK);
   std::vector<double> out(3);
@@ -73,13 +73,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   }
   repair(dump);
   auto recording =
-      axisc::codegen::Recording::open(std::as_bytes(std::span(image())), std::as_bytes(std::span(dump)));
+      axisc::image::Recording::open(std::as_bytes(std::span(image())), std::as_bytes(std::span(dump)));
   if (auto const* const status = std::get_if<axisrt_status>(&recording)) {
     require(*status == AXISRT_BAD_RECORDING || *status == AXISRT_OTHER_IMAGE || *status == AXISRT_NO_LEVEL);
     return 0;
   }
-  axisc::codegen::ReplayedEntry entry;
-  while (std::get<axisc::codegen::Recording>(recording).next(entry)) {
+  axisc::image::ReplayedEntry entry;
+  while (std::get<axisc::image::Recording>(recording).next(entry)) {
   }
   return 0;
 }

@@ -8,8 +8,8 @@
 namespace axisc::test {
 namespace {
 
-validator::AxisConfiguration axis(std::size_t index) {
-  validator::AxisConfiguration axis;
+machine::AxisConfiguration axis(std::size_t index) {
+  machine::AxisConfiguration axis;
   axis.name = std::string(1, static_cast<char>('X' + index));
   axis.number = static_cast<std::uint32_t>(index + 1);
   axis.velocity_limit = 500'000;
@@ -17,8 +17,8 @@ validator::AxisConfiguration axis(std::size_t index) {
   return axis;
 }
 
-validator::Machine group_of(std::vector<validator::AxisConfiguration> axes, design::CycleTime cycle_time) {
-  validator::Machine machine;
+machine::Machine group_of(std::vector<machine::AxisConfiguration> axes, design::CycleTime cycle_time) {
+  machine::Machine machine;
   machine.name = "test";
   machine.cycle_time = cycle_time;
   machine.groups.push_back({.name = "channel", .axes = {}, .filter_sets = {}});
@@ -28,13 +28,13 @@ validator::Machine group_of(std::vector<validator::AxisConfiguration> axes, desi
 }
 
 struct Ignore final : motion::PathListener {
-  explicit Ignore(validator::MachineGroup& where) : group(where) {}
+  explicit Ignore(machine::MachineGroup& where) : group(where) {}
   void motion(motion::ProgrammedBlock const&) override {}
   void command(motion::FilterChange const& change) override {
     if (!change.command.parameters.empty()) group.filter_sets.push_back(change.command.parameters);
   }
   void end() override {}
-  validator::MachineGroup& group;
+  machine::MachineGroup& group;
 };
 
 void interpret(motion::ProgramChannel const& channel, motion::PathListener& listener,
@@ -52,19 +52,19 @@ void interpret(motion::ProgramChannel const& channel, motion::PathListener& list
 
 }  // namespace
 
-validator::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
+machine::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
                               design::CycleTime cycle_time) {
-  std::vector<validator::AxisConfiguration> axes;
+  std::vector<machine::AxisConfiguration> axes;
   for (auto const& kernel : kernels) {
     axes.push_back(axis(axes.size()));
-    axes.back().kernel = validator::ConfiguredKernel{
-        .family = validator::KernelFamily::fir, .index = 0, .specification = kernel, .on_at_start = true};
+    axes.back().kernel = machine::ConfiguredKernel{
+        .family = machine::KernelFamily::fir, .index = 0, .specification = kernel, .on_at_start = true};
   }
   return group_of(std::move(axes), cycle_time);
 }
 
-validator::Machine channel_of_pt1(double time_constant_us, std::size_t count) {
-  std::vector<validator::AxisConfiguration> axes;
+machine::Machine channel_of_pt1(double time_constant_us, std::size_t count) {
+  std::vector<machine::AxisConfiguration> axes;
   for (std::size_t i = 0; i < count; ++i) {
     axes.push_back(axis(i));
     axes.back().filters.push_back(
@@ -74,17 +74,17 @@ validator::Machine channel_of_pt1(double time_constant_us, std::size_t count) {
   return group_of(std::move(axes), {});
 }
 
-motion::GroupRuntime runtime_of(validator::Machine const& machine) {
+motion::GroupRuntime runtime_of(machine::Machine const& machine) {
   auto const image = codegen::write_image(machine, {});
-  auto contents = codegen::read_image(image);
-  REQUIRE(std::holds_alternative<codegen::ImageContents>(contents));
+  auto contents = image::read_image(image);
+  REQUIRE(std::holds_alternative<image::ImageContents>(contents));
   auto runtime =
-      motion::GroupRuntime::create(image, std::get<codegen::ImageContents>(contents), machine.groups[0].axes);
+      motion::GroupRuntime::create(image, std::get<image::ImageContents>(contents), machine.groups[0].axes);
   REQUIRE(std::holds_alternative<motion::GroupRuntime>(runtime));
   return std::get<motion::GroupRuntime>(std::move(runtime));
 }
 
-std::vector<motion::ChainAnswer> answers_of(validator::Machine const& machine) {
+std::vector<motion::ChainAnswer> answers_of(machine::Machine const& machine) {
   auto runtime = runtime_of(machine);
   auto answers = motion::chain_answers(runtime);
   REQUIRE(std::holds_alternative<std::vector<motion::ChainAnswer>>(answers));
@@ -95,7 +95,7 @@ double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time) {
   return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
 }
 
-Recorded simulated(validator::Machine machine, std::string const& program, bool constant_velocity) {
+Recorded simulated(machine::Machine machine, std::string const& program, bool constant_velocity) {
   motion::ProgramChannel channel;
   channel.limits.cycle_time = machine.cycle_time;
   std::vector<motion::AxisLimits> limits;

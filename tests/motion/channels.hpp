@@ -12,13 +12,13 @@
 namespace axisc::test {
 
 /// Axes X, Y, Z, … of which each filters like this from start-up: 500 mm/s, 10 m/s².
-[[nodiscard]] validator::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
+[[nodiscard]] machine::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
                                             design::CycleTime cycle_time = {});
 /// The same with one PT1 per axis.
-[[nodiscard]] validator::Machine channel_of_pt1(double time_constant_us, std::size_t axes);
+[[nodiscard]] machine::Machine channel_of_pt1(double time_constant_us, std::size_t axes);
 
-[[nodiscard]] motion::GroupRuntime runtime_of(validator::Machine const& machine);
-[[nodiscard]] std::vector<motion::ChainAnswer> answers_of(validator::Machine const& machine);
+[[nodiscard]] motion::GroupRuntime runtime_of(machine::Machine const& machine);
+[[nodiscard]] std::vector<motion::ChainAnswer> answers_of(machine::Machine const& machine);
 
 /// mm/min as units per cycle.
 [[nodiscard]] double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time = {});
@@ -41,7 +41,7 @@ struct Recorded final : motion::SimulationListener {
 };
 
 /// Runs a program; fails the test where it has a problem.
-[[nodiscard]] Recorded simulated(validator::Machine machine, std::string const& program,
+[[nodiscard]] Recorded simulated(machine::Machine machine, std::string const& program,
                                  bool constant_velocity = false);
 
 }  // namespace axisc::test

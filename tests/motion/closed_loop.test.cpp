@@ -26,10 +26,10 @@ PlantParameters two_masses() {
 }
 
 /// One axis whose stage feeds its oscillating load velocity back.
-codegen::RuntimeHost runtime(double weight, double frequency) {
+image::RuntimeHost runtime(double weight, double frequency) {
   auto machine = test::channel_of({{.order = 0}});
-  validator::PositionControlStage stage;
-  stage.mode = validator::StageMode::direct;
+  machine::PositionControlStage stage;
+  stage.mode = machine::StageMode::direct;
   stage.filters = {{.type = design::FilterType::bandpass,
                     .prototype = design::Prototype::butterworth,
                     .order = 1,
@@ -37,10 +37,10 @@ codegen::RuntimeHost runtime(double weight, double frequency) {
                     .quality = 3}};
   stage.weight_numerator = weight;
   machine.axes[0].position_control = {.stages = {stage}, .limit_factor = 1000};
-  machine.axes[0].drive_scaling.controller = validator::PositionController::drive;
-  auto host = codegen::RuntimeHost::create(codegen::write_image(machine, {}));
-  REQUIRE(std::holds_alternative<codegen::RuntimeHost>(host));
-  return std::get<codegen::RuntimeHost>(std::move(host));
+  machine.axes[0].drive_scaling.controller = machine::PositionController::drive;
+  auto host = image::RuntimeHost::create(codegen::write_image(machine, {}));
+  REQUIRE(std::holds_alternative<image::RuntimeHost>(host));
+  return std::get<image::RuntimeHost>(std::move(host));
 }
 
 AxisMove move_of(double distance_mm) {

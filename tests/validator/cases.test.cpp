@@ -28,8 +28,8 @@ validator::CheckOptions options_of(std::string const& text) {
   for (std::string word; words >> word;) {
     if (word.rfind("T=", 0) == 0)
       options.cycle_time = design::CycleTime{static_cast<std::uint32_t>(std::stod(word.substr(2)) * 1e3)};
-    if (word == "type=S") options.axis_type = validator::AxisType::spindle;
-    if (word == "type=R") options.axis_type = validator::AxisType::rotary;
+    if (word == "type=S") options.axis_type = machine::AxisType::spindle;
+    if (word == "type=R") options.axis_type = machine::AxisType::rotary;
     if (word == "pedantic") options.pedantic = true;
     if (word.rfind("build=", 0) == 0) options.build = validator::parse_build_version(word.substr(6));
   }

@@ -10,13 +10,13 @@
 namespace {
 
 using namespace axisc;
-using validator::AxisType;
+using machine::AxisType;
 
 /// The only file there is.
-class OneList final : public validator::Files {
+class OneList final : public configuration::Files {
  public:
   explicit OneList(std::string text) : text_(std::move(text)) {}
-  std::variant<std::string, validator::FileError> read(std::string const& /*path*/) override { return text_; }
+  std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override { return text_; }
 
  private:
   std::string text_;

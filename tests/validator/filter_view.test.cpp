@@ -76,7 +76,7 @@ TEST_CASE("the words of the filter types are the catalogue's symbols") {
     for (axisc::design::FilterKind const& kind : axisc::design::filter_kinds) {
       INFO(name << ' ' << kind.word);
       auto const* const symbol =
-          axisc::validator::symbol_of_number(row, static_cast<double>(static_cast<int>(kind.type)));
+          axisc::schema::symbol_of_number(row, static_cast<double>(static_cast<int>(kind.type)));
       REQUIRE(symbol != nullptr);
       CHECK(symbol->word == kind.word);
     }

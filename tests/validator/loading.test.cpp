@@ -78,10 +78,10 @@ TEST_CASE("what the machine file says about drives") {
   validator::LoadedMachine const mill = machine(R"(, "inch": true)");
   REQUIRE(mill.axes[0].drive);
   CHECK(mill.axes[0].drive->text == "SERCOS");
-  CHECK(mill.axes[0].position_control == validator::PositionController::cnc);
-  CHECK(mill.axes[1].position_control == validator::PositionController::drive);
-  CHECK(mill.axes[2].position_control == validator::PositionController::unknown);
-  CHECK(mill.axes[3].type == validator::AxisType::spindle);
+  CHECK(mill.axes[0].position_control == machine::PositionController::cnc);
+  CHECK(mill.axes[1].position_control == machine::PositionController::drive);
+  CHECK(mill.axes[2].position_control == machine::PositionController::unknown);
+  CHECK(mill.axes[3].type == machine::AxisType::spindle);
   CHECK(mill.inch);
   CHECK(mill.machine_file);
 }

@@ -33,14 +33,14 @@ TEST_CASE("a list without errors becomes a machine of one axis") {
   Checked const checked({{"lists/x.lis", filters}}, "lists/x.lis");
   REQUIRE(checked.found().empty());
   REQUIRE(checked.result.machine);
-  validator::Machine const& machine = *checked.result.machine;
+  machine::Machine const& machine = *checked.result.machine;
   CHECK(machine.name == "X (links)");
   CHECK(machine.cycle_time == tests::one_millisecond);
   REQUIRE(machine.axes.size() == 1);
-  validator::AxisConfiguration const& axis = machine.axes.front();
+  machine::AxisConfiguration const& axis = machine.axes.front();
   CHECK(axis.name == "X (links)");
   CHECK(axis.number == 7);
-  CHECK(axis.type == validator::AxisType::rotary);
+  CHECK(axis.type == machine::AxisType::rotary);
   CHECK(axis.velocity_limit == 600000);
   CHECK(axis.acceleration_limit == 2000);
   CHECK(axis.position_window == 0.4);
@@ -80,7 +80,7 @@ TEST_CASE("a machine keeps its lists under the names of the machine file") {
                         "p/m.json", {});
   REQUIRE(checked.found().empty());
   REQUIRE(checked.result.machine);
-  validator::Machine const& built = *checked.result.machine;
+  machine::Machine const& built = *checked.result.machine;
   CHECK(built.name == "mill");
   CHECK(built.cycle_time.nanoseconds == 62500);
   REQUIRE(built.lists.size() == 3);
@@ -90,7 +90,7 @@ TEST_CASE("a machine keeps its lists under the names of the machine file") {
   CHECK(built.lists[2].name == "s.lis");
   CHECK(built.axes[0].filters[0].specification.order == 2);
   CHECK(built.axes[1].filters[0].specification.order == 1);
-  CHECK(built.axes[1].type == validator::AxisType::spindle);
+  CHECK(built.axes[1].type == machine::AxisType::spindle);
   REQUIRE(built.axes[0].values.size() == 3);
   CHECK(built.axes[0].values[0].name == "filter[0].enable");
   CHECK(built.axes[0].values[0].list == 0);
@@ -150,7 +150,7 @@ TEST_CASE("the FIR filter of an axis") {
   auto const mean =
       kernel("filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 10\nfilter_fir.share 80\n");
   REQUIRE(mean);
-  CHECK(mean->family == validator::KernelFamily::fir);
+  CHECK(mean->family == machine::KernelFamily::fir);
   CHECK(mean->on_at_start);
   CHECK(mean->specification == design::KernelSpecification{.type = design::KernelType::moving_average,
                                                            .order = 10,
@@ -183,7 +183,7 @@ TEST_CASE("the HSC filter of an axis") {
   };
   auto const by_default = kernel("");
   REQUIRE(by_default);
-  CHECK(by_default->family == validator::KernelFamily::hsc);
+  CHECK(by_default->family == machine::KernelFamily::hsc);
   CHECK_FALSE(by_default->on_at_start);
   CHECK(by_default->specification.type == design::KernelType::moving_average);
   CHECK(by_default->specification.order == 10);
@@ -217,12 +217,12 @@ TEST_CASE("Improved Position Control in the older spelling") {
       "lr_param.improved_position_control.stage[2].filter.damping 0.8\n";
   Checked const checked(lines);
   REQUIRE(checked.result.machine);
-  validator::AxisConfiguration const& axis = checked.result.machine->axes[0];
+  machine::AxisConfiguration const& axis = checked.result.machine->axes[0];
   REQUIRE(axis.position_control);
   CHECK(axis.position_control->limit_factor == 1000);
   REQUIRE(axis.position_control->stages.size() == 2);
-  validator::PositionControlStage const& direct = axis.position_control->stages[0];
-  CHECK(direct.mode == validator::StageMode::direct);
+  machine::PositionControlStage const& direct = axis.position_control->stages[0];
+  CHECK(direct.mode == machine::StageMode::direct);
   CHECK_FALSE(direct.oscillator);
   CHECK(direct.weight_numerator == 300);
   CHECK(direct.weight_denominator == 100);
@@ -232,11 +232,11 @@ TEST_CASE("Improved Position Control in the older spelling") {
                                                          .order = 1,
                                                          .frequency = {53},
                                                          .quality = 10});
-  validator::PositionControlStage const& indirect = axis.position_control->stages[1];
+  machine::PositionControlStage const& indirect = axis.position_control->stages[1];
   CHECK(indirect.index == 2);
   REQUIRE(indirect.oscillator);
   CHECK(*indirect.oscillator == design::OscillatorSpecification{.frequency = {11}, .damping = 0.8});
-  CHECK(axis.drive_scaling.controller == validator::PositionController::drive);
+  CHECK(axis.drive_scaling.controller == machine::PositionController::drive);
   CHECK(axis.drive_scaling.v_reso_num == 100);
   CHECK(axis.drive_scaling.v_reso_denom == 36);
   CHECK(axis.drive_scaling.multi_gain_z == 2000);
@@ -266,7 +266,7 @@ TEST_CASE("Improved Position Control in the newer spelling") {
 }
 
 TEST_CASE("where the position is controlled") {
-  using validator::PositionController;
+  using machine::PositionController;
   auto const controller = [](std::string const& lines) {
     Checked const checked(lines);
     REQUIRE(checked.result.machine);
@@ -291,7 +291,7 @@ TEST_CASE("gantries and channels of the typed machine") {
                          {"s.lis", "kopf.achs_nr 3\nkenngr.achs_typ 4\n"}},
                         "m.json");
   REQUIRE(checked.result.machine);
-  validator::Machine const& built = *checked.result.machine;
+  machine::Machine const& built = *checked.result.machine;
   CHECK(built.axes[1].gantry_master == std::size_t{0});
   CHECK_FALSE(built.axes[0].gantry_master.has_value());
   REQUIRE(built.groups.size() == 1);

@@ -113,20 +113,20 @@ TEST_CASE("a file that cannot be read is reported where it is named") {
 }
 
 TEST_CASE("the input itself may be unreadable") {
-  CHECK(Checked({}, "x.lis").result.unreadable == validator::FileError::not_found);
-  CHECK(Checked({{"x.lis", "\xFF\xFEk\0o\0"}}, "x.lis").result.unreadable == validator::FileError::utf16);
+  CHECK(Checked({}, "x.lis").result.unreadable == configuration::FileError::not_found);
+  CHECK(Checked({{"x.lis", "\xFF\xFEk\0o\0"}}, "x.lis").result.unreadable == configuration::FileError::utf16);
   CHECK(Checked({{"x.lis", std::string("AXIM\0\1", 6)}}, "x.lis").result.unreadable ==
-        validator::FileError::image);
+        configuration::FileError::image);
   CHECK(Checked({{"x.lis", std::string(100, '\0')}}, "x.lis").result.unreadable ==
-        validator::FileError::binary);
+        configuration::FileError::binary);
   CHECK(Checked({{"x.lis", std::string((1U << 20U) + 1, 'x')}}, "x.lis").result.unreadable ==
-        validator::FileError::line_too_long);
+        configuration::FileError::line_too_long);
   CHECK_FALSE(Checked({{"x.lis", "kopf.achs_nr \x01\n"}}, "x.lis").result.unreadable.has_value());
 }
 
 TEST_CASE("a file in JSON is a machine file, another one a list") {
-  CHECK(validator::looks_like_machine_file("\xEF\xBB\xBF \n{\"axes\": []}"));
-  CHECK(validator::looks_like_machine_file("\"axes\": []"));
-  CHECK_FALSE(validator::looks_like_machine_file("kopf.achs_nr 1\n"));
-  CHECK_FALSE(validator::looks_like_machine_file(""));
+  CHECK(configuration::looks_like_machine_file("\xEF\xBB\xBF \n{\"axes\": []}"));
+  CHECK(configuration::looks_like_machine_file("\"axes\": []"));
+  CHECK_FALSE(configuration::looks_like_machine_file("kopf.achs_nr 1\n"));
+  CHECK_FALSE(configuration::looks_like_machine_file(""));
 }

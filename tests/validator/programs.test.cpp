@@ -100,7 +100,7 @@ TEST_CASE("an NC program alone is checked for what it says by itself") {
   CHECK(checked.result.files == Lines{"part.nc"});
   CHECK_FALSE(Checked({{"part.nc", ""}}, "part.nc").result.machine);
   CHECK(Checked(std::map<std::string, std::string>{}, "part.nc").result.unreadable ==
-        validator::FileError::not_found);
+        configuration::FileError::not_found);
 }
 
 TEST_CASE("the assumed cycle time is named where a keyword needs it") {

@@ -52,9 +52,9 @@ validator::CheckOptions options_of(std::string const& text) {
       double const factor = value.find("ms") != std::string::npos ? 1e6 : 1e3;
       options.cycle_time = design::CycleTime{static_cast<std::uint32_t>(std::stod(value) * factor)};
     } else if (word == "--axis-type") {
-      options.axis_type = value == "S"   ? validator::AxisType::spindle
-                          : value == "R" ? validator::AxisType::rotary
-                                         : validator::AxisType::translatory;
+      options.axis_type = value == "S"   ? machine::AxisType::spindle
+                          : value == "R" ? machine::AxisType::rotary
+                                         : machine::AxisType::translatory;
     } else if (word == "--build") {
       options.build = validator::parse_build_version(value);
     } else {

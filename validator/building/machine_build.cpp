@@ -26,8 +26,8 @@ class AxisBuilder {
         not_compiled_(not_compiled),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {}
 
-  AxisConfiguration build() {
-    AxisConfiguration result;
+  machine::AxisConfiguration build() {
+    machine::AxisConfiguration result;
     result.name = axis_.name;
     result.number = static_cast<std::uint32_t>(number("kopf.achs_nr"));
     result.type = axis_.type;
@@ -58,7 +58,7 @@ class AxisBuilder {
     leave_out(value, Text::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
   }
 
-  void add_filters(AxisConfiguration& result) {
+  void add_filters(machine::AxisConfiguration& result) {
     EffectiveValue const& interface = values_.at("lr_param.add_interface.enable");
     for (FilterView const& filter : views_.filters) {
       bool const setpoint = filter.port == FilterPort::setpoint;
@@ -76,13 +76,13 @@ class AxisBuilder {
     }
   }
 
-  void add_kernel(AxisConfiguration& result) {
+  void add_kernel(machine::AxisConfiguration& result) {
     for (FilterView const& filter : configured_hsc(views_.filters)) add_hsc(filter, result);
     FirView const& fir = views_.fir;
     if (!fir.configured() && !fir.type.unusable) return;
     auto const specification = fir.specification(cycle_time_);
     if (specification && !result.kernel) {
-      result.kernel = ConfiguredKernel{.family = KernelFamily::fir,
+      result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
                                        .index = 0,
                                        .specification = *specification,
                                        .on_at_start = fir.enable.value.flag()};
@@ -91,12 +91,12 @@ class AxisBuilder {
     }
   }
 
-  void add_hsc(FilterView const& filter, AxisConfiguration& result) {
+  void add_hsc(FilterView const& filter, machine::AxisConfiguration& result) {
     // NoVib without an order never works, and has been warned of.
     if (hsc_type(filter) == HscType::novib && resulting_hsc_order(filter, cycle_time_) == 0) return;
     auto const specification = hsc_kernel(filter, cycle_time_);
     if (specification && filter.index == 0) {
-      result.kernel = ConfiguredKernel{.family = KernelFamily::hsc,
+      result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::hsc,
                                        .index = filter.index,
                                        .specification = *specification,
                                        .on_at_start = false};
@@ -105,9 +105,9 @@ class AxisBuilder {
     }
   }
 
-  void add_position_control(AxisConfiguration& result) {
+  void add_position_control(machine::AxisConfiguration& result) {
     PositionControlView const& view = views_.position_control;
-    PositionControl control;
+    machine::PositionControl control;
     control.limit_factor = view.limit.value.number;
     if (view.enable.unusable && !view.stages.empty()) {
       leave_out_filter(view.enable, "lr_param.improved_position_control");
@@ -128,9 +128,9 @@ class AxisBuilder {
   }
 
   /// None where a value is out of its range.
-  [[nodiscard]] std::optional<PositionControlStage> build_stage(StageView const& stage) const {
+  [[nodiscard]] std::optional<machine::PositionControlStage> build_stage(StageView const& stage) const {
     if (!stage.active_mode()) return std::nullopt;
-    PositionControlStage built;
+    machine::PositionControlStage built;
     built.index = stage.index;
     built.mode = *stage.active_mode();
     built.weight_numerator = stage.weight_numerator.value.number;
@@ -169,7 +169,7 @@ class AxisBuilder {
     return design::is_in_range(specification, cycle_time_) ? std::optional(specification) : std::nullopt;
   }
 
-  [[nodiscard]] DriveScaling drive_scaling() const {
+  [[nodiscard]] machine::DriveScaling drive_scaling() const {
     return {.controller = position_controller(axis_),
             .v_reso_num = number("antr.v_reso_num"),
             .v_reso_denom = number("antr.v_reso_denom"),
@@ -178,7 +178,7 @@ class AxisBuilder {
             .multi_gain_n = number("getriebe[].multi_gain_n")};
   }
 
-  void add_values(AxisConfiguration& result) const {
+  void add_values(machine::AxisConfiguration& result) const {
     auto const set_values = values_.set_values();
     result.values.reserve(set_values.size());
     for (EffectiveValue const* const set : set_values) {
@@ -201,9 +201,9 @@ class AxisBuilder {
   design::CycleTime cycle_time_;
 };
 
-StoredContent stored_content(LoadedProgram const& program, Files& files) {
+machine::StoredContent stored_content(LoadedProgram const& program, configuration::Files& files) {
   return {.size = program.mark.bytes,
-          .read = [&files, path = program.path, mark = program.mark](ContentReceiver const& receive) {
+          .read = [&files, path = program.path, mark = program.mark](machine::ContentReceiver const& receive) {
             read_program_again(files, path, mark, [&receive](std::string_view piece) {
               receive(piece);
               return true;
@@ -214,7 +214,7 @@ StoredContent stored_content(LoadedProgram const& program, Files& files) {
 }  // namespace
 
 BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
-                           SourceSet const& sources, Files& files) {
+                           SourceSet const& sources, configuration::Files& files) {
   BuiltMachine built;
   built.machine.name = loaded.name;
   built.machine.inch = loaded.inch;

@@ -11,13 +11,13 @@
 namespace axisc::validator {
 
 struct BuiltMachine {
-  Machine machine;
+  machine::Machine machine;
   std::vector<NotCompiled> not_compiled;
 };
 
 /// Call it only where no error was found and every file was read. `views` has one entry per axis. The machine reads programs again from `files` when
 /// their bytes are asked for.
 [[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
-                                         SourceSet const& sources, Files& files);
+                                         SourceSet const& sources, configuration::Files& files);
 
 }  // namespace axisc::validator

@@ -15,9 +15,9 @@ class SetCollector {
 
   void add(CheckedCommand const& checked, Place place, std::string_view written) {
     if (checked.command) {
-      FilterCommand const& command = *checked.command;
+      machine::FilterCommand const& command = *checked.command;
       bool const needs_none =
-          command.filter_switch == FilterSwitch::off || command.hsc || command.parameters.empty();
+          command.filter_switch == machine::FilterSwitch::off || command.hsc || command.parameters.empty();
       if (needs_none || std::find(sets.begin(), sets.end(), command.parameters) != sets.end()) return;
       sets.push_back(command.parameters);
     } else if (!checked.mistakes.empty()) {
@@ -29,7 +29,7 @@ class SetCollector {
 
   [[nodiscard]] CommandLimits const& limits() const { return limits_; }
 
-  std::vector<FilterParameters> sets;
+  std::vector<machine::FilterParameters> sets;
 
  private:
   CommandLimits const& limits_;
@@ -53,14 +53,14 @@ bool has_time_delay(LoadedMachine const& machine, LoadedGroup const& group) {
   });
 }
 
-std::vector<FilterParameters> filter_sets_of(LoadedMachine const& machine, LoadedGroup const& group,
+std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machine, LoadedGroup const& group,
                                              SourceSet const& sources,
                                              std::vector<NotCompiled>& not_compiled) {
   CommandLimits const limits{.cycle_time = machine.cycle_time.value_or(design::CycleTime{}),
                              .time_delay = has_time_delay(machine, group)};
   SetCollector collector(limits, not_compiled);
   for (std::size_t const program : group.programs) add_program(machine.programs[program], sources, collector);
-  for (LocatedText const& set : machine.filter_sets) {
+  for (configuration::LocatedText const& set : machine.filter_sets) {
     collector.add(parse_filter_command(set.text, limits), set.place, set.text);
   }
   return std::move(collector.sets);

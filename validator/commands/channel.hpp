@@ -15,7 +15,7 @@ namespace axisc::validator {
 /// MachineGroup::filter_sets: the distinct parameter sets that the commands of the group's programs and the machine's
 /// filter_sets ask for, in the order of their first use. A command with a variable asks for none, because nobody knows
 /// its value; one whose mistake was silenced is added to `not_compiled`.
-[[nodiscard]] std::vector<FilterParameters> filter_sets_of(LoadedMachine const& machine,
+[[nodiscard]] std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machine,
                                                            LoadedGroup const& group, SourceSet const& sources,
                                                            std::vector<NotCompiled>& not_compiled);
 

@@ -66,8 +66,8 @@ class CommandCheck {
     hsc_ = command_.kind == CommandKind::filter && means_hsc(command_, text_);
     result_.hsc = hsc_;
     for (std::size_t i = 0; i < command_.keywords.size(); ++i) check_keyword(i);
-    if (command_.command_switch == CommandSwitch::on) result_.filter_switch = FilterSwitch::on;
-    if (command_.command_switch == CommandSwitch::off) result_.filter_switch = FilterSwitch::off;
+    if (command_.command_switch == CommandSwitch::on) result_.filter_switch = machine::FilterSwitch::on;
+    if (command_.command_switch == CommandSwitch::off) result_.filter_switch = machine::FilterSwitch::off;
     if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
     std::stable_sort(
         checked_.mistakes.begin(), checked_.mistakes.end(),
@@ -216,7 +216,7 @@ class CommandCheck {
   }
 
   void take(std::string_view name, double value) {
-    FilterParameters& parameters = result_.parameters;
+    machine::FilterParameters& parameters = result_.parameters;
     if (name == "ORDER") parameters.order = static_cast<std::uint32_t>(value);
     if (name == "ORDER_TIME") order_of_time_ = design::order_of_time({value}, limits_.cycle_time).value_or(0);
     if (name == "SHARE") parameters.share_percent = value;
@@ -226,7 +226,7 @@ class CommandCheck {
     if (name == "ACC_FACT") result_.acceleration_factor = value;
   }
 
-  FilterCommand finished() {
+  machine::FilterCommand finished() {
     if (!result_.parameters.order) result_.parameters.order = order_of_time_;
     return result_;
   }
@@ -245,7 +245,7 @@ class CommandCheck {
   CommandLimits const& limits_;
   Variables variables_;
   CheckedCommand checked_;
-  FilterCommand result_;
+  machine::FilterCommand result_;
   std::optional<std::uint32_t> order_of_time_;
   bool hsc_ = false;
   bool beside_hsc_reported_ = false;

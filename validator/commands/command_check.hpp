@@ -47,7 +47,7 @@ struct CommandMistake {
 struct CheckedCommand {
   /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and where a value cannot be used: unreadable, out
   /// of range, or a variable. An ORDER_TIME below one cycle is order 0 beside its mistake.
-  std::optional<FilterCommand> command;
+  std::optional<machine::FilterCommand> command;
   std::vector<CommandMistake> mistakes;
 };
 

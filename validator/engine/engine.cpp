@@ -208,7 +208,7 @@ class Engine {
     if (!machine_.default_list_missing) {
       for (LoadedGroup const& group : machine_.groups) groups.push_back(&group);
     }
-    for (LocatedText const& set : machine_.filter_sets) {
+    for (configuration::LocatedText const& set : machine_.filter_sets) {
       Span const quoted = set.place.span;
       bool const plain = quoted.size() == set.text.size() + 2;
       for (LoadedGroup const* const group : groups) {
@@ -226,7 +226,7 @@ class Engine {
   }
 
   /// Rules that look at NC programs beside lists see a command of the machine file as a program of one line.
-  void run_program_checks_of_set(LocatedText const& set, LoadedGroup const* group, std::uint32_t offset,
+  void run_program_checks_of_set(configuration::LocatedText const& set, LoadedGroup const* group, std::uint32_t offset,
                                  std::optional<Span> instead) {
     auto const command = grammar::parse_nc_command(set.text);
     if (!command) return;

@@ -79,7 +79,7 @@ struct AxisContext {
   LoadedMachine const& machine;
   std::size_t index;  ///< into LoadedMachine::axes
   std::string const& name;
-  AxisType type;
+  machine::AxisType type;
   EffectiveValues const& values;
   design::CycleTime cycle_time;  ///< the assumed 1 ms where none is known
   SourceSet const& sources;

@@ -42,11 +42,11 @@ bool ends_in(std::string_view path, std::string_view extension) {
   return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
-std::variant<std::string, FileError> read_text(Files& files, std::string const& path) {
-  std::variant<std::string, FileError> bytes = files.read(path);
+std::variant<std::string, configuration::FileError> read_text(configuration::Files& files, std::string const& path) {
+  std::variant<std::string, configuration::FileError> bytes = files.read(path);
   if (auto const* const text = std::get_if<std::string>(&bytes)) {
-    std::variant<std::monostate, FileError> const problem = check_text(*text);
-    if (auto const* const error = std::get_if<FileError>(&problem)) return *error;
+    std::variant<std::monostate, configuration::FileError> const problem = configuration::check_text(*text);
+    if (auto const* const error = std::get_if<configuration::FileError>(&problem)) return *error;
   }
   return bytes;
 }
@@ -63,25 +63,25 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   return list;
 }
 
-Text text_of(FileError error) {
+Text text_of(configuration::FileError error) {
   switch (error) {
-    case FileError::not_found:
+    case configuration::FileError::not_found:
       return Text::ax4020_not_found;
-    case FileError::is_folder:
+    case configuration::FileError::is_folder:
       return Text::ax4020_is_folder;
-    case FileError::no_permission:
+    case configuration::FileError::no_permission:
       return Text::ax4020_no_permission;
-    case FileError::not_readable:
+    case configuration::FileError::not_readable:
       return Text::ax4020_not_readable;
-    case FileError::too_large:
+    case configuration::FileError::too_large:
       return Text::ax4020_too_large;
-    case FileError::line_too_long:
+    case configuration::FileError::line_too_long:
       return Text::ax4020_line_too_long;
-    case FileError::binary:
+    case configuration::FileError::binary:
       return Text::ax4020_binary;
-    case FileError::utf16:
+    case configuration::FileError::utf16:
       return Text::ax4020_utf16;
-    case FileError::image:
+    case configuration::FileError::image:
       return Text::ax4020_image;
   }
   return Text::ax4020_not_readable;
@@ -89,10 +89,10 @@ Text text_of(FileError error) {
 
 class Loader {
  public:
-  Loader(Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
+  Loader(configuration::Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
       : files_(files), options_(options), sources_(sources), machine_(machine) {}
 
-  std::optional<FileError> load(std::string const& path) {
+  std::optional<configuration::FileError> load(std::string const& path) {
     machine_.path = path;
     machine_.name = without_extension(file_name(path));
     machine_.files.push_back(path);
@@ -110,18 +110,18 @@ class Loader {
   }
 
  private:
-  std::optional<FileError> load_program() {
+  std::optional<configuration::FileError> load_program() {
     auto const program = add_program(std::string(file_name(machine_.path)), machine_.path);
-    if (auto const* const error = std::get_if<FileError>(&program)) return *error;
+    if (auto const* const error = std::get_if<configuration::FileError>(&program)) return *error;
     return std::nullopt;
   }
 
   /// A list or a machine file.
-  std::optional<FileError> load_text() {
-    std::variant<std::string, FileError> bytes = read_text(files_, machine_.path);
-    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
+  std::optional<configuration::FileError> load_text() {
+    std::variant<std::string, configuration::FileError> bytes = read_text(files_, machine_.path);
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
     auto& text = std::get<std::string>(bytes);
-    bool const is_machine = ends_in(machine_.path, ".json") && looks_like_machine_file(text);
+    bool const is_machine = ends_in(machine_.path, ".json") && configuration::looks_like_machine_file(text);
     SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
     if (is_machine) {
       load_machine(source);
@@ -142,7 +142,7 @@ class Loader {
   }
 
   void load_machine(SourceId source) {
-    MachineFile const file = read_machine_file(sources_, source, machine_.findings);
+    configuration::MachineFile const file = configuration::read_machine_file(sources_, source, machine_.findings);
     machine_.machine_file = source;
     machine_.inch = file.inch;
     if (file.machine) machine_.name = file.machine->text;
@@ -153,7 +153,7 @@ class Loader {
       if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
       by_path_.clear();
     }
-    for (MachineFileAxis const& named : file.axes) {
+    for (configuration::MachineFileAxis const& named : file.axes) {
       std::optional<std::size_t> const list = list_named(named.list);
       if (!list) continue;
       LoadedAxis& axis = add_axis(*list, named.type);
@@ -161,33 +161,33 @@ class Loader {
       axis.drive = named.drive;
       if (named.position_control) {
         axis.position_control =
-            named.position_control->text == "drive" ? PositionController::drive : PositionController::cnc;
+            named.position_control->text == "drive" ? machine::PositionController::drive : machine::PositionController::cnc;
       }
     }
-    for (MachineFileGroup const& group : file.groups) add_group(group);
-    for (MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
-    for (LocatedText const& name : file.programs) {
+    for (configuration::MachineFileGroup const& group : file.groups) add_group(group);
+    for (configuration::MachineFileGantry const& gantry : file.gantries) add_claims(gantry);
+    for (configuration::LocatedText const& name : file.programs) {
       if (auto const program = program_named(name)) common_programs_.push_back(*program);
     }
     machine_.filter_sets = file.filter_sets;
   }
 
   /// None for an axis whose list could not be read.
-  [[nodiscard]] std::optional<std::size_t> axis_named(LocatedText const& name) const {
+  [[nodiscard]] std::optional<std::size_t> axis_named(configuration::LocatedText const& name) const {
     auto const axis = std::find_if(machine_.axes.begin(), machine_.axes.end(),
                                    [&](LoadedAxis const& known) { return known.name == name.text; });
     if (axis == machine_.axes.end()) return std::nullopt;
     return static_cast<std::size_t>(axis - machine_.axes.begin());
   }
 
-  void add_group(MachineFileGroup const& named) {
+  void add_group(configuration::MachineFileGroup const& named) {
     LoadedGroup& group = machine_.groups.emplace_back();
     if (named.name) group.name = named.name->text;
-    for (LocatedText const& name : named.axes) {
+    for (configuration::LocatedText const& name : named.axes) {
       std::optional<std::size_t> const axis = axis_named(name);
       if (axis) group.axes.push_back(*axis);
     }
-    for (LocatedText const& name : named.programs) {
+    for (configuration::LocatedText const& name : named.programs) {
       std::optional<std::size_t> const program = program_named(name);
       if (program && !runs_in(group, *program)) group.programs.push_back(*program);
     }
@@ -198,41 +198,41 @@ class Loader {
   void add_default_group() {
     LoadedGroup group;
     for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
-      if (machine_.axes[axis].type != AxisType::spindle) group.axes.push_back(axis);
+      if (machine_.axes[axis].type != machine::AxisType::spindle) group.axes.push_back(axis);
     }
     if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
   }
 
-  void add_claims(MachineFileGantry const& gantry) {
+  void add_claims(configuration::MachineFileGantry const& gantry) {
     std::optional<std::size_t> const master = axis_named(gantry.master);
     if (!master) return;
     machine_.gantry_claims.push_back({.axis = *master, .master = std::nullopt, .place = gantry.master.place});
-    for (LocatedText const& name : gantry.slaves) {
+    for (configuration::LocatedText const& name : gantry.slaves) {
       std::optional<std::size_t> const slave = axis_named(name);
       if (!slave || slave == master) continue;
       machine_.gantry_claims.push_back({.axis = *slave, .master = master, .place = name.place});
     }
   }
 
-  LoadedAxis& add_axis(std::size_t list, std::optional<AxisType> type) {
+  LoadedAxis& add_axis(std::size_t list, std::optional<machine::AxisType> type) {
     if (options_.axis_type) type = options_.axis_type;
     std::optional<bool> rotary;
-    if (type) rotary = *type != AxisType::translatory;
+    if (type) rotary = *type != machine::AxisType::translatory;
     MergedValues merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
-    AxisType const known_type = type.value_or(axis_type_of(merged.values));
+    machine::AxisType const known_type = type.value_or(axis_type_of(merged.values));
     machine_.axes.push_back(
         {.name = {}, .type = known_type, .list = list, .drive = {}, .merged = std::move(merged)});
     return machine_.axes.back();
   }
 
   /// Index of the list; a file that several axes name is read once.
-  std::optional<std::size_t> list_named(LocatedText const& name) {
+  std::optional<std::size_t> list_named(configuration::LocatedText const& name) {
     std::string const path = beside(machine_.path, name.text);
     std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
     auto const known = by_path_.find(key);
     if (known != by_path_.end()) return known->second;
-    std::variant<std::string, FileError> bytes = read_text(files_, path);
-    if (auto const* const error = std::get_if<FileError>(&bytes)) {
+    std::variant<std::string, configuration::FileError> bytes = read_text(files_, path);
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
       missing(name, *error);
       return std::nullopt;
     }
@@ -245,10 +245,10 @@ class Loader {
   }
 
   /// Index of the program.
-  std::variant<std::size_t, FileError> add_program(std::string name, std::string const& path) {
-    std::variant<ReadProgram, FileError> read =
+  std::variant<std::size_t, configuration::FileError> add_program(std::string name, std::string const& path) {
+    std::variant<ReadProgram, configuration::FileError> read =
         read_program(files_, path, options_.whole_programs ? ProgramText::whole : ProgramText::excerpt);
-    if (auto const* const error = std::get_if<FileError>(&read)) return *error;
+    if (auto const* const error = std::get_if<configuration::FileError>(&read)) return *error;
     auto& content = std::get<ReadProgram>(read);
     LoadedProgram program;
     program.name = std::move(name);
@@ -265,13 +265,13 @@ class Loader {
   }
 
   /// Index of the program; a file that is named several times is read once.
-  std::optional<std::size_t> program_named(LocatedText const& name) {
+  std::optional<std::size_t> program_named(configuration::LocatedText const& name) {
     std::string const path = beside(machine_.path, name.text);
     std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
     auto const known = programs_by_path_.find(key);
     if (known != programs_by_path_.end()) return known->second;
-    std::variant<std::size_t, FileError> const program = add_program(name.text, path);
-    if (auto const* const error = std::get_if<FileError>(&program)) {
+    std::variant<std::size_t, configuration::FileError> const program = add_program(name.text, path);
+    if (auto const* const error = std::get_if<configuration::FileError>(&program)) {
       missing(name, *error);
       return std::nullopt;
     }
@@ -284,13 +284,13 @@ class Loader {
     return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
   }
 
-  void missing(LocatedText const& name, FileError error) {
+  void missing(configuration::LocatedText const& name, configuration::FileError error) {
     machine_.complete = false;
     Report(machine_.findings, *find_rule(Code{4020}))
         .add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
   }
 
-  Files& files_;
+  configuration::Files& files_;
   CheckOptions const& options_;
   SourceSet& sources_;
   LoadedMachine& machine_;
@@ -310,7 +310,7 @@ bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
     for (std::size_t const program : group.programs) {
       if (machine.programs[program].gives_order) return true;
     }
-    for (LocatedText const& text : machine.filter_sets) {
+    for (configuration::LocatedText const& text : machine.filter_sets) {
       auto const command = grammar::parse_nc_command(text.text);
       if (command && gives_order(*command, text.text)) return true;
     }
@@ -318,9 +318,9 @@ bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
   return false;
 }
 
-std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files, std::string const& path,
                                             CheckOptions const& options, SourceSet& sources) {
-  std::variant<LoadedMachine, FileError> loaded;
+  std::variant<LoadedMachine, configuration::FileError> loaded;
   auto const error = Loader(files, options, sources, std::get<LoadedMachine>(loaded)).load(path);
   if (error) loaded = *error;
   return loaded;

@@ -21,11 +21,11 @@ struct NamedList {
 
 struct LoadedAxis {
   std::string name;
-  AxisType type = AxisType::translatory;
+  machine::AxisType type = machine::AxisType::translatory;
   std::size_t list = 0;              ///< index into LoadedMachine::lists
-  std::optional<LocatedText> drive;  ///< of the machine file; wins over kenngr.antr_typ
-  PositionController position_control =
-      PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
+  std::optional<configuration::LocatedText> drive;  ///< of the machine file; wins over kenngr.antr_typ
+  machine::PositionController position_control =
+      machine::PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
   MergedValues merged;
 };
 
@@ -70,7 +70,7 @@ struct LoadedMachine {
   bool complete = true;               ///< every file that is named was read
   std::vector<LoadedAxis> axes;
   std::vector<LoadedProgram> programs;   ///< each file once
-  std::vector<LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
+  std::vector<configuration::LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
   std::vector<LoadedGroup> groups;       ///< without any in the machine file: all axes but spindles
   std::vector<LoadedGantry> gantries;
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
@@ -90,7 +90,7 @@ struct LoadedMachine {
 
 /// Reads the input and every file that it names. An error only where the input itself cannot be read. The machine looks
 /// into `sources`, which live longer.
-[[nodiscard]] std::variant<LoadedMachine, FileError> load(Files& files, std::string const& path,
+[[nodiscard]] std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files, std::string const& path,
                                                           CheckOptions const& options, SourceSet& sources);
 
 }  // namespace axisc::validator

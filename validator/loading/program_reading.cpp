@@ -70,16 +70,16 @@ class ProgramReading {
   bool piece(std::string_view bytes) {
     content_.add(bytes);
     if (kept_ == ProgramText::whole) whole_ += bytes;
-    if (content_.mark().bytes > largest_file) return refuse(FileError::too_large);
+    if (content_.mark().bytes > configuration::largest_file) return refuse(configuration::FileError::too_large);
     if (beginning_is_judged_) return lines(bytes);
     beginning_ += bytes;
-    return beginning_.size() < judged_beginning || judge_beginning();
+    return beginning_.size() < configuration::judged_beginning || judge_beginning();
   }
 
-  std::variant<ReadProgram, FileError> finish(std::string const& name) {
+  std::variant<ReadProgram, configuration::FileError> finish(std::string const& name) {
     if (!problem_ && !beginning_is_judged_) judge_beginning();
     if (!problem_ && !lines_.finish([this](std::string_view line) { add_line(line); })) {
-      problem_ = FileError::line_too_long;
+      problem_ = configuration::FileError::line_too_long;
     }
     if (problem_) return *problem_;
     if (kept_ == ProgramText::whole) {
@@ -97,7 +97,7 @@ class ProgramReading {
   }
 
  private:
-  bool refuse(FileError error) {
+  bool refuse(configuration::FileError error) {
     problem_ = error;
     return false;
   }
@@ -105,13 +105,13 @@ class ProgramReading {
   bool judge_beginning() {
     beginning_is_judged_ = true;
     std::string const beginning = std::exchange(beginning_, {});
-    if (auto const error = check_beginning(beginning)) return refuse(*error);
+    if (auto const error = configuration::check_beginning(beginning)) return refuse(*error);
     return lines(beginning);
   }
 
   bool lines(std::string_view bytes) {
     return lines_.add(bytes, [this](std::string_view line) { add_line(line); }) ||
-           refuse(FileError::line_too_long);
+           refuse(configuration::FileError::line_too_long);
   }
 
   void add_line(std::string_view line) {
@@ -134,20 +134,20 @@ class ProgramReading {
   bool is_utf8_ = true;
   bool has_mark_ = false;
   grammar::ProgramExcerptReader reader_;
-  std::optional<FileError> problem_;
+  std::optional<configuration::FileError> problem_;
 };
 
 }  // namespace
 
-std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path, ProgramText kept) {
+std::variant<ReadProgram, configuration::FileError> read_program(configuration::Files& files, std::string const& path, ProgramText kept) {
   ProgramReading reading(kept);
   auto const error = files.read_pieces(path, [&](std::string_view piece) { return reading.piece(piece); });
   if (error) return *error;
   return reading.finish(path);
 }
 
-void read_program_again(Files& files, std::string const& path, ContentMark const& mark,
-                        PieceReceiver const& receive) {
+void read_program_again(configuration::Files& files, std::string const& path, ContentMark const& mark,
+                        configuration::PieceReceiver const& receive) {
   MarkedContent content;
   LineAssembler lines;
   auto const add_line = [&](std::string_view line) { content.add_line(line); };
@@ -156,7 +156,7 @@ void read_program_again(Files& files, std::string const& path, ContentMark const
     return lines.add(piece, add_line) && receive(piece);
   });
   bool const is_same = !error && lines.finish(add_line) && content.mark() == mark;
-  if (!is_same) throw SourceChanged(path);
+  if (!is_same) throw configuration::SourceChanged(path);
 }
 
 }  // namespace axisc::validator

@@ -28,12 +28,12 @@ enum class ProgramText : std::uint8_t { excerpt, whole };
 
 /// Memory: that of the excerpt, and of the longest line. The same refusals as `check_text` has. With ProgramText::whole
 /// the text is no excerpt.
-[[nodiscard]] std::variant<ReadProgram, FileError> read_program(Files& files, std::string const& path,
+[[nodiscard]] std::variant<ReadProgram, configuration::FileError> read_program(configuration::Files& files, std::string const& path,
                                                                 ProgramText kept = ProgramText::excerpt);
 
 /// Hands the bytes of a program that was read before to `receive` once more. Throws SourceChanged where they are no
 /// longer the same.
-void read_program_again(Files& files, std::string const& path, ContentMark const& mark,
-                        PieceReceiver const& receive);
+void read_program_again(configuration::Files& files, std::string const& path, ContentMark const& mark,
+                        configuration::PieceReceiver const& receive);
 
 }  // namespace axisc::validator

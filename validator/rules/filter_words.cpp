@@ -17,7 +17,7 @@ std::string filter_name(FilterView const& filter) {
 
 std::string symbol_word(EffectiveValue const& value) {
   if (!value.value.text.empty()) return std::string(value.value.text);
-  schema::Symbol const* const symbol = symbol_of_number(*value.row, value.value.number);
+  schema::Symbol const* const symbol = schema::symbol_of_number(*value.row, value.value.number);
   return symbol != nullptr ? std::string(symbol->word) : number(value.value.number);
 }
 
@@ -79,7 +79,7 @@ void relate_type(Finding& finding, FilterView const& filter) {
 
 std::string_view time_constant_message(FilterContext const& context) {
   if (context.filter.port == FilterPort::additional_interface) return position_controller_refuses_time;
-  return context.axis.type == AxisType::spindle ? spindle_refuses_time : path_refuses_time;
+  return context.axis.type == machine::AxisType::spindle ? spindle_refuses_time : path_refuses_time;
 }
 
 }  // namespace axisc::validator::checks

@@ -23,7 +23,7 @@ void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, 
   finding.control->value = std::move(value);
 }
 
-void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value) {
+void add_physical(Finding& finding, schema::Parameter const& row, machine::AxisType type, double value) {
   std::string_view const unit = unit_of(row, type);
   if (finding.control && !unit.empty()) finding.control->physical = physical(value, unit);
 }
@@ -51,7 +51,7 @@ std::string range_text(schema::Parameter const& parameter, std::string_view unit
 }
 
 bool is_default_or_off(schema::Parameter const& parameter, double value) {
-  std::optional<Value> const standard = default_value(parameter);
+  std::optional<schema::Value> const standard = schema::default_value(parameter);
   return standard && standard->number == value;
 }
 

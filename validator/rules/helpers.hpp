@@ -60,7 +60,7 @@ Reported& report_line(Report& report, Line const& line, Span span) {
 
 void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
 /// Says beside the control's value, which is the raw number `value`, what that is for a person.
-void add_physical(Finding& finding, schema::Parameter const& row, AxisType type, double value);
+void add_physical(Finding& finding, schema::Parameter const& row, machine::AxisType type, double value);
 
 /// A fix of one edit.
 [[nodiscard]] Fix replace_by(Place place, std::string text, Message title,

@@ -19,7 +19,7 @@ std::string name_of(AxisContext const& context, schema::Slot slot) {
 
 void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value) {
   std::string earlier(value.value.text);
-  if (earlier.empty() && default_value(*value.row)) earlier = format_exact(value.value.number);
+  if (earlier.empty() && schema::default_value(*value.row)) earlier = format_exact(value.value.number);
   bool const is_number = value.value.text.empty() && !earlier.empty();
   set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
   if (is_number) add_physical(finding, *value.row, context.type, value.value.number);

@@ -13,7 +13,7 @@ EffectiveValue make_default(schema::Catalogue const& catalogue, schema::Slot slo
   EffectiveValue value;
   value.slot = slot;
   value.row = &catalogue.parameter_of(slot);
-  value.value = default_value(*value.row).value_or(Value{});
+  value.value = schema::default_value(*value.row).value_or(schema::Value{});
   return value;
 }
 
@@ -45,7 +45,7 @@ schema::ConcreteParameter find_pattern(std::string_view pattern, std::uint32_t f
 
 bool configured(EffectiveValue const& value) {
   if (!value.set() || value.unusable) return false;
-  auto const standard = default_value(*value.row);
+  auto const standard = schema::default_value(*value.row);
   if (!standard || standard->number != value.value.number) return true;
   // Some words have no number.
   return !standard->text.empty() && !value.value.text.empty() && standard->text != value.value.text;
@@ -143,7 +143,7 @@ EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   return entry != 0 ? value_at(entry - 1) : add(make_default(catalogue_, slot));
 }
 
-void EffectiveValues::refer(schema::Slot slot, Value value) {
+void EffectiveValues::refer(schema::Slot slot, schema::Value value) {
   EffectiveValue& entry = edit(slot);
   entry.value = value;
   entry.referenced = true;

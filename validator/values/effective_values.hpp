@@ -33,7 +33,7 @@ enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
 /// One concrete parameter of one axis.
 struct EffectiveValue {
   schema::Parameter const* row = nullptr;  ///< of the slot; never null in EffectiveValues
-  Value value;
+  schema::Value value;
   Span name_span;  ///< in the list that counts
   Span value_span;
   SourceId source{};
@@ -109,7 +109,7 @@ class EffectiveValues {
   /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
   EffectiveValue& edit(schema::Slot slot);
   /// The value of a reference, which was looked up.
-  void refer(schema::Slot slot, Value value);
+  void refer(schema::Slot slot, schema::Value value);
 
  private:
   /// Values lie in blocks that never grow, so that none of them moves.

@@ -29,7 +29,7 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   }
   if (reading.status == ReadingStatus::reference) return false;
   std::size_t const most = reading.row->max_length;
-  return is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
+  return schema::is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
 }
 
 bool may_name_numbers(std::string_view text) {

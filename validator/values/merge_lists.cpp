@@ -26,7 +26,7 @@ class Merger {
       if (list != nullptr && !difficult_.empty()) go_through(*list);
     }
     std::vector<ReferenceProblem> problems = resolve_references(
-        values_, pending_, rotary.value_or(axis_type_of(values_) != AxisType::translatory));
+        values_, pending_, rotary.value_or(axis_type_of(values_) != machine::AxisType::translatory));
     return {.values = std::move(values_), .reference_problems = std::move(problems)};
   }
 
@@ -84,14 +84,14 @@ class Merger {
 
 }  // namespace
 
-AxisType axis_type_of(EffectiveValues const& values) {
+machine::AxisType axis_type_of(EffectiveValues const& values) {
   switch (static_cast<int>(values.at("kenngr.achs_typ").value.number)) {
     case 2:
-      return AxisType::rotary;
+      return machine::AxisType::rotary;
     case 4:
-      return AxisType::spindle;
+      return machine::AxisType::spindle;
     default:
-      return AxisType::translatory;
+      return machine::AxisType::translatory;
   }
 }
 

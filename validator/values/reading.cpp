@@ -42,7 +42,7 @@ class Judge {
   void without_parameter() {
     if (assignment_.kind == ValueKind::decimal_comma) reading_.status = ReadingStatus::decimal_comma;
     if (assignment_.kind == ValueKind::malformed_number || assignment_.kind == ValueKind::real) {
-      number(read_real(token()));
+      number(schema::read_real(token()));
       if (reading_.status == ReadingStatus::value) reading_.status = ReadingStatus::not_judged;
     }
   }
@@ -82,17 +82,17 @@ class Judge {
     bool const is_short =
         assignment_.kind == ValueKind::integer && assignment_.value.end >= room_before_number_end &&
         read_short_integer(token().data(), token().data() + assignment_.value.size(), number);
-    return is_short ? number : read_integer(token(), schema::DataType::sgn64).number;
+    return is_short ? number : schema::read_integer(token(), schema::DataType::sgn64).number;
   }
 
   void fail(ReadingStatus status) { reading_.status = status; }
 
-  void number(NumberReading const& result) {
+  void number(schema::NumberReading const& result) {
     reading_.number = result.status;
     reading_.value.number = result.number;
-    if (result.status == NumberStatus::good) {
+    if (result.status == schema::NumberStatus::good) {
       reading_.status = ReadingStatus::value;
-    } else if (result.status == NumberStatus::out_of_data_range) {
+    } else if (result.status == schema::NumberStatus::out_of_data_range) {
       fail(ReadingStatus::out_of_data_range);
     } else {
       fail(ReadingStatus::malformed_number);
@@ -106,8 +106,8 @@ class Judge {
       return true;
     }
     if (assignment_.kind != ValueKind::malformed_number) return false;
-    reading_.number = read_real(token()).status;
-    if (reading_.number == NumberStatus::good) reading_.number = NumberStatus::not_a_number;
+    reading_.number = schema::read_real(token()).status;
+    if (reading_.number == schema::NumberStatus::good) reading_.number = schema::NumberStatus::not_a_number;
     fail(ReadingStatus::malformed_number);
     return true;
   }
@@ -118,9 +118,9 @@ class Judge {
     if (!integer && (assignment_.kind != ValueKind::real || schema::is_integer(parameter.type))) {
       fail(ReadingStatus::wrong_type);
     } else if (schema::is_integer(parameter.type)) {
-      number(read_integer(token(), parameter.type));
+      number(schema::read_integer(token(), parameter.type));
     } else {
-      number(read_real(token()));
+      number(schema::read_real(token()));
     }
   }
 
@@ -134,11 +134,11 @@ class Judge {
     if (assignment_.kind != ValueKind::word) return fail(ReadingStatus::wrong_type);
     Span const word{.begin = assignment_.value.begin,
                     .end = std::min(assignment_.value.end, free_text().end)};
-    SymbolReading const symbol = read_symbol(parameter, source_.slice(word));
+    schema::SymbolReading const symbol = schema::read_symbol(parameter, source_.slice(word));
     if (symbol.symbol == nullptr) return fail(ReadingStatus::wrong_type);
     reading_.text = word;
     reading_.symbol_folded = symbol.folded;
-    accept(value_of(*symbol.symbol));
+    accept(schema::value_of(*symbol.symbol));
     bool const is_truth_value = symbol.symbol->word == "TRUE" || symbol.symbol->word == "FALSE";
     if (!is_truth_value) text_behind_symbol(word.end);
   }
@@ -147,24 +147,24 @@ class Judge {
     if (broken_number()) return;
     if (is_integer_kind(assignment_.kind)) {
       double const value = integer();
-      schema::Symbol const* const symbol = symbol_of_number(parameter, value);
-      if (symbol != nullptr) return accept(value_of(*symbol));
-      if (is_bit_mask(parameter)) return accept({.number = value, .text = {}});
+      schema::Symbol const* const symbol = schema::symbol_of_number(parameter, value);
+      if (symbol != nullptr) return accept(schema::value_of(*symbol));
+      if (schema::is_bit_mask(parameter)) return accept({.number = value, .text = {}});
       return fail(ReadingStatus::unknown_symbol);
     }
     if (assignment_.kind == ValueKind::real) return fail(ReadingStatus::wrong_type);
-    if (is_bit_mask(parameter)) return bit_mask(parameter);
+    if (schema::is_bit_mask(parameter)) return bit_mask(parameter);
 
     Span const word =
         reading_.quoted
             ? Span{.begin = assignment_.value.begin + 1, .end = assignment_.value.end - 1}
             : Span{.begin = assignment_.value.begin, .end = std::min(assignment_.value.end, free_text().end)};
-    SymbolReading const symbol = read_symbol(parameter, source_.slice(word));
+    schema::SymbolReading const symbol = schema::read_symbol(parameter, source_.slice(word));
     reading_.text = word;
     std::uint32_t const end = reading_.quoted ? assignment_.value.end : word.end;
     if (symbol.symbol == nullptr) return unknown_symbol(end);
     reading_.symbol_folded = symbol.folded;
-    accept(value_of(*symbol.symbol));
+    accept(schema::value_of(*symbol.symbol));
     text_behind_symbol(end);
   }
 
@@ -174,7 +174,7 @@ class Judge {
     std::string_view rest = source_.slice(free_text());
     while (true) {
       std::size_t const bar = rest.find('|');
-      SymbolReading const symbol = read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
+      schema::SymbolReading const symbol = schema::read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
       if (symbol.symbol == nullptr) return fail(ReadingStatus::unknown_symbol);
       reading_.symbol_folded = reading_.symbol_folded || symbol.folded;
       if (bar == std::string_view::npos) break;
@@ -194,7 +194,7 @@ class Judge {
     accept({.number = 0, .text = utf8(free_text())});
   }
 
-  void accept(Value value) {
+  void accept(schema::Value value) {
     reading_.status = ReadingStatus::value;
     reading_.value = value;
   }

@@ -42,14 +42,14 @@ struct Reading {
   using NameStatus = schema::NameLookup::Status;
 
   schema::Parameter const* row = nullptr;  ///< null where the name is unknown; lives as long as the catalogue
-  Value value;
+  schema::Value value;
   Reference reference;  ///< for ReadingStatus::reference
   Span text;            ///< the value as the control reads it: the token, or the whole of a free string
   Span trouble;         ///< text behind a symbol or in a string that was meant as a comment (AX1009)
   schema::Slot slot{};  ///< where known()
   NameStatus name_status = NameStatus::unknown;
   ReadingStatus status = ReadingStatus::not_judged;
-  NumberStatus number = NumberStatus::good;
+  schema::NumberStatus number = schema::NumberStatus::good;
   bool name_folded = false;    ///< the name fits only after case folding (AX1010)
   bool symbol_folded = false;  ///< the same of a symbol
   bool quoted = false;         ///< the text stands in quotes

@@ -34,10 +34,10 @@ Target find_target(Reference const& reference, EffectiveValues const& values) {
 }
 
 /// A documented default that is itself a reference: the default of that parameter.
-std::optional<Value> value_of_default(Slot slot, EffectiveValues const& values) {
+std::optional<schema::Value> value_of_default(Slot slot, EffectiveValues const& values) {
   schema::Parameter const& row = values.row(slot);
-  if (auto value = default_value(row)) return value;
-  std::uint16_t const number = default_reference(row);
+  if (auto value = schema::default_value(row)) return value;
+  std::uint16_t const number = schema::default_reference(row);
   if (number == 0) return std::nullopt;
   Target const target = find_target({.p_axis = number, .index = schema::indices_of(row, slot)[0]}, values);
   if (!target.slot || values[*target.slot].unusable) return std::nullopt;
@@ -45,14 +45,14 @@ std::optional<Value> value_of_default(Slot slot, EffectiveValues const& values) 
 }
 
 /// Whether the control can use a value of `from` for `to`.
-bool types_agree(schema::Parameter const& to, schema::Parameter const& from, Value const& value) {
+bool types_agree(schema::Parameter const& to, schema::Parameter const& from, schema::Value const& value) {
   if (schema::is_number(to.type)) {
     return schema::is_number(from.type) &&
            (to.type == schema::DataType::real64 || from.type != schema::DataType::real64);
   }
   if (to.type == schema::DataType::boolean) return from.type == schema::DataType::boolean;
   if (from.type != schema::DataType::string || to.is_enumeration() != from.is_enumeration()) return false;
-  return !to.is_enumeration() || read_symbol(to, value.text).symbol != nullptr;
+  return !to.is_enumeration() || schema::read_symbol(to, value.text).symbol != nullptr;
 }
 
 class Resolver {
@@ -104,7 +104,7 @@ class Resolver {
   void take_over(Slot slot, Slot target) {
     EffectiveValue const& source = values_[target];
     if (source.unusable) return make_unusable(slot);
-    std::optional<Value> value = source.value;
+    std::optional<schema::Value> value = source.value;
     if (!source.set()) value = value_of_default(target, values_);
     if (!value) return fail(slot, ReferenceTrouble::unresolvable);
     schema::Parameter const& to = values_.row(slot);

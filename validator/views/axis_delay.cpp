@@ -46,8 +46,8 @@ class Sum {
       if (hsc_type(filter) == HscType::novib && !(filter.order.value.number > 0)) continue;
       auto const kernel = hsc_kernel(filter, cycle_time_);
       if (!kernel || filter.index != 0) return false;
-      result_.kernel = ConfiguredKernel{
-          .family = KernelFamily::hsc, .index = 0, .specification = *kernel, .on_at_start = false};
+      result_.kernel = machine::ConfiguredKernel{
+          .family = machine::KernelFamily::hsc, .index = 0, .specification = *kernel, .on_at_start = false};
       EffectiveValue const& cause = filter.order.value.number > 0 ? filter.order : filter.time_constant;
       add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : filter.prototype);
     }
@@ -59,7 +59,7 @@ class Sum {
     if (!fir.configured()) return !fir.type.unusable;
     auto const kernel = fir.specification(cycle_time_);
     if (!kernel) return false;
-    result_.kernel = ConfiguredKernel{.family = KernelFamily::fir,
+    result_.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
                                       .index = 0,
                                       .specification = *kernel,
                                       .on_at_start = fir.enable.value.flag()};

@@ -11,7 +11,7 @@ struct AxisDelay {
   double cycles = 0;  ///< at 0 Hz: of the active filter[i] and of the configured FIR or HSC filter
   /// The parameter that delays most; null where nothing delays. Valid while the EffectiveValues live.
   EffectiveValue const* cause = nullptr;
-  std::optional<ConfiguredKernel> kernel;
+  std::optional<machine::ConfiguredKernel> kernel;
 };
 
 /// None where a filter cannot be designed: what it would do is not known. Cost: one design per active filter.

@@ -23,16 +23,16 @@ DriveType const* drive_of(LoadedAxis const& axis) {
   return find_drive([&](DriveType const& drive) { return drive.number == type.value.number; });
 }
 
-PositionController position_controller(LoadedAxis const& axis) {
-  if (axis.position_control != PositionController::unknown) return axis.position_control;
+machine::PositionController position_controller(LoadedAxis const& axis) {
+  if (axis.position_control != machine::PositionController::unknown) return axis.position_control;
   EffectiveValue const& mode = axis.merged.values.at("antr.operation_mode");
-  if (mode.unusable || is_open_loop(mode)) return PositionController::unknown;
+  if (mode.unusable || is_open_loop(mode)) return machine::PositionController::unknown;
   std::string_view const word = mode.value.text;
-  if (word == "CNC_POSITION_CONTROL") return PositionController::cnc;
-  if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") return PositionController::drive;
+  if (word == "CNC_POSITION_CONTROL") return machine::PositionController::cnc;
+  if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") return machine::PositionController::drive;
   DriveType const* const drive = drive_of(axis);
-  if (drive == nullptr) return PositionController::unknown;
-  return drive->digital ? PositionController::drive : PositionController::cnc;
+  if (drive == nullptr) return machine::PositionController::unknown;
+  return drive->digital ? machine::PositionController::drive : machine::PositionController::cnc;
 }
 
 bool is_open_loop(EffectiveValue const& operation_mode) {

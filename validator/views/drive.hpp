@@ -35,7 +35,7 @@ inline constexpr std::array<DriveType, 10> drive_types = {{
 
 /// Machine file, else P-AXIS-00320, else by drive type; unknown for an open position loop, and where the lists' values
 /// cannot be used.
-[[nodiscard]] PositionController position_controller(LoadedAxis const& axis);
+[[nodiscard]] machine::PositionController position_controller(LoadedAxis const& axis);
 
 /// P-AXIS-00320 is one of OPEN_POSITION_LOOP_…
 [[nodiscard]] bool is_open_loop(EffectiveValue const& operation_mode);

@@ -26,7 +26,7 @@ GantryView::GantryView(EffectiveValues const& values)
 
 bool GantryView::open() const {
   if (!mode.set() || mode.unusable) return true;
-  auto const standard = default_value(*mode.row);
+  auto const standard = schema::default_value(*mode.row);
   return standard && standard->number == mode.value.number;
 }
 

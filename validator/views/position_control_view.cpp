@@ -120,15 +120,15 @@ StageView::StageView(EffectiveValues const& values, std::uint32_t index_)
       older(older_filter(values, index_)),
       newer{newer_filter(values, index_, 0), newer_filter(values, index_, 1)} {}
 
-std::optional<StageMode> StageView::active_mode() const {
+std::optional<machine::StageMode> StageView::active_mode() const {
   double const number = mode.value.number;
   if (mode.unusable || number < 1 || number > 3) return std::nullopt;
-  return static_cast<StageMode>(static_cast<int>(number));
+  return static_cast<machine::StageMode>(static_cast<int>(number));
 }
 
 bool StageView::simulates() const {
   auto const active = active_mode();
-  return active && *active != StageMode::direct;
+  return active && *active != machine::StageMode::direct;
 }
 
 bool StageView::uses_newer_filters() const {

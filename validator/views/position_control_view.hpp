@@ -39,7 +39,7 @@ struct StageView {
   StageView(EffectiveValues const& values, std::uint32_t index);
 
   /// none for NOT_ACTIVE, and where the mode cannot be used.
-  [[nodiscard]] std::optional<StageMode> active_mode() const;
+  [[nodiscard]] std::optional<machine::StageMode> active_mode() const;
   /// INDIRECT and SET_POINT simulate the vibration with an oscillator.
   [[nodiscard]] bool simulates() const;
   /// A list configures filter[k].x of this stage.

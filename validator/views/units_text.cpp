@@ -49,8 +49,8 @@ UnitRow row_of(std::string_view unit) {
 
 }  // namespace
 
-std::string_view unit_of(schema::Parameter const& parameter, AxisType type) {
-  return type == AxisType::translatory ? parameter.unit_translatory : parameter.unit_rotary;
+std::string_view unit_of(schema::Parameter const& parameter, machine::AxisType type) {
+  return type == machine::AxisType::translatory ? parameter.unit_translatory : parameter.unit_rotary;
 }
 
 std::string physical(double raw, std::string_view unit) {

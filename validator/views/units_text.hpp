@@ -10,7 +10,7 @@
 namespace axisc::validator {
 
 /// Unit of the raw number on an axis of that type; empty where it has none.
-[[nodiscard]] std::string_view unit_of(schema::Parameter const& parameter, AxisType type);
+[[nodiscard]] std::string_view unit_of(schema::Parameter const& parameter, machine::AxisType type);
 
 /// `raw` in the unit of a person: 12000 "us" is "12 ms", 5000 "0.1 um" is "0.5 mm". A unit that is not known stays as it
 /// is, a number without unit alone.

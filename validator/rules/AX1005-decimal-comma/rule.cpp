@@ -10,7 +10,7 @@ namespace {
 /// The number that was meant; empty where that is not obvious: an integer has no decimals.
 std::string repaired(std::string value, Reading const& reading) {
   std::replace(value.begin(), value.end(), ',', '.');
-  if (!is_complete_number(value)) return {};
+  if (!schema::is_complete_number(value)) return {};
   bool const is_real = !reading.row_known() || reading.row->type == schema::DataType::real64;
   if (is_real) return value;
   std::size_t const point = value.find('.');

@@ -22,36 +22,36 @@ struct Trouble {
   std::string_view result;
 };
 
-Trouble trouble_of(NumberStatus status) {
+Trouble trouble_of(schema::NumberStatus status) {
   switch (status) {
-    case NumberStatus::leading_zero:
+    case schema::NumberStatus::leading_zero:
       return {.headline = Text::ax1006_leading_zero,
               .reaction = Text::ax1006_leading_zero_reaction,
               .control = "1022",
               .result = ""};
-    case NumberStatus::exponent_too_big:
+    case schema::NumberStatus::exponent_too_big:
       return {.headline = Text::ax1006_exponent,
               .reaction = Text::ax1006_exponent_reaction,
               .control = "1027",
               .result = ""};
-    case NumberStatus::good:
-    case NumberStatus::not_a_number:
-    case NumberStatus::out_of_data_range:
+    case schema::NumberStatus::good:
+    case schema::NumberStatus::not_a_number:
+    case schema::NumberStatus::out_of_data_range:
       break;
   }
   return {.headline = Text::ax1006, .reaction = Text::ax1006_reaction, .control = "", .result = "0"};
 }
 
 void describe(Finding& finding, Line const& line) {
-  NumberStatus const status = line.reading().number;
+  schema::NumberStatus const status = line.reading().number;
   Trouble const trouble = trouble_of(status);
   std::string const value = line.text(line.assignment().value);
   finding.message = message_of(trouble.headline, Argument{"value", value});
   set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
   if (!trouble.control.empty()) finding.control->message = trouble.control;
-  if (status != NumberStatus::leading_zero) return;
+  if (status != schema::NumberStatus::leading_zero) return;
   std::string const shorter = without_leading_zeros(value);
-  if (!is_complete_number(shorter)) return;
+  if (!schema::is_complete_number(shorter)) return;
   finding.fix = replace_by(line.place(line.assignment().value), shorter,
                            message(Text::ax1006_fix, {{"replacement", shorter}}));
 }

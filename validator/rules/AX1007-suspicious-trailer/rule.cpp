@@ -21,7 +21,7 @@ bool is_reference(std::string_view word) {
 }
 
 bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word) {
-  return is_complete_number(word) || is_reference(word) ||
+  return schema::is_complete_number(word) || is_reference(word) ||
          (std::none_of(word.begin(), word.end(), ascii::is_small) &&
           catalogue.is_symbol_of_any_parameter(word));
 }

@@ -25,7 +25,7 @@ void describe(Finding& finding, Line const& line) {
     finding.control->message = "1001138";
     return;
   }
-  double const real = read_real(value).number;
+  double const real = schema::read_real(value).number;
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
   finding.fix = replace_by(line.place(line.reading().text), whole,

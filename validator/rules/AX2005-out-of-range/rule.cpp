@@ -12,7 +12,7 @@ bool is_number_of_default_list(LoadedList const& list, schema::Parameter const& 
 }
 
 bool is_wrong(schema::Parameter const& parameter, double value) {
-  return schema::is_number(parameter.type) && is_outside(parameter, value) &&
+  return schema::is_number(parameter.type) && schema::is_outside(parameter, value) &&
          !is_default_or_off(parameter, value);
 }
 

@@ -5,14 +5,14 @@
 namespace axisc::validator::checks {
 namespace {
 
-char letter(AxisType type) {
-  if (type == AxisType::translatory) return 'T';
-  return type == AxisType::rotary ? 'R' : 'S';
+char letter(machine::AxisType type) {
+  if (type == machine::AxisType::translatory) return 'T';
+  return type == machine::AxisType::rotary ? 'R' : 'S';
 }
 
-Text headline(AxisType type) {
-  if (type == AxisType::translatory) return Text::ax2009_translatory;
-  return type == AxisType::rotary ? Text::ax2009_rotary : Text::ax2009_spindle;
+Text headline(machine::AxisType type) {
+  if (type == machine::AxisType::translatory) return Text::ax2009_translatory;
+  return type == machine::AxisType::rotary ? Text::ax2009_rotary : Text::ax2009_spindle;
 }
 
 using Rows = std::vector<schema::Parameter const*>;

@@ -54,10 +54,10 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   }
   std::optional<Slot> const other = limiting_slot(values, slot, limit.p_axis);
   if (!other || values[*other].unusable) return std::nullopt;
-  if (!values[*other].set() && !default_value(values.row(*other))) return std::nullopt;
+  if (!values[*other].set() && !schema::default_value(values.row(*other))) return std::nullopt;
   double const bound = values[*other].value.number;
-  bool const violated = side == Side::minimum ? violates_minimum(value.value.number, bound, limit.open)
-                                              : violates_maximum(value.value.number, bound, limit.open);
+  bool const violated = side == Side::minimum ? schema::violates_minimum(value.value.number, bound, limit.open)
+                                              : schema::violates_maximum(value.value.number, bound, limit.open);
   if (!violated) return std::nullopt;
   return Violation{.limit = *other, .side = side, .open = limit.open};
 }

@@ -67,7 +67,7 @@ void describe(Finding& finding, AxisContext const& context, Reading const& readi
 }
 
 void check_spindle(AxisContext const& context, BuildVersion const& build, Report& report) {
-  if (context.type != AxisType::spindle || build >= builds::spindle_filters) return;
+  if (context.type != machine::AxisType::spindle || build >= builds::spindle_filters) return;
   for (FilterView const& filter : context.filters) {
     bool const on = !filter.enable.unusable && filter.enable.value.flag();
     if (filter.port != FilterPort::setpoint || !on) continue;

@@ -9,13 +9,13 @@ namespace axisc::validator::checks {
 namespace {
 
 /// NC cycles between the vibration and the velocity that answers it.
-double dead_cycles(StageMode mode) {
+double dead_cycles(machine::StageMode mode) {
   switch (mode) {
-    case StageMode::direct:
+    case machine::StageMode::direct:
       return 0;
-    case StageMode::indirect:
+    case machine::StageMode::indirect:
       return 2;
-    case StageMode::set_point:
+    case machine::StageMode::set_point:
       return 1;
   }
   return 0;

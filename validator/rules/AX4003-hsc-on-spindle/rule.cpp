@@ -8,7 +8,7 @@ namespace {
 
 void hsc_on_spindle(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
-  if (!is_configured_hsc(filter) || context.axis.type != AxisType::spindle) return;
+  if (!is_configured_hsc(filter) || context.axis.type != machine::AxisType::spindle) return;
   Finding& finding = report.add(filter.prototype, {Text::ax4003, {{"filter", filter_name(filter)}}});
   finding.notes.push_back({Text::ax4003_limit, {}});
 }

@@ -8,7 +8,7 @@
 namespace axisc::validator::checks {
 namespace {
 
-bool same_kernel(std::optional<ConfiguredKernel> const& left, std::optional<ConfiguredKernel> const& right) {
+bool same_kernel(std::optional<machine::ConfiguredKernel> const& left, std::optional<machine::ConfiguredKernel> const& right) {
   if (!left || !right) return left.has_value() == right.has_value();
   return left->family == right->family && left->specification == right->specification &&
          left->on_at_start == right->on_at_start;

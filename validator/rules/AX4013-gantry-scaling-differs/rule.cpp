@@ -66,7 +66,7 @@ void gantry_scaling_differs(MachineContext const& context, Report& report) {
   for (LoadedGantry const& gantry : context.machine.gantries) {
     LoadedAxis const& master = context.machine.axes[gantry.master];
     bool const sends = PositionControlView(master.merged.values).enabled() &&
-                       position_controller(master) == PositionController::drive;
+                       position_controller(master) == machine::PositionController::drive;
     if (!sends) continue;
     for (std::size_t const slave : gantry.slaves) check_slave(context.machine.axes[slave], master, report);
   }

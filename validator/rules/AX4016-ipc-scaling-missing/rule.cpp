@@ -13,7 +13,7 @@ namespace {
 
 void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   PositionControlView const& view = axis.position_control;
-  if (!view.enabled() || position_controller(loaded(axis)) != PositionController::drive) return;
+  if (!view.enabled() || position_controller(loaded(axis)) != machine::PositionController::drive) return;
   std::array const scaling{&axis.values.at("antr.v_reso_num"), &axis.values.at("antr.v_reso_denom"),
                            &axis.values.at("antr.v_time_base")};
   bool const given = std::any_of(scaling.begin(), scaling.end(), [](EffectiveValue const* value) {
