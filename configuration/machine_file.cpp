@@ -1,10 +1,10 @@
 #include "configuration/machine_file.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
-#include "validator/views/drive.hpp"
+#include "machine/drive_type.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
-#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +19,9 @@ using Kind = JsonShapeKind;
 using enum JsonPresence;
 
 constexpr auto drive_words = [] {
-  std::array<std::string_view, drive_types.size()> words;
-  std::transform(drive_types.begin(), drive_types.end(), words.begin(),
-                 [](DriveType const& drive) { return drive.word; });
+  std::array<std::string_view, machine::drive_types.size()> words;
+  std::transform(machine::drive_types.begin(), machine::drive_types.end(), words.begin(),
+                 [](machine::DriveType const& drive) { return drive.word; });
   return words;
 }();
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
@@ -32,8 +32,8 @@ constexpr JsonShape position_control_shape{.words = position_controls, .ignores_
 constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
 
 void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
-  axis.type = equal_ignoring_case(value.string, "T")   ? machine::AxisType::translatory
-              : equal_ignoring_case(value.string, "R") ? machine::AxisType::rotary
+  axis.type = ascii::equal_ignoring_case(value.string, "T")   ? machine::AxisType::translatory
+              : ascii::equal_ignoring_case(value.string, "R") ? machine::AxisType::rotary
                                                        : machine::AxisType::spindle;
 }
 
@@ -93,8 +93,8 @@ namespace {
 
 class MachineFileReader {
  public:
-  MachineFileReader(SourceId source, ReportedFindings& findings)
-      : source_(source), report_(findings, *find_rule(Code{4020})) {}
+  MachineFileReader(SourceId source, std::deque<Finding>& findings)
+      : source_(source), findings_(findings) {}
 
   void broken(JsonError const& error) {
     add(error.span,
@@ -119,7 +119,11 @@ class MachineFileReader {
 
  private:
   Finding& add(Span span, Message message) {
-    return report_.add(Place{.source = source_, .span = span}, std::move(message));
+    Finding& finding = findings_.emplace_back();
+    finding.code = machine_file_code;
+    finding.place = Place{.source = source_, .span = span};
+    finding.message = std::move(message);
+    return finding;
   }
 
   void tell(JsonProblem const& problem) {
@@ -175,13 +179,13 @@ class MachineFileReader {
   }
 
   SourceId source_;
-  Report report_;
+  std::deque<Finding>& findings_;
   std::map<std::string, Place> axis_names_;
 };
 
 }  // namespace
 
-MachineFile read_machine_file(SourceSet const& sources, SourceId source, ReportedFindings& findings) {
+MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::deque<Finding>& findings) {
   SourceText const& text = sources[source];
   MachineFileReader reader(source, findings);
   auto const parsed = parse_json(text.bytes(), text.text_begin());

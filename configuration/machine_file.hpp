@@ -5,8 +5,8 @@
 #include "diagnostics/finding.hpp"
 #include "configuration/json_reading.hpp"
 #include "machine/machine.hpp"
-#include "validator/engine/report.hpp"
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,10 +44,13 @@ struct MachineFile {
   bool inch = false;                     ///< lengths in programs are inches
 };
 
-/// Reads `sources[source]`; what is wrong becomes AX4020 findings and is left out of the result. Axes without name or
+/// The code of everything that is wrong in a machine file.
+inline constexpr Code machine_file_code{4020};
+
+/// Reads `sources[source]`; what is wrong becomes AX4020 findings (place and sentences) and is left out of the result. Axes without name or
 /// list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
-                                            ReportedFindings& findings);
+                                            std::deque<Finding>& findings);
 
 /// What a machine file may say.
 extern JsonShape const machine_file_shape;

@@ -6,9 +6,7 @@
 #include "design/kernel_design.hpp"
 #include "design/oscillator.hpp"
 #include "design/units.hpp"
-#include "validator/values/effective_values.hpp"
 #include "machine/filter_command.hpp"
-#include "validator/views/filter_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -22,9 +20,6 @@ namespace axisc::machine {
 
 /// Values are the numbers of P-AXIS-00018.
 enum class AxisType : std::uint8_t { translatory = 1, rotary = 2, spindle = 4 };
-
-/// What the lists say: P-AXIS-00018.
-[[nodiscard]] AxisType axis_type_of(EffectiveValues const& values);
 
 /// Where one value of a list came from; the image's source map.
 struct SourcedValue {

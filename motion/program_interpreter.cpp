@@ -170,7 +170,7 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
       refuse(token, Text::ax9008_feed_range);
     } else {
       double const mm_per_min = *feed * (channel_.inch ? mm_per_inch : 1);
-      feed_ = mm_per_min / 60 * channel_.limits.cycle_time.seconds() * units_per_mm;
+      feed_ = mm_per_min / 60 * channel_.cycle_time.seconds() * units_per_mm;
     }
   } else if (auto const index = axis(word.substr(0, 1))) {
     take_coordinate(token, *index, number);
@@ -262,7 +262,7 @@ std::size_t ProgramInterpreter::take_command(std::size_t at) {
 void ProgramInterpreter::take_filter(Token const& token) {
   grammar::NcCommand command = commands_[*token.command];
   shift(command, kept_offset_);
-  auto checked = validator::check_command(command, kept_, channel_.limits, validator::Variables::refused);
+  FilterCommandReading const checked = channel_.read_filter_command(command, kept_);
   if (!checked.command || !checked.mistakes.empty()) {
     for (auto const& mistake : checked.mistakes) {
       Token const place{

@@ -7,8 +7,8 @@
 
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_program.hpp"
+#include "machine/filter_command.hpp"
 #include "motion/path_block.hpp"
-#include "validator/commands/command_check.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -49,12 +49,27 @@ struct ProgramProblem {
   Span span;              ///< in it
 };
 
+/// What a #FILTER command asks for, or what is wrong with it. Spans count like those of the command.
+struct FilterCommandReading {
+  struct Mistake {
+    Code code{};
+    Span span;
+    Message message;
+  };
+  std::optional<machine::FilterCommand> command;
+  std::vector<Mistake> mistakes;
+};
+
+/// Reads a command, whose spans count from the start of the text.
+using FilterCommandReader = std::function<FilterCommandReading(grammar::NcCommand const&, std::string_view)>;
+
 /// The channel that runs the program.
 struct ProgramChannel {
   std::vector<std::string> axes;
   std::vector<bool> rotary;  ///< lengths of these are degrees, whatever the program's unit
   bool inch = false;
-  validator::CommandLimits limits;
+  design::CycleTime cycle_time;
+  FilterCommandReader read_filter_command;
 };
 
 class ProgramInterpreter final : private grammar::ProgramListener {

@@ -4,6 +4,7 @@
 #include "validator/engine/engine.hpp"
 #include "validator/loading/loading.hpp"
 #include "validator/building/machine_build.hpp"
+#include "validator/views/gantry.hpp"
 
 #include <deque>
 #include <utility>
@@ -33,10 +34,11 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
   auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
   // Silenced or not: what cannot be understood in a machine file is not in the machine.
-  bool const is_understood = machine.complete && machine.findings.findings.empty();
+  bool const is_understood = machine.complete && machine.findings.empty();
 
+  machine.gantries = gantries_of(machine);
   std::deque<AxisViews> const views = views_of(machine);
-  EngineResult const judged = run_rules(machine, views, std::move(machine.findings), options, sources, sink);
+  EngineResult const judged = run_rules(machine, views, options, sources, sink);
   result.cycle_time_assumed = judged.cycle_time_assumed;
   if (options.machine && !judged.has_errors && is_understood && !machine.axes.empty()) {
     BuiltMachine built = build_machine(machine, views, sources, files);

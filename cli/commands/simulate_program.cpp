@@ -48,7 +48,8 @@ class Recorder final : public motion::SimulationListener {
 motion::ProgramChannel channel_of(machine::Machine const& machine, machine::MachineGroup const& group) {
   motion::ProgramChannel channel;
   channel.inch = machine.inch;
-  channel.limits = command_limits(machine, group);
+  channel.cycle_time = machine.cycle_time;
+  channel.read_filter_command = filter_command_reader(machine, group);
   for (auto const axis : group.axes) {
     channel.axes.push_back(machine.axes[axis].name);
     channel.rotary.push_back(machine.axes[axis].type != machine::AxisType::translatory);

@@ -80,6 +80,18 @@ machine::FilterCommand read_filter_command(machine::Machine const& machine,
   throw Failure({.text = Text::cli_not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
 }
 
+motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,
+                                                  machine::MachineGroup const& group) {
+  return [limits = command_limits(machine, group)](grammar::NcCommand const& command, std::string_view text) {
+    auto const checked = validator::check_command(command, text, limits, validator::Variables::refused);
+    motion::FilterCommandReading reading{.command = checked.command, .mistakes = {}};
+    for (validator::CommandMistake const& mistake : checked.mistakes) {
+      reading.mistakes.push_back({.code = mistake.code, .span = mistake.span, .message = mistake.message});
+    }
+    return reading;
+  };
+}
+
 std::vector<machine::FilterCommand> filters_on() {
   using machine::FilterCommand;
   using machine::FilterSwitch;

@@ -5,6 +5,7 @@
 #include "cli/files/disk_files.hpp"
 #include "cli/files/image_file.hpp"
 #include "motion/group_runtime.hpp"
+#include "motion/program_interpreter.hpp"
 #include "validator/commands/command_check.hpp"
 #include "machine/machine.hpp"
 
@@ -46,6 +47,10 @@ struct CheckedMachine {
 [[nodiscard]] machine::FilterCommand read_filter_command(machine::Machine const& machine,
                                                            machine::MachineGroup const& group,
                                                            std::string const& text, Language language);
+
+/// Reads the #FILTER commands of a program that the group runs.
+[[nodiscard]] motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,
+                                                                machine::MachineGroup const& group);
 
 /// What a program's start would do for `contour`: every FIR and HSC filter that is configured works.
 [[nodiscard]] std::vector<machine::FilterCommand> filters_on();

@@ -97,7 +97,17 @@ double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time) {
 
 Recorded simulated(machine::Machine machine, std::string const& program, bool constant_velocity) {
   motion::ProgramChannel channel;
-  channel.limits.cycle_time = machine.cycle_time;
+  channel.cycle_time = machine.cycle_time;
+  channel.read_filter_command = [cycle_time = machine.cycle_time](grammar::NcCommand const& command,
+                                                                  std::string_view text) {
+    validator::CommandLimits const limits{.cycle_time = cycle_time};
+    auto const checked = validator::check_command(command, text, limits, validator::Variables::refused);
+    motion::FilterCommandReading reading{.command = checked.command, .mistakes = {}};
+    for (auto const& mistake : checked.mistakes) {
+      reading.mistakes.push_back({.code = mistake.code, .span = mistake.span, .message = mistake.message});
+    }
+    return reading;
+  };
   std::vector<motion::AxisLimits> limits;
   double const T = machine.cycle_time.seconds();
   for (auto const& axis : machine.axes) {

@@ -4,6 +4,7 @@
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/simulation.hpp"
+#include "validator/commands/command_check.hpp"
 #include "machine/machine.hpp"
 
 #include <string>

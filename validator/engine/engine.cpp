@@ -46,17 +46,16 @@ constexpr Code cycle_time_assumed{9006};
 
 class Engine {
  public:
-  Engine(LoadedMachine const& machine, std::deque<AxisViews> const& views, ReportedFindings reported,
-         CheckOptions const& options, SourceSet const& sources)
+  Engine(LoadedMachine const& machine, std::deque<AxisViews> const& views, CheckOptions const& options,
+         SourceSet const& sources)
       : machine_(machine),
         views_(views),
         policy_(options, sources),
         sources_(sources),
-        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})),
-        reported_(std::move(reported)) {
+        cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
     list_contexts_.reserve(machine.lists.size());
     // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
-    std::size_t expected = reported_.findings.size();
+    std::size_t expected = machine.findings.size();
     for (NamedList const& named : machine.lists) {
       expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
     }
@@ -64,6 +63,10 @@ class Engine {
   }
 
   EngineResult run(FindingSink const& sink) {
+    for (Finding const& finding : machine_.findings) {
+      Rule const& rule = *find_rule(finding.code);
+      if (enabled(rule)) adopt(reported_, rule, finding);
+    }
     run_list_checks();
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
@@ -347,9 +350,8 @@ class Engine {
 }  // namespace
 
 EngineResult run_rules(LoadedMachine const& machine, std::deque<AxisViews> const& views,
-                       ReportedFindings loading, CheckOptions const& options, SourceSet const& sources,
-                       FindingSink const& sink) {
-  return Engine(machine, views, std::move(loading), options, sources).run(sink);
+                       CheckOptions const& options, SourceSet const& sources, FindingSink const& sink) {
+  return Engine(machine, views, options, sources).run(sink);
 }
 
 }  // namespace axisc::validator

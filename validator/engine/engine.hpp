@@ -15,11 +15,11 @@ struct EngineResult {
   bool cycle_time_assumed = false;  ///< nothing gives it, and a rule that needs it looked at something
 };
 
-/// Every rule over everything that was loaded; `views` has one entry per axis, and may be empty where a default list is
-/// missing; `loading` is what was found on the way. What stands is told to `sink` in
+/// Every rule over everything that was loaded, besides what was found on the way; `views` has one entry per axis, and may be
+/// empty where a default list is missing. What stands is told to `sink` in
 /// output order, AX9006 first. Cost: one pass of each rule over what it looks at, plus sorting.
 EngineResult run_rules(LoadedMachine const& machine, std::deque<AxisViews> const& views,
-                       ReportedFindings loading, CheckOptions const& options, SourceSet const& sources,
+                       CheckOptions const& options, SourceSet const& sources,
                        FindingSink const& sink);
 
 }  // namespace axisc::validator

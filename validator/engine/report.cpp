@@ -17,6 +17,15 @@ Finding new_finding(Rule const& rule) {
   return finding;
 }
 
+void adopt(ReportedFindings& reported, Rule const& rule, Finding const& found) {
+  Finding& finding = Report(reported, rule).add(found.place.value_or(Place{}), found.message);
+  Finding const known = finding;
+  finding = found;
+  finding.name = known.name;
+  finding.severity = known.severity;
+  finding.control = known.control;
+}
+
 Finding tell(ReportedFindings& reported, Reported const& finding) {
   // A copy: it may be a view of the finding that is moved.
   std::string axis(finding.axis);

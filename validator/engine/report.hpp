@@ -56,6 +56,9 @@ struct ReportedFindings {
 /// Puts a finding into words. Once for each: what was said already is moved out.
 [[nodiscard]] Finding tell(ReportedFindings& reported, Reported const& finding);
 
+/// Takes over what configuration and loading found: code, place and sentences; the rule adds the rest.
+void adopt(ReportedFindings& reported, Rule const& rule, Finding const& found);
+
 /// A finding of a rule about which nothing else is known.
 [[nodiscard]] Finding new_finding(Rule const& rule);
 

@@ -3,8 +3,6 @@
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/commands/command_check.hpp"
-#include "validator/views/gantry.hpp"
-#include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -103,7 +101,6 @@ class Loader {
         if (!runs_in(group, program)) group.programs.push_back(program);
       }
     }
-    machine_.gantries = gantries_of(machine_);
     if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
     machine_.build = options_.build;
     return std::nullopt;
@@ -286,8 +283,10 @@ class Loader {
 
   void missing(configuration::LocatedText const& name, configuration::FileError error) {
     machine_.complete = false;
-    Report(machine_.findings, *find_rule(Code{4020}))
-        .add(name.place, {.text = text_of(error), .arguments = {{"file", name.text}}});
+    Finding& finding = machine_.findings.emplace_back();
+    finding.code = configuration::machine_file_code;
+    finding.place = name.place;
+    finding.message = {.text = text_of(error), .arguments = {{"file", name.text}}};
   }
 
   configuration::Files& files_;

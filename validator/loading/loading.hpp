@@ -77,7 +77,7 @@ struct LoadedMachine {
   std::optional<SourceId> machine_file;    ///< none for a single list
   bool inch = false;                       ///< lengths in programs are inches
   std::optional<BuildVersion> build;       ///< of the control, where the options name it
-  ReportedFindings findings;               ///< AX4020
+  std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest
   std::vector<std::string> files;
 
   [[nodiscard]] LoadedList const* list_of_defaults() const {

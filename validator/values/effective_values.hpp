@@ -4,6 +4,7 @@
 
 #include "diagnostics/source_text.hpp"
 #include "grammar/axis_list.hpp"
+#include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/values/reading.hpp"
 #include "schema/value.hpp"
@@ -168,6 +169,9 @@ struct MergedValues {
   EffectiveValues values;
   std::vector<ReferenceProblem> reference_problems;
 };
+
+/// What the lists say: P-AXIS-00018.
+[[nodiscard]] machine::AxisType axis_type_of(EffectiveValues const& values);
 
 /// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
 /// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. The values look

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "machine/machine.hpp"
+#include "validator/values/effective_values.hpp"
 
 #include <optional>
 

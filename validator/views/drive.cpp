@@ -7,20 +7,20 @@ namespace axisc::validator {
 namespace {
 
 template <typename Matches>
-DriveType const* find_drive(Matches matches) {
-  auto const* const found = std::find_if(drive_types.begin(), drive_types.end(), matches);
-  return found == drive_types.end() ? nullptr : found;
+machine::DriveType const* find_drive(Matches matches) {
+  auto const* const found = std::find_if(machine::drive_types.begin(), machine::drive_types.end(), matches);
+  return found == machine::drive_types.end() ? nullptr : found;
 }
 
 }  // namespace
 
-DriveType const* drive_of(LoadedAxis const& axis) {
+machine::DriveType const* drive_of(LoadedAxis const& axis) {
   if (axis.drive) {
-    return find_drive([&](DriveType const& drive) { return drive.word == axis.drive->text; });
+    return find_drive([&](machine::DriveType const& drive) { return drive.word == axis.drive->text; });
   }
   EffectiveValue const& type = axis.merged.values.at("kenngr.antr_typ");
   if (type.unusable) return nullptr;
-  return find_drive([&](DriveType const& drive) { return drive.number == type.value.number; });
+  return find_drive([&](machine::DriveType const& drive) { return drive.number == type.value.number; });
 }
 
 machine::PositionController position_controller(LoadedAxis const& axis) {
@@ -30,7 +30,7 @@ machine::PositionController position_controller(LoadedAxis const& axis) {
   std::string_view const word = mode.value.text;
   if (word == "CNC_POSITION_CONTROL") return machine::PositionController::cnc;
   if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") return machine::PositionController::drive;
-  DriveType const* const drive = drive_of(axis);
+  machine::DriveType const* const drive = drive_of(axis);
   if (drive == nullptr) return machine::PositionController::unknown;
   return drive->digital ? machine::PositionController::drive : machine::PositionController::cnc;
 }

@@ -42,7 +42,7 @@ std::array<schema::Slot, member_names.size()> const& slots_of(FilterPort port, s
   return slots[port == FilterPort::setpoint ? index : setpoint_filters + index];
 }
 
-EffectiveValue const& schema::value_of(EffectiveValues const& values, FilterPort port, std::uint32_t index,
+EffectiveValue const& value_of(EffectiveValues const& values, FilterPort port, std::uint32_t index,
                                Member member) {
   return values[slots_of(port, index)[static_cast<std::size_t>(member)]];
 }
@@ -58,14 +58,14 @@ bool is_touched(EffectiveValues const& values, FilterPort port, std::uint32_t in
 FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uint32_t index_)
     : port(port_),
       index(index_),
-      enable(schema::value_of(values, port_, index_, Member::enable)),
-      order(schema::value_of(values, port_, index_, Member::order)),
-      prototype(schema::value_of(values, port_, index_, Member::prototype)),
-      type(schema::value_of(values, port_, index_, Member::type)),
-      frequency(schema::value_of(values, port_, index_, Member::frequency)),
-      quality(schema::value_of(values, port_, index_, Member::quality)),
-      share(schema::value_of(values, port_, index_, Member::share)),
-      time_constant(schema::value_of(values, port_, index_, Member::time_constant)) {
+      enable(value_of(values, port_, index_, Member::enable)),
+      order(value_of(values, port_, index_, Member::order)),
+      prototype(value_of(values, port_, index_, Member::prototype)),
+      type(value_of(values, port_, index_, Member::type)),
+      frequency(value_of(values, port_, index_, Member::frequency)),
+      quality(value_of(values, port_, index_, Member::quality)),
+      share(value_of(values, port_, index_, Member::share)),
+      time_constant(value_of(values, port_, index_, Member::time_constant)) {
   if (is_hsc()) return;
   if (auto const* const kind = design::find_filter_kind(type_number())) standard_type = kind->type;
 }

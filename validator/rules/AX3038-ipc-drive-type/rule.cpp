@@ -13,7 +13,7 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
   EffectiveValue const& type = axis.values.at("kenngr.antr_typ");
   auto const& named = loaded(axis).drive;
   bool const stated = named || (type.set() && !type.unusable);
-  DriveType const* const drive = drive_of(loaded(axis));
+  machine::DriveType const* const drive = drive_of(loaded(axis));
   if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
   Message message{Text::ax3038,
                   {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};

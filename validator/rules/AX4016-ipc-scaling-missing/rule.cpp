@@ -28,7 +28,7 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   finding.notes.push_back(
       {Text::ax4016_defaults,
        {{"denominator", number(scaling[1]->value.number)}, {"numerator", number(scaling[0]->value.number)}}});
-  DriveType const* const drive = drive_of(loaded(axis));
+  machine::DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
   finding.notes.push_back({sercos ? Text::ax4016_mapping_sercos : Text::ax4016_mapping, {}});
   react(finding, {Text::ax4016_reaction, {}});
