@@ -22,8 +22,8 @@ class Records {
   Records(std::span<std::byte const> bytes, std::size_t stride) : bytes_(bytes), stride_(stride) {}
 
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(bytes_.size() / stride_); }
-  [[nodiscard]] ConstRecord<RecordType> operator[](std::size_t i) const {
-    return ConstRecord<RecordType>(bytes_.subspan(i * stride_, stride_));
+  [[nodiscard]] codegen::ConstRecord<RecordType> operator[](std::size_t i) const {
+    return codegen::ConstRecord<RecordType>(bytes_.subspan(i * stride_, stride_));
   }
   [[nodiscard]] std::span<std::byte const> bytes() const { return bytes_; }
 
@@ -37,8 +37,8 @@ struct ImageRecords {
 
   /// Text in the names section; empty in a stripped image.
   template <class RecordType>
-  [[nodiscard]] std::string text(ConstRecord<RecordType> record, Field<RecordType, std::uint32_t> offset,
-                                 Field<RecordType, std::uint32_t> size) const {
+  [[nodiscard]] std::string text(codegen::ConstRecord<RecordType> record, codegen::Field<RecordType, std::uint32_t> offset,
+                                 codegen::Field<RecordType, std::uint32_t> size) const {
     return text(record.get(offset), record.get(size));
   }
   [[nodiscard]] std::string text(std::uint32_t offset, std::uint32_t size) const;
@@ -47,36 +47,36 @@ struct ImageRecords {
   template <class Tested>
   void read_samples(std::uint32_t first, std::uint32_t count, Tested& tested) const {
     for (std::uint32_t i = 0; i < count; ++i) {
-      tested.self_test_input.push_back(self_tests[first + i].get(fields::sample::input));
-      tested.self_test_output.push_back(self_tests[first + i].get(fields::sample::output));
+      tested.self_test_input.push_back(self_tests[first + i].get(codegen::fields::sample::input));
+      tested.self_test_output.push_back(self_tests[first + i].get(codegen::fields::sample::output));
     }
   }
 
-  ConstRecord<records::header> header;
-  Records<records::axis> axes;
-  Records<records::filter> filters;
-  Records<records::coefficients> coefficients;
-  Records<records::kernel> kernels;
-  Records<records::tail> tails;
-  Records<records::slot> slots;
-  Records<records::group> groups;
-  Records<records::member> members;
-  Records<records::bank> banks;
-  Records<records::choice> choices;
-  Records<records::control> controls;
-  Records<records::stage> stages;
-  Records<records::byte> names;
-  Records<records::sample> self_tests;
-  Records<records::list> lists;
-  Records<records::value> values;
+  codegen::ConstRecord<codegen::records::header> header;
+  Records<codegen::records::axis> axes;
+  Records<codegen::records::filter> filters;
+  Records<codegen::records::coefficients> coefficients;
+  Records<codegen::records::kernel> kernels;
+  Records<codegen::records::tail> tails;
+  Records<codegen::records::slot> slots;
+  Records<codegen::records::group> groups;
+  Records<codegen::records::member> members;
+  Records<codegen::records::bank> banks;
+  Records<codegen::records::choice> choices;
+  Records<codegen::records::control> controls;
+  Records<codegen::records::stage> stages;
+  Records<codegen::records::byte> names;
+  Records<codegen::records::sample> self_tests;
+  Records<codegen::records::list> lists;
+  Records<codegen::records::value> values;
 };
 
 /// Filters of a chain, one after the other.
 [[nodiscard]] std::vector<ImageFilter> read_chain(ImageRecords const& image, std::uint32_t first,
                                                   std::uint32_t count);
-[[nodiscard]] ImageKernel read_kernel(ImageRecords const& image, ConstRecord<records::kernel> record);
-[[nodiscard]] ImageSlot read_slot(ConstRecord<records::slot> record);
-[[nodiscard]] ImageGroup read_group(ImageRecords const& image, ConstRecord<records::group> record);
-[[nodiscard]] ImageControl read_control(ImageRecords const& image, ConstRecord<records::control> record);
+[[nodiscard]] ImageKernel read_kernel(ImageRecords const& image, codegen::ConstRecord<codegen::records::kernel> record);
+[[nodiscard]] ImageSlot read_slot(codegen::ConstRecord<codegen::records::slot> record);
+[[nodiscard]] ImageGroup read_group(ImageRecords const& image, codegen::ConstRecord<codegen::records::group> record);
+[[nodiscard]] ImageControl read_control(ImageRecords const& image, codegen::ConstRecord<codegen::records::control> record);
 
 }  // namespace axisc::image

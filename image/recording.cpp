@@ -55,7 +55,7 @@ bool ReplayedEntry::same() const {
   return recorded_status == computed_status && same_bits(recorded, computed);
 }
 
-Recording::Recording(AlignedBytes image, AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime)
+Recording::Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime)
     : image_(std::move(image)),
       memory_(std::move(memory)),
       dump_(std::move(dump)),
@@ -64,7 +64,7 @@ Recording::Recording(AlignedBytes image, AlignedBytes memory, std::vector<std::b
 
 std::variant<Recording, axisrt_status> Recording::open(std::span<std::byte const> image,
                                                        std::span<std::byte const> dump) {
-  AlignedBytes owned_image(image);
+  codegen::AlignedBytes owned_image(image);
   std::vector<std::byte> owned_dump(dump.begin(), dump.end());
   axisrt_config config{};
   config.size = sizeof config;
@@ -78,7 +78,7 @@ std::variant<Recording, axisrt_status> Recording::open(std::span<std::byte const
   std::size_t alignment = 0;
   axisrt_status const sized = axisrt_memory_size(&config, &size, &alignment);
   if (sized != AXISRT_OK) return sized == AXISRT_NO_LEVEL ? AXISRT_BAD_RECORDING : sized;
-  AlignedBytes memory(size);
+  codegen::AlignedBytes memory(size);
   config.memory = memory.data();
   config.memory_size = memory.size();
   axisrt* runtime = nullptr;

@@ -53,7 +53,7 @@ class Recording {
   [[nodiscard]] bool damaged() const { return damaged_; }
 
  private:
-  Recording(AlignedBytes image, AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime);
+  Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime);
   [[nodiscard]] std::uint64_t take();
   [[nodiscard]] std::vector<double> take_numbers(std::size_t count);
   void take_status(ReplayedEntry& entry, bool given);
@@ -61,7 +61,7 @@ class Recording {
   void step_velocity(ReplayedEntry& entry, std::uint64_t flags);
   void call(ReplayedEntry& entry);
 
-  AlignedBytes image_, memory_;
+  codegen::AlignedBytes image_, memory_;
   std::vector<std::byte> dump_;
   axisrt* runtime_;  ///< lies in memory_
   std::size_t at_ = 0;

@@ -9,7 +9,7 @@
 namespace axisc::image {
 
 std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level) {
-  AlignedBytes const aligned(image);
+  codegen::AlignedBytes const aligned(image);
   axisrt_config config{};
   config.size = sizeof config;
   config.level = level;
@@ -20,13 +20,13 @@ std::size_t runtime_memory(std::span<std::byte const> image, std::uint32_t level
   return axisrt_memory_size(&config, &size, &alignment) == AXISRT_OK ? size : 0;
 }
 
-RuntimeHost::RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtime)
+RuntimeHost::RuntimeHost(codegen::AlignedBytes image, codegen::AlignedBytes memory, axisrt* runtime)
     : image_(std::move(image)), memory_(std::move(memory)), runtime_(runtime) {}
 
 std::variant<RuntimeHost, axisrt_status> RuntimeHost::create(std::span<std::byte const> image,
                                                              std::optional<design::CycleTime> cycle_time,
                                                              std::uint32_t level) {
-  AlignedBytes owned_image(image);
+  codegen::AlignedBytes owned_image(image);
   axisrt_config config{};
   config.size = sizeof(axisrt_config);
   config.level = level;
@@ -42,9 +42,9 @@ std::variant<RuntimeHost, axisrt_status> RuntimeHost::create(std::span<std::byte
   }
   config.cycle_time_ns =
       cycle_time ? cycle_time->nanoseconds
-                 : ConstRecord<records::header>(owned_image.bytes()).get(fields::header::cycle_time_ns);
+                 : codegen::ConstRecord<codegen::records::header>(owned_image.bytes()).get(codegen::fields::header::cycle_time_ns);
 
-  AlignedBytes memory(memory_size);
+  codegen::AlignedBytes memory(memory_size);
   config.memory = memory.data();
   config.memory_size = memory.size();
   axisrt* runtime = nullptr;
@@ -159,7 +159,7 @@ axisrt_status RuntimeHost::record(std::uint32_t cycles) {
   std::size_t size = 0;
   axisrt_status const status = axisrt_recorder_size(runtime_, &config, cycles, &size);
   if (status != AXISRT_OK) return status;
-  recorder_memory_ = AlignedBytes(size);
+  recorder_memory_ = codegen::AlignedBytes(size);
   config.memory = recorder_memory_.data();
   config.memory_size = recorder_memory_.size();
   return axisrt_recorder_start(runtime_, &config, cycles, &recorder_);

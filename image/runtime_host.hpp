@@ -87,15 +87,15 @@ class RuntimeHost {
   [[nodiscard]] std::vector<std::byte> recording() const;
 
  private:
-  RuntimeHost(AlignedBytes image, AlignedBytes memory, axisrt* runtime);
+  RuntimeHost(codegen::AlignedBytes image, codegen::AlignedBytes memory, axisrt* runtime);
   [[nodiscard]] axisrt_config configuration() const;
   [[nodiscard]] bool fits(std::span<double const> in, std::span<double> out,
                           std::span<std::uint8_t> status) const;
 
-  AlignedBytes image_;
-  AlignedBytes memory_;
+  codegen::AlignedBytes image_;
+  codegen::AlignedBytes memory_;
   axisrt* runtime_;  ///< lies in memory_
-  AlignedBytes recorder_memory_{0};
+  codegen::AlignedBytes recorder_memory_{0};
   axisrt_recorder* recorder_ = nullptr;
 };
 

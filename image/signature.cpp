@@ -14,7 +14,7 @@ constexpr std::array<std::uint8_t, 4> trailer_magic{'A', 'X', 'S', 'G'};
 constexpr std::uint32_t trailer_version = 1;
 
 std::size_t image_size(std::span<std::byte const> image) {
-  return static_cast<std::size_t>(ConstRecord<records::header>(image).get(fields::header::total_size));
+  return static_cast<std::size_t>(codegen::ConstRecord<codegen::records::header>(image).get(codegen::fields::header::total_size));
 }
 
 }  // namespace
@@ -25,23 +25,23 @@ std::vector<std::byte> sign(std::span<std::byte const> image, SecretKey const& k
   crypto_sign_detached(signature.data(), nullptr, reinterpret_cast<unsigned char const*>(content.data()),
                        content.size(), key.data());
   std::vector<std::byte> bytes(content.begin(), content.end());
-  bytes.resize(content.size() + records::trailer::bytes);
-  Record<records::trailer> trailer{std::span<std::byte>(bytes).subspan(content.size())};
-  trailer.set(fields::trailer::magic, trailer_magic);
-  trailer.set(fields::trailer::version, trailer_version);
-  trailer.set(fields::trailer::key_id, key_id(key.public_key()));
-  trailer.set(fields::trailer::signature, signature);
+  bytes.resize(content.size() + codegen::records::trailer::bytes);
+  codegen::Record<codegen::records::trailer> trailer{std::span<std::byte>(bytes).subspan(content.size())};
+  trailer.set(codegen::fields::trailer::magic, trailer_magic);
+  trailer.set(codegen::fields::trailer::version, trailer_version);
+  trailer.set(codegen::fields::trailer::key_id, key_id(key.public_key()));
+  trailer.set(codegen::fields::trailer::signature, signature);
   return bytes;
 }
 
 std::optional<KeyId> signer(std::span<std::byte const> image) {
   auto const trailer = image.subspan(image_size(image));
   if (trailer.empty()) return std::nullopt;
-  return ConstRecord<records::trailer>(trailer).get(fields::trailer::key_id);
+  return codegen::ConstRecord<codegen::records::trailer>(trailer).get(codegen::fields::trailer::key_id);
 }
 
 axisrt_status check_signature(std::span<std::byte const> image, PublicKey const& key) {
-  AlignedBytes const bytes(image);
+  codegen::AlignedBytes const bytes(image);
   PublicKey context = key;
   axisrt_config config{};
   config.size = sizeof config;

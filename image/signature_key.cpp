@@ -69,7 +69,7 @@ SecretKey make_secret_key() {
 }
 
 KeyId key_id(PublicKey const& key) {
-  Sha256 const digest = sha256({reinterpret_cast<char const*>(key.data()), key.size()});
+  codegen::Sha256 const digest = codegen::sha256({reinterpret_cast<char const*>(key.data()), key.size()});
   KeyId id{};
   std::copy_n(digest.begin(), id.size(), id.begin());
   return id;
