@@ -7,13 +7,59 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> const folders = {"diagnostics", "grammar", "schema", "design", "validator",
-                                       "codegen",     "runtime", "motion", "cli"};
+std::set<std::string> const folders = {"system",  "diagnostics", "grammar", "schema", "design", "machine", "configuration",
+                                       "validator", "codegen", "image", "runtime", "motion", "cli"};
+
+/// What each folder may include, beside itself: the picture of the architecture.
+std::map<std::string, std::set<std::string>> const may_include = {
+    {"system", {}},
+    {"diagnostics", {}},
+    {"schema", {"diagnostics"}},
+    {"design", {}},
+    {"runtime", {}},
+    {"grammar", {"diagnostics"}},
+    {"machine", {"design"}},
+    {"configuration", {"machine", "design", "schema", "grammar", "diagnostics"}},
+    {"validator", {"configuration", "machine", "design", "schema", "grammar", "diagnostics"}},
+    {"codegen", {"machine", "design", "runtime"}},
+    {"image", {"codegen", "machine", "design", "schema", "runtime"}},
+    {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
+};
+
+/// Stages of the validator, the lowest first: none includes a later one.
+std::vector<std::string> const stages = {"values", "commands", "loading", "views", "engine", "rules"};
+
+/// Every source of the folder and below it.
+std::vector<fs::path> sources_of(std::string const& folder) {
+  std::vector<fs::path> sources;
+  for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / folder)) {
+    auto const extension = entry.path().extension();
+    if (extension == ".cpp" || extension == ".hpp" || extension == ".h") sources.push_back(entry.path());
+  }
+  return sources;
+}
+
+/// The included files of this project.
+std::vector<std::string> includes_of(fs::path const& source) {
+  static std::regex const include("^\\s*#\\s*include\\s*\"([^\"]+)\"");
+  std::vector<std::string> included;
+  std::ifstream in(source);
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, include)) included.push_back(match[1].str());
+  }
+  return included;
+}
+
+std::string folder_of(std::string const& path) {
+  return path.substr(0, path.find('/'));
+}
 
 /// Folders that each folder's CMakeLists.txt links.
 std::map<std::string, std::set<std::string>> target_graph() {
@@ -76,12 +122,73 @@ TEST_CASE("includes follow the target graph") {
   CHECK(files > 50);
 }
 
+TEST_CASE("each folder includes what the architecture lets it include") {
+  for (auto const& [folder, allowed] : may_include) {
+    for (auto const& source : sources_of(folder)) {
+      for (auto const& included : includes_of(source)) {
+        auto const target = folder_of(included);
+        if (!folders.contains(target) || target == folder) continue;
+        INFO(source.string() << " includes " << included);
+        CHECK(allowed.contains(target));
+      }
+    }
+  }
+}
+
 TEST_CASE("the runtime depends on nothing of the tool") {
   auto graph = target_graph();
   CHECK(graph["runtime"] == std::set<std::string>{"runtime"});
   CHECK(graph["diagnostics"] == std::set<std::string>{"diagnostics"});
   CHECK(graph["schema"] == std::set<std::string>{"diagnostics", "schema"});
   CHECK(graph["design"] == std::set<std::string>{"design"});
+  CHECK(graph["machine"] == std::set<std::string>{"machine", "design"});
+}
+
+TEST_CASE("a stage of the validator includes no later stage") {
+  std::string const prefix = "validator/";
+  for (std::size_t stage = 0; stage < stages.size(); ++stage) {
+    for (auto const& source : sources_of(prefix + stages[stage])) {
+      for (auto const& included : includes_of(source)) {
+        for (std::size_t later = stage + 1; later < stages.size(); ++later) {
+          INFO(source.string() << " includes " << included);
+          CHECK(included.rfind(prefix + stages[later] + "/", 0) != 0);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("no folder is too full to be read at a glance") {
+  std::size_t const most = 40;
+  for (auto const& top : folders) {
+    std::map<fs::path, std::size_t> counts;
+    for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / top)) {
+      ++counts[entry.path().parent_path()];
+    }
+    for (auto const& [folder, count] : counts) {
+      if (folder.filename() == "rules") continue;
+      INFO(folder.string());
+      CHECK(count <= most);
+    }
+  }
+}
+
+TEST_CASE("the operating system is called in system/ alone") {
+  std::set<std::string> const foreign = {"unistd.h", "fcntl.h", "sys/stat.h", "sys/file.h", "sys/mman.h",
+                                         "termios.h", "elf.h", "link.h", "dirent.h", "windows.h"};
+  std::regex const include("^\\s*#\\s*include\\s*<([^>]+)>");
+  for (auto const& folder : folders) {
+    if (folder == "system" || folder == "runtime") continue;
+    for (auto const& source : sources_of(folder)) {
+      std::ifstream in(source);
+      for (std::string line; std::getline(in, line);) {
+        std::smatch match;
+        if (!std::regex_search(line, match, include)) continue;
+        INFO(source.string() << ": " << line);
+        CHECK_FALSE(foreign.contains(match[1].str()));
+      }
+    }
+  }
 }
 
 TEST_CASE("Spirit lives in grammar/ and nowhere else") {
