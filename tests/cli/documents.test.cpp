@@ -1,0 +1,64 @@
+// The commands of the documentation are real: each block that begins with `$` is executed in a copy of the samples, and
+// what it prints is what the document shows. AXISC_UPDATE_GOLDEN=1 writes the outputs into the document.
+#include "cli/temporary_folder.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+using namespace axisc::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the shell prints for a command in `folder`, standard error included.
+std::string shell(std::string const& command, std::string const& folder) {
+  std::string const program_folder = fs::path(AXISC_PROGRAM).parent_path().string();
+  std::string const line = "cd '" + folder + "' && export PATH='" + program_folder +
+                           "':\"$PATH\" LANG=C LC_ALL= LC_MESSAGES= && { " + command + "\n} 2>&1";
+  std::string output;
+  FILE* const pipe = ::popen(line.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> buffer{};
+  while (std::size_t const got = std::fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), got);
+  ::pclose(pipe);
+  return output;
+}
+
+/// The document with what its commands print now.
+std::string executed(std::string const& document, std::string const& folder) {
+  std::istringstream lines(document);
+  std::string result;
+  bool in_console = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (in_console && line.rfind("$ ", 0) == 0) {
+      result += line + "\n" + shell(line.substr(2), folder);
+      continue;
+    }
+    if (line.rfind("```", 0) == 0) {
+      in_console = line == "```console";
+    } else if (in_console) {
+      continue;
+    }
+    result += line + "\n";
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the tutorial shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/tutorial", folder / "try");
+  check_golden("docs/tutorial.md", executed(read_source_file("docs/tutorial.md"), folder / "try"));
+}
+
+TEST_CASE("the gallery shows what its commands print") {
+  std::string const folder = std::string(AXISC_SOURCE_DIR) + "/samples/mistakes";
+  check_golden("docs/mistakes.md", executed(read_source_file("docs/mistakes.md"), folder));
+}
