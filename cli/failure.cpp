@@ -1,7 +1,6 @@
 #include "cli/failure.hpp"
 
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 namespace axisc::cli {
@@ -49,10 +48,6 @@ std::string Failure::line(Language language) const {
 
 std::string warning_line(Message const& message, Language language) {
   return line_of(Text::word_warning, std::nullopt, render(message, language), language);
-}
-
-std::string system_error_text(int number) {
-  return std::generic_category().message(number);
 }
 
 }  // namespace axisc::cli

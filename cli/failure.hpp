@@ -33,7 +33,4 @@ class Failure : public std::exception {
 /// "axisc: warning: …" with a line end.
 [[nodiscard]] std::string warning_line(Message const& message, Language language);
 
-/// What the operating system calls its error `number`, "No space left on device".
-[[nodiscard]] std::string system_error_text(int number);
-
 }  // namespace axisc::cli

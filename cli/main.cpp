@@ -2,23 +2,18 @@
 #include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
-#include "cli/files/file_descriptor.hpp"
 #include "schema/closest_word.hpp"
 #include "configuration/files.hpp"
+#include "system/process.hpp"
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <exception>
 #include <new>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 
 namespace {
 
@@ -97,18 +92,6 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
 }
 
-/// Memory that one input needed waits for the next one instead of going back to the system, which would hand it out again
-/// page by page: as much time as to read a list.
-void keep_memory() {
-#if defined(__GLIBC__)
-  constexpr int kept = 1 << 25;
-  constexpr int growth = 1 << 18;
-  static_cast<void>(mallopt(M_MMAP_THRESHOLD, kept));
-  static_cast<void>(mallopt(M_TRIM_THRESHOLD, kept));
-  static_cast<void>(mallopt(M_TOP_PAD, growth));
-#endif
-}
-
 /// The exception that is being handled, as one line.
 std::string failure_line(Language language) {
   try {
@@ -128,10 +111,8 @@ std::string failure_line(Language language) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  keep_memory();
-  // A closed pipe shall be an error of write(), with a message and an exit status.
-  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
-  occupy_standard_descriptors();
+  system::keep_memory();
+  system::prepare_streams();
   Streams streams;
   Language language = Language::english;
   try {
@@ -142,7 +123,7 @@ int main(int argc, char* argv[]) {
     streams.err.flush();
     return static_cast<int>(status);
   } catch (...) {
-    static_cast<void>(write_all(2, failure_line(language)));
+    static_cast<void>(system::write(system::Stream::error, failure_line(language)));
     return static_cast<int>(ExitStatus::failure);
   }
 }

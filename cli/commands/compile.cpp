@@ -221,7 +221,7 @@ ExitStatus compile(Invocation const& invocation) {
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_sense(command_line, words);
-  Compile compile(words, invocation.language, use_color(command_line.color(), 2), invocation.streams);
+  Compile compile(words, invocation.language, use_color(command_line.color(), system::Stream::error), invocation.streams);
   return words.fleet.print_key ? compile.print_key() : compile.run();
 }
 

@@ -90,7 +90,7 @@ ExitStatus contour(Invocation const& invocation) {
   command_line.require(words.machine.has_value(), "MACHINE");
   auto const wanted = read_words(words);
   auto const checked =
-      checked_machine(*words.machine, words.cycle_time, invocation, use_color(command_line.color(), 2));
+      checked_machine(*words.machine, words.cycle_time, invocation, use_color(command_line.color(), system::Stream::error));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
   auto const first = chosen_group(machine, words.group, *words.machine);

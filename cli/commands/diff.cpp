@@ -101,7 +101,7 @@ ExitStatus diff(Invocation const& invocation) {
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(words.cycle_time);
   job.settings = &settings;
-  bool const color = use_color(command_line.color(), 2);
+  bool const color = use_color(command_line.color(), system::Stream::error);
   auto const load = [&](std::string const& path) { return load_side(path, job, invocation, color); };
   auto const before = load(words.inputs[0]);
   auto const after = load(words.inputs[1]);

@@ -243,7 +243,7 @@ ExitStatus lint(Invocation const& invocation) {
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_sense(command_line, words);
-  Lint lint(words, invocation.language, use_color(command_line.color(), 1), invocation.streams);
+  Lint lint(words, invocation.language, use_color(command_line.color(), system::Stream::output), invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
     lint.speak(*language);
   }

@@ -8,11 +8,7 @@
 #include "cli/options/quantities.hpp"
 #include "cli/execution/stimulus.hpp"
 
-#include <cerrno>
-#include <fcntl.h>
 #include <memory>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace axisc::cli {
 
@@ -105,21 +101,19 @@ void refuse_mixture(RunWords const& words) {
   }
 }
 
-/// Reads a file piece by piece; the descriptor lives as long as the source.
+/// Reads a file piece by piece; it is open as long as the source lives.
 ByteSource open_source(std::string const& path) {
-  auto file = std::make_shared<FileDescriptor>(path == "-" ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
-                                                           : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  auto const fail = [path](int error) {
-    throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
+  auto const fail = [path](system::Error const& error) {
+    throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
                   cannot_read);
   };
-  if (!file->is_open()) fail(errno);
+  auto opened = path == "-" ? system::File::standard_input() : system::File::open(path, system::Access::read);
+  if (auto const* const error = std::get_if<system::Error>(&opened)) fail(*error);
+  auto file = std::make_shared<system::File>(std::get<system::File>(std::move(opened)));
   return [file = std::move(file), fail](std::span<char> buffer) -> std::size_t {
-    for (;;) {
-      auto const got = ::read(file->get(), buffer.data(), buffer.size());
-      if (got >= 0) return static_cast<std::size_t>(got);
-      if (errno != EINTR) fail(errno);
-    }
+    auto const got = file->read(buffer);
+    if (auto const* const error = std::get_if<system::Error>(&got)) fail(*error);
+    return std::get<std::size_t>(got);
   };
 }
 

@@ -46,7 +46,7 @@ ExitStatus simulate(Invocation const& invocation) {
   if (words.program.has_value() == closed_loop || words.plant.has_value() != words.move.has_value()) {
     throw Failure({.text = Text::cli_simulate_what, .arguments = {}});
   }
-  bool const color = use_color(command_line.color(), 2);
+  bool const color = use_color(command_line.color(), system::Stream::error);
   auto checked = checked_machine(*words.machine, words.cycle_time, invocation, color);
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {

@@ -1,13 +1,10 @@
 #include "cli/files/disk_files.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/files/file_descriptor.hpp"
+#include "system/file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <span>
 
 namespace axisc::cli {
 
@@ -22,34 +19,32 @@ constexpr std::size_t largest_piece = std::size_t{1} << 24U;
 /// Of a file that is not kept: larger ones are no faster.
 constexpr std::size_t block_size = std::size_t{1} << 16U;
 
-FileError error_of(int number) {
-  switch (number) {
-    case ENOENT:
-    case ENOTDIR:
+FileError error_of(system::Error const& error) {
+  switch (error.refusal) {
+    case system::Refusal::not_found:
       return FileError::not_found;
-    case EISDIR:
+    case system::Refusal::is_folder:
       return FileError::is_folder;
-    case EACCES:
-    case EPERM:
+    case system::Refusal::no_permission:
       return FileError::no_permission;
     default:
       return FileError::not_readable;
   }
 }
 
-/// The end of the file decides, whatever size it is said to have. A byte more than that is asked for: whoever gives just
-/// the size has come to the end, and need not be asked again.
-Bytes read_descriptor(int descriptor, std::optional<std::size_t> size) {
+/// The end of the file decides, whatever size it is said to have. A byte more than that is asked for: a file that gives just
+/// its size has come to its end, and need not be asked again.
+Bytes read_all(system::File const& file, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;
   for (std::size_t piece = size.value_or(first_piece) + 1;;
        piece = std::clamp(filled, first_piece, largest_piece)) {
     bytes.resize(filled + piece);
     while (filled < bytes.size()) {
-      auto const got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) return error_of(errno);
-      filled += static_cast<std::size_t>(got);
+      auto const result = file.read(std::span(bytes).subspan(filled));
+      if (auto const* const error = std::get_if<system::Error>(&result)) return error_of(*error);
+      auto const got = std::get<std::size_t>(result);
+      filled += got;
       if (filled > configuration::largest_file) return FileError::too_large;
       if (got == 0 || filled == size) {
         bytes.resize(filled);
@@ -61,40 +56,38 @@ Bytes read_descriptor(int descriptor, std::optional<std::size_t> size) {
 
 /// A file that is open, and its size where it has one.
 struct OpenFile {
-  FileDescriptor descriptor;
+  system::File file;
   std::optional<std::size_t> size;  ///< none for a pipe
 };
 
 std::variant<OpenFile, FileError> open_file(std::string const& path) {
-  OpenFile file{.descriptor = FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), .size = {}};
-  if (!file.descriptor.is_open()) return error_of(errno);
-  struct stat facts {};
-  if (::fstat(file.descriptor.get(), &facts) != 0) return FileError::not_readable;
-  if (S_ISDIR(facts.st_mode)) return FileError::is_folder;
-  if (!S_ISREG(facts.st_mode)) return file;
-  auto const size = static_cast<std::uint64_t>(facts.st_size);
-  if (size > configuration::largest_file) return FileError::too_large;
-  file.size = static_cast<std::size_t>(size);
+  auto opened = system::File::open(path, system::Access::read);
+  if (auto const* const error = std::get_if<system::Error>(&opened)) return error_of(*error);
+  OpenFile file{.file = std::get<system::File>(std::move(opened)), .size = {}};
+  auto const status = file.file.status();
+  if (std::holds_alternative<system::Error>(status)) return FileError::not_readable;
+  auto const& facts = std::get<system::FileStatus>(status);
+  if (facts.kind == system::FileKind::folder) return FileError::is_folder;
+  if (facts.kind != system::FileKind::regular) return file;
+  if (facts.size > configuration::largest_file) return FileError::too_large;
+  file.size = static_cast<std::size_t>(facts.size);
   return file;
 }
 
-Bytes read_file(OpenFile const& file) {
-  return read_descriptor(file.descriptor.get(), file.size);
-}
-
 Bytes read_path(std::string const& path) {
-  auto const file = open_file(path);
-  if (auto const* const error = std::get_if<FileError>(&file)) return *error;
-  return read_file(std::get<OpenFile>(file));
+  auto const opened = open_file(path);
+  if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
+  auto const& file = std::get<OpenFile>(opened);
+  return read_all(file.file, file.size);
 }
 
-std::optional<FileError> read_blocks(int descriptor, configuration::PieceReceiver const& receive) {
+std::optional<FileError> read_blocks(system::File const& file, configuration::PieceReceiver const& receive) {
   std::string block(block_size, '\0');
   while (true) {
-    auto const got = ::read(descriptor, block.data(), block.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return error_of(errno);
-    if (got == 0 || !receive(std::string_view(block).substr(0, static_cast<std::size_t>(got)))) return {};
+    auto const result = file.read(block);
+    if (auto const* const error = std::get_if<system::Error>(&result)) return error_of(*error);
+    auto const got = std::get<std::size_t>(result);
+    if (got == 0 || !receive(std::string_view(block).substr(0, got))) return {};
   }
 }
 
@@ -127,7 +120,9 @@ Text sentence(FileError error) {
 Bytes DiskFiles::read(std::string const& path) {
   if (!dash_is_standard_input_ || path != "-") return read_path(path);
   if (!standard_input_) {
-    auto bytes = read_descriptor(STDIN_FILENO, std::nullopt);
+    auto const input = system::File::standard_input();
+    if (auto const* const error = std::get_if<system::Error>(&input)) return error_of(*error);
+    auto bytes = read_all(std::get<system::File>(input), std::nullopt);
     if (std::holds_alternative<FileError>(bytes)) return bytes;
     standard_input_ = std::get<std::string>(std::move(bytes));
   }
@@ -142,8 +137,8 @@ std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
     auto const opened = open_file(path);
     if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
     auto const& file = std::get<OpenFile>(opened);
-    if (file.size) return read_blocks(file.descriptor.get(), receive);
-    auto bytes = read_file(file);
+    if (file.size) return read_blocks(file.file, receive);
+    auto bytes = read_all(file.file, file.size);
     if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
     held = pipes_.emplace(path, std::get<std::string>(std::move(bytes))).first;
   }

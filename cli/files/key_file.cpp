@@ -3,67 +3,63 @@
 #include "cli/codes.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
-#include "cli/files/file_descriptor.hpp"
 #include "cli/options/filter_symbols.hpp"
+#include "system/file.hpp"
 
 #include <array>
-#include <cerrno>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <span>
 
 namespace axisc::cli {
 
 namespace {
 
-constexpr mode_t owner_only = 0600;
-constexpr mode_t everybody_reads = 0644;
-constexpr mode_t others = 077;
+constexpr unsigned others = 077;
 constexpr std::size_t longest_key_file = 256;
 
-[[noreturn]] void refuse_to_write(std::string const& path, int error) {
-  if (error == EEXIST) {
+[[noreturn]] void refuse_to_write(std::string const& path, system::Error const& error) {
+  if (error.refusal == system::Refusal::exists) {
     throw Failure({.text = Text::ax9002_key_exists, .arguments = {{"file", path}}}, cannot_write);
   }
-  throw Failure({.text = Text::ax9002, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
+  throw Failure({.text = Text::ax9002, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
                 cannot_write);
 }
 
 /// Removed again unless it is kept.
 class NewFile {
  public:
-  NewFile(std::string path, mode_t mode)
-      : path_(std::move(path)), file_(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode)) {
-    if (!file_.is_open()) refuse_to_write(path_, errno);
+  NewFile(std::string path, system::Privacy privacy) : path_(std::move(path)) {
+    auto made = system::File::create(path_, privacy);
+    if (auto const* const error = std::get_if<system::Error>(&made)) refuse_to_write(path_, *error);
+    file_ = std::get<system::File>(std::move(made));
   }
   NewFile(NewFile const&) = delete;
   NewFile& operator=(NewFile const&) = delete;
   ~NewFile() {
-    if (!kept_) ::unlink(path_.c_str());
+    if (!kept_) system::remove(path_);
   }
   void write(std::string_view text) {
-    int error = write_all(file_.get(), text);
-    if (error == 0 && ::fsync(file_.get()) != 0) error = errno;
-    if (error == 0) error = file_.close();
-    if (error != 0) refuse_to_write(path_, error);
+    auto error = file_.write(text);
+    if (!error) error = file_.sync();
+    if (!error) error = file_.close();
+    if (error) refuse_to_write(path_, *error);
   }
   void keep() { kept_ = true; }
 
  private:
   std::string path_;
-  FileDescriptor file_;
+  system::File file_;
   bool kept_ = false;
 };
 
 /// What is read of a key file, wiped afterwards.
 class KeyText {
  public:
-  explicit KeyText(int descriptor) {
+  explicit KeyText(system::File const& file) {
     while (size_ < bytes_.size()) {
-      auto const got = ::read(descriptor, bytes_.data() + size_, bytes_.size() - size_);
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) break;
-      size_ += static_cast<std::size_t>(got);
+      auto const result = file.read(std::span(bytes_).subspan(size_));
+      auto const* const got = std::get_if<std::size_t>(&result);
+      if (got == nullptr || *got == 0) break;
+      size_ += *got;
     }
   }
   KeyText(KeyText const&) = delete;
@@ -76,20 +72,21 @@ class KeyText {
   std::size_t size_ = 0;
 };
 
-FileDescriptor open_key(std::string const& path) {
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.is_open()) return file;
-  auto const error = errno == ENOENT || errno == ENOTDIR ? configuration::FileError::not_found
-                     : errno == EACCES || errno == EPERM ? configuration::FileError::no_permission
-                                                         : configuration::FileError::not_readable;
-  throw unreadable(path, error);
+system::File open_key(std::string const& path) {
+  using configuration::FileError;
+  auto opened = system::File::open(path, system::Access::read);
+  auto const* const error = std::get_if<system::Error>(&opened);
+  if (error == nullptr) return std::get<system::File>(std::move(opened));
+  throw unreadable(path, error->refusal == system::Refusal::not_found       ? FileError::not_found
+                         : error->refusal == system::Refusal::no_permission ? FileError::no_permission
+                                                                            : FileError::not_readable);
 }
 
 }  // namespace
 
 void write_keys(std::string const& path, image::SecretKey const& key) {
-  NewFile open(path + ".pub", everybody_reads);
-  NewFile secret(path, owner_only);
+  NewFile open(path + ".pub", system::Privacy::readable);
+  NewFile secret(path, system::Privacy::owner);
   open.write(image::public_key_text(key.public_key()));
   auto text = image::secret_key_text(key);
   try {
@@ -104,20 +101,21 @@ void write_keys(std::string const& path, image::SecretKey const& key) {
 }
 
 image::SecretKey load_secret_key(std::string const& path) {
-  FileDescriptor const file = open_key(path);
-  KeyText const text(file.get());
+  system::File const file = open_key(path);
+  KeyText const text(file);
   auto key = image::read_secret_key(text.text());
   if (!key) throw Failure({.text = Text::ax9001_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
-  struct stat facts {};
-  if (::fstat(file.get(), &facts) != 0 || (facts.st_mode & others) != 0) {
+  auto const status = file.status();
+  auto const* const facts = std::get_if<system::FileStatus>(&status);
+  if (facts == nullptr || (facts->permissions & others) != 0) {
     throw Failure({.text = Text::ax9001_secret_shared, .arguments = {{"file", path}}}, cannot_read);
   }
   return std::move(*key);
 }
 
 image::PublicKey load_public_key(std::string const& path) {
-  FileDescriptor const file = open_key(path);
-  KeyText const text(file.get());
+  system::File const file = open_key(path);
+  KeyText const text(file);
   auto const key = image::read_public_key(text.text());
   if (!key) throw Failure({.text = Text::ax9001_no_public_key, .arguments = {{"file", path}}}, cannot_read);
   return *key;

@@ -4,12 +4,7 @@
 #include "cli/failure.hpp"
 #include "cli/fleet/unique_name.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace axisc::cli {
@@ -19,25 +14,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_links = 40;
-constexpr mode_t permission_bits = 07777;
 
-Text sentence(int error) {
-  switch (error) {
-    case ENOENT:
-    case ENOTDIR:
+Text sentence(system::Refusal refusal) {
+  switch (refusal) {
+    case system::Refusal::not_found:
       return Text::ax9002_no_folder;
-    case EISDIR:
+    case system::Refusal::is_folder:
       return Text::ax9002_is_folder;
-    case EACCES:
-    case EPERM:
+    case system::Refusal::no_permission:
       return Text::ax9002_no_permission;
-    case EROFS:
+    case system::Refusal::read_only:
       return Text::ax9002_read_only;
-    case ENOSPC:
-    case EDQUOT:
-    case EFBIG:
+    case system::Refusal::no_space:
       return Text::ax9002_no_space;
-    case EPIPE:
+    case system::Refusal::closed_pipe:
       return Text::ax9002_closed_pipe;
     default:
       return Text::ax9002;
@@ -61,100 +51,98 @@ std::string folder_of(std::string const& path) {
   return folder.empty() ? "." : folder;
 }
 
-/// Makes a file that was not there. A new target gets the usual mode from the system (asking for the mask would change it
-/// for all threads); in the place of an old one nobody shall read more than before.
-FileDescriptor make_file(std::string const& name, bool replaces) {
-  return FileDescriptor(::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666));
-}
-
 }  // namespace
 
 OutputFile::TemporaryFile::~TemporaryFile() {
-  if (!path.empty()) ::unlink(path.c_str());
+  if (!path.empty()) system::remove(path);
 }
 
 OutputFile::OutputFile(std::string path, Durability durability)
     : path_(std::move(path)), durability_(durability) {
   if (path_ == "-") {
-    file_ = FileDescriptor(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0));
-    if (!file_.is_open()) fail(errno);
+    take(system::File::standard_output());
     return;
   }
-  struct stat old {};
-  bool const exists = ::stat(path_.c_str(), &old) == 0;
-  if (!exists && errno != ENOENT) fail(errno);
-  if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
-  if (exists && !S_ISREG(old.st_mode)) {
-    open_directly(path_);
+  auto const status = system::status_of(path_);
+  if (auto const* const error = std::get_if<system::Error>(&status)) {
+    if (error->refusal != system::Refusal::not_found) fail(*error);
+    target_ = behind_links(path_);
+    open_beside(nullptr);
+    return;
+  }
+  auto const& old = std::get<system::FileStatus>(status);
+  if (old.kind == system::FileKind::folder) fail({.refusal = system::Refusal::is_folder, .number = 0});
+  if (old.kind != system::FileKind::regular) {
+    take(system::File::open(path_, system::Access::write));
     return;
   }
   target_ = behind_links(path_);
-  open_beside(exists, old.st_mode, old.st_uid, old.st_gid);
+  open_beside(&old);
 }
 
-void OutputFile::open_directly(std::string const& path) {
-  file_ = FileDescriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (!file_.is_open()) fail(errno);
+void OutputFile::take(system::Result<system::File> opened) {
+  if (auto const* const error = std::get_if<system::Error>(&opened)) fail(*error);
+  file_ = std::get<system::File>(std::move(opened));
 }
 
-void OutputFile::open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group) {
+void OutputFile::open_beside(system::FileStatus const* old) {
   // Renaming needs no right to write the old file, but a write protection is meant.
-  if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
+  if (old != nullptr) require(system::refuses_writing(target_));
   std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {
-    WithoutInterruption const made_and_remembered;
-    file_ = make_file(name, exists);
-    if (!file_.is_open()) fail(errno);
+    system::WithoutInterruption const made_and_remembered;
+    // In the place of an old file nobody shall read more than before.
+    take(system::File::create(name, old != nullptr ? system::Privacy::owner : system::Privacy::usual));
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());
   }
-  if (!exists) return;
-  // Only root may give a file away; the others keep their own name on it.
-  [[maybe_unused]] bool const same_owner = ::fchown(file_.get(), old_user, old_group) == 0;
-  if (::fchmod(file_.get(), old_mode & permission_bits) != 0) fail(errno);
+  if (old != nullptr) require(file_.take_over_owner(*old));
 }
 
-void OutputFile::fail(int error) const {
-  throw Failure(
-      {.text = sentence(error), .arguments = {{"file", path_}, {"reason", system_error_text(error)}}},
-      cannot_write);
+void OutputFile::fail(system::Error const& error) const {
+  throw Failure({.text = sentence(error.refusal),
+                 .arguments = {{"file", path_}, {"reason", system::text_of(error)}}},
+                cannot_write);
+}
+
+void OutputFile::require(std::optional<system::Error> const& error) const {
+  if (error) fail(*error);
 }
 
 void OutputFile::write(std::string_view bytes) {
-  if (int const error = write_all(file_.get(), bytes); error != 0) fail(error);
+  require(file_.write(bytes));
 }
 
 void OutputFile::commit() {
   if (temporary_.path.empty()) {
-    if (int const error = file_.close(); error != 0) fail(error);
+    require(file_.close());
     return;
   }
   bool const syncs = durability_ == Durability::of_content;
-  if (syncs && ::fsync(file_.get()) != 0) fail(errno);
-  if (int const error = file_.close(); error != 0) fail(error);
-  if (::rename(temporary_.path.c_str(), target_.c_str()) != 0) fail(errno);
+  if (syncs) require(file_.sync());
+  require(file_.close());
+  require(system::replace(temporary_.path, target_));
   temporary_.interruption.reset();
   temporary_.path.clear();
-  if (!syncs) return;
   // The name survives a power failure only when its folder is synced too; the content is safe either way.
-  FileDescriptor const folder(::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.is_open()) static_cast<void>(::fsync(folder.get()));
+  if (syncs) system::sync_folder(folder_of(target_));
 }
 
 bool is_content_of(std::string const& path, std::string_view bytes) {
   if (path == "-") return false;
-  FileDescriptor const file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  struct stat facts {};
-  if (!file.is_open() || ::fstat(file.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) return false;
-  if (static_cast<std::uint64_t>(facts.st_size) != bytes.size()) return false;
+  auto const opened = system::File::open(path, system::Access::read_now);
+  auto const* const file = std::get_if<system::File>(&opened);
+  if (file == nullptr) return false;
+  auto const status = file->status();
+  auto const* const facts = std::get_if<system::FileStatus>(&status);
+  if (facts == nullptr || facts->kind != system::FileKind::regular || facts->size != bytes.size()) return false;
   std::string block(std::size_t{1} << 16U, '\0');
   while (!bytes.empty()) {
-    auto const got = ::read(file.get(), block.data(), block.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    auto const length = static_cast<std::size_t>(got);
-    if (bytes.substr(0, length) != std::string_view(block).substr(0, length)) return false;
-    bytes.remove_prefix(length);
+    auto const result = file->read(block);
+    auto const* const length = std::get_if<std::size_t>(&result);
+    if (length == nullptr || *length == 0) return false;
+    if (bytes.substr(0, *length) != std::string_view(block).substr(0, *length)) return false;
+    bytes.remove_prefix(*length);
   }
   return true;
 }

@@ -1,8 +1,8 @@
 // A file that is either written completely or not at all.
 #pragma once
 
-#include "cli/files/file_descriptor.hpp"
-#include "cli/files/interruption.hpp"
+#include "system/file.hpp"
+#include "system/interruption.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -35,22 +35,23 @@ class OutputFile {
   /// Removed with this object, or when the program is interrupted, unless it was renamed before.
   struct TemporaryFile {
     std::string path;  ///< empty where there is none (any more)
-    std::optional<RemovedWhenInterrupted> interruption;
+    std::optional<system::RemovedWhenInterrupted> interruption;
     TemporaryFile() = default;
     TemporaryFile(TemporaryFile const&) = delete;
     TemporaryFile& operator=(TemporaryFile const&) = delete;
     ~TemporaryFile();
   };
 
-  void open_directly(std::string const& path);
-  void open_beside(bool exists, unsigned old_mode, unsigned old_user, unsigned old_group);
-  [[noreturn]] void fail(int error) const;
+  void take(system::Result<system::File> opened);
+  void open_beside(system::FileStatus const* old);
+  [[noreturn]] void fail(system::Error const& error) const;
+  void require(std::optional<system::Error> const& error) const;
 
   std::string path_;  ///< as the user wrote it
   Durability durability_;
   std::string target_;  ///< behind symbolic links; empty when written directly
   TemporaryFile temporary_;
-  FileDescriptor file_;
+  system::File file_;
 };
 
 /// `path` is a regular file that holds just these bytes: writing it again would only make it look new.

@@ -5,12 +5,8 @@
 #include "cli/failure.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <limits>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace axisc::cli {
@@ -22,36 +18,41 @@ constexpr std::size_t longest_line = std::size_t{1} << 20U;
 /// Places in a program have 32 bits.
 constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::max();
 
-[[noreturn]] void fail(std::string const& path, int error) {
-  if (error == ENOENT) throw unreadable(path, configuration::FileError::not_found);
-  if (error == EISDIR) throw unreadable(path, configuration::FileError::is_folder);
-  if (error == EACCES) throw unreadable(path, configuration::FileError::no_permission);
-  throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system_error_text(error)}}},
-                cannot_read);
+[[noreturn]] void fail(std::string const& path, system::Error const& error) {
+  using configuration::FileError;
+  switch (error.refusal) {
+    case system::Refusal::not_found:
+      throw unreadable(path, FileError::not_found);
+    case system::Refusal::is_folder:
+      throw unreadable(path, FileError::is_folder);
+    case system::Refusal::no_permission:
+      throw unreadable(path, FileError::no_permission);
+    default:
+      throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
+                    cannot_read);
+  }
+}
+
+/// The value, or a failure.
+template <typename Value>
+Value require(std::string const& path, system::Result<Value> result) {
+  if (auto const* const error = std::get_if<system::Error>(&result)) fail(path, *error);
+  return std::get<Value>(std::move(result));
 }
 
 }  // namespace
 
 ProgramLines::ProgramLines(std::string path) : path_(std::move(path)) {
   bool const is_input = path_ == "-";
-  if (!is_input) {
-    file_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file_.is_open()) fail(path_, errno);
-  }
-  struct stat facts {};
-  int const descriptor = is_input ? 0 : file_.get();
-  if (::fstat(descriptor, &facts) != 0) fail(path_, errno);
-  if (S_ISDIR(facts.st_mode)) fail(path_, EISDIR);
-  if (!is_input && S_ISREG(facts.st_mode)) {
-    size_ = static_cast<std::uint64_t>(facts.st_size);
+  file_ = require(path_, is_input ? system::File::standard_input() : system::File::open(path_, system::Access::read));
+  auto const facts = require(path_, file_.status());
+  if (facts.kind == system::FileKind::folder) throw unreadable(path_, configuration::FileError::is_folder);
+  if (!is_input && facts.kind == system::FileKind::regular) {
+    size_ = facts.size;
   } else {
     in_memory_ = true;
     std::string buffer(piece, '\0');
-    while (auto const got = ::read(descriptor, buffer.data(), buffer.size())) {
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) fail(path_, errno);
-      content_.append(buffer, 0, static_cast<std::size_t>(got));
-    }
+    while (auto const got = require(path_, file_.read(buffer))) content_.append(buffer, 0, got);
     size_ = content_.size();
   }
   if (size_ >= longest_program) throw unreadable(path_, configuration::FileError::too_large);
@@ -64,14 +65,10 @@ std::size_t ProgramLines::fill(char* buffer, std::size_t size) {
     read_ += some;
     return some;
   }
-  while (true) {
-    auto const got = ::pread(file_.get(), buffer, size, static_cast<off_t>(read_));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(path_, errno);
-    read_ += static_cast<std::uint64_t>(got);
-    if (read_ >= longest_program) throw unreadable(path_, configuration::FileError::too_large);
-    return static_cast<std::size_t>(got);
-  }
+  auto const got = require(path_, file_.read_at(read_, {buffer, size}));
+  read_ += got;
+  if (read_ >= longest_program) throw unreadable(path_, configuration::FileError::too_large);
+  return got;
 }
 
 void ProgramLines::read(std::function<bool(std::string_view, std::uint32_t)> const& line) {

@@ -1,7 +1,7 @@
 // An NC program line by line, in constant memory and as often as wanted.
 #pragma once
 
-#include "cli/files/file_descriptor.hpp"
+#include "system/file.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -26,7 +26,7 @@ class ProgramLines {
   [[nodiscard]] std::size_t fill(char* buffer, std::size_t size);
 
   std::string path_;
-  FileDescriptor file_;
+  system::File file_;
   bool in_memory_ = false;
   std::string content_;
   std::uint64_t size_ = 0;

@@ -3,12 +3,8 @@
 #include "cli/fleet/unique_name.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <type_traits>
-#include <unistd.h>
 #include <utility>
 
 namespace axisc::cli {
@@ -27,17 +23,26 @@ struct Footer {
 
 static_assert(std::is_trivially_copyable_v<PackRow>);
 
-bool read_at(int file, std::uint64_t offset, void* target, std::size_t size) {
+bool read_at(system::File const& file, std::uint64_t offset, void* target, std::size_t size) {
   auto* next = static_cast<char*>(target);
   while (size > 0) {
-    auto const got = ::pread(file, next, size, static_cast<off_t>(offset));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    next += got;
-    offset += static_cast<std::uint64_t>(got);
-    size -= static_cast<std::size_t>(got);
+    auto const result = file.read_at(offset, {next, size});
+    auto const* const got = std::get_if<std::size_t>(&result);
+    if (got == nullptr || *got == 0) return false;
+    next += *got;
+    offset += *got;
+    size -= *got;
   }
   return true;
+}
+
+/// For reading, and for the times of last use where it may be written.
+std::optional<system::File> open_pack(std::string const& path) {
+  for (auto const access : {system::Access::update, system::Access::read}) {
+    auto opened = system::File::open(path, access);
+    if (auto* const file = std::get_if<system::File>(&opened)) return std::move(*file);
+  }
+  return std::nullopt;
 }
 
 std::string_view bytes_of(std::vector<PackRow> const& rows) {
@@ -49,15 +54,17 @@ std::string_view bytes_of(std::vector<PackRow> const& rows) {
 std::optional<CachePack> CachePack::open(std::string const& path) {
   CachePack pack;
   pack.path_ = path;
-  pack.file_ = FileDescriptor(::open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (!pack.file_.is_open()) pack.file_ = FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat facts {};
-  if (!pack.file_.is_open() || ::fstat(pack.file_.get(), &facts) != 0 || !S_ISREG(facts.st_mode)) return {};
-  pack.file_size_ = static_cast<std::uint64_t>(facts.st_size);
+  auto file = open_pack(path);
+  if (!file) return std::nullopt;
+  pack.file_ = std::move(*file);
+  auto const status = pack.file_.status();
+  auto const* const facts = std::get_if<system::FileStatus>(&status);
+  if (facts == nullptr || facts->kind != system::FileKind::regular) return std::nullopt;
+  pack.file_size_ = facts->size;
   Footer footer;
   if (pack.file_size_ < magic.size() + sizeof(Footer)) return std::nullopt;
   auto const end = pack.file_size_ - sizeof(Footer);
-  if (!read_at(pack.file_.get(), end, &footer, sizeof(footer))) return std::nullopt;
+  if (!read_at(pack.file_, end, &footer, sizeof(footer))) return std::nullopt;
   constexpr std::uint64_t per_row = sizeof(PackRow) + sizeof(std::uint32_t);
   bool const fits = std::memcmp(footer.mark, Footer{}.mark, sizeof(footer.mark)) == 0 &&
                     footer.table_begin >= magic.size() && footer.table_begin <= end &&
@@ -67,8 +74,8 @@ std::optional<CachePack> CachePack::open(std::string const& path) {
   pack.rows_.resize(footer.rows);
   pack.last_uses_.resize(footer.rows);
   pack.uses_begin_ = footer.table_begin + footer.rows * sizeof(PackRow);
-  if (!read_at(pack.file_.get(), footer.table_begin, pack.rows_.data(), footer.rows * sizeof(PackRow)) ||
-      !read_at(pack.file_.get(), pack.uses_begin_, pack.last_uses_.data(),
+  if (!read_at(pack.file_, footer.table_begin, pack.rows_.data(), footer.rows * sizeof(PackRow)) ||
+      !read_at(pack.file_, pack.uses_begin_, pack.last_uses_.data(),
                footer.rows * sizeof(std::uint32_t)) ||
       digest_of(bytes_of(pack.rows_)).low != footer.checksum) {
     return std::nullopt;
@@ -82,7 +89,7 @@ std::optional<CachePack> CachePack::open(std::string const& path) {
 std::optional<std::string> CachePack::read(std::size_t row) const {
   auto const& place = rows_[row];
   std::string content(place.size, '\0');
-  if (!read_at(file_.get(), place.offset, content.data(), content.size())) return std::nullopt;
+  if (!read_at(file_, place.offset, content.data(), content.size())) return std::nullopt;
   if (digest_of(content).low != place.checksum) return std::nullopt;
   return content;
 }
@@ -97,9 +104,9 @@ void CachePack::mark_used(std::vector<std::uint32_t> const& rows, std::uint32_t 
     changed = true;
   }
   if (!changed) return;
-  [[maybe_unused]] auto const written =
-      ::pwrite(file_.get(), last_uses_.data(), last_uses_.size() * sizeof(std::uint32_t),
-               static_cast<off_t>(uses_begin_));
+  std::string_view const bytes(reinterpret_cast<char const*>(last_uses_.data()),
+                               last_uses_.size() * sizeof(std::uint32_t));
+  static_cast<void>(file_.write_at(uses_begin_, bytes));
 }
 
 PackWriter::PackWriter(std::string const& folder)

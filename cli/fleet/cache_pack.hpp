@@ -9,8 +9,8 @@
 #pragma once
 
 #include "cli/fleet/digest.hpp"
-#include "cli/files/file_descriptor.hpp"
 #include "cli/files/output_file.hpp"
+#include "system/file.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -46,7 +46,7 @@ class CachePack {
   CachePack() = default;
 
   std::string path_;
-  FileDescriptor file_;
+  system::File file_;
   std::uint64_t file_size_ = 0;
   std::uint64_t uses_begin_ = 0;
   std::vector<PackRow> rows_;

@@ -1,12 +1,9 @@
 #include "cli/fleet/cache_store.hpp"
 
 #include <algorithm>
-#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <set>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace axisc::cli {
 
@@ -72,7 +69,7 @@ void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
     }
   }
   if (writer) writer->commit();
-  for (auto const i : replaced) ::unlink(packs[i].path().c_str());
+  for (auto const i : replaced) system::remove(packs[i].path());
 }
 
 /// Files of processes that were killed, and packs that no one can read.
@@ -94,9 +91,9 @@ void remove_rubbish(std::string const& folder, std::vector<CachePack> const& pac
 }  // namespace
 
 void tidy_cache(std::string const& folder, std::uint64_t limit) {
-  // The lock goes with the descriptor, however the process ends.
-  FileDescriptor const lock(::open((folder + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-  if (!lock.is_open() || ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return;
+  auto const opened = system::File::open_or_create(folder + "/lock");
+  auto const* const lock = std::get_if<system::File>(&opened);
+  if (lock == nullptr || !lock->lock()) return;
   auto const packs = open_packs(folder);
   remove_rubbish(folder, packs);
   std::uint64_t size = 0;

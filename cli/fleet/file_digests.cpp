@@ -2,13 +2,13 @@
 
 #include "cli/files/disk_files.hpp"
 #include "cli/files/output_file.hpp"
+#include "system/file.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <string_view>
-#include <sys/stat.h>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -26,10 +26,6 @@ constexpr std::size_t most_rows = 1'000'000;
 
 using Row = FileDigests::Row;
 static_assert(std::is_trivially_copyable_v<Row>);
-
-std::int64_t nanoseconds(timespec const& time) {
-  return static_cast<std::int64_t>(time.tv_sec) * second + time.tv_nsec;
-}
 
 bool by_path(Row const& left, Row const& right) {
   return left.path < right.path;
@@ -76,13 +72,14 @@ void drop_oldest(std::vector<Row>& rows) {
 }  // namespace
 
 std::optional<FileFacts> facts_of(std::string const& path) {
-  struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode)) return std::nullopt;
-  return FileFacts{.device = facts.st_dev,
-                   .inode = facts.st_ino,
-                   .size = static_cast<std::uint64_t>(facts.st_size),
-                   .changed = nanoseconds(facts.st_mtim),
-                   .inode_changed = nanoseconds(facts.st_ctim)};
+  auto const status = system::status_of(path);
+  auto const* const facts = std::get_if<system::FileStatus>(&status);
+  if (facts == nullptr || facts->kind != system::FileKind::regular) return std::nullopt;
+  return FileFacts{.device = facts->device,
+                   .inode = facts->inode,
+                   .size = facts->size,
+                   .changed = facts->content_changed,
+                   .inode_changed = facts->status_changed};
 }
 
 std::int64_t nanoseconds_now() {

@@ -1,66 +1,17 @@
 #include "cli/fleet/program_digest.hpp"
 
 #include "cli/options/command_line.hpp"
-#include "cli/files/disk_files.hpp"
+#include "system/file.hpp"
+#include "system/process.hpp"
 
-#include <cstring>
-#include <elf.h>
-#include <link.h>
 #include <string>
-#include <variant>
 
 namespace axisc::cli {
 
-namespace {
-
-constexpr std::size_t rounded(std::size_t size) {
-  return (size + 3) / 4 * 4;
-}
-
-/// With the zero behind it.
-constexpr std::string_view gnu_name{ELF_NOTE_GNU, sizeof ELF_NOTE_GNU};
-
-/// The identity among the notes of a program segment; empty where it is not there.
-std::string_view build_identity(std::string_view notes) {
-  while (notes.size() >= sizeof(ElfW(Nhdr))) {
-    ElfW(Nhdr) note;
-    std::memcpy(&note, notes.data(), sizeof(note));
-    auto const name = sizeof(note);
-    auto const content = name + rounded(note.n_namesz);
-    auto const end = content + rounded(note.n_descsz);
-    if (end > notes.size()) break;
-    bool const is_gnu = notes.substr(name, note.n_namesz) == gnu_name;
-    if (is_gnu && note.n_type == NT_GNU_BUILD_ID) return notes.substr(content, note.n_descsz);
-    notes.remove_prefix(end);
-  }
-  return {};
-}
-
-/// Looks at the first object, which is the program, and stops there.
-int find_identity(dl_phdr_info* object, std::size_t /*size*/, void* identity) {
-  for (unsigned i = 0; i < object->dlpi_phnum; ++i) {
-    auto const& segment = object->dlpi_phdr[i];
-    if (segment.p_type != PT_NOTE) continue;
-    // The notes lie where the program was loaded.
-    // NOLINTNEXTLINE(performance-no-int-to-ptr)
-    auto const* const notes = reinterpret_cast<char const*>(object->dlpi_addr + segment.p_vaddr);
-    auto const found = build_identity({notes, segment.p_memsz});
-    if (!found.empty()) *static_cast<std::string*>(identity) = found;
-  }
-  return 1;
-}
-
-}  // namespace
-
 Digest program_digest() {
-  std::string identity;
-  ::dl_iterate_phdr(find_identity, &identity);
+  std::string identity = system::build_identity();
   if (identity.empty()) {
-    DiskFiles files;
-    auto const program = files.read("/proc/self/exe");
-    if (auto const* const bytes = std::get_if<std::string>(&program)) {
-      identity = hexadecimal(digest_of(*bytes));
-    }
+    if (auto const bytes = system::bytes_of(system::program_path())) identity = hexadecimal(digest_of(*bytes));
   }
   Hasher hasher;
   hasher.text(version_text());

@@ -1,20 +1,6 @@
 #include "cli/options/environment.hpp"
 
-#include <cstdlib>
-#include <unistd.h>
-
 namespace axisc::cli {
-
-namespace {
-
-/// Empty when it is not set.
-std::string_view environment(char const* name) {
-  char const* const value =
-      std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
-  return value == nullptr ? std::string_view{} : value;
-}
-
-}  // namespace
 
 std::optional<Language> parse_language(std::string_view word) {
   if (word == "en") return Language::english;
@@ -36,15 +22,16 @@ Language choose_language(std::span<std::string const> arguments) {
   }
   if (chosen) return *chosen;
   for (auto const* const name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-    auto const locale = environment(name);
+    auto const locale = system::environment_variable(name);
     if (!locale.empty()) return locale.substr(0, 2) == "de" ? Language::german : Language::english;
   }
   return Language::english;
 }
 
-bool use_color(ColorChoice choice, int descriptor) {
+bool use_color(ColorChoice choice, system::Stream stream) {
   if (choice != ColorChoice::automatic) return choice == ColorChoice::always;
-  return environment("NO_COLOR").empty() && environment("TERM") != "dumb" && ::isatty(descriptor) == 1;
+  return system::environment_variable("NO_COLOR").empty() &&
+         system::environment_variable("TERM") != "dumb" && system::is_terminal(stream);
 }
 
 }  // namespace axisc::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/text.hpp"
+#include "system/process.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,6 @@ enum class ColorChoice : std::uint8_t { automatic, always, never };
 [[nodiscard]] Language choose_language(std::span<std::string const> arguments);
 
 /// Automatic: only on a terminal, without NO_COLOR, and not on a dumb one.
-[[nodiscard]] bool use_color(ColorChoice choice, int descriptor);
+[[nodiscard]] bool use_color(ColorChoice choice, system::Stream stream);
 
 }  // namespace axisc::cli

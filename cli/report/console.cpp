@@ -2,11 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
-#include "cli/files/file_descriptor.hpp"
 #include "cli/files/output_file.hpp"
-
-#include <cerrno>
-#include <unistd.h>
 
 namespace axisc::cli {
 
@@ -15,13 +11,13 @@ namespace {
 /// Large enough that writing costs nothing beside what is written, small enough to stay in the processor's caches.
 constexpr std::size_t piece = std::size_t{1} << 15U;
 
-Text reason(int error) {
-  switch (error) {
-    case EPIPE:
+Text reason(system::Refusal refusal) {
+  switch (refusal) {
+    case system::Refusal::closed_pipe:
       return Text::cli_stdout_closed_pipe;
-    case ENOSPC:
+    case system::Refusal::no_space:
       return Text::cli_stdout_no_space;
-    case EBADF:
+    case system::Refusal::not_open:
       return Text::cli_stdout_closed;
     default:
       return Text::cli_stdout_failed;
@@ -45,12 +41,11 @@ void Console::flush() {
     buffer_.clear();
     return;
   }
-  int const error = write_all(descriptor_, buffer_);
+  auto const error = system::write(stream_, buffer_);
   buffer_.clear();
-  if (error != 0 && descriptor_ == STDOUT_FILENO) {
-    throw Failure({.text = reason(error), .arguments = {{"reason", system_error_text(error)}}}, cannot_write);
-  }
-  if (error != 0) throw Failure({.text = Text::cli_stderr_failed, .arguments = {}}, cannot_write);
+  if (!error) return;
+  if (stream_ == system::Stream::error) throw Failure({.text = Text::cli_stderr_failed, .arguments = {}}, cannot_write);
+  throw Failure({.text = reason(error->refusal), .arguments = {{"reason", system::text_of(*error)}}}, cannot_write);
 }
 
 }  // namespace axisc::cli

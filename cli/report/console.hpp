@@ -1,6 +1,8 @@
 // Standard output and standard error, written so that no failure goes unnoticed.
 #pragma once
 
+#include "system/process.hpp"
+
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,8 +15,8 @@ class OutputFile;
 /// Collects text and writes it in large pieces. A closed pipe or a full disk is a Failure.
 class Console {
  public:
-  /// For standard output (1): a failure is reported. For standard error (2) there is nobody left to tell.
-  explicit Console(int descriptor) : descriptor_(descriptor) {}
+  /// A failure of standard output is reported; of standard error there is nobody left to tell.
+  explicit Console(system::Stream stream) : stream_(stream) {}
   /// For a file that is to be whole or not there; it is committed by its owner.
   explicit Console(OutputFile& file) : file_(&file) {}
   Console(Console const&) = delete;
@@ -30,7 +32,7 @@ class Console {
   void discard() { buffer_.clear(); }
 
  private:
-  int descriptor_ = -1;
+  system::Stream stream_ = system::Stream::output;
   OutputFile* file_ = nullptr;
   std::function<void()> before_printing_;
   std::string buffer_;
@@ -38,8 +40,8 @@ class Console {
 
 /// The two streams of the program.
 struct Streams {
-  Console out{1};
-  Console err{2};
+  Console out{system::Stream::output};
+  Console err{system::Stream::error};
 };
 
 }  // namespace axisc::cli

@@ -1,10 +1,9 @@
 #include "cli/report/progress.hpp"
 
-#include "cli/files/file_descriptor.hpp"
+#include "system/process.hpp"
 
 #include <algorithm>
 #include <string>
-#include <unistd.h>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,7 +24,7 @@ Progress::~Progress() {
 }
 
 void Progress::hide() {
-  if (std::exchange(written_, false)) static_cast<void>(write_all(2, "\r\033[K"));
+  if (std::exchange(written_, false)) static_cast<void>(system::write(system::Stream::error, "\r\033[K"));
 }
 
 void Progress::stand_aside_for(Console& console) {
@@ -64,11 +63,12 @@ void Progress::draw(double share, Message const& message) {
   written_ = true;
   auto const filled = static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * bar_width);
   std::string const bar = std::string(filled, '#') + std::string(bar_width - filled, '.');
-  static_cast<void>(write_all(2, "\r[" + bar + "] " + render(message, language_) + "\033[K"));
+  static_cast<void>(
+      system::write(system::Stream::error, "\r[" + bar + "] " + render(message, language_) + "\033[K"));
 }
 
 bool progress_is_seen() {
-  return ::isatty(2) != 0;
+  return system::is_terminal(system::Stream::error);
 }
 
 }  // namespace axisc::cli

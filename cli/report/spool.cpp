@@ -2,12 +2,9 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
-#include "cli/files/interruption.hpp"
 
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <unistd.h>
 
 namespace axisc::cli {
 
@@ -21,8 +18,8 @@ struct Header {
   std::uint64_t size = 0;
 };
 
-[[noreturn]] void fail(std::string const& place, int error) {
-  throw Failure({.text = Text::ax9002, .arguments = {{"file", place}, {"reason", system_error_text(error)}}},
+[[noreturn]] void fail(std::string const& place, system::Error const& error) {
+  throw Failure({.text = Text::ax9002, .arguments = {{"file", place}, {"reason", system::text_of(error)}}},
                 cannot_write);
 }
 
@@ -32,15 +29,11 @@ std::string temporary_folder() {
   return error ? "/tmp" : folder.string();
 }
 
-/// Removed at once: it lives as long as it is open, however the program ends.
-FileDescriptor open_nameless() {
+system::File open_nameless() {
   auto const folder = temporary_folder();
-  auto name = folder + "/axisc-XXXXXX";
-  WithoutInterruption const made_and_removed;
-  FileDescriptor file(::mkstemp(name.data()));
-  if (!file.is_open()) fail(folder, errno);
-  ::unlink(name.c_str());
-  return file;
+  auto opened = system::File::nameless(folder);
+  if (auto const* const error = std::get_if<system::Error>(&opened)) fail(folder, *error);
+  return std::get<system::File>(std::move(opened));
 }
 
 /// Hands over the whole entries at the beginning of `bytes`; returns their length.
@@ -69,21 +62,21 @@ void Spool::add(std::uint64_t mark, std::string_view text) {
 
 void Spool::spill() {
   if (!file_.is_open()) file_ = open_nameless();
-  if (int const error = write_all(file_.get(), buffer_); error != 0) fail(temporary_folder(), error);
+  if (auto const error = file_.write(buffer_)) fail(temporary_folder(), *error);
   buffer_.clear();
 }
 
 void Spool::replay(std::function<void(std::uint64_t, std::string_view)> const& take) {
   if (file_.is_open()) {
     spill();
-    if (::lseek(file_.get(), 0, SEEK_SET) < 0) fail(temporary_folder(), errno);
+    if (auto const error = file_.rewind()) fail(temporary_folder(), *error);
     std::string block(block_size, '\0');
     while (true) {
-      auto const got = ::read(file_.get(), block.data(), block.size());
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) fail(temporary_folder(), errno);
+      auto const result = file_.read(block);
+      if (auto const* const error = std::get_if<system::Error>(&result)) fail(temporary_folder(), *error);
+      auto const got = std::get<std::size_t>(result);
       if (got == 0) break;
-      buffer_.append(block, 0, static_cast<std::size_t>(got));
+      buffer_.append(block, 0, got);
       buffer_.erase(0, replay_entries(buffer_, take));
     }
   }

@@ -1,7 +1,7 @@
 // Text that is written before its place comes: kept in memory while it is small, else in a file without name.
 #pragma once
 
-#include "cli/files/file_descriptor.hpp"
+#include "system/file.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ class Spool {
   void spill();
 
   std::string buffer_;
-  FileDescriptor file_;
+  system::File file_;
 };
 
 }  // namespace axisc::cli

@@ -1,13 +1,13 @@
-// Files that shall not stay behind when the user interrupts the program.
+// Temporary files that are removed when the user interrupts the program.
 #pragma once
 
 #include <atomic>
-#include <csignal>
 #include <cstddef>
+#include <memory>
 
-namespace axisc::cli {
+namespace axisc::system {
 
-/// Keeps the signals that end a program away for as long as it lives, so that making a file and remembering it are one.
+/// Holds back what ends a program for as long as it lives, so that making a file and remembering it are one step.
 class WithoutInterruption {
  public:
   WithoutInterruption();
@@ -16,15 +16,15 @@ class WithoutInterruption {
   ~WithoutInterruption();
 
  private:
-  sigset_t before_{};
+  struct Before;
+  std::unique_ptr<Before> before_;
 };
 
 /// One for each thread, and some more.
 inline constexpr std::size_t most_files_at_once = 1100;
 
-/// While it lives, Ctrl-C and SIGTERM remove this file before they end the program. A signal that is ignored or handled
-/// by somebody else stays so. `path` must live longer; of more than `most_files_at_once` the further
-/// ones stay behind.
+/// While it lives, Ctrl-C and a request to end remove this file before they end the program. A signal that is ignored or
+/// handled by somebody else stays so. `path` must live longer; of more than `most_files_at_once` the further ones are left.
 class RemovedWhenInterrupted {
  public:
   explicit RemovedWhenInterrupted(char const* path);
@@ -36,4 +36,4 @@ class RemovedWhenInterrupted {
   std::atomic<char const*>* place_ = nullptr;
 };
 
-}  // namespace axisc::cli
+}  // namespace axisc::system

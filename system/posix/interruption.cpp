@@ -1,10 +1,11 @@
-#include "cli/files/interruption.hpp"
+#include "system/interruption.hpp"
 
 #include <array>
+#include <csignal>
 #include <ctime>
 #include <unistd.h>
 
-namespace axisc::cli {
+namespace axisc::system {
 
 namespace {
 
@@ -48,11 +49,15 @@ void handle_signals() {
 
 }  // namespace
 
-WithoutInterruption::WithoutInterruption() {
+struct WithoutInterruption::Before {
+  sigset_t signals{};
+};
+
+WithoutInterruption::WithoutInterruption() : before_(std::make_unique<Before>()) {
   sigset_t signals;
   ::sigemptyset(&signals);
   for (int const signal : ending_signals) ::sigaddset(&signals, signal);
-  static_cast<void>(::pthread_sigmask(SIG_BLOCK, &signals, &before_));
+  static_cast<void>(::pthread_sigmask(SIG_BLOCK, &signals, &before_->signals));
   ++makers;
   if (!is_ending) return;
   --makers;
@@ -61,7 +66,7 @@ WithoutInterruption::WithoutInterruption() {
 
 WithoutInterruption::~WithoutInterruption() {
   --makers;
-  static_cast<void>(::pthread_sigmask(SIG_SETMASK, &before_, nullptr));
+  static_cast<void>(::pthread_sigmask(SIG_SETMASK, &before_->signals, nullptr));
 }
 
 RemovedWhenInterrupted::RemovedWhenInterrupted(char const* path) {
@@ -79,4 +84,4 @@ RemovedWhenInterrupted::~RemovedWhenInterrupted() {
   if (place_ != nullptr) place_->store(nullptr);
 }
 
-}  // namespace axisc::cli
+}  // namespace axisc::system

@@ -1,0 +1,106 @@
+// Files, pipes and devices.
+#pragma once
+
+#include "system/error.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace axisc::system {
+
+enum class FileKind : std::uint8_t { regular, folder, other };
+
+struct FileStatus {
+  FileKind kind = FileKind::other;
+  std::uint64_t size = 0;
+  std::uint64_t device = 0;
+  std::uint64_t inode = 0;         ///< with `device`: which file it is
+  std::int64_t content_changed = 0;  ///< in nanoseconds since 1970
+  std::int64_t status_changed = 0;   ///< of content, name, owner or permissions; in nanoseconds since 1970
+  unsigned permissions = 0;
+  unsigned user = 0;
+  unsigned group = 0;
+};
+
+enum class Access : std::uint8_t {
+  read,
+  read_now,  ///< a pipe without a writer is not waited for
+  write,
+  update,  ///< read and write
+};
+
+/// Who may read a file that is made.
+enum class Privacy : std::uint8_t {
+  usual,         ///< as the user's environment has it
+  owner,         ///< its owner alone
+  readable,      ///< everybody; its owner writes
+};
+
+/// A file that is closed once. Calls that a signal interrupts are repeated.
+class File {
+ public:
+  File() = default;
+  File(File&& other) noexcept : handle_(std::exchange(other.handle_, none)) {}
+  File& operator=(File&& other) noexcept {
+    std::swap(handle_, other.handle_);
+    return *this;
+  }
+  File(File const&) = delete;
+  File& operator=(File const&) = delete;
+  ~File();
+
+  [[nodiscard]] static Result<File> open(std::string const& path, Access access);
+  /// A file that was not there.
+  [[nodiscard]] static Result<File> create(std::string const& path, Privacy privacy);
+  /// Opens a file for update and makes it where it is missing.
+  [[nodiscard]] static Result<File> open_or_create(std::string const& path);
+  /// A file without a name in `folder`: it is gone when it is closed, however the program ends.
+  [[nodiscard]] static Result<File> nameless(std::string const& folder);
+  [[nodiscard]] static Result<File> standard_input();
+  [[nodiscard]] static Result<File> standard_output();
+
+  [[nodiscard]] bool is_open() const { return handle_ != none; }
+  [[nodiscard]] Result<FileStatus> status() const;
+
+  /// Bytes that were read; 0 at the end.
+  [[nodiscard]] Result<std::size_t> read(std::span<char> buffer) const;
+  [[nodiscard]] Result<std::size_t> read_at(std::uint64_t offset, std::span<char> buffer) const;
+  /// Writes all of `bytes`.
+  [[nodiscard]] std::optional<Error> write(std::string_view bytes) const;
+  [[nodiscard]] std::optional<Error> write_at(std::uint64_t offset, std::string_view bytes) const;
+  [[nodiscard]] std::optional<Error> rewind() const;
+  /// Returns when the content is on the medium.
+  [[nodiscard]] std::optional<Error> sync() const;
+  /// Network file systems report a full disk only here.
+  [[nodiscard]] std::optional<Error> close();
+
+  /// Owner, group and permissions of `other`, as far as the user may give them away.
+  [[nodiscard]] std::optional<Error> take_over_owner(FileStatus const& other) const;
+  /// False where another process holds the lock; it goes with the file.
+  [[nodiscard]] bool lock() const;
+
+ private:
+  static constexpr std::intptr_t none = -1;
+  explicit File(std::intptr_t handle) : handle_(handle) {}
+
+  std::intptr_t handle_ = none;
+};
+
+[[nodiscard]] Result<FileStatus> status_of(std::string const& path);
+/// Nothing where `path` may be written; it exists.
+[[nodiscard]] std::optional<Error> refuses_writing(std::string const& path);
+/// Puts `from` in the place of `to`, at once.
+[[nodiscard]] std::optional<Error> replace(std::string const& from, std::string const& to);
+/// Best effort.
+void remove(std::string const& path);
+/// The names in a folder survive a power failure. Best effort.
+void sync_folder(std::string const& folder);
+/// All of a file, whatever size it is said to have; nothing where it cannot be read.
+[[nodiscard]] std::optional<std::string> bytes_of(std::string const& path);
+
+}  // namespace axisc::system

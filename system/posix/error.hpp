@@ -1,0 +1,12 @@
+// Error numbers of POSIX.
+#pragma once
+
+#include "system/error.hpp"
+
+namespace axisc::system {
+
+[[nodiscard]] Error error_of(int number);
+/// Of errno.
+[[nodiscard]] Error last_error();
+
+}  // namespace axisc::system

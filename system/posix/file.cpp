@@ -1,0 +1,238 @@
+#include "system/file.hpp"
+
+#include "system/interruption.hpp"
+#include "system/posix/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace axisc::system {
+namespace {
+
+constexpr mode_t permission_bits = 07777;
+
+int descriptor(std::intptr_t handle) {
+  return static_cast<int>(handle);
+}
+
+std::int64_t nanoseconds(timespec const& time) {
+  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+FileStatus status_from(struct stat const& facts) {
+  return {.kind = S_ISREG(facts.st_mode)   ? FileKind::regular
+                  : S_ISDIR(facts.st_mode) ? FileKind::folder
+                                           : FileKind::other,
+          .size = static_cast<std::uint64_t>(facts.st_size),
+          .device = facts.st_dev,
+          .inode = facts.st_ino,
+          .content_changed = nanoseconds(facts.st_mtim),
+          .status_changed = nanoseconds(facts.st_ctim),
+          .permissions = facts.st_mode & permission_bits,
+          .user = facts.st_uid,
+          .group = facts.st_gid};
+}
+
+int flags_of(Access access) {
+  switch (access) {
+    case Access::read:
+      return O_RDONLY;
+    case Access::read_now:
+      return O_RDONLY | O_NONBLOCK;
+    case Access::write:
+      return O_WRONLY;
+    case Access::update:
+      return O_RDWR;
+  }
+  return O_RDONLY;
+}
+
+mode_t mode_of(Privacy privacy) {
+  switch (privacy) {
+    case Privacy::usual:
+      return 0666;
+    case Privacy::owner:
+      return 0600;
+    case Privacy::readable:
+      return 0644;
+  }
+  return 0600;
+}
+
+/// Repeats a call of the system that a signal interrupted.
+template <typename Call>
+ssize_t repeated(Call call) {
+  while (true) {
+    ssize_t const result = call();
+    if (result >= 0 || errno != EINTR) return result;
+  }
+}
+
+/// Calls `write` with the rest of the bytes and how many were written until none is left.
+template <typename Write>
+std::optional<Error> write_all(std::string_view bytes, Write write) {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    ssize_t const written = repeated([&] { return write(bytes.substr(done), done); });
+    if (written < 0) return last_error();
+    done += static_cast<std::size_t>(written);
+  }
+  return std::nullopt;
+}
+
+Result<std::size_t> count_or_error(ssize_t count) {
+  if (count < 0) return last_error();
+  return static_cast<std::size_t>(count);
+}
+
+std::optional<Error> error_unless(bool good) {
+  return good ? std::nullopt : std::optional(last_error());
+}
+
+}  // namespace
+
+File::~File() {
+  if (is_open()) ::close(descriptor(handle_));
+}
+
+Result<File> File::open(std::string const& path, Access access) {
+  int const opened = ::open(path.c_str(), flags_of(access) | O_CLOEXEC);
+  if (opened < 0) return last_error();
+  return File(opened);
+}
+
+Result<File> File::create(std::string const& path, Privacy privacy) {
+  // The usual mode comes from the system: asking for the mask would change it for all threads.
+  int const opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode_of(privacy));
+  if (opened < 0) return last_error();
+  return File(opened);
+}
+
+Result<File> File::open_or_create(std::string const& path) {
+  int const opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, mode_of(Privacy::usual));
+  if (opened < 0) return last_error();
+  return File(opened);
+}
+
+Result<File> File::nameless(std::string const& folder) {
+  std::string name = folder + "/axisc-XXXXXX";
+  WithoutInterruption const made_and_removed;
+  int const opened = ::mkostemp(name.data(), O_CLOEXEC);
+  if (opened < 0) return last_error();
+  ::unlink(name.c_str());
+  return File(opened);
+}
+
+Result<File> File::standard_input() {
+  int const copied = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (copied < 0) return last_error();
+  return File(copied);
+}
+
+Result<File> File::standard_output() {
+  int const copied = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+  if (copied < 0) return last_error();
+  return File(copied);
+}
+
+Result<FileStatus> File::status() const {
+  struct stat facts {};
+  if (::fstat(descriptor(handle_), &facts) != 0) return last_error();
+  return status_from(facts);
+}
+
+Result<std::size_t> File::read(std::span<char> buffer) const {
+  return count_or_error(
+      repeated([&] { return ::read(descriptor(handle_), buffer.data(), buffer.size()); }));
+}
+
+Result<std::size_t> File::read_at(std::uint64_t offset, std::span<char> buffer) const {
+  return count_or_error(repeated([&] {
+    return ::pread(descriptor(handle_), buffer.data(), buffer.size(), static_cast<off_t>(offset));
+  }));
+}
+
+std::optional<Error> File::write(std::string_view bytes) const {
+  return write_all(bytes, [this](std::string_view rest, std::size_t /*done*/) {
+    return ::write(descriptor(handle_), rest.data(), rest.size());
+  });
+}
+
+std::optional<Error> File::write_at(std::uint64_t offset, std::string_view bytes) const {
+  return write_all(bytes, [this, offset](std::string_view rest, std::size_t done) {
+    return ::pwrite(descriptor(handle_), rest.data(), rest.size(), static_cast<off_t>(offset + done));
+  });
+}
+
+std::optional<Error> File::rewind() const {
+  return error_unless(::lseek(descriptor(handle_), 0, SEEK_SET) >= 0);
+}
+
+std::optional<Error> File::sync() const {
+  return error_unless(::fsync(descriptor(handle_)) == 0);
+}
+
+std::optional<Error> File::close() {
+  if (!is_open()) return std::nullopt;
+  return error_unless(::close(descriptor(std::exchange(handle_, none))) == 0);
+}
+
+std::optional<Error> File::take_over_owner(FileStatus const& other) const {
+  int const file = descriptor(handle_);
+  // Only root may give a file away; the others keep their own name on it, and the group where they belong to it.
+  bool const is_given = ::fchown(file, other.user, other.group) == 0;
+  if (!is_given) [[maybe_unused]] bool const has_group = ::fchown(file, static_cast<uid_t>(-1), other.group) == 0;
+  return error_unless(::fchmod(file, other.permissions) == 0);
+}
+
+bool File::lock() const {
+  return ::flock(descriptor(handle_), LOCK_EX | LOCK_NB) == 0;
+}
+
+Result<FileStatus> status_of(std::string const& path) {
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) != 0) return last_error();
+  return status_from(facts);
+}
+
+std::optional<Error> refuses_writing(std::string const& path) {
+  return error_unless(::access(path.c_str(), W_OK) == 0);
+}
+
+std::optional<Error> replace(std::string const& from, std::string const& to) {
+  return error_unless(::rename(from.c_str(), to.c_str()) == 0);
+}
+
+void remove(std::string const& path) {
+  ::unlink(path.c_str());
+}
+
+void sync_folder(std::string const& folder) {
+  int const opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) return;
+  static_cast<void>(::fsync(opened));
+  ::close(opened);
+}
+
+std::optional<std::string> bytes_of(std::string const& path) {
+  auto const opened = File::open(path, Access::read);
+  auto const* const file = std::get_if<File>(&opened);
+  if (file == nullptr) return std::nullopt;
+  constexpr std::size_t piece = std::size_t{1} << 16U;
+  std::string bytes;
+  while (true) {
+    std::size_t const filled = bytes.size();
+    bytes.resize(filled + std::max(filled, piece));
+    auto const got = file->read(std::span(bytes).subspan(filled));
+    if (std::holds_alternative<Error>(got)) return std::nullopt;
+    bytes.resize(filled + std::get<std::size_t>(got));
+    if (std::get<std::size_t>(got) == 0) return bytes;
+  }
+}
+
+}  // namespace axisc::system

@@ -1,0 +1,41 @@
+// The running program and its standard streams.
+#pragma once
+
+#include "system/error.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace axisc::system {
+
+enum class Stream : std::uint8_t { output = 1, error = 2 };
+
+/// Called once at the start: a closed pipe is an error of write() from then on, and standard input, output and error are
+/// open, so that no file takes the place of one that the caller closed.
+void prepare_streams();
+/// Memory that one input needed waits for the next one instead of going back to the system, which would hand it out again
+/// page by page: as much time as to read a list.
+void keep_memory();
+
+[[nodiscard]] bool is_terminal(Stream stream);
+/// Writes all of `bytes`.
+[[nodiscard]] std::optional<Error> write(Stream stream, std::string_view bytes);
+
+/// Empty when it is not set.
+[[nodiscard]] std::string_view environment_variable(char const* name);
+
+/// What no other process that runs now has, on any host: number of the process and name of the host.
+struct ProcessName {
+  std::uint64_t number = 0;
+  std::string host;
+};
+[[nodiscard]] ProcessName process_name();
+
+/// What the linker marked this build of the program with; empty where it did not.
+[[nodiscard]] std::string build_identity();
+/// The program's own file; empty where the system does not tell.
+[[nodiscard]] std::string program_path();
+
+}  // namespace axisc::system
