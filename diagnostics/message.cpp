@@ -1,0 +1,50 @@
+#include "diagnostics/message.hpp"
+
+#include "diagnostics/terminal.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace axisc {
+namespace {
+
+void append_value(std::string& text, std::string_view placeholder, std::span<Argument const> arguments,
+                  Values values) {
+  std::string_view const name = placeholder.substr(1, placeholder.size() - 2);
+  for (Argument const& argument : arguments) {
+    if (argument.name != name) continue;
+    if (values == Values::printable) return append_printable(text, argument.value);
+    text += argument.value;
+    return;
+  }
+  text += placeholder;
+}
+
+}  // namespace
+
+void append_rendered(std::string& text, SentenceRef sentence, std::span<Argument const> arguments,
+                     Language language, Values values) {
+  std::string_view rest = sentence.in(language);
+  for (std::size_t open = rest.find('{'); open != std::string_view::npos; open = rest.find('{')) {
+    text += rest.substr(0, open);
+    rest.remove_prefix(open);
+    std::string_view const placeholder = rest.substr(0, std::min(rest.find('}'), rest.size() - 1) + 1);
+    append_value(text, placeholder, arguments, values);
+    rest.remove_prefix(placeholder.size());
+  }
+  text += rest;
+}
+
+void append_rendered(std::string& text, Message const& message, Language language, Values values) {
+  append_rendered(text, message.sentence, message.arguments, language, values);
+}
+
+std::string render(Message const& message, Language language) {
+  std::string text;
+  append_rendered(text, message, language);
+  return text;
+}
+
+}  // namespace axisc

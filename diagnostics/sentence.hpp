@@ -1,0 +1,87 @@
+// A sentence the program can say, in English and German: a constant beside the code that says it.
+//
+//     namespace axisc::validator::says {
+//     constexpr Sentence limit{"the delay must be shorter than {limit}",
+//                              "die Verzögerung muss kürzer als {limit} sein"};
+//     }
+//     … finding.notes.push_back({says::limit, {{"limit", microseconds(limit)}}});
+//
+// `{limit}` is a placeholder that a Message (message.hpp) fills; braces mean nothing else. What several sources of a
+// folder say is declared in the folder's sentences.hpp and defined in its sentences.cpp. A sentence that would be wrong in
+// either language does not compile.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axisc {
+
+enum class Language : std::uint8_t { english, german };
+
+namespace sentence_errors {
+
+// None is ever called: what a sentence must not be appears in the compiler's message by these names.
+void a_language_is_missing();
+void a_blank_begins_or_ends_the_sentence();
+void a_brace_belongs_to_no_placeholder();
+void the_languages_name_different_placeholders();
+
+}  // namespace sentence_errors
+
+class Sentence {
+ public:
+  /// Two string literals. Refused by the compiler: an empty one, blanks around it, a brace that is not part of a
+  /// placeholder ({lower_case_1}), and placeholders that only one language names.
+  consteval Sentence(std::string_view english, std::string_view german) : english_(english), german_(german) {
+    check(english, german);
+    check(german, english);
+  }
+  // A sentence is known by its address.
+  Sentence(Sentence const&) = delete;
+  Sentence& operator=(Sentence const&) = delete;
+  ~Sentence() = default;
+
+  /// Its placeholders are not filled.
+  [[nodiscard]] constexpr std::string_view in(Language language) const {
+    return language == Language::german ? german_ : english_;
+  }
+
+ private:
+  static consteval void check(std::string_view text, std::string_view other) {
+    if (text.empty()) sentence_errors::a_language_is_missing();
+    if (text.front() == ' ' || text.back() == ' ') sentence_errors::a_blank_begins_or_ends_the_sentence();
+    for (std::size_t open = text.find_first_of("{}"); open != std::string_view::npos;
+         open = text.find_first_of("{}", open)) {
+      std::size_t const close = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_", open + 1);
+      if (text[open] == '}' || close == std::string_view::npos || text[close] != '}' || close == open + 1) {
+        sentence_errors::a_brace_belongs_to_no_placeholder();
+      }
+      std::string_view const placeholder = text.substr(open, close + 1 - open);
+      if (other.find(placeholder) == std::string_view::npos) {
+        sentence_errors::the_languages_name_different_placeholders();
+      }
+      open = close + 1;
+    }
+  }
+
+  std::string_view english_;
+  std::string_view german_;
+};
+
+/// Which sentence is meant, to be copied and kept: refers to a constant, so it lives as long as the program.
+class SentenceRef {
+ public:
+  // Not explicit: the constant itself is named wherever a sentence is wanted.
+  constexpr SentenceRef(Sentence const& sentence) : sentence_(&sentence) {}
+  SentenceRef(Sentence const&&) = delete;
+
+  [[nodiscard]] constexpr std::string_view in(Language language) const { return sentence_->in(language); }
+  /// The same constant, whatever it says.
+  friend constexpr bool operator==(SentenceRef, SentenceRef) = default;
+
+ private:
+  Sentence const* sentence_;
+};
+
+}  // namespace axisc

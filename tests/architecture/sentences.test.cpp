@@ -1,0 +1,203 @@
+// The sentences of the whole program, read from its sources: what the compiler cannot say of them.
+#include "diagnostics/terminal.hpp"
+#include "diagnostics/utf8.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace axisc;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  fs::path path;
+  std::string text;
+};
+
+struct Definition {
+  std::string source;  ///< relative to the project
+  std::string name;
+  std::string english;
+  std::string german;
+};
+
+std::vector<Source> sources_of_the_program() {
+  std::vector<Source> sources;
+  for (auto const& folder : fs::directory_iterator(AXISC_SOURCE_DIR)) {
+    std::string const name = folder.path().filename().string();
+    if (!folder.is_directory() || name == "build" || name == "tests" || name.starts_with('.')) continue;
+    for (auto const& entry : fs::recursive_directory_iterator(folder.path())) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+      std::ifstream in(entry.path(), std::ios::binary);
+      sources.push_back({entry.path(), std::string(std::istreambuf_iterator<char>(in), {})});
+    }
+  }
+  return sources;
+}
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Reads what a definition consists of, one thing after the other; each says whether it was there.
+class Reader {
+ public:
+  Reader(std::string_view text, std::size_t at) : rest_(text.substr(at)) {}
+
+  bool token(std::string_view expected) {
+    skip_blanks();
+    if (!rest_.starts_with(expected)) return false;
+    rest_.remove_prefix(expected.size());
+    return true;
+  }
+
+  bool name(std::string& result) {
+    skip_blanks();
+    while (!rest_.empty() && is_name_character(rest_.front())) take(result);
+    return !result.empty();
+  }
+
+  /// Literals one after the other are one.
+  bool literals(std::string& result) {
+    bool found = false;
+    for (; raw_literal(result) || literal(result); found = true) {
+    }
+    return found;
+  }
+
+ private:
+  bool raw_literal(std::string& result) {
+    if (!token("R\"(")) return false;
+    std::size_t const end = rest_.find(")\"");
+    if (end == std::string_view::npos) return false;
+    result += rest_.substr(0, end);
+    rest_.remove_prefix(end + 2);
+    return true;
+  }
+
+  bool literal(std::string& result) {
+    if (!token("\"")) return false;
+    while (!rest_.empty() && rest_.front() != '"') {
+      if (rest_.front() != '\\') {
+        take(result);
+        continue;
+      }
+      rest_.remove_prefix(1);
+      if (rest_.empty() || std::string_view("n\"\\").find(rest_.front()) == std::string_view::npos)
+        return false;
+      result += rest_.front() == 'n' ? '\n' : rest_.front();
+      rest_.remove_prefix(1);
+    }
+    return token("\"");
+  }
+
+  void take(std::string& result) {
+    result += rest_.front();
+    rest_.remove_prefix(1);
+  }
+  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \n"), rest_.size())); }
+
+  std::string_view rest_;
+};
+
+std::optional<Definition> read_definition(std::string_view text, std::size_t at) {
+  Reader reader(text, at);
+  Definition found;
+  bool const whole = reader.name(found.name) && reader.token("{") && reader.literals(found.english) &&
+                     reader.token(",") && reader.literals(found.german) && reader.token("};");
+  return whole ? std::optional(found) : std::nullopt;
+}
+
+std::vector<Definition> definitions(std::vector<Source> const& sources) {
+  std::vector<Definition> result;
+  for (Source const& source : sources) {
+    std::string const path = source.path.lexically_relative(AXISC_SOURCE_DIR).generic_string();
+    for (std::string_view const begin :
+         {"\nconstexpr Sentence ", "\nconstinit Sentence const ", "\ninline constexpr Sentence "}) {
+      for (std::size_t at = source.text.find(begin); at != std::string::npos;
+           at = source.text.find(begin, at + 1)) {
+        auto definition = read_definition(source.text, at + begin.size());
+        INFO(path << ": " << source.text.substr(at, 120));
+        REQUIRE(definition);
+        definition->source = path;
+        result.push_back(*std::move(definition));
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<Definition> const& all_definitions() {
+  static std::vector<Definition> const all = definitions(sources_of_the_program());
+  return all;
+}
+
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
+}
+
+bool has_lines(Definition const& definition) {
+  return (definition.english + definition.german).find('\n') != std::string::npos;
+}
+
+/// "says::name" as a whole word.
+bool says(std::string_view text, std::string const& name) {
+  std::string const word = "says::" + name;
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    if (at + word.size() == text.size() || !is_name_character(text[at + word.size()])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("the sentences of all folders are found") {
+  CHECK(all_definitions().size() > 800);
+}
+
+TEST_CASE("a sentence is well-formed UTF-8 on one line") {
+  for (Definition const& definition : all_definitions()) {
+    for (std::string const& sentence : {definition.english, definition.german}) {
+      INFO(definition.source << " " << definition.name << ": " << sentence);
+      CHECK(valid_utf8_prefix(sentence) == sentence.size());
+      // What the commands print about themselves may have several lines.
+      if (definition.source.starts_with("cli/") && has_lines(definition)) continue;
+      CHECK(printable(sentence) == sentence);
+    }
+  }
+}
+
+TEST_CASE("a sentence can be read at a glance, and says as much in one language as in the other") {
+  for (Definition const& definition : all_definitions()) {
+    if (has_lines(definition)) continue;
+    std::size_t const english = characters(definition.english);
+    std::size_t const german = characters(definition.german);
+    INFO(definition.source << " " << definition.name << ": " << definition.english << " | "
+                           << definition.german);
+    CHECK(std::max(english, german) <= 240);
+    // Of words and fragments one may well be twice as long.
+    if (std::max(english, german) > 40) CHECK(std::max(english, german) < 2 * std::min(english, german));
+  }
+}
+
+TEST_CASE("every sentence is said") {
+  std::vector<Source> const sources = sources_of_the_program();
+  for (Definition const& definition : all_definitions()) {
+    bool const is_shared =
+        definition.source.ends_with("/sentences.cpp") || definition.source.ends_with(".hpp");
+    INFO(definition.source << " " << definition.name);
+    CHECK(std::any_of(sources.begin(), sources.end(), [&](Source const& source) {
+      return (is_shared || source.path.generic_string().ends_with('/' + definition.source)) &&
+             says(source.text, definition.name);
+    }));
+  }
+}

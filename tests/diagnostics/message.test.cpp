@@ -1,0 +1,56 @@
+#include "diagnostics/message.hpp"
+
+#include "example_findings.hpp"
+#include "support/catch.hpp"
+
+#include <string>
+
+using namespace axisc;
+using axisc::test::say;
+
+namespace {
+
+constexpr Sentence unknown{"unknown parameter `{name}`", "unbekannter Parameter `{name}`"};
+constexpr Sentence order{"{type} does not know order {order}", "die Ordnung {order} kennt {type} nicht"};
+
+}  // namespace
+
+TEST_CASE("a sentence is said in the language that is asked for") {
+  CHECK(unknown.in(Language::english) == "unknown parameter `{name}`");
+  CHECK(SentenceRef(unknown).in(Language::german) == "unbekannter Parameter `{name}`");
+  CHECK(SentenceRef(unknown) == unknown);
+  CHECK_FALSE(SentenceRef(unknown) == order);
+}
+
+TEST_CASE("messages print numbers and braces as they are given") {
+  CHECK(render(say("12 ms"), Language::english) == "12 ms");
+  CHECK(render(say("{text} {{ }}"), Language::german) == "{text} {{ }}");
+  CHECK(render({.sentence = unknown, .arguments = {{.name = "name", .value = "50663"}}}, Language::german) ==
+        "unbekannter Parameter `50663`");
+}
+
+TEST_CASE("values are made printable where that is asked for") {
+  Message const message{.sentence = unknown, .arguments = {{"name", "a\tb µ\x1b"}}};
+  std::string text = "\t";
+  append_rendered(text, message, Language::german, Values::printable);
+  CHECK(text == "\tunbekannter Parameter `a␉b µ␛`");
+  CHECK(render(message, Language::english) == "unknown parameter `a\tb µ\x1b`");
+}
+
+TEST_CASE("a placeholder without a value stays") {
+  CHECK(render({}, Language::english) == "{text}");
+  CHECK(render({.sentence = says::as_given, .arguments = {}}, Language::english) == "{text}");
+  CHECK(render({.sentence = says::as_given, .arguments = {{.name = "other", .value = "1"}}},
+               Language::english) == "{text}");
+}
+
+TEST_CASE("values are where their placeholders were") {
+  Message const message{.sentence = order, .arguments = {{"order", "7"}, {"type", "LOWPASS"}}};
+  CHECK(render(message, Language::english) == "LOWPASS does not know order 7");
+  CHECK(render(message, Language::german) == "die Ordnung 7 kennt LOWPASS nicht");
+}
+
+TEST_CASE("a value that looks like a placeholder is not filled again") {
+  Message const message{.sentence = order, .arguments = {{"type", "{order}"}, {"order", "{type}"}}};
+  CHECK(render(message, Language::english) == "{order} does not know order {type}");
+}
