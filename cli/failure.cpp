@@ -1,5 +1,7 @@
 #include "cli/failure.hpp"
 
+#include "diagnostics/sentences.hpp"
+
 #include <string_view>
 #include <utility>
 
@@ -15,8 +17,8 @@ std::string without_line_ends(std::string text) {
   return text;
 }
 
-std::string line_of(Text severity, std::optional<Code> code, std::string sentence, Language language) {
-  std::string line = "axisc: " + std::string(text_template(severity, language));
+std::string line_of(SentenceRef severity, std::optional<Code> code, std::string sentence, Language language) {
+  std::string line = "axisc: " + std::string(severity.in(language));
   if (code) line += "[" + code_text(*code) + "]";
   return line + ": " + without_line_ends(std::move(sentence)) + "\n";
 }
@@ -43,11 +45,11 @@ std::string Failure::sentence(Language language) const {
 }
 
 std::string Failure::line(Language language) const {
-  return line_of(Text::word_error, code_, sentence(language), language);
+  return line_of(axisc::says::word_error, code_, sentence(language), language);
 }
 
 std::string warning_line(Message const& message, Language language) {
-  return line_of(Text::word_warning, std::nullopt, render(message, language), language);
+  return line_of(axisc::says::word_warning, std::nullopt, render(message, language), language);
 }
 
 }  // namespace axisc::cli

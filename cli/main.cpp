@@ -1,9 +1,10 @@
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
-#include "schema/closest_word.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/sentences.hpp"
 #include "configuration/files.hpp"
+#include "schema/closest_word.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>
@@ -15,6 +16,76 @@
 #include <string_view>
 #include <vector>
 
+namespace axisc::cli::says {
+
+constexpr Sentence changed{
+    "cannot read {file}: it changed while it was read; run the command again when nobody writes it",
+    "{file} ist nicht lesbar: die Datei wurde beim Lesen geändert; den Befehl wiederholen, wenn niemand sie "
+    "schreibt"};
+
+constexpr Sentence no_command{"a command is missing; `axisc --help` lists them",
+                              "ein Befehl fehlt; `axisc --help` nennt sie"};
+constexpr Sentence unknown_command{"there is no command \"{command}\"; `axisc --help` lists them",
+                                   "den Befehl \"{command}\" gibt es nicht; `axisc --help` nennt alle"};
+constexpr Sentence unknown_command_meant{R"(there is no command "{command}"; did you mean "{meant}"?)",
+                                         R"(den Befehl "{command}" gibt es nicht; war "{meant}" gemeint?)"};
+constexpr Sentence no_memory{
+    "out of memory; close other programs or check fewer files at once",
+    "kein Arbeitsspeicher mehr; andere Programme schließen oder weniger Dateien auf einmal prüfen"};
+constexpr Sentence help_command{"COMMAND", "BEFEHL"};
+constexpr Sentence help_commands_heading{"Commands", "Befehle"};
+constexpr Sentence purpose{
+    R"(axisc checks axis parameter lists of CNC controls, compiles the filters they configure into a coefficient
+image, and executes such images.)",
+    R"(axisc prüft Achsparameterlisten von CNC-Steuerungen, übersetzt die darin konfigurierten Filter in ein
+Koeffizientenabbild und führt solche Abbilder aus.)"};
+constexpr Sentence lint_meaning{"check lists and machine files", "Listen und Maschinendateien prüfen"};
+constexpr Sentence fmt_meaning{"align the values and comments of lists",
+                               "Werte und Kommentare von Listen ausrichten"};
+constexpr Sentence compile_meaning{"check, then write a coefficient image",
+                                   "prüfen, dann ein Koeffizientenabbild schreiben"};
+constexpr Sentence inspect_meaning{"show what is in an image", "zeigen, was in einem Abbild steht"};
+constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte durch ein Abbild führen"};
+constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
+constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
+                                  "ein Schlüsselpaar für Signaturen erzeugen"};
+constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
+constexpr Sentence explain_meaning{"explain a code or a parameter",
+                                   "einen Code oder einen Parameter erklären"};
+constexpr Sentence examples{R"(Examples:
+  axisc lint machine.json
+  axisc compile machine.json -o mill.axim
+  axisc run mill.axim --signal step --cycles 100
+
+Each command has its own help: axisc lint --help
+Exit status: 0 nothing wrong, 1 findings of severity error, 2 the command line, a file or the environment
+is at fault.)",
+                            R"(Beispiele:
+  axisc lint maschine.json
+  axisc compile maschine.json -o fraese.axim
+  axisc run fraese.axim --signal step --cycles 100
+
+Jeder Befehl hat seine eigene Hilfe: axisc lint --help
+Rückgabewert: 0 alles in Ordnung, 1 Befunde der Stufe Fehler, 2 Befehlszeile, Datei oder Umgebung ist schuld.)"};
+
+constexpr Sentence diff_meaning{
+    "say what changed between two lists, machines or images",
+    "sagen, was sich zwischen zwei Listen, Maschinen oder Abbildern geändert hat"};
+
+constexpr Sentence contour_meaning{"predict axis errors and contour deviations",
+                                   "Achsfehler und Bahnabweichungen vorhersagen"};
+constexpr Sentence simulate_meaning{
+    "follow an NC program through the filters, or an axis through its control loop",
+    "ein NC-Programm durch die Filter verfolgen oder eine Achse durch ihren Regelkreis"};
+
+constexpr Sentence replay_meaning{"execute a controller's recording again",
+                                  "die Aufzeichnung einer Steuerung noch einmal ausführen"};
+
+constexpr Sentence merge_meaning{"put the results of shards together",
+                                 "die Ergebnisse von Teilen zusammenführen"};
+
+}  // namespace axisc::cli::says
+
 namespace {
 
 using namespace axisc;
@@ -22,34 +93,37 @@ using namespace axisc::cli;
 
 struct Command {
   std::string_view name;
-  Text meaning;
+  SentenceRef meaning;
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 14> commands = {{{"lint", Text::cli_lint_meaning, lint},
-                                               {"fmt", Text::cli_fmt_meaning, fmt},
-                                               {"compile", Text::cli_compile_meaning, compile},
-                                               {"inspect", Text::cli_inspect_meaning, inspect},
-                                               {"run", Text::cli_run_meaning, run},
-                                               {"response", Text::cli_response_meaning, response},
-                                               {"contour", Text::cli_contour_meaning, contour},
-                                               {"simulate", Text::cli_simulate_meaning, simulate},
-                                               {"replay", Text::cli_replay_meaning, replay},
-                                               {"diff", Text::cli_diff_meaning, diff},
-                                               {"merge", Text::cli_merge_meaning, merge},
-                                               {"keygen", Text::cli_keygen_meaning, keygen},
-                                               {"sign", Text::cli_sign_meaning, sign},
-                                               {"explain", Text::cli_explain_meaning, explain}}};
+constexpr std::array<Command, 14> commands = {{{"lint", cli::says::lint_meaning, lint},
+                                               {"fmt", cli::says::fmt_meaning, fmt},
+                                               {"compile", cli::says::compile_meaning, compile},
+                                               {"inspect", cli::says::inspect_meaning, inspect},
+                                               {"run", cli::says::run_meaning, run},
+                                               {"response", cli::says::response_meaning, response},
+                                               {"contour", cli::says::contour_meaning, contour},
+                                               {"simulate", cli::says::simulate_meaning, simulate},
+                                               {"replay", cli::says::replay_meaning, replay},
+                                               {"diff", cli::says::diff_meaning, diff},
+                                               {"merge", cli::says::merge_meaning, merge},
+                                               {"keygen", cli::says::keygen_meaning, keygen},
+                                               {"sign", cli::says::sign_meaning, sign},
+                                               {"explain", cli::says::explain_meaning, explain}}};
 
 std::string help(Language language) {
-  auto const say = [language](Text text) { return render({.text = text, .arguments = {}}, language); };
-  std::string text = say(Text::cli_purpose) + "\n\n" + say(Text::cli_help_usage) + ": axisc " +
-                     say(Text::cli_help_command) + " [" + say(Text::cli_help_options) + "]\n\n" +
-                     say(Text::cli_help_commands_heading) + ":\n";
+  auto const say = [language](SentenceRef text) {
+    return render({.sentence = text, .arguments = {}}, language);
+  };
+  std::string text = say(cli::says::purpose) + "\n\n" + say(cli::says::help_usage) + ": axisc " +
+                     say(cli::says::help_command) + " [" + say(cli::says::help_options) + "]\n\n" +
+                     say(cli::says::help_commands_heading) + ":\n";
   for (auto const& command : commands) text += help_row(command.name, say(command.meaning));
-  return text + "\n" + say(Text::cli_help_options_heading) + ":\n" +
-         help_row("-h, --help", say(Text::cli_opt_help)) + help_row("--version", say(Text::cli_opt_version)) +
-         help_row("--lang en|de", say(Text::cli_opt_lang)) + "\n" + say(Text::cli_examples) + "\n";
+  return text + "\n" + say(cli::says::help_options_heading) + ":\n" +
+         help_row("-h, --help", say(cli::says::option_help)) +
+         help_row("--version", say(cli::says::option_version)) +
+         help_row("--lang en|de", say(cli::says::option_lang)) + "\n" + say(cli::says::examples) + "\n";
 }
 
 /// Index of the command word: the first word that is no option (nor the value of one that every command knows).
@@ -72,7 +146,7 @@ ExitStatus without_command(std::vector<std::string> const& arguments, Language l
       return ExitStatus::success;
     }
   }
-  throw Failure({.text = Text::cli_no_command, .arguments = {}});
+  throw Failure({.sentence = cli::says::no_command, .arguments = {}});
 }
 
 ExitStatus dispatch(std::vector<std::string> arguments, Language language, Streams& streams) {
@@ -88,7 +162,7 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
     names.push_back(command.name);
   }
   auto const meant = schema::closest_word(word, names);
-  throw Failure({.text = meant.empty() ? Text::cli_unknown_command : Text::cli_unknown_command_meant,
+  throw Failure({.sentence = meant.empty() ? cli::says::unknown_command : cli::says::unknown_command_meant,
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
 }
 
@@ -99,12 +173,13 @@ std::string failure_line(Language language) {
   } catch (Failure const& failure) {
     return failure.line(language);
   } catch (configuration::SourceChanged const& changed) {
-    return Failure({.text = Text::ax9001_changed, .arguments = {{"file", changed.path()}}}, cannot_read)
+    return Failure({.sentence = cli::says::changed, .arguments = {{"file", changed.path()}}}, cannot_read)
         .line(language);
   } catch (std::bad_alloc const&) {
-    return Failure({.text = Text::cli_no_memory, .arguments = {}}).line(language);
+    return Failure({.sentence = cli::says::no_memory, .arguments = {}}).line(language);
   } catch (std::exception const& error) {
-    return Failure({.text = Text::cli_unexpected, .arguments = {{"reason", error.what()}}}).line(language);
+    return Failure({.sentence = cli::says::unexpected, .arguments = {{"reason", error.what()}}})
+        .line(language);
   }
 }
 

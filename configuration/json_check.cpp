@@ -1,7 +1,8 @@
 #include "configuration/json_check.hpp"
 
-#include "diagnostics/format_number.hpp"
+#include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
@@ -10,6 +11,32 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+
+namespace axisc::configuration::says {
+
+constexpr Sentence unknown_key{"unknown key \"{key}\"", "unbekannter Schlüssel \"{key}\""};
+constexpr Sentence repeated_key{"the key \"{key}\" stands here twice",
+                                "der Schlüssel \"{key}\" steht hier zweimal"};
+constexpr Sentence text{"\"{key}\" must be a text", "\"{key}\" muss ein Text sein"};
+constexpr Sentence empty_text{"\"{key}\" must not be empty", "\"{key}\" darf nicht leer sein"};
+constexpr Sentence number{"\"{key}\" must be a number", "\"{key}\" muss eine Zahl sein"};
+constexpr Sentence flag{"\"{key}\" must be true or false", "\"{key}\" muss true oder false sein"};
+constexpr Sentence list{"\"{key}\" must be a list in brackets",
+                        "\"{key}\" muss eine Liste in eckigen Klammern sein"};
+constexpr Sentence list_of_texts{"\"{key}\" must be a list of texts",
+                                 "\"{key}\" muss eine Liste von Texten sein"};
+constexpr Sentence list_of_objects{"\"{key}\" must be a list of objects in braces",
+                                   "\"{key}\" muss eine Liste von Objekten in geschweiften Klammern sein"};
+constexpr Sentence object{"an object in braces is expected here",
+                          "hier wird ein Objekt in geschweiften Klammern erwartet"};
+constexpr Sentence one_of{"\"{key}\" must be one of {values}", "\"{key}\" muss eines von {values} sein"};
+constexpr Sentence range{"\"{key}\" must be a number {range}", "\"{key}\" muss eine Zahl {range} sein"};
+constexpr Sentence whole{"\"{key}\" must be a whole number {range}",
+                         "\"{key}\" muss eine ganze Zahl {range} sein"};
+constexpr Sentence excludes{R"("{key}" and "{other}" exclude each other; leave one out)",
+                            R"("{key}" und "{other}" schließen einander aus; eines weglassen)"};
+
+}  // namespace axisc::configuration::says
 
 namespace axisc::configuration {
 namespace {
@@ -62,14 +89,14 @@ bool is_of_kind(JsonShape const& shape, JsonValue const& value) {
   return true;
 }
 
-Text list_sentence(JsonShape const& items) {
-  if (items.kind == Kind::text) return Text::json_list_of_texts;
-  return items.kind == Kind::object ? Text::json_list_of_objects : Text::json_list;
+SentenceRef list_sentence(JsonShape const& items) {
+  if (items.kind == Kind::text) return says::list_of_texts;
+  return items.kind == Kind::object ? says::list_of_objects : says::list;
 }
 
-Text number_sentence(JsonShape const& shape) {
-  if (shape.kind == Kind::whole_number) return Text::json_whole;
-  return range_text(shape).empty() || shape.sentence ? Text::json_number : Text::json_range;
+SentenceRef number_sentence(JsonShape const& shape) {
+  if (shape.kind == Kind::whole_number) return says::whole;
+  return range_text(shape).empty() || shape.sentence ? says::number : says::range;
 }
 
 class Checker {
@@ -84,14 +111,14 @@ class Checker {
   }
 
  private:
-  JsonProblem& add(Span span, Text text, std::vector<Argument> arguments = {}) {
+  JsonProblem& add(Span span, SentenceRef text, std::vector<Argument> arguments = {}) {
     return check_.problems.emplace_back(
-        JsonProblem{span, {.text = text, .arguments = std::move(arguments)}, {}, {}, {}});
+        JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}});
   }
 
   /// The shape's own sentence, or the general one.
   JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, std::string value,
-                      Text general) {
+                      SentenceRef general) {
     std::vector<Argument> arguments{{"key", std::string(key)}, {"value", std::move(value)}};
     if (!shape.sentence) arguments.push_back({"range", range_text(shape)});
     return add(span, shape.sentence.value_or(general), std::move(arguments));
@@ -101,20 +128,20 @@ class Checker {
     Argument const name{"key", std::string(key)};
     switch (shape.kind) {
       case Kind::flag:
-        add(span, Text::json_flag, {name});
+        add(span, says::flag, {name});
         break;
       case Kind::number:
       case Kind::whole_number:
         add(span, number_sentence(shape), {name, {"range", range_text(shape)}});
         break;
       case Kind::text:
-        add(span, Text::json_text, {name});
+        add(span, says::text, {name});
         break;
       case Kind::list:
         add(span, list_sentence(*shape.items), {name});
         break;
       default:
-        add(span, Text::json_object);
+        add(span, says::object);
     }
   }
 
@@ -156,33 +183,32 @@ class Checker {
       });
       if (known) return true;
       Words const words(shape.words.begin(), shape.words.end());
-      JsonProblem& problem =
-          add(span, Text::json_one_of, {{"key", std::string(key)}, {"values", joined(words)}});
+      JsonProblem& problem = add(span, says::one_of, {{"key", std::string(key)}, {"values", joined(words)}});
       problem.suggestion = schema::closest_word(text, words);
       return false;
     }
     if (text.empty() && !shape.may_be_empty) {
-      add(span, Text::json_empty_text, {{"key", std::string(key)}});
+      add(span, says::empty_text, {{"key", std::string(key)}});
       return false;
     }
     if (shape.accepts == nullptr || shape.accepts(text)) return true;
-    refuse(shape, span, key, text, Text::json_text);
+    refuse(shape, span, key, text, says::text);
     return false;
   }
 
   void check_list(JsonShape const& shape, JsonValue const& list, std::string_view key) {
-    if (list.items.size() < shape.fewest) refuse(shape, list.span, key, {}, Text::json_empty_text);
+    if (list.items.size() < shape.fewest) refuse(shape, list.span, key, {}, says::empty_text);
     std::set<std::string_view> seen;
     for (std::size_t const item : list.items) {
       JsonValue const& value = document_[item];
       if (!is_of_kind(*shape.items, value)) {
-        bool const has_sentence = list_sentence(*shape.items) != Text::json_list;
+        bool const has_sentence = list_sentence(*shape.items) != says::list;
         refuse_kind(has_sentence ? shape : *shape.items, value.span, key);
         continue;
       }
       check_value(*shape.items, item, key);
       if (shape.distinct && !seen.insert(value.string).second) {
-        add(value.span, Text::json_repeated_value, {{"key", std::string(key)}, {"value", value.string}});
+        add(value.span, says::json_repeated_value, {{"key", std::string(key)}, {"value", value.string}});
       }
     }
   }
@@ -202,16 +228,16 @@ class Checker {
       auto const found = seen.find(key.name);
       if (found == seen.end()) {
         if (key.presence == JsonPresence::required)
-          add(object.span, Text::json_missing_key, {{"key", std::string(key.name)}});
+          add(object.span, says::json_missing_key, {{"key", std::string(key.name)}});
       } else if (!key.excludes.empty() && seen.contains(key.excludes)) {
-        add(found->second, Text::json_excludes,
+        add(found->second, says::excludes,
             {{"key", std::string(key.name)}, {"other", std::string(key.excludes)}});
       }
     }
   }
 
   void check_map(JsonShape const& shape, JsonValue const& map, std::string_view key) {
-    if (map.members.size() < shape.fewest) refuse(shape, map.span, key, {}, Text::json_empty_text);
+    if (map.members.size() < shape.fewest) refuse(shape, map.span, key, {}, says::empty_text);
     std::unordered_map<std::string_view, Span> seen;
     for (JsonMember const& member : map.members) {
       if (!is_first(seen, member)) continue;
@@ -229,20 +255,20 @@ class Checker {
                             check_.problems.end());
     }
     check_.readable[index] = false;
-    refuse(shape, document_[index].span, key, document_[index].string, Text::json_text);
+    refuse(shape, document_[index].span, key, document_[index].string, says::text);
   }
 
   /// A finding for a key that the object has already.
   bool is_first(std::unordered_map<std::string_view, Span>& seen, JsonMember const& member) {
     auto const [first, is_new] = seen.try_emplace(member.key, member.key_span);
-    if (!is_new) add(member.key_span, Text::json_repeated_key, {{"key", member.key}}).first = first->second;
+    if (!is_new) add(member.key_span, says::repeated_key, {{"key", member.key}}).first = first->second;
     return is_new;
   }
 
   void refuse_unknown(JsonShape const& shape, JsonMember const& member) {
     Words names;
     for (JsonKey const& key : shape.keys) names.push_back(key.name);
-    JsonProblem& problem = add(member.key_span, Text::json_unknown_key, {{"key", member.key}});
+    JsonProblem& problem = add(member.key_span, says::unknown_key, {{"key", member.key}});
     problem.suggestion = schema::closest_word(member.key, names);
     problem.known_keys = joined(names);
   }

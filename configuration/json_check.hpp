@@ -1,9 +1,9 @@
 // Whether a JSON document is as a table says.
 #pragma once
 
-#include "diagnostics/text.hpp"
 #include "configuration/json_shape.hpp"
 #include "configuration/located_json.hpp"
+#include "diagnostics/message.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,8 @@
 // (json_check.hpp), reads it (json_reading.hpp), and gives its JSON schema in docs/schemas.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "configuration/sentences.hpp"
+#include "diagnostics/message.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -70,7 +71,7 @@ struct JsonShape {
 
   /// Said instead of the general sentence where a value is of the right kind and yet wrong, and always for `either`, which
   /// has no general one. May contain {key} and {value}.
-  std::optional<Text> sentence = {};
+  std::optional<SentenceRef> sentence = {};
 };
 
 inline constexpr JsonShape any_json{.kind = JsonShapeKind::anything};
@@ -80,6 +81,6 @@ inline constexpr JsonShape json_text{};  ///< not empty
 inline constexpr JsonShape json_texts{.kind = JsonShapeKind::list, .items = &json_text};
 /// Microseconds, from a nanosecond to a second.
 inline constexpr JsonShape json_cycle_time{
-    .kind = JsonShapeKind::number, .lowest = 1e-3, .highest = 1e6, .sentence = Text::json_cycle_time};
+    .kind = JsonShapeKind::number, .lowest = 1e-3, .highest = 1e6, .sentence = says::json_cycle_time};
 
 }  // namespace axisc::configuration

@@ -1,16 +1,35 @@
 #include "configuration/machine_file.hpp"
 
-#include "diagnostics/ascii.hpp"
-#include "schema/closest_word.hpp"
-#include "machine/drive_type.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
+#include "configuration/sentences.hpp"
+#include "diagnostics/ascii.hpp"
+#include "machine/drive_type.hpp"
+#include "schema/closest_word.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <string_view>
 #include <utility>
+
+namespace axisc::configuration::says {
+
+constexpr Sentence json{"the machine file is no valid JSON here",
+                        "die Maschinendatei ist hier kein gültiges JSON"};
+constexpr Sentence json_end{"the machine file ends before it is complete",
+                            "die Maschinendatei endet, bevor sie vollständig ist"};
+constexpr Sentence no_axes{"a machine needs at least one axis",
+                           "eine Maschine braucht mindestens eine Achse"};
+constexpr Sentence repeated_axis{"the axis name \"{name}\" is used twice",
+                                 "der Achsname \"{name}\" kommt zweimal vor"};
+constexpr Sentence unknown_axis{"this machine has no axis \"{name}\"",
+                                "diese Maschine hat keine Achse \"{name}\""};
+
+constexpr Sentence json_fix{"write \"{replacement}\"", "\"{replacement}\" schreiben"};
+constexpr Sentence json_first{"first here", "zuerst hier"};
+
+}  // namespace axisc::configuration::says
 
 namespace axisc::configuration {
 namespace {
@@ -34,7 +53,7 @@ constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
 void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, MachineFileAxis& axis) {
   axis.type = ascii::equal_ignoring_case(value.string, "T")   ? machine::AxisType::translatory
               : ascii::equal_ignoring_case(value.string, "R") ? machine::AxisType::rotary
-                                                       : machine::AxisType::spindle;
+                                                              : machine::AxisType::spindle;
 }
 
 constexpr std::array axis_keys = {
@@ -50,7 +69,7 @@ constexpr std::array axis_keys = {
             "Translatory, rotary or spindle; wins over kenngr.achs_typ of the list.", by<store_axis_type>}};
 constexpr JsonShape axis_shape{.kind = Kind::object, .title = "Axis", .keys = axis_keys};
 constexpr JsonShape axes_shape{
-    .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = Text::ax4020_no_axes};
+    .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = says::no_axes};
 
 constexpr std::array group_keys = {
     JsonKey{"name", &json_text, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
@@ -93,12 +112,10 @@ namespace {
 
 class MachineFileReader {
  public:
-  MachineFileReader(SourceId source, std::deque<Finding>& findings)
-      : source_(source), findings_(findings) {}
+  MachineFileReader(SourceId source, std::deque<Finding>& findings) : source_(source), findings_(findings) {}
 
   void broken(JsonError const& error) {
-    add(error.span,
-        {.text = error.span.empty() ? Text::ax4020_json_end : Text::ax4020_json, .arguments = {}});
+    add(error.span, {.sentence = error.span.empty() ? says::json_end : says::json, .arguments = {}});
   }
 
   MachineFile read(JsonDocument const& document) {
@@ -130,20 +147,21 @@ class MachineFileReader {
     Finding& finding = add(problem.span, problem.message);
     suggest(finding, problem.suggestion);
     if (!problem.known_keys.empty()) {
-      finding.notes.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+      finding.notes.push_back(
+          {.sentence = says::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
     }
     if (problem.first) relate(finding, {.source = source_, .span = *problem.first});
   }
 
   static void relate(Finding& finding, Place first) {
-    finding.related.push_back({.place = first, .message = {.text = Text::json_first, .arguments = {}}});
+    finding.related.push_back({.place = first, .message = {.sentence = says::json_first, .arguments = {}}});
   }
 
   static void suggest(Finding& finding, std::string const& word) {
     if (word.empty()) return;
-    finding.help.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", word}}});
+    finding.help.push_back({.sentence = says::json_did_you_mean, .arguments = {{"suggestion", word}}});
     Fix fix;
-    fix.title = {.text = Text::json_fix, .arguments = {{"replacement", word}}};
+    fix.title = {.sentence = says::json_fix, .arguments = {{"replacement", word}}};
     fix.edits.push_back({.place = *finding.place, .text = '"' + word + '"'});
     finding.fix = std::move(fix);
   }
@@ -154,7 +172,7 @@ class MachineFileReader {
       if (axis.name.text.empty()) return true;
       auto const [first, is_new] = axis_names_.try_emplace(axis.name.text, axis.name.place);
       if (is_new) return axis.list.text.empty();
-      Message message{.text = Text::ax4020_repeated_axis, .arguments = {{"name", axis.name.text}}};
+      Message message{.sentence = says::repeated_axis, .arguments = {{"name", axis.name.text}}};
       relate(add(axis.name.place.span, std::move(message)), first->second);
       return true;
     };
@@ -169,7 +187,7 @@ class MachineFileReader {
     if (axis_names_.contains(name.text)) return true;
     std::vector<std::string_view> known;
     for (auto const& [axis, place] : axis_names_) known.push_back(axis);
-    Message message{.text = Text::ax4020_unknown_axis, .arguments = {{"name", name.text}}};
+    Message message{.sentence = says::unknown_axis, .arguments = {{"name", name.text}}};
     suggest(add(name.place.span, std::move(message)), std::string(schema::closest_word(name.text, known)));
     return false;
   }

@@ -1,8 +1,8 @@
 // A finding is data: what is wrong, where, what the control would do, and what to write instead.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "diagnostics/source_text.hpp"
-#include "diagnostics/text.hpp"
 
 #include <cstdint>
 #include <optional>

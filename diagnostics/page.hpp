@@ -1,7 +1,7 @@
 // The page of a code: what it means and what to do about it, for `axisc explain`, docs/rules.md and SARIF.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 
 #include <string_view>
 

@@ -1,5 +1,6 @@
 #include "diagnostics/fix_preview.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/sentences.hpp"
 #include "diagnostics/shown_line.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/writers.hpp"
@@ -29,16 +30,16 @@ Style style_of(Severity severity) {
   return Style::note;
 }
 
-Text word_of(Severity severity) {
+SentenceRef word_of(Severity severity) {
   switch (severity) {
     case Severity::error:
-      return Text::word_error;
+      return says::word_error;
     case Severity::warning:
-      return Text::word_warning;
+      return says::word_warning;
     case Severity::note:
       break;
   }
-  return Text::word_note;
+  return says::word_note;
 }
 
 /// How a place is pointed at: the finding's own with carets in its colour, the others with dashes.
@@ -103,7 +104,7 @@ class TextWriter {
   void write_sentence(Message const& message) {
     append_rendered(out_, message, language_, Values::printable);
   }
-  [[nodiscard]] std::string_view word(Text text) const { return text_template(text, language_); }
+  [[nodiscard]] std::string_view word(SentenceRef text) const { return text.in(language_); }
 
   void write_headline() {
     paint_.begin(out_, style_of(finding_.severity));
@@ -191,12 +192,12 @@ class TextWriter {
       out_ += '\n';
     }
     if (says_reaction) {
-      begin_line_below(word(Text::word_control));
+      begin_line_below(word(says::word_control));
       append_control_text(out_, finding_, language_, Values::printable);
       out_ += '\n';
     }
     for (Message const& help : finding_.help) {
-      begin_line_below(word(Text::word_help));
+      begin_line_below(word(says::word_help));
       write_sentence(help);
       out_ += '\n';
     }
@@ -213,7 +214,7 @@ class TextWriter {
   }
 
   void write_fix() {
-    begin_line_below(word(Text::word_fix));
+    begin_line_below(word(says::word_fix));
     write_sentence(finding_.fix->title);
     out_ += '\n';
     for (PreviewBlock const& block : blocks_) {

@@ -5,6 +5,27 @@
 #include <charconv>
 #include <cmath>
 
+namespace axisc::motion::says {
+
+constexpr Sentence not_simulated{"the simulation ignores `{word}`", "die Simulation übergeht `{word}`"};
+constexpr Sentence not_simulated_axis{"the simulation ignores `{word}`: the channel has no axis {axis}",
+                                      "die Simulation übergeht `{word}`: der Kanal hat keine Achse {axis}"};
+constexpr Sentence not_simulated_slope{
+    "the simulation ignores `{word}`: it plans trapezoidal velocities (TYPE=TRAPEZ)",
+    "die Simulation übergeht `{word}`: sie plant trapezförmige Geschwindigkeiten (TYPE=TRAPEZ)"};
+
+constexpr Sentence cannot_simulate_number{"`{word}` needs a number", "`{word}` braucht eine Zahl"};
+constexpr Sentence cannot_simulate_feed{
+    "a motion in G01 needs a feed rate: write F before or in this block",
+    "eine Bewegung in G01 braucht einen Vorschub: F vor oder in diesem Satz schreiben"};
+constexpr Sentence cannot_simulate_feed_range{"`{word}`: the feed rate must be above 0",
+                                              "`{word}`: der Vorschub muss über 0 liegen"};
+constexpr Sentence cannot_simulate_too_far{
+    "`{word}` lies beyond what the runtime can represent",
+    "`{word}` liegt außerhalb dessen, was das Laufzeitsystem darstellen kann"};
+
+}  // namespace axisc::motion::says
+
 namespace axisc::motion {
 namespace {
 
@@ -165,9 +186,9 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
   } else if (letter == 'F') {
     auto const feed = real_number(number);
     if (!feed) {
-      refuse(token, Text::ax9008_number);
+      refuse(token, says::cannot_simulate_number);
     } else if (!(*feed > 0)) {
-      refuse(token, Text::ax9008_feed_range);
+      refuse(token, says::cannot_simulate_feed_range);
     } else {
       double const mm_per_min = *feed * (channel_.inch ? mm_per_inch : 1);
       feed_ = mm_per_min / 60 * channel_.cycle_time.seconds() * units_per_mm;
@@ -175,9 +196,9 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
   } else if (auto const index = axis(word.substr(0, 1))) {
     take_coordinate(token, *index, number);
   } else if (is_geometry_letter(letter)) {
-    ignore(token, std::string(1, letter), Text::ax9007_axis, {{"axis", std::string(1, letter)}});
+    ignore(token, std::string(1, letter), says::not_simulated_axis, {{"axis", std::string(1, letter)}});
   } else if (is_technology_letter(letter)) {
-    ignore(token, std::string(1, letter), Text::ax9007);
+    ignore(token, std::string(1, letter), says::not_simulated);
   } else {
     refuse(token);
   }
@@ -207,7 +228,7 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
       return end();
     }
     if (*number == 17 || *number == 29) return refuse(token);
-    return ignore(token, "M" + std::to_string(*number), Text::ax9007);
+    return ignore(token, "M" + std::to_string(*number), says::not_simulated);
   }
   switch (*number) {
     case 0:
@@ -223,16 +244,16 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
   }
   if (std::find(harmless.begin(), harmless.end(), *number) == harmless.end()) return refuse(token);
   dwells_ = dwells_ || *number == 4;
-  ignore(token, "G" + std::to_string(*number), Text::ax9007);
+  ignore(token, "G" + std::to_string(*number), says::not_simulated);
 }
 
 void ProgramInterpreter::take_coordinate(Token const& token, std::size_t axis, std::string_view number) {
   if (dwells_) return;
   auto const value = real_number(number);
-  if (!value) return refuse(token, Text::ax9008_number);
+  if (!value) return refuse(token, says::cannot_simulate_number);
   double const unit = units_per_mm * (channel_.inch && !channel_.rotary[axis] ? mm_per_inch : 1);
   double const target = (incremental_ ? position_[axis] : 0) + *value * unit;
-  if (!(std::abs(target) <= furthest)) return refuse(token, Text::ax9008_too_far);
+  if (!(std::abs(target) <= furthest)) return refuse(token, says::cannot_simulate_too_far);
   next_.end[axis] = target;
   if (!moves_) first_coordinate_ = token;
   moves_ = true;
@@ -255,7 +276,7 @@ std::size_t ProgramInterpreter::take_command(std::size_t at) {
   for (std::size_t i = at + 1; i < tokens_.size(); ++i) written += text(tokens_[i].span);
   if (written == "#SLOPE[TYPE=TRAPEZ]") return tokens_.size();
   bool const slope = written.rfind("#SLOPE", 0) == 0;
-  ignore(token, written, slope ? Text::ax9007_slope : Text::ax9007);
+  ignore(token, written, slope ? says::not_simulated_slope : says::not_simulated);
   return tokens_.size();
 }
 
@@ -270,7 +291,7 @@ void ProgramInterpreter::take_filter(Token const& token) {
           .span = {.begin = mistake.span.begin + kept_offset_, .end = mistake.span.end + kept_offset_},
           .line = token.line,
           .command = {}};
-      report(place, mistake.code, mistake.message.text, mistake.message.arguments);
+      report(place, mistake.code, mistake.message.sentence, mistake.message.arguments);
     }
     if (checked.mistakes.empty()) refuse(token);
     return;
@@ -300,7 +321,7 @@ void ProgramInterpreter::move() {
   if (!moves_) return;
   moves_ = false;
   if (!rapid_ && !feed_) {
-    refuse(first_coordinate_, Text::ax9008_feed);
+    refuse(first_coordinate_, says::cannot_simulate_feed);
     feed_ = 1;  // said once
   }
   next_.feed = rapid_ ? std::numeric_limits<double>::infinity() : *feed_;
@@ -320,7 +341,7 @@ std::optional<std::size_t> ProgramInterpreter::axis(std::string_view name) const
   return static_cast<std::size_t>(found - channel_.axes.begin());
 }
 
-void ProgramInterpreter::report(Token const& token, Code code, Text message,
+void ProgramInterpreter::report(Token const& token, Code code, SentenceRef message,
                                 std::vector<Argument> arguments) {
   ProgramProblem problem;
   problem.finding.code = code;
@@ -329,7 +350,7 @@ void ProgramInterpreter::report(Token const& token, Code code, Text message,
                          : code == cannot_simulate ? "cannot-simulate"
                                                    : "";
   arguments.push_back({.name = "word", .value = std::string(text(token.span))});
-  problem.finding.message = {.text = message, .arguments = std::move(arguments)};
+  problem.finding.message = {.sentence = message, .arguments = std::move(arguments)};
   problem.line = token.line;
   std::size_t const at = token.span.begin - kept_offset_;
   std::size_t const begin = at == 0 ? 0 : kept_.rfind('\n', at - 1) + 1;
@@ -340,7 +361,7 @@ void ProgramInterpreter::report(Token const& token, Code code, Text message,
   problem_(std::move(problem));
 }
 
-void ProgramInterpreter::ignore(Token const& token, std::string const& key, Text text,
+void ProgramInterpreter::ignore(Token const& token, std::string const& key, SentenceRef text,
                                 std::vector<Argument> arguments) {
   constexpr std::size_t most_named = 100;
   if (ignored_.size() < most_named && ignored_.insert(key).second) {
@@ -349,7 +370,7 @@ void ProgramInterpreter::ignore(Token const& token, std::string const& key, Text
 }
 
 /// One mistake gives one message: the rest of its block is left alone.
-void ProgramInterpreter::refuse(Token const& token, Text text) {
+void ProgramInterpreter::refuse(Token const& token, SentenceRef text) {
   refused_ = true;
   report(token, cannot_simulate, text);
 }

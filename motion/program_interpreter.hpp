@@ -9,6 +9,7 @@
 #include "grammar/nc_program.hpp"
 #include "machine/filter_command.hpp"
 #include "motion/path_block.hpp"
+#include "motion/sentences.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -108,9 +109,10 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   void keep(std::string_view text, std::uint32_t offset);
   [[nodiscard]] std::string_view text(Span span) const;
   [[nodiscard]] std::optional<std::size_t> axis(std::string_view name) const;
-  void report(Token const& token, Code code, Text message, std::vector<Argument> arguments = {});
-  void ignore(Token const& token, std::string const& key, Text text, std::vector<Argument> arguments = {});
-  void refuse(Token const& token, Text text = Text::ax9008);
+  void report(Token const& token, Code code, SentenceRef message, std::vector<Argument> arguments = {});
+  void ignore(Token const& token, std::string const& key, SentenceRef text,
+              std::vector<Argument> arguments = {});
+  void refuse(Token const& token, SentenceRef text = says::cannot_simulate);
 
   ProgramChannel channel_;
   PathListener& listener_;

@@ -1,8 +1,8 @@
 #include "cli/checking/baseline.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
 #include "cli/report/json_text.hpp"
 
 #include <charconv>
@@ -10,6 +10,27 @@
 #include <optional>
 
 #include <nlohmann/json.hpp>
+
+namespace axisc::cli::says {
+
+constexpr Sentence no_json{"{file} is no baseline: it is not the JSON that --write-baseline writes",
+                           "{file} ist keine Baseline: es ist nicht das JSON, das --write-baseline schreibt"};
+constexpr Sentence version{
+    "{file} is no baseline that this version can use: \"version\" must be 1; --write-baseline writes a new "
+    "one",
+    "{file} ist keine Baseline, die diese Version verwenden kann: \"version\" muss 1 sein; --write-baseline "
+    "schreibt eine neue"};
+constexpr Sentence no_findings{
+    "{file} is no baseline: \"findings\" is missing or no list; --write-baseline writes a new one",
+    "{file} ist keine Baseline: \"findings\" fehlt oder ist keine Liste; --write-baseline schreibt eine "
+    "neue"};
+constexpr Sentence bad_entry{
+    "{file} cannot be used: entry {number} of \"findings\" needs code, axis, parameter and occurrence (from "
+    "1)",
+    "{file} ist nicht verwendbar: Eintrag {number} von \"findings\" braucht code, axis, parameter und "
+    "occurrence (ab 1)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -62,9 +83,9 @@ std::optional<BaselineEntry> entry_of(json_type const& object) {
                        .occurrence = static_cast<std::uint32_t>(which)};
 }
 
-[[noreturn]] void refuse(std::string const& path, Text reason, std::vector<Argument> arguments = {}) {
+[[noreturn]] void refuse(std::string const& path, SentenceRef reason, std::vector<Argument> arguments = {}) {
   arguments.push_back({.name = "file", .value = path});
-  throw Failure({.text = reason, .arguments = std::move(arguments)}, cannot_read);
+  throw Failure({.sentence = reason, .arguments = std::move(arguments)}, cannot_read);
 }
 
 }  // namespace
@@ -79,15 +100,15 @@ void Baseline::remove(Identity const& identity, std::uint32_t occurrence) {
 
 Baseline Baseline::read(std::string const& path) {
   auto const document = json_type::parse(read_whole(path, Dash::is_a_name), nullptr, false);
-  if (document.is_discarded() || !document.is_object()) refuse(path, Text::cli_baseline_no_json);
+  if (document.is_discarded() || !document.is_object()) refuse(path, says::no_json);
   auto const version = document.find("version");
   auto const findings = document.find("findings");
-  if (version == document.end() || *version != format_version) refuse(path, Text::cli_baseline_version);
-  if (findings == document.end() || !findings->is_array()) refuse(path, Text::cli_baseline_no_findings);
+  if (version == document.end() || *version != format_version) refuse(path, says::version);
+  if (findings == document.end() || !findings->is_array()) refuse(path, says::no_findings);
   Baseline baseline;
   for (std::size_t i = 0; i < findings->size(); ++i) {
     auto const entry = entry_of((*findings)[i]);
-    if (!entry) refuse(path, Text::cli_baseline_bad_entry, {{"number", std::to_string(i + 1)}});
+    if (!entry) refuse(path, says::bad_entry, {{"number", std::to_string(i + 1)}});
     baseline.entries_.insert(*entry);
   }
   return baseline;

@@ -1,7 +1,7 @@
 // What keeps a machine from being compiled though no finding says so: it was silenced, or only an image needs it.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "validator/check.hpp"
 
 #include <string>

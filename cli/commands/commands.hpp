@@ -1,9 +1,9 @@
 // The commands of the program: each reads its options, calls the library and prints.
 #pragma once
 
-#include "cli/report/console.hpp"
 #include "cli/exit_status.hpp"
-#include "diagnostics/text.hpp"
+#include "cli/report/console.hpp"
+#include "diagnostics/message.hpp"
 
 #include <span>
 #include <string>

@@ -1,22 +1,62 @@
+#include "cli/checking/depfile.hpp"
+#include "cli/checking/written_image.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/fleet/ordered_work.hpp"
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
-#include "cli/checking/depfile.hpp"
-#include "cli/fleet/ordered_work.hpp"
-#include "cli/files/output_file.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
-#include "cli/checking/written_image.hpp"
 
 #include <array>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Checks axis lists or machine files and writes a coefficient image for each. With errors nothing is written, and
+an old image stays as it is.)",
+    R"(Prüft Achslisten oder Maschinendateien und schreibt je eines ihr Koeffizientenabbild. Bei Fehlern wird nichts
+geschrieben, ein altes Abbild bleibt unverändert.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc compile machine.json -o mill.axim
+  axisc compile x.lis -o x.axim --cycle-time 250us
+  axisc compile machine.json -o mill.axim --strip --image-version 7
+  axisc compile machine.json -o mill.axim --depfile mill.d
+  axisc compile plant/ --output-folder images     plant/a/x.lis becomes images/plant/a/x.axim
+  axisc compile @lists.txt --output-folder images --cache ~/.cache/axisc --shard 2/8
+
+An image that would be the same is not touched, so that build systems see that nothing follows from it.
+Equal inputs give the same bytes, wherever they lie. Findings go to standard error.
+Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could not be read or written.)",
+                            R"(Beispiele:
+  axisc compile maschine.json -o fraese.axim
+  axisc compile x.lis -o x.axim --cycle-time 250us
+  axisc compile maschine.json -o fraese.axim --strip --image-version 7
+  axisc compile maschine.json -o fraese.axim --depfile fraese.d
+  axisc compile werk/ --output-folder abbilder    werk/a/x.lis wird abbilder/werk/a/x.axim
+  axisc compile @listen.txt --output-folder abbilder --cache ~/.cache/axisc --shard 2/8
+
+Ein Abbild, das gleich bliebe, wird nicht angefasst; Bausysteme sehen so, dass daraus nichts folgt.
+Gleiche Eingaben ergeben dieselben Bytes, wo immer sie liegen. Befunde gehen auf die Standardfehlerausgabe.
+Rückgabewert: 0 geschrieben, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht les- oder schreibbar.)"};
+constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, {bytes} bytes",
+                            "{file}: geschrieben, Achsen: {axes}, Filter: {filters}, {bytes} Bytes"};
+
+constexpr Sentence unchanged{"{file}: unchanged, axes: {axes}, filters: {filters}, {bytes} bytes",
+                             "{file}: unverändert, Achsen: {axes}, Filter: {filters}, {bytes} Bytes"};
+constexpr Sentence batch_done{
+    "images: {written} written, {unchanged} unchanged, {missing} not written",
+    "Abbilder: {written} geschrieben, {unchanged} unverändert, {missing} nicht geschrieben"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 namespace {
 
 std::string summary(WrittenImage const& image, std::string const& path, Language language) {
-  return render({.text = image.fate == ImageFate::written ? Text::cli_compiled : Text::cli_unchanged,
+  return render({.sentence = image.fate == ImageFate::written ? says::compiled : says::unchanged,
                  .arguments = {{"file", path},
                                {"axes", std::to_string(image.axes)},
                                {"filters", std::to_string(image.filters)},
@@ -186,7 +226,7 @@ class Compile {
       auto const number = [this](ImageFate fate) {
         return std::to_string(fates_[static_cast<std::size_t>(fate)]);
       };
-      summary_ = render({.text = Text::cli_batch_done,
+      summary_ = render({.sentence = says::batch_done,
                          .arguments = {{"written", number(ImageFate::written)},
                                        {"unchanged", number(ImageFate::unchanged)},
                                        {"missing", number(ImageFate::missing)}}},
@@ -216,12 +256,12 @@ class Compile {
 
 ExitStatus compile(Invocation const& invocation) {
   CompileWords words;
-  CommandLine command_line("compile", Text::cli_compile_purpose, Text::cli_compile_examples,
-                           invocation.language);
+  CommandLine command_line("compile", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_sense(command_line, words);
-  Compile compile(words, invocation.language, use_color(command_line.color(), system::Stream::error), invocation.streams);
+  Compile compile(words, invocation.language, use_color(command_line.color(), system::Stream::error),
+                  invocation.streams);
   return words.fleet.print_key ? compile.print_key() : compile.run();
 }
 

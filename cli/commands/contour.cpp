@@ -1,11 +1,52 @@
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/files/path_machine.hpp"
 #include "cli/formats/contour_formats.hpp"
 #include "cli/formats/contour_groups.hpp"
-#include "cli/files/path_machine.hpp"
+#include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Predicts what the filters do to a contour at constant path velocity: axis error and contour deviation at a
+corner, on a circle, on a straight line and between paths in opposite directions; the feed and the order that
+keep a tolerance. FIR and HSC filters are on, as after #FILTER ON.)",
+    R"(Sagt vorher, was die Filter bei konstanter Bahngeschwindigkeit mit einer Kontur machen: Achsfehler und
+Bahnabweichung an einer Ecke, auf einem Kreis, auf einer Geraden und zwischen gegenläufigen Bahnen; Vorschub
+und Ordnung, die eine Toleranz einhalten. FIR- und HSC-Filter sind an, wie nach #FILTER ON.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc contour machine.json --feed 4000
+  axisc contour machine.json --feed 1000,2000,4000 --order 20,40,80
+  axisc contour machine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)",
+                            R"(Beispiele:
+  axisc contour maschine.json --feed 4000
+  axisc contour maschine.json --feed 1000,2000,4000 --order 20,40,80
+  axisc contour maschine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)"};
+constexpr Sentence option_feed{"feed rates in mm/min (default 1000)", "Vorschübe in mm/min (Vorgabe 1000)"};
+constexpr Sentence option_order{"orders instead of the lists'", "Ordnungen statt derer der Listen"};
+constexpr Sentence option_angle{"change of direction at the corner in degrees, 0 to 180 (default 90)",
+                                "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Vorgabe 90)"};
+constexpr Sentence option_radius{"radius of the circle in mm (default 10)",
+                                 "Radius des Kreises in mm (Vorgabe 10)"};
+constexpr Sentence option_tolerance{
+    "allowed axis error in mm: which feed and which order keep it",
+    "erlaubter Achsfehler in mm: welcher Vorschub, welche Ordnung hält ihn ein"};
+constexpr Sentence option_filter{
+    R"(what the program commands, "#FILTER ON [ORDER=20]" or "#FILTER OFF")",
+    R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#FILTER OFF")"};
+constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
+                                "{option} braucht Zahlen über 0, nicht \"{value}\""};
+constexpr Sentence bad_angle{"--angle needs a number from 0 to 180, not \"{value}\"",
+                             "--angle braucht eine Zahl von 0 bis 180, nicht \"{value}\""};
+constexpr Sentence bad_orders{"--order needs whole numbers from 0 to {limit}, not \"{value}\"",
+                              "--order braucht ganze Zahlen von 0 bis {limit}, nicht \"{value}\""};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -19,26 +60,27 @@ struct ContourWords {
 };
 
 void declare(CommandLine& command_line, ContourWords& words) {
-  command_line.argument("MACHINE", words.machine, Text::cli_arg_input);
-  command_line.value("--feed", "F[,F...]", words.feeds, Text::cli_opt_contour_feed);
-  command_line.value("--order", "N[,N...]", words.orders, Text::cli_opt_contour_order);
-  command_line.value("--angle", "DEGREES", words.angle, Text::cli_opt_contour_angle);
-  command_line.value("--radius", "MM", words.radius, Text::cli_opt_contour_radius);
-  command_line.value("--tolerance", "MM", words.tolerance, Text::cli_opt_contour_tolerance);
-  command_line.value("--filter", "COMMAND", words.filter, Text::cli_opt_contour_filter);
-  command_line.value("--group", "NAME", words.group, Text::cli_opt_group);
-  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
+  command_line.argument("MACHINE", words.machine, says::argument_input);
+  command_line.value("--feed", "F[,F...]", words.feeds, says::option_feed);
+  command_line.value("--order", "N[,N...]", words.orders, says::option_order);
+  command_line.value("--angle", "DEGREES", words.angle, says::option_angle);
+  command_line.value("--radius", "MM", words.radius, says::option_radius);
+  command_line.value("--tolerance", "MM", words.tolerance, says::option_tolerance);
+  command_line.value("--filter", "COMMAND", words.filter, says::option_filter);
+  command_line.value("--group", "NAME", words.group, says::option_group);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
   command_line.choice("--format", {{"text", Form::text}, {"csv", Form::csv}, {"json", Form::json}},
-                      words.form, Text::cli_opt_contour_format);
+                      words.form, says::option_format);
 }
 
-[[noreturn]] void refuse(Text text, std::string option, std::string value) {
-  throw Failure({.text = text, .arguments = {{"option", std::move(option)}, {"value", std::move(value)}}});
+[[noreturn]] void refuse(SentenceRef text, std::string option, std::string value) {
+  throw Failure(
+      {.sentence = text, .arguments = {{"option", std::move(option)}, {"value", std::move(value)}}});
 }
 
 double positive(std::string const& option, std::string const& word) {
   auto const value = parse_finite(word);
-  if (!value || !(*value > 0)) refuse(Text::cli_bad_positive, option, word);
+  if (!value || !(*value > 0)) refuse(says::bad_positive, option, word);
   return *value;
 }
 
@@ -47,7 +89,7 @@ ContourRequest read_words(ContourWords const& words) {
   if (words.feeds) {
     wanted.feeds.clear();
     for (auto const& word : split_list(*words.feeds)) wanted.feeds.push_back(positive("--feed", word));
-    if (wanted.feeds.empty()) refuse(Text::cli_bad_positive, "--feed", *words.feeds);
+    if (wanted.feeds.empty()) refuse(says::bad_positive, "--feed", *words.feeds);
   }
   if (words.orders) {
     wanted.orders.clear();
@@ -55,21 +97,21 @@ ContourRequest read_words(ContourWords const& words) {
       auto const order = parse_count(word);
       if (!order || *order > design::longest_kernel_order) {
         throw Failure(
-            {.text = Text::cli_bad_orders,
+            {.sentence = says::bad_orders,
              .arguments = {{"limit", std::to_string(design::longest_kernel_order)}, {"value", word}}});
       }
       wanted.orders.emplace_back(static_cast<std::uint32_t>(*order));
     }
     if (wanted.orders.empty()) {
       throw Failure(
-          {.text = Text::cli_bad_orders,
+          {.sentence = says::bad_orders,
            .arguments = {{"limit", std::to_string(design::longest_kernel_order)}, {"value", *words.orders}}});
     }
   }
   if (words.angle) {
     auto const angle = parse_finite(*words.angle);
     if (!angle || *angle < 0 || *angle > 180) {
-      throw Failure({.text = Text::cli_bad_angle, .arguments = {{"value", *words.angle}}});
+      throw Failure({.sentence = says::bad_angle, .arguments = {{"value", *words.angle}}});
     }
     wanted.angle_deg = *angle;
   }
@@ -82,15 +124,14 @@ ContourRequest read_words(ContourWords const& words) {
 
 ExitStatus contour(Invocation const& invocation) {
   ContourWords words;
-  CommandLine command_line("contour", Text::cli_contour_purpose, Text::cli_contour_examples,
-                           invocation.language);
+  CommandLine command_line("contour", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(words.machine.has_value(), "MACHINE");
   auto const wanted = read_words(words);
-  auto const checked =
-      checked_machine(*words.machine, words.cycle_time, invocation, use_color(command_line.color(), system::Stream::error));
+  auto const checked = checked_machine(*words.machine, words.cycle_time, invocation,
+                                       use_color(command_line.color(), system::Stream::error));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
   auto const first = chosen_group(machine, words.group, *words.machine);

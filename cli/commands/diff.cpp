@@ -1,13 +1,39 @@
+#include "cli/checking/machine_input.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/files/path_machine.hpp"
+#include "cli/formats/diff_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/commands/commands.hpp"
-#include "cli/formats/diff_formats.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/checking/machine_input.hpp"
-#include "cli/files/path_machine.hpp"
 #include "cli/options/quantities.hpp"
+#include "cli/sentences.hpp"
 
 #include <variant>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    "Compares two axis lists, machine files or images: which parameters mean something else, and what that "
+    "does to the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.",
+    "Vergleicht zwei Achslisten, Maschinendateien oder Abbilder: welche Parameter etwas anderes bedeuten und "
+    "was das mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, "
+    "Abweichung an einer Ecke."};
+constexpr Sentence examples{R"(axisc diff old/machine.json new/machine.json
+axisc diff x.lis.orig x.lis --cycle-time 1ms
+axisc diff running.axim machine.json --format markdown)",
+                            R"(axisc diff alt/machine.json neu/machine.json --lang de
+axisc diff x.lis.orig x.lis --cycle-time 1ms
+axisc diff laufend.axim machine.json --format markdown)"};
+constexpr Sentence argument_diff{"two lists, machine files or images, also mixed",
+                                 "zwei Listen, Maschinendateien oder Abbilder, auch gemischt"};
+constexpr Sentence option_feed{"path feed in mm/min for the corner (default 1000)",
+                               "Bahnvorschub in mm/min für die Ecke (Vorgabe 1000)"};
+constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence option_exit_code{"exit status 1 where something changed",
+                                    "Exitstatus 1, wenn sich etwas geändert hat"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -25,13 +51,13 @@ struct DiffWords {
 };
 
 void declare(CommandLine& command_line, DiffWords& words) {
-  command_line.arguments("OLD NEW", words.inputs, Text::cli_arg_diff);
-  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
-  command_line.value("--feed", "MM_PER_MIN", words.feed, Text::cli_opt_diff_feed);
+  command_line.arguments("OLD NEW", words.inputs, says::argument_diff);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
+  command_line.value("--feed", "MM_PER_MIN", words.feed, says::option_feed);
   command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}, {"markdown", Form::markdown}},
-                      words.form, Text::cli_opt_diff_format);
+                      words.form, says::option_format);
   declare_schema(command_line, words.schema_files);
-  command_line.flag("--exit-code", words.exit_code, Text::cli_opt_exit_code);
+  command_line.flag("--exit-code", words.exit_code, says::option_exit_code);
 }
 
 double feed_of(DiffWords const& words) {
@@ -40,7 +66,7 @@ double feed_of(DiffWords const& words) {
   auto const feed = parse_finite(*words.feed);
   if (!feed || !(*feed > 0)) {
     throw Failure(
-        {.text = Text::cli_bad_number, .arguments = {{"option", "--feed"}, {"value", *words.feed}}});
+        {.sentence = says::bad_number, .arguments = {{"option", "--feed"}, {"value", *words.feed}}});
   }
   return *feed;
 }
@@ -92,7 +118,7 @@ std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job,
 
 ExitStatus diff(Invocation const& invocation) {
   DiffWords words;
-  CommandLine command_line("diff", Text::cli_diff_purpose, Text::cli_diff_examples, invocation.language);
+  CommandLine command_line("diff", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(words.inputs.size() == 2, "OLD NEW");
@@ -109,7 +135,7 @@ ExitStatus diff(Invocation const& invocation) {
 
   auto const difference =
       image::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
-                              {.image = after->bytes.bytes(), .contents = after->contents});
+                            {.image = after->bytes.bytes(), .contents = after->contents});
   ShownDifference const shown{
       .before = words.inputs[0], .after = words.inputs[1], .difference = difference, .feed_mm_per_min = feed};
   switch (words.form) {

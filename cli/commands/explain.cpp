@@ -1,15 +1,44 @@
-#include "cli/formats/explain_formats.hpp"
-
-#include "cli/options/check_options.hpp"
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
+#include "cli/formats/explain_formats.hpp"
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
 #include "cli/options/finding_codes.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/settings/settings.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence unknown_subject{
+    "\"{word}\" is neither a code nor a parameter; `axisc explain --all` lists the codes",
+    "\"{word}\" ist weder Code noch Parameter; `axisc explain --all` nennt die Codes"};
+constexpr Sentence unknown_subject_meant{
+    "\"{word}\" is neither a code nor a parameter; did you mean {meant}?",
+    "\"{word}\" ist weder Code noch Parameter; war {meant} gemeint?"};
+constexpr Sentence purpose{
+    "Prints the page of a code, or the facts about a parameter of an axis list.",
+    "Zeigt die Seite zu einem Code oder die Angaben zu einem Parameter einer Achsliste."};
+constexpr Sentence examples{R"(Examples:
+  axisc explain AX3005
+  axisc explain P-AXIS-00140
+  axisc explain filter[0].order
+  axisc explain --all > rules.md)",
+                            R"(Beispiele:
+  axisc explain AX3005
+  axisc explain P-AXIS-00140
+  axisc explain filter[0].order
+  axisc explain --all --lang de > regeln.md)"};
+constexpr Sentence argument_subject{
+    "a code (AX3005), its name, a number (P-AXIS-00140) or a parameter (filter[0].order)",
+    "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140) oder ein Parameter (filter[0].order)"};
+constexpr Sentence option_format{"form of the output (default markdown)",
+                                 "Form der Ausgabe (Vorgabe markdown)"};
+constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -54,7 +83,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
     std::vector<std::string_view> const known(texts.begin(), texts.end());
     meant = schema::closest_word(word, known);
   }
-  throw Failure({.text = meant.empty() ? Text::cli_unknown_subject : Text::cli_unknown_subject_meant,
+  throw Failure({.sentence = meant.empty() ? says::unknown_subject : says::unknown_subject_meant,
                  .arguments = {{"word", word}, {"meant", meant}}});
 }
 
@@ -106,12 +135,11 @@ ExitStatus explain(Invocation const& invocation) {
   std::optional<std::string> word;
   bool all = false;
   Form form = Form::markdown;
-  CommandLine command_line("explain", Text::cli_explain_purpose, Text::cli_explain_examples,
-                           invocation.language);
-  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, Text::cli_arg_subject);
-  command_line.flag("--all", all, Text::cli_opt_all);
+  CommandLine command_line("explain", says::purpose, says::examples, invocation.language);
+  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, says::argument_subject);
+  command_line.flag("--all", all, says::option_all);
   command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
-                      Text::cli_opt_explain_format);
+                      says::option_format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);
   if (command_line.answers(invocation)) return ExitStatus::success;

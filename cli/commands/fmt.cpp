@@ -1,11 +1,12 @@
-#include "cli/options/check_options.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/disk_files.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/fleet/ordered_work.hpp"
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
 #include "cli/options/inputs.hpp"
 #include "cli/options/machine_outline.hpp"
-#include "cli/fleet/ordered_work.hpp"
-#include "cli/files/output_file.hpp"
+#include "cli/sentences.hpp"
 #include "cli/settings/settings.hpp"
 #include "diagnostics/unified_diff.hpp"
 #include "validator/list_layout.hpp"
@@ -13,6 +14,36 @@
 #include <filesystem>
 #include <unordered_set>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Aligns the values and comments of axis lists. Order, comments, line ends and encoding stay, and what a list
+means never changes. Lines that cannot be read stay untouched.)",
+    R"(Richtet Werte und Kommentare von Achslisten aus. Reihenfolge, Kommentare, Zeilenenden und Zeichencodierung
+bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc fmt x.lis                        aligns the list in place
+  axisc fmt machine.json                 all lists of a machine
+  axisc fmt --check axes/                for pipelines: writes nothing
+  axisc fmt @lists.txt -j 4              the lists that a file names, four at a time
+  axisc fmt - < x.lis                    to standard output
+
+Exit status: 0 done, 1 --check found a list to align, 2 something could not be read or written.)",
+                            R"(Beispiele:
+  axisc fmt x.lis                        richtet die Liste an Ort und Stelle aus
+  axisc fmt maschine.json                alle Listen einer Maschine
+  axisc fmt --check achsen/              für Pipelines: schreibt nichts
+  axisc fmt @listen.txt -j 4             die Listen, die eine Datei nennt, vier zugleich
+  axisc fmt - < x.lis                    auf die Standardausgabe
+
+Rückgabewert: 0 erledigt, 1 --check fand eine Liste zum Ausrichten, 2 etwas war nicht les- oder schreibbar.)"};
+constexpr Sentence option_check{"write nothing; exit status 1 when a list would change",
+                                "nichts schreiben; Rückgabewert 1, wenn sich eine Liste ändern würde"};
+constexpr Sentence option_diff{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
+constexpr Sentence would_change{"{file} would be formatted", "{file} würde formatiert"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -46,7 +77,8 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     DiskFiles files;
     auto const bytes = files.read(input);
-    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) throw unreadable(input, *error);
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes))
+      throw unreadable(input, *error);
     auto const folder = std::filesystem::path(input).parent_path();
     for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
       if (!is_program(named)) add((folder / named).string());
@@ -61,7 +93,8 @@ std::string read_list(std::string const& path) {
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) throw unreadable(path, *error);
   auto& text = std::get<std::string>(bytes);
   auto const problem = configuration::check_text(text);
-  if (auto const* const error = std::get_if<configuration::FileError>(&problem)) throw unreadable(path, *error);
+  if (auto const* const error = std::get_if<configuration::FileError>(&problem))
+    throw unreadable(path, *error);
   return std::move(text);
 }
 
@@ -82,8 +115,7 @@ Formatted format_list(std::string const& path, FmtWords const& words, schema::Ca
   result.changed = true;
   if (words.diff) result.out += unified_diff(path, before, after);
   if (words.check && !words.diff) {
-    result.out +=
-        render({.text = Text::cli_fmt_would_change, .arguments = {{"file", path}}}, language) + "\n";
+    result.out += render({.sentence = says::would_change, .arguments = {{"file", path}}}, language) + "\n";
   }
   if (path != "-" && !words.check && !words.diff) {
     OutputFile file(path);
@@ -97,10 +129,10 @@ Formatted format_list(std::string const& path, FmtWords const& words, schema::Ca
 
 ExitStatus fmt(Invocation const& invocation) {
   FmtWords words;
-  CommandLine command_line("fmt", Text::cli_fmt_purpose, Text::cli_fmt_examples, invocation.language);
-  command_line.arguments("INPUT...", words.named, Text::cli_arg_inputs);
-  command_line.flag("--check", words.check, Text::cli_opt_fmt_check);
-  command_line.flag("--diff", words.diff, Text::cli_opt_fmt_diff);
+  CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
+  command_line.arguments("INPUT...", words.named, says::argument_inputs);
+  command_line.flag("--check", words.check, says::option_check);
+  command_line.flag("--diff", words.diff, says::option_diff);
   declare_schema(command_line, words.schema_files);
   declare_threads(command_line, words.threads);
   if (command_line.answers(invocation)) return ExitStatus::success;

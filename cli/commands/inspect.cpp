@@ -1,10 +1,55 @@
-#include "cli/formats/inspect_formats.hpp"
-
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/key_file.hpp"
+#include "cli/formats/inspect_formats.hpp"
+#include "cli/options/command_line.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence not_an_image_unsigned{
+    "{file} is not signed ({status}); `axisc sign {file} --key KEY` signs it",
+    "{file} ist nicht signiert ({status}); `axisc sign {file} --key SCHLÜSSEL` signiert es"};
+constexpr Sentence other_key{
+    "{file} was signed with key {signer}, not with {key} ({status}); give the other public key, or sign "
+    "again",
+    "{file} wurde mit Schlüssel {signer} signiert, nicht mit {key} ({status}); den anderen öffentlichen "
+    "Schlüssel angeben oder neu signieren"};
+constexpr Sentence signature{
+    "{file} was changed after it was signed with key {key} ({status}); copy it again, or compile and sign it "
+    "again",
+    "{file} wurde verändert, nachdem es mit Schlüssel {key} signiert war ({status}); neu kopieren oder neu "
+    "übersetzen und signieren"};
+
+constexpr Sentence stripped{"{file} was compiled with --strip: it does not remember its lists",
+                            "{file} wurde mit --strip übersetzt: das Abbild kennt seine Listen nicht mehr"};
+constexpr Sentence purpose{
+    "Shows what is in a coefficient image: axes, filters, sections, delays, poles, gains, sources.",
+    R"(Zeigt, was in einem Koeffizientenabbild steht: Achsen, Filter, Abschnitte, Verzögerungen, Pole, Verstärkungen,
+Quellen.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc inspect mill.axim
+  axisc inspect mill.axim --axis X --as-list > x-as-compiled.lis
+  axisc inspect mill.axim --format json --memory host)",
+                            R"(Beispiele:
+  axisc inspect fraese.axim
+  axisc inspect fraese.axim --axis X --as-list > x-wie-uebersetzt.lis
+  axisc inspect fraese.axim --format json --memory host)"};
+constexpr Sentence option_public_key{
+    "check the signature with this public key; exit status 2 where it is not right",
+    "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht stimmt"};
+constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence option_axis{"only this axis", "nur diese Achse"};
+constexpr Sentence option_as_list{"write the lists back, with the origin of each value as a comment",
+                                  "die Listen zurückschreiben, mit der Herkunft jedes Werts als Kommentar"};
+constexpr Sentence option_memory{
+    "also print the memory that the runtime needs on this target (host: this computer; 32-bit processors "
+    "need less than portable)",
+    "auch den Speicher nennen, den das Laufzeitsystem auf diesem Ziel braucht (host: dieser Rechner; "
+    "32-Bit-Prozessoren brauchen weniger als portable)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -30,9 +75,9 @@ void require_signature(std::string const& path, ImageFile const& file, std::stri
   auto const wanted = image::key_id(key);
   auto const signer = image::signer(file.bytes.bytes());
   bool const other_key = signer && *signer != wanted;
-  throw Failure({.text = !signer     ? Text::ax9004_unsigned
-                         : other_key ? Text::ax9004_other_key
-                                     : Text::ax9004_signature,
+  throw Failure({.sentence = !signer     ? says::not_an_image_unsigned
+                             : other_key ? says::other_key
+                                         : says::signature,
                  .arguments = {{"file", path},
                                {"status", axisrt_status_name(status)},
                                {"key", key_name(wanted)},
@@ -49,14 +94,12 @@ ExitStatus inspect(Invocation const& invocation) {
   Form form = Form::text;
   Target target = Target::none;
   bool as_list = false;
-  CommandLine command_line("inspect", Text::cli_inspect_purpose, Text::cli_inspect_examples,
-                           invocation.language);
-  command_line.argument("IMAGE.axim", path, Text::cli_arg_image);
-  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}}, form,
-                      Text::cli_opt_inspect_format);
-  command_line.value("--axis", "NAME", axis, Text::cli_opt_inspect_axis);
-  command_line.flag("--as-list", as_list, Text::cli_opt_as_list);
-  command_line.value("--key", "KEY.pub", key, Text::cli_opt_public_key);
+  CommandLine command_line("inspect", says::purpose, says::examples, invocation.language);
+  command_line.argument("IMAGE.axim", path, says::argument_image);
+  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}}, form, says::option_format);
+  command_line.value("--axis", "NAME", axis, says::option_axis);
+  command_line.flag("--as-list", as_list, says::option_as_list);
+  command_line.value("--key", "KEY.pub", key, says::option_public_key);
   command_line.choice("--memory",
                       {{"host", Target::host},
                        {"portable", Target::portable},
@@ -64,7 +107,7 @@ ExitStatus inspect(Invocation const& invocation) {
                        {"x86-64-v3", Target::x86_64_v3},
                        {"x86-64-v4", Target::x86_64_v4},
                        {"aarch64", Target::aarch64}},
-                      target, Text::cli_opt_memory);
+                      target, says::option_memory);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "IMAGE.axim");
   auto const file = load_image(*path);
@@ -80,7 +123,7 @@ ExitStatus inspect(Invocation const& invocation) {
   }
   if (as_list) {
     if (file.contents.lists.empty()) {
-      throw Failure({.text = Text::cli_stripped, .arguments = {{"file", *path}}});
+      throw Failure({.sentence = says::stripped, .arguments = {{"file", *path}}});
     }
     invocation.streams.out.write(inspect_as_list(shown, invocation.language));
   } else {

@@ -1,21 +1,40 @@
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/key_file.hpp"
+#include "cli/options/command_line.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Makes a pair of Ed25519 keys: KEY is secret, readable by its owner alone, and signs images; KEY.pub is public
+and what controllers and `axisc inspect --key` check signatures with. Nothing is overwritten.)",
+    R"(Erzeugt ein Ed25519-Schlüsselpaar: KEY ist geheim, nur für den Eigentümer lesbar, und signiert Abbilder;
+KEY.pub ist öffentlich, mit ihm prüfen Steuerungen und `axisc inspect --key`. Nichts wird überschrieben.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc keygen plant.key)",
+                            R"(Beispiele:
+  axisc keygen werk.key)"};
+constexpr Sentence keys_made{
+    "{file}: secret key, to be kept safe; {file}.pub: public key {key}",
+    "{file}: geheimer Schlüssel, sicher zu verwahren; {file}.pub: öffentlicher Schlüssel {key}"};
+constexpr Sentence argument_new_key{
+    "file for the secret key; the public one goes beside it, with .pub at the end",
+    "Datei für den geheimen Schlüssel; der öffentliche kommt daneben, mit .pub am Ende"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 ExitStatus keygen(Invocation const& invocation) {
   std::optional<std::string> path;
-  CommandLine command_line("keygen", Text::cli_keygen_purpose, Text::cli_keygen_examples,
-                           invocation.language);
-  command_line.argument("KEY", path, Text::cli_arg_new_key);
+  CommandLine command_line("keygen", says::purpose, says::examples, invocation.language);
+  command_line.argument("KEY", path, says::argument_new_key);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(path.has_value(), "KEY");
   auto const key = image::make_secret_key();
   write_keys(*path, key);
   invocation.streams.out.write(
-      render({.text = Text::cli_keys_made,
+      render({.sentence = says::keys_made,
               .arguments = {{"file", *path}, {"key", key_name(image::key_id(key.public_key()))}}},
              invocation.language) +
       "\n");

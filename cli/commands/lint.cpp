@@ -1,9 +1,9 @@
 #include "cli/checking/check_input.hpp"
-#include "cli/commands/commands.hpp"
 #include "cli/checking/fixing.hpp"
-#include "cli/options/lint_options.hpp"
-#include "cli/fleet/ordered_work.hpp"
+#include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/fleet/ordered_work.hpp"
+#include "cli/options/lint_options.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
 #include "diagnostics/unified_diff.hpp"
@@ -11,6 +11,47 @@
 
 #include <algorithm>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    "Checks axis lists, machine files and NC programs and prints what is wrong, and what the control would "
+    "do.",
+    "Prüft Achslisten, Maschinendateien und NC-Programme und zeigt, was falsch ist und was die Steuerung "
+    "täte."};
+constexpr Sentence examples{R"(Examples:
+  axisc lint x.lis --cycle-time 1ms      one axis
+  axisc lint machine.json                all axes of a machine together
+  axisc lint axes/                       every list and machine file in a folder
+  axisc lint x.lis --format json         for other programs; sarif, github and gitlab for code hosts
+  axisc lint x.lis --fix                 repairs what changes nothing for the machine
+  axisc lint x.lis --fix=all --diff      shows all repairs as a patch
+  axisc lint . --write-baseline known.json
+  axisc lint . --baseline known.json     only what is new since then
+  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL behind each
+  axisc lint . --cache ~/.cache/axisc    again, as fast as what has changed allows
+  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` puts the parts together
+
+A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next.
+Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
+                            R"(Beispiele:
+  axisc lint x.lis --cycle-time 1ms      eine Achse
+  axisc lint maschine.json               alle Achsen einer Maschine zusammen
+  axisc lint achsen/                     jede Liste und Maschinendatei eines Ordners
+  axisc lint x.lis --format json         für andere Programme; sarif, github und gitlab für Code-Plattformen
+  axisc lint x.lis --fix                 korrigiert, was für die Maschine nichts ändert
+  axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
+  axisc lint . --write-baseline bekannt.json
+  axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
+  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL dahinter
+  axisc lint . --cache ~/.cache/axisc    noch einmal, so schnell, wie Geändertes es zulässt
+  axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
+
+Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
+einer Zeile, in der nächsten.
+Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -239,11 +280,12 @@ class Lint {
 
 ExitStatus lint(Invocation const& invocation) {
   LintWords words;
-  CommandLine command_line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, invocation.language);
+  CommandLine command_line("lint", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_sense(command_line, words);
-  Lint lint(words, invocation.language, use_color(command_line.color(), system::Stream::output), invocation.streams);
+  Lint lint(words, invocation.language, use_color(command_line.color(), system::Stream::output),
+            invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
     lint.speak(*language);
   }

@@ -1,17 +1,58 @@
 #include "cli/checking/baseline.hpp"
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/fleet/shard_document.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/response_file.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
-#include "cli/options/response_file.hpp"
-#include "cli/fleet/shard_document.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <tuple>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence option_output{"where the result goes (default: standard output)",
+                                 "wohin das Ergebnis geht (Vorgabe: Standardausgabe)"};
+constexpr Sentence argument_shards{
+    "the results of all shards of one run (--format json or sarif), in any order, or @FILE with their names",
+    "die Ergebnisse aller Teile eines Laufs (--format json oder sarif), in beliebiger Reihenfolge, oder "
+    "@DATEI mit ihren Namen"};
+constexpr Sentence purpose{
+    R"(Puts the results of `axisc lint --shard I/N` together. What comes out is what one run without --shard would have
+written, byte for byte.)",
+    R"(Führt die Ergebnisse von `axisc lint --shard I/N` zusammen. Heraus kommt, was ein Lauf ohne --shard geschrieben
+hätte, Byte für Byte.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc lint . --format json --shard 1/2 > 1.json
+  axisc lint . --format json --shard 2/2 > 2.json
+  axisc merge 1.json 2.json > all.json
+  axisc merge 1.json 2.json --baseline known.json
+
+Exit status: that of the whole run: 0 no errors, 1 errors (or warnings, where the shards ran with --werror),
+2 something could not be read, here or by a shard.)",
+                            R"(Beispiele:
+  axisc lint . --format json --shard 1/2 > 1.json
+  axisc lint . --format json --shard 2/2 > 2.json
+  axisc merge 1.json 2.json > alle.json
+  axisc merge 1.json 2.json --baseline bekannt.json
+
+Rückgabewert: der des ganzen Laufs: 0 keine Fehler, 1 Fehler (auch Warnungen, wo die Teile mit --werror liefen),
+2 etwas war nicht lesbar, hier oder für einen Teil.)"};
+constexpr Sentence mixed{
+    "{file} belongs to another run than {first}: format, program, options, inputs or number of shards differ",
+    "{file} gehört zu einem anderen Lauf als {first}: Form, Programm, Optionen, Eingaben oder Anzahl der "
+    "Teile sind anders"};
+constexpr Sentence twice{"{file} and {first} are both shard {shard}",
+                         "{file} und {first} sind beide Teil {shard}"};
+constexpr Sentence missing{"shard {shard} is missing; all shards of a run belong together",
+                           "Teil {shard} fehlt; alle Teile eines Laufs gehören zusammen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -40,7 +81,7 @@ void require_whole_run(Documents const& documents) {
     };
     bool const same_version = document.record().version == AXISC_VERSION;
     if (facts(document) != facts(first) || !same_version) {
-      throw Failure({.text = Text::cli_merge_mixed,
+      throw Failure({.sentence = says::mixed,
                      .arguments = {{"file", document.file()},
                                    {"first", same_version ? first.file() : "axisc " AXISC_VERSION}}});
     }
@@ -48,14 +89,14 @@ void require_whole_run(Documents const& documents) {
     auto const*& place = by_index[shard.index - 1];
     if (place != nullptr) {
       throw Failure(
-          {.text = Text::cli_merge_twice,
+          {.sentence = says::twice,
            .arguments = {{"file", document.file()}, {"first", place->file()}, {"shard", as_text(shard)}}});
     }
     place = &document;
   }
   for (std::uint32_t i = 0; i < by_index.size(); ++i) {
     if (by_index[i] != nullptr) continue;
-    throw Failure({.text = Text::cli_merge_missing,
+    throw Failure({.sentence = says::missing,
                    .arguments = {{"shard", as_text({.index = i + 1, .count = first.record().shard.count})}}});
   }
 }
@@ -133,10 +174,10 @@ ExitStatus print(Documents& documents, MergeWords const& words, Console& out) {
 
 ExitStatus merge(Invocation const& invocation) {
   MergeWords words;
-  CommandLine command_line("merge", Text::cli_merge_purpose, Text::cli_merge_examples, invocation.language);
-  command_line.arguments("FILE...", words.files, Text::cli_arg_shards);
-  command_line.value("--baseline", "FILE", words.baseline, Text::cli_opt_baseline);
-  command_line.value("-o,--output", "FILE", words.output, Text::cli_opt_merge_output);
+  CommandLine command_line("merge", says::purpose, says::examples, invocation.language);
+  command_line.arguments("FILE...", words.files, says::argument_shards);
+  command_line.value("--baseline", "FILE", words.baseline, says::option_baseline);
+  command_line.value("-o,--output", "FILE", words.output, says::option_output);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(!words.files.empty(), "FILE");
   Documents documents;

@@ -1,13 +1,57 @@
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/report/csv.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/formats/replay_report.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/report/csv.hpp"
 
 #include <cstdint>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Executes what axisrt_recorder kept of a controller's last cycles again, with the image that worked there and at the
+level that worked there, and compares every output bit for bit. Shows commands, resets and statuses with their cycle.)",
+    R"(Führt noch einmal aus, was axisrt_recorder von den letzten Zyklen einer Steuerung behalten hat, mit dem Abbild und der
+Befehlssatzstufe, die dort arbeiteten, und vergleicht jede Ausgabe Bit für Bit. Zeigt Befehle, Rücksetzen und Zustände
+mit ihrem Zyklus.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc replay mill.axim crash.axrd
+  axisc replay mill.axim crash.axrd --output crash.csv
+  axisc run mill.axim --signal ramp:1000 --cycles 5000 --record last.axrd   a recording without a controller
+
+Exit status: 0 all outputs are the same, 1 some differ, 2 something could not be read.)",
+                            R"(Beispiele:
+  axisc replay fraese.axim absturz.axrd
+  axisc replay fraese.axim absturz.axrd --output absturz.csv
+  axisc run fraese.axim --signal ramp:1000 --cycles 5000 --record ende.axrd   eine Aufzeichnung ohne Steuerung
+
+Exit-Status: 0 alle Ausgaben sind gleich, 1 einige weichen ab, 2 etwas war nicht lesbar.)"};
+constexpr Sentence argument_recording{
+    "what axisrt_recorder_dump or `axisc run --record` wrote, or - for standard input",
+    "was axisrt_recorder_dump oder `axisc run --record` geschrieben hat, oder - für die Standardeingabe"};
+constexpr Sentence option_output{
+    "write the recorded setpoints and outputs of every cycle to this CSV file",
+    "die aufgezeichneten Sollwerte und Ausgaben jedes Zyklus in diese CSV-Datei schreiben"};
+constexpr Sentence option_format{"form of the report: text or json (default text)",
+                                 "Form des Berichts: text oder json (Vorgabe text)"};
+
+constexpr Sentence recording{
+    "{file} is no recording, one of another version, or damaged ({status}); take the dump again",
+    "{file} ist keine Aufzeichnung, eine anderer Version oder beschädigt ({status}); den Abzug noch einmal "
+    "machen"};
+constexpr Sentence other_image{
+    "{file} was recorded with another image ({status}); give the one that worked in the controller",
+    "{file} wurde mit einem anderen Abbild aufgezeichnet ({status}); das angeben, das in der Steuerung "
+    "arbeitete"};
+
+constexpr Sentence level{"this processor does not have the instruction set that {file} was recorded with",
+                         "dieser Prozessor hat den Befehlssatz nicht, mit dem {file} aufgezeichnet wurde"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -22,10 +66,10 @@ struct ReplayWords {
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
   if (status == AXISRT_NO_LEVEL) {
-    return Failure({.text = Text::cli_replay_level, .arguments = {{"file", path}}});
+    return Failure({.sentence = says::level, .arguments = {{"file", path}}});
   }
-  Text const text = status == AXISRT_OTHER_IMAGE ? Text::ax9004_other_image : Text::ax9004_recording;
-  return Failure({.text = text, .arguments = {{"file", path}, {"status", axisrt_status_name(status)}}},
+  SentenceRef const text = status == AXISRT_OTHER_IMAGE ? says::other_image : says::recording;
+  return Failure({.sentence = text, .arguments = {{"file", path}, {"status", axisrt_status_name(status)}}},
                  not_an_image);
 }
 
@@ -76,13 +120,12 @@ class CycleTable {
 
 ExitStatus replay(Invocation const& invocation) {
   ReplayWords words;
-  CommandLine command_line("replay", Text::cli_replay_purpose, Text::cli_replay_examples,
-                           invocation.language);
-  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
-  command_line.argument("RECORDING", words.recording, Text::cli_arg_recording);
-  command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_replay_output);
+  CommandLine command_line("replay", says::purpose, says::examples, invocation.language);
+  command_line.argument("IMAGE.axim", words.image, says::argument_image);
+  command_line.argument("RECORDING", words.recording, says::argument_recording);
+  command_line.value("-o,--output", "FILE.csv", words.output, says::option_output);
   command_line.choice("--format", {{"text", ReplayForm::text}, {"json", ReplayForm::json}}, words.form,
-                      Text::cli_opt_replay_format);
+                      says::option_format);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(words.image.has_value(), "IMAGE.axim");
   command_line.require(words.recording.has_value(), "RECORDING");

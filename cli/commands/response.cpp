@@ -1,13 +1,38 @@
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/report/csv.hpp"
-#include "cli/options/frequencies.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/report/json_text.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/execution/port_response.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/frequencies.hpp"
 #include "cli/options/timed_commands.hpp"
+#include "cli/report/csv.hpp"
+#include "cli/report/json_text.hpp"
 #include "diagnostics/format_number.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Frequency response of each chain, computed from the image's coefficients. Columns: axis, frequency_hz,
+magnitude, phase_rad, group_delay_s.)",
+    R"(Frequenzgang jeder Filterkette, aus den Koeffizienten des Abbilds gerechnet. Spalten: axis, frequency_hz,
+magnitude, phase_rad, group_delay_s.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc response mill.axim --axis X
+  axisc response mill.axim --frequencies 0,1,2.5,42
+  axisc response mill.axim --port interface --format json)",
+                            R"(Beispiele:
+  axisc response fraese.axim --axis X
+  axisc response fraese.axim --frequencies 0,1,2.5,42
+  axisc response fraese.axim --port interface --format json)"};
+constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Vorgabe: alle)"};
+constexpr Sentence option_port{"which chain (default setpoint)", "welche Filterkette (Vorgabe setpoint)"};
+constexpr Sentence option_format{"form of the output (default csv)", "Form der Ausgabe (Vorgabe csv)"};
+constexpr Sentence option_frequencies{
+    "in Hz, from 0 to 0.5/T (default: 200 logarithmic points up to 0.5/T)",
+    "in Hz, von 0 bis 0.5/T (Vorgabe: 200 logarithmische Punkte bis 0.5/T)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -26,16 +51,16 @@ struct ResponseWords {
 };
 
 void declare(CommandLine& command_line, ResponseWords& words) {
-  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
-  command_line.value("--axis", "NAME", words.axis, Text::cli_opt_response_axis);
+  command_line.argument("IMAGE.axim", words.image, says::argument_image);
+  command_line.value("--axis", "NAME", words.axis, says::option_axis);
   command_line.choice(
       "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
-      words.port, Text::cli_opt_response_port);
-  command_line.value("--frequencies", "F[,F...]", words.frequencies, Text::cli_opt_frequencies);
-  command_line.value("--level", level_words, words.level, Text::cli_opt_level);
-  command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
+      words.port, says::option_port);
+  command_line.value("--frequencies", "F[,F...]", words.frequencies, says::option_frequencies);
+  command_line.value("--level", level_words, words.level, says::option_level);
+  command_line.values("--at", "CYCLE:COMMAND", words.commands, says::option_at);
   command_line.choice("--format", {{"csv", Form::csv}, {"json", Form::json}}, words.form,
-                      Text::cli_opt_response_format);
+                      says::option_format);
 }
 
 /// Axes with something at that port; the setpoint of an axis without filters passes unchanged and is shown so.
@@ -47,9 +72,8 @@ std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseWords con
     return words.port == Port::velocity && !contents.control;
   });
   if (!axes.empty()) return axes;
-  throw Failure(
-      {.text = words.port == Port::velocity ? Text::cli_no_velocities : Text::cli_no_interface_filter,
-       .arguments = {{"file", *words.image}}});
+  throw Failure({.sentence = words.port == Port::velocity ? says::no_velocities : says::no_interface_filter,
+                 .arguments = {{"file", *words.image}}});
 }
 
 void write_csv_rows(Console& out, std::string const& axis, PortResponse const& response,
@@ -98,8 +122,7 @@ void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
 
 ExitStatus response(Invocation const& invocation) {
   ResponseWords words;
-  CommandLine command_line("response", Text::cli_response_purpose, Text::cli_response_examples,
-                           invocation.language);
+  CommandLine command_line("response", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;

@@ -1,14 +1,81 @@
 #include "axisrt.h"
 #include "cli/codes.hpp"
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/execution/execution.hpp"
+#include "cli/execution/stimulus.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
-#include "cli/execution/stimulus.hpp"
+#include "cli/sentences.hpp"
 
 #include <memory>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_signal{
+    "\"{value}\" is no signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
+    "\"{value}\" ist kein Signal; möglich sind step, ramp:EINHEITEN_JE_S, sine:HZ und impulse"};
+constexpr Sentence signal_and_input{"{option} belongs to a signal and cannot be used with --input",
+                                    "{option} gehört zu einem Signal und geht nicht zusammen mit --input"};
+constexpr Sentence refused_setpoints{
+    "{count} inputs were NaN, infinite or beyond 2^53, the first in cycle {cycle}; the last good one was "
+    "used instead",
+    "{count} Eingaben waren NaN, unendlich oder größer als 2^53, die erste in Zyklus {cycle}; stattdessen "
+    "galt die letzte gute"};
+constexpr Sentence jumps{
+    "{count} outputs moved farther in one cycle than the axis' largest velocity (P-AXIS-00212) allows, the "
+    "first in cycle {cycle}",
+    "{count} Ausgaben bewegten sich in einem Zyklus weiter, als die größte Geschwindigkeit der Achse "
+    "(P-AXIS-00212) zulässt, die erste in Zyklus {cycle}"};
+constexpr Sentence purpose{
+    R"(Executes an image through the runtime that a controller uses, one setpoint per NC cycle, and writes the
+filtered setpoints as CSV.)",
+    R"(Führt ein Abbild mit dem Laufzeitsystem aus, das auch in der Steuerung läuft, ein Sollwert je NC-Zyklus, und
+schreibt die gefilterten Sollwerte als CSV.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc run mill.axim                                     a step of 1, 256 cycles
+  axisc run mill.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
+  axisc run mill.axim --signal step --port interface
+  axisc run mill.axim --input setpoints.csv --output filtered.csv
+
+Columns of a file: `X` is the position setpoint of axis X, `X.interface` its additional interface. An axis that
+the file does not name rests. Signals are setpoints themselves, not distances from --reset.)",
+                            R"(Beispiele:
+  axisc run fraese.axim                                   ein Sprung auf 1, 256 Zyklen
+  axisc run fraese.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
+  axisc run fraese.axim --signal step --port interface
+  axisc run fraese.axim --input sollwerte.csv --output gefiltert.csv
+
+Spalten einer Datei: `X` ist der Lagesollwert der Achse X, `X.interface` ihre Zusatzschnittstelle. Eine Achse,
+die die Datei nicht nennt, ruht. Signale sind selbst Sollwerte, nicht Abstände von --reset.)"};
+constexpr Sentence option_input{"setpoints, first line: column names; - is standard input",
+                                "Sollwerte, erste Zeile: Spaltennamen; - ist die Standardeingabe"};
+constexpr Sentence option_signal{
+    "step (default), ramp:UNITS_PER_S, sine:HZ or impulse, instead of a file",
+    "step (Vorgabe), ramp:EINHEITEN_JE_S, sine:HZ oder impulse, statt einer Datei"};
+constexpr Sentence option_amplitude{"factor of the signal (default 1)", "Faktor des Signals (Vorgabe 1)"};
+constexpr Sentence option_cycles{"length of the signal (default 256)", "Länge des Signals (Vorgabe 256)"};
+constexpr Sentence option_port{"what the signal feeds (default setpoint)",
+                               "was das Signal speist (Vorgabe setpoint)"};
+constexpr Sentence option_reset{"value from which every axis starts, at rest (default 0)",
+                                "Wert, auf dem jede Achse anfangs ruht (Vorgabe 0)"};
+constexpr Sentence option_csv_output{"where the rows go (default: standard output)",
+                                     "wohin die Zeilen gehen (Vorgabe: Standardausgabe)"};
+constexpr Sentence option_quiet{"no warning about unusable setpoints",
+                                "keine Warnung über unbrauchbare Sollwerte"};
+
+constexpr Sentence option_record{
+    "keep the last cycles and write them to this file, for `axisc replay`",
+    "die letzten Zyklen behalten und in diese Datei schreiben, für `axisc replay`"};
+constexpr Sentence option_record_cycles{"how many cycles --record keeps (default 1000)",
+                                        "wie viele Zyklen --record behält (Vorgabe 1000)"};
+constexpr Sentence record_missing{
+    "--record-cycles says how many cycles --record FILE keeps; give --record as well",
+    "--record-cycles sagt, wie viele Zyklen --record DATEI behält; auch --record angeben"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -35,26 +102,26 @@ struct RunWords {
 };
 
 void declare(CommandLine& command_line, RunWords& words) {
-  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
-  command_line.value("--input", "FILE.csv", words.input, Text::cli_opt_input);
-  command_line.value("--signal", "SIGNAL", words.signal, Text::cli_opt_signal);
-  command_line.value("--amplitude", "A", words.amplitude, Text::cli_opt_amplitude);
-  command_line.value("--cycles", "N", words.cycles, Text::cli_opt_cycles);
-  command_line.value("--port", "setpoint|interface|velocity", words.port, Text::cli_opt_port);
-  command_line.value("--reset", "POSITION", words.reset, Text::cli_opt_reset);
-  command_line.values("--at", "CYCLE:COMMAND", words.commands, Text::cli_opt_at);
-  command_line.value("--level", level_words, words.level, Text::cli_opt_level);
-  command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_csv_output);
-  command_line.value("--record", "FILE.axrd", words.record, Text::cli_opt_record);
-  command_line.value("--record-cycles", "N", words.record_cycles, Text::cli_opt_record_cycles);
-  command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_run_quiet);
+  command_line.argument("IMAGE.axim", words.image, says::argument_image);
+  command_line.value("--input", "FILE.csv", words.input, says::option_input);
+  command_line.value("--signal", "SIGNAL", words.signal, says::option_signal);
+  command_line.value("--amplitude", "A", words.amplitude, says::option_amplitude);
+  command_line.value("--cycles", "N", words.cycles, says::option_cycles);
+  command_line.value("--port", "setpoint|interface|velocity", words.port, says::option_port);
+  command_line.value("--reset", "POSITION", words.reset, says::option_reset);
+  command_line.values("--at", "CYCLE:COMMAND", words.commands, says::option_at);
+  command_line.value("--level", level_words, words.level, says::option_level);
+  command_line.value("-o,--output", "FILE.csv", words.output, says::option_csv_output);
+  command_line.value("--record", "FILE.axrd", words.record, says::option_record);
+  command_line.value("--record-cycles", "N", words.record_cycles, says::option_record_cycles);
+  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
 }
 
 double number(std::optional<std::string> const& word, char const* option, double otherwise) {
   if (!word) return otherwise;
   auto const value = parse_number(*word);
   if (!value) {
-    throw Failure({.text = Text::cli_bad_number, .arguments = {{"option", option}, {"value", *word}}});
+    throw Failure({.sentence = says::bad_number, .arguments = {{"option", option}, {"value", *word}}});
   }
   return *value;
 }
@@ -63,7 +130,7 @@ std::uint64_t count(std::optional<std::string> const& word, char const* option, 
   if (!word) return otherwise;
   auto const value = parse_count(*word);
   if (!value) {
-    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", option}, {"value", *word}}});
+    throw Failure({.sentence = says::bad_count, .arguments = {{"option", option}, {"value", *word}}});
   }
   return *value;
 }
@@ -71,12 +138,12 @@ std::uint64_t count(std::optional<std::string> const& word, char const* option, 
 /// How many cycles shall be recorded; none without `--record`.
 std::optional<std::uint32_t> cycles_to_record(RunWords const& words) {
   if (!words.record && words.record_cycles) {
-    throw Failure({.text = Text::cli_record_missing, .arguments = {}});
+    throw Failure({.sentence = says::record_missing, .arguments = {}});
   }
   if (!words.record) return std::nullopt;
   auto const cycles = count(words.record_cycles, "--record-cycles", default_record_cycles);
   if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
-  throw Failure({.text = Text::cli_bad_count,
+  throw Failure({.sentence = says::bad_count,
                  .arguments = {{"option", "--record-cycles"}, {"value", *words.record_cycles}}});
 }
 
@@ -85,7 +152,7 @@ Port port_of(RunWords const& words) {
     if (!words.port || *words.port == port_name(port)) return port;
   }
   throw Failure(
-      {.text = Text::cli_bad_choice,
+      {.sentence = says::bad_choice,
        .arguments = {
            {"option", "--port"}, {"value", *words.port}, {"choices", "setpoint, interface, velocity"}}});
 }
@@ -97,15 +164,16 @@ void refuse_mixture(RunWords const& words) {
                                       {words.amplitude.has_value(), "--amplitude"},
                                       {words.cycles.has_value(), "--cycles"},
                                       {words.port.has_value(), "--port"}}) {
-    if (given) throw Failure({.text = Text::cli_signal_and_input, .arguments = {{"option", option}}});
+    if (given) throw Failure({.sentence = says::signal_and_input, .arguments = {{"option", option}}});
   }
 }
 
 /// Reads a file piece by piece; it is open as long as the source lives.
 ByteSource open_source(std::string const& path) {
   auto const fail = [path](system::Error const& error) {
-    throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-                  cannot_read);
+    throw Failure(
+        {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
+        cannot_read);
   };
   auto opened = path == "-" ? system::File::standard_input() : system::File::open(path, system::Access::read);
   if (auto const* const error = std::get_if<system::Error>(&opened)) fail(*error);
@@ -121,16 +189,16 @@ std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, image::ImageConte
   if (words.input) return std::make_unique<CsvStimulus>(image, *words.input, open_source(*words.input));
   auto const text = words.signal.value_or("step");
   auto const signal = Signal::parse(text);
-  if (!signal) throw Failure({.text = Text::cli_bad_signal, .arguments = {{"value", text}}});
+  if (!signal) throw Failure({.sentence = says::bad_signal, .arguments = {{"value", text}}});
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
                                    .amplitude = number(words.amplitude, "--amplitude", 1),
                                    .cycles = count(words.cycles, "--cycles", default_cycles),
                                    .port = port_of(words)});
   if (stimulus->channels().empty()) {
-    Text const text_of_port =
-        port_of(words) == Port::velocity ? Text::cli_no_velocities : Text::cli_no_interface_filter;
-    throw Failure({.text = text_of_port, .arguments = {{"file", *words.image}}});
+    SentenceRef const text_of_port =
+        port_of(words) == Port::velocity ? says::no_velocities : says::no_interface_filter;
+    throw Failure({.sentence = text_of_port, .arguments = {{"file", *words.image}}});
   }
   return stimulus;
 }
@@ -141,10 +209,10 @@ void write_recording(std::string const& path, std::vector<std::byte> const& byte
   target.commit();
 }
 
-void report(Occurrences const& occurrences, Text text, Invocation const& invocation) {
+void report(Occurrences const& occurrences, SentenceRef text, Invocation const& invocation) {
   if (occurrences.count == 0) return;
   invocation.streams.err.write(
-      warning_line({.text = text,
+      warning_line({.sentence = text,
                     .arguments = {{"count", std::to_string(occurrences.count)},
                                   {"cycle", std::to_string(occurrences.first_cycle)}}},
                    invocation.language));
@@ -154,7 +222,7 @@ void report(Occurrences const& occurrences, Text text, Invocation const& invocat
 
 ExitStatus run(Invocation const& invocation) {
   RunWords words;
-  CommandLine command_line("run", Text::cli_run_purpose, Text::cli_run_examples, invocation.language);
+  CommandLine command_line("run", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
@@ -180,8 +248,8 @@ ExitStatus run(Invocation const& invocation) {
   }
   if (words.record) write_recording(*words.record, execution.recording());
   if (words.quiet) return ExitStatus::success;
-  report(noticed.refused, Text::cli_refused_setpoints, invocation);
-  report(noticed.jumps, Text::cli_jumps, invocation);
+  report(noticed.refused, says::refused_setpoints, invocation);
+  report(noticed.jumps, says::jumps, invocation);
   return ExitStatus::success;
 }
 

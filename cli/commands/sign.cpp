@@ -1,8 +1,33 @@
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/key_file.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/options/command_line.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Puts an Ed25519 signature behind an image, so that controllers which hold the public key refuse any other image.
+A signature that the image had before is replaced.)",
+    R"(Setzt eine Ed25519-Signatur hinter ein Abbild, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
+ablehnen. Eine Signatur, die das Abbild schon hatte, wird ersetzt.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc sign mill.axim --key plant.key
+  axisc sign mill.axim --key plant.key -o mill-signed.axim
+  axisc inspect mill.axim --key plant.key.pub)",
+                            R"(Beispiele:
+  axisc sign fraese.axim --key werk.key
+  axisc sign fraese.axim --key werk.key -o fraese-signiert.axim
+  axisc inspect fraese.axim --key werk.key.pub)"};
+constexpr Sentence cli_signed{"{file}: signed with key {key}, {bytes} bytes",
+                              "{file}: mit Schlüssel {key} signiert, {bytes} Bytes"};
+constexpr Sentence option_secret_key{"secret key of `axisc keygen`", "geheimer Schlüssel von `axisc keygen`"};
+constexpr Sentence option_signed_output{"signed image to write (default: IMAGE.axim itself)",
+                                        "zu schreibendes signiertes Abbild (Vorgabe: IMAGE.axim selbst)"};
+constexpr Sentence option_quiet{"no summary line", "keine Zusammenfassung"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -19,11 +44,11 @@ struct SignWords {
 
 ExitStatus sign(Invocation const& invocation) {
   SignWords words;
-  CommandLine command_line("sign", Text::cli_sign_purpose, Text::cli_sign_examples, invocation.language);
-  command_line.argument("IMAGE.axim", words.image, Text::cli_arg_image);
-  command_line.value("--key", "KEY", words.key, Text::cli_opt_secret_key);
-  command_line.value("-o,--output", "OUT.axim", words.output, Text::cli_opt_signed_output);
-  command_line.flag("--quiet", words.quiet, Text::cli_opt_sign_quiet);
+  CommandLine command_line("sign", says::purpose, says::examples, invocation.language);
+  command_line.argument("IMAGE.axim", words.image, says::argument_image);
+  command_line.value("--key", "KEY", words.key, says::option_secret_key);
+  command_line.value("-o,--output", "OUT.axim", words.output, says::option_signed_output);
+  command_line.flag("--quiet", words.quiet, says::option_quiet);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(words.image.has_value(), "IMAGE.axim");
   command_line.require(words.key.has_value(), "--key");
@@ -37,7 +62,7 @@ ExitStatus sign(Invocation const& invocation) {
   output.write({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
   output.commit();
   if (words.quiet) return ExitStatus::success;
-  invocation.streams.err.write(render({.text = Text::cli_signed,
+  invocation.streams.err.write(render({.sentence = says::cli_signed,
                                        .arguments = {{"file", target},
                                                      {"key", key_name(image::key_id(key.public_key()))},
                                                      {"bytes", std::to_string(bytes.size())}}},

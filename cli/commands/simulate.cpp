@@ -1,9 +1,54 @@
-#include "cli/options/command_line.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/report/progress.hpp"
+#include "cli/commands/sentences.hpp"
 #include "cli/commands/simulate_plant.hpp"
 #include "cli/commands/simulate_program.hpp"
+#include "cli/files/path_machine.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/report/progress.hpp"
+#include "cli/sentences.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Plans the path of an NC program within the axes' limits, executes the filters and says per block and per
+pass (from one #FILTER command to the next) how long it takes and how far the contour bends. With --plant it
+moves one axis there and back in a closed loop and says what Improved Position Control does to the load.)",
+    R"(Plant die Bahn eines NC-Programms in den Grenzen der Achsen, führt die Filter aus und sagt je Satz und je
+Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit sich die Kontur verbiegt. Mit
+--plant fährt es eine Achse im geschlossenen Regelkreis hin und zurück und sagt, was die optimierte Lageregelung
+mit der Last macht.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc simulate machine.json --program part.nc
+  axisc simulate machine.json --program part.nc --output cycles.csv --format json
+  axisc simulate machine.json --plant plant.json --move X:300:20000)",
+                            R"(Beispiele:
+  axisc simulate maschine.json --program teil.nc
+  axisc simulate maschine.json --program teil.nc --output zyklen.csv --format json
+  axisc simulate maschine.json --plant strecke.json --move X:300:20000)"};
+constexpr Sentence option_program{"the NC program, or - for standard input",
+                                  "das NC-Programm, oder - für die Standardeingabe"};
+constexpr Sentence option_output{"also write every NC cycle to this CSV file",
+                                 "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
+constexpr Sentence option_format{
+    "form of the output: summary as text or json, or every cycle as csv (default text)",
+    "Form der Ausgabe: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Vorgabe text)"};
+constexpr Sentence option_constant_velocity{
+    "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
+    "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
+constexpr Sentence option_progress{
+    "show progress even where standard error is no terminal",
+    "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
+constexpr Sentence option_no_progress{"show no progress", "keinen Fortschritt zeigen"};
+constexpr Sentence option_plant{
+    "drive and mechanics of the axes (JSON): simulate the closed loop",
+    "Antrieb und Mechanik der Achsen (JSON): den geschlossenen Regelkreis simulieren"};
+constexpr Sentence option_move{
+    "AXIS:MM[:MM_PER_MIN]: there and back with the plant (default feed: vb_max)",
+    "ACHSE:MM[:MM_PER_MIN]: mit der Strecke hin und zurück (Vorgabe für den Vorschub: vb_max)"};
+constexpr Sentence what{"name either --program, or --plant with --move",
+                        "entweder --program angeben oder --plant mit --move"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -18,33 +63,32 @@ struct SimulateWords {
 };
 
 void declare(CommandLine& command_line, SimulateWords& words) {
-  command_line.argument("MACHINE", words.machine, Text::cli_arg_input);
-  command_line.value("--program", "PART.nc", words.program, Text::cli_opt_simulate_program);
-  command_line.value("-o,--output", "FILE.csv", words.output, Text::cli_opt_simulate_output);
-  command_line.value("--group", "NAME", words.group, Text::cli_opt_group);
-  command_line.flag("--constant-velocity", words.constant_velocity, Text::cli_opt_constant_velocity);
-  command_line.value("--plant", "PLANT.json", words.plant, Text::cli_opt_plant);
-  command_line.value("--move", "AXIS:MM[:F]", words.move, Text::cli_opt_move);
-  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
+  command_line.argument("MACHINE", words.machine, says::argument_input);
+  command_line.value("--program", "PART.nc", words.program, says::option_program);
+  command_line.value("-o,--output", "FILE.csv", words.output, says::option_output);
+  command_line.value("--group", "NAME", words.group, says::option_group);
+  command_line.flag("--constant-velocity", words.constant_velocity, says::option_constant_velocity);
+  command_line.value("--plant", "PLANT.json", words.plant, says::option_plant);
+  command_line.value("--move", "AXIS:MM[:F]", words.move, says::option_move);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
   command_line.choice(
       "--format", {{"text", SimulateForm::text}, {"csv", SimulateForm::csv}, {"json", SimulateForm::json}},
-      words.form, Text::cli_opt_simulate_format);
-  command_line.flag("--progress", words.progress, Text::cli_opt_progress);
-  command_line.flag("--no-progress", words.no_progress, Text::cli_opt_no_progress);
+      words.form, says::option_format);
+  command_line.flag("--progress", words.progress, says::option_progress);
+  command_line.flag("--no-progress", words.no_progress, says::option_no_progress);
 }
 
 }  // namespace
 
 ExitStatus simulate(Invocation const& invocation) {
   SimulateWords words;
-  CommandLine command_line("simulate", Text::cli_simulate_purpose, Text::cli_simulate_examples,
-                           invocation.language);
+  CommandLine command_line("simulate", says::purpose, says::examples, invocation.language);
   declare(command_line, words);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(words.machine.has_value(), "MACHINE");
   bool const closed_loop = words.plant && words.move;
   if (words.program.has_value() == closed_loop || words.plant.has_value() != words.move.has_value()) {
-    throw Failure({.text = Text::cli_simulate_what, .arguments = {}});
+    throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
   auto checked = checked_machine(*words.machine, words.cycle_time, invocation, color);

@@ -1,13 +1,22 @@
 #include "cli/commands/simulate_plant.hpp"
 
 #include "cli/files/output_file.hpp"
-#include "cli/settings/plant_file.hpp"
 #include "cli/formats/plant_formats.hpp"
 #include "cli/options/quantities.hpp"
+#include "cli/sentences.hpp"
+#include "cli/settings/plant_file.hpp"
 #include "motion/point.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_move{
+    "--move needs AXIS:MM or AXIS:MM:MM_PER_MIN with a distance other than 0, not \"{value}\"",
+    "--move braucht ACHSE:MM oder ACHSE:MM:MM_PER_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -22,7 +31,7 @@ struct Move {
 /// AXIS:MM or AXIS:MM:MM_PER_MIN.
 Move read_move(std::string const& word) {
   auto const refuse = [&]() -> Failure {
-    return Failure({.text = Text::cli_bad_move, .arguments = {{"value", word}}});
+    return Failure({.sentence = says::bad_move, .arguments = {{"value", word}}});
   };
   auto const first = word.find(':');
   if (first == std::string::npos || first == 0) throw refuse();
@@ -44,7 +53,7 @@ std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
     if (machine.axes[i].name == name) return i;
     known += (known.empty() ? "" : ", ") + machine.axes[i].name;
   }
-  throw Failure({.text = Text::cli_unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
+  throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
 }
 
 /// The load's acceleration in one phase, there or back. Of a rest its first third: what braking left behind.

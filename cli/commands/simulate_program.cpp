@@ -2,13 +2,29 @@
 
 #include "cli/files/output_file.hpp"
 #include "cli/files/program_lines.hpp"
-#include "cli/report/progress.hpp"
 #include "cli/formats/simulate_formats.hpp"
+#include "cli/report/progress.hpp"
+#include "cli/sentences.hpp"
 #include "diagnostics/writers.hpp"
 #include "motion/program_interpreter.hpp"
 #include "motion/simulation.hpp"
 
 #include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
+                                   "das Abbild hat keine Kerne für `{command}`"};
+
+constexpr Sentence not_simulated_first{"only its first place is named", "nur die erste Stelle wird genannt"};
+
+constexpr Sentence cannot_simulate_help{
+    "known are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER and "
+    "M30",
+    "bekannt sind Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
+    "und M30"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -80,8 +96,8 @@ std::string problem_text(motion::ProgramProblem problem, std::string const& path
       Place{.source = source, .span = {.begin = begin + problem.span.begin, .end = begin + problem.span.end}};
   bool const ignored = problem.finding.severity != Severity::error;
   if (ignored || problem.finding.name == "cannot-simulate") {
-    Text const help = ignored ? Text::ax9007_first : Text::ax9008_help;
-    problem.finding.help.push_back({.text = help, .arguments = {}});
+    SentenceRef const help = ignored ? says::not_simulated_first : says::cannot_simulate_help;
+    problem.finding.help.push_back({.sentence = help, .arguments = {}});
   }
   return write_text(problem.finding, sources, write) + "\n";
 }
@@ -106,14 +122,14 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
 [[noreturn]] void fail(motion::SimulationFailure const& failure, machine::Machine const& machine,
                        machine::MachineGroup const& group) {
   if (failure.blocking_axis) {
-    throw Failure({.text = Text::cli_blocks_constant,
+    throw Failure({.sentence = says::blocks_constant,
                    .arguments = {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name},
                                  {"group", group.name}}});
   }
   if (!failure.command.empty()) {
-    throw Failure({.text = Text::cli_simulation_bank, .arguments = {{"command", failure.command}}});
+    throw Failure({.sentence = says::simulation_bank, .arguments = {{"command", failure.command}}});
   }
-  throw Failure({.text = Text::cli_runtime,
+  throw Failure({.sentence = says::runtime,
                  .arguments = {{"status", axisrt_status_name(failure.status)},
                                {"reason", axisrt_status_text(failure.status)}}});
 }

@@ -1,7 +1,8 @@
 #include "cli/execution/execution.hpp"
 
-#include "cli/report/csv.hpp"
 #include "cli/failure.hpp"
+#include "cli/report/csv.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +16,7 @@ constexpr std::size_t piece = std::size_t{1} << 16U;
 void require(axisrt_status status) {
   if (status == AXISRT_OK) return;
   throw Failure(
-      {.text = Text::cli_runtime,
+      {.sentence = says::runtime,
        .arguments = {{"status", axisrt_status_name(status)}, {"reason", axisrt_status_text(status)}}});
 }
 

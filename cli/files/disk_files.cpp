@@ -6,6 +6,39 @@
 #include <algorithm>
 #include <span>
 
+namespace axisc::cli::says {
+
+constexpr Sentence cannot_read_not_found{
+    "cannot read {file}: there is no such file; check the name and the folder",
+    "{file} ist nicht lesbar: die Datei gibt es nicht; Name und Ordner prüfen"};
+constexpr Sentence cannot_read_is_folder{
+    "cannot read {file}: it is a folder; name a file in it",
+    "{file} ist nicht lesbar: es ist ein Ordner; eine Datei darin angeben"};
+constexpr Sentence cannot_read_no_permission{
+    "cannot read {file}: permission denied; check its access rights",
+    "{file} ist nicht lesbar: keine Berechtigung; die Zugriffsrechte prüfen"};
+constexpr Sentence cannot_read_not_readable{
+    "cannot read {file}: the system reports a read error; check the medium or the connection",
+    "{file} ist nicht lesbar: das System meldet einen Lesefehler; Datenträger oder Verbindung prüfen"};
+constexpr Sentence cannot_read_binary{
+    "cannot read {file}: it is a binary file, not a text; name an axis list or a machine file",
+    "{file} ist nicht lesbar: es ist eine Binärdatei, kein Text; eine Achsliste oder Maschinendatei angeben"};
+constexpr Sentence cannot_read_utf16{
+    "cannot read {file}: it is UTF-16; save it as UTF-8 or windows-1252",
+    "{file} ist nicht lesbar: es ist UTF-16; als UTF-8 oder windows-1252 speichern"};
+constexpr Sentence cannot_read_image{
+    "cannot read {file} as a list: it is a coefficient image; `axisc inspect` shows it",
+    "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; `axisc inspect` zeigt es"};
+
+constexpr Sentence too_large{
+    "cannot read {file}: it is larger than 1 GiB; an axis list has a few thousand lines",
+    "{file} ist nicht lesbar: die Datei ist größer als 1 GiB; eine Achsliste hat einige tausend Zeilen"};
+constexpr Sentence too_large_line{
+    "cannot read {file}: a line is longer than 1 MiB; an axis list has one parameter per line",
+    "{file} ist nicht lesbar: eine Zeile ist länger als 1 MiB; eine Achsliste hat einen Parameter je Zeile"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -91,28 +124,28 @@ std::optional<FileError> read_blocks(system::File const& file, configuration::Pi
   }
 }
 
-Text sentence(FileError error) {
+SentenceRef sentence(FileError error) {
   switch (error) {
     case FileError::not_found:
-      return Text::ax9001_not_found;
+      return says::cannot_read_not_found;
     case FileError::is_folder:
-      return Text::ax9001_is_folder;
+      return says::cannot_read_is_folder;
     case FileError::no_permission:
-      return Text::ax9001_no_permission;
+      return says::cannot_read_no_permission;
     case FileError::not_readable:
-      return Text::ax9001_not_readable;
+      return says::cannot_read_not_readable;
     case FileError::too_large:
-      return Text::ax9003;
+      return says::too_large;
     case FileError::line_too_long:
-      return Text::ax9003_line;
+      return says::too_large_line;
     case FileError::binary:
-      return Text::ax9001_binary;
+      return says::cannot_read_binary;
     case FileError::utf16:
-      return Text::ax9001_utf16;
+      return says::cannot_read_utf16;
     case FileError::image:
-      return Text::ax9001_image;
+      return says::cannot_read_image;
   }
-  return Text::ax9001_not_readable;
+  return says::cannot_read_not_readable;
 }
 
 }  // namespace
@@ -148,7 +181,8 @@ std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
 
 Failure unreadable(std::string const& path, FileError error) {
   bool const large = error == FileError::too_large || error == FileError::line_too_long;
-  return Failure({.text = sentence(error), .arguments = {{"file", path}}}, large ? too_large : cannot_read);
+  return Failure({.sentence = sentence(error), .arguments = {{"file", path}}},
+                 large ? too_large : cannot_read);
 }
 
 std::string read_whole(std::string const& path, Dash dash) {

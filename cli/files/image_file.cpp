@@ -2,36 +2,65 @@
 
 #include "cli/codes.hpp"
 #include "cli/files/disk_files.hpp"
+#include "cli/sentences.hpp"
 
 #include <array>
 #include <span>
 #include <variant>
 
+namespace axisc::cli::says {
+
+constexpr Sentence headline{
+    "{file} is damaged or was not written by axisc ({status}); compile the lists again",
+    "{file} ist beschädigt oder nicht von axisc geschrieben ({status}); die Listen neu übersetzen"};
+constexpr Sentence magic{
+    "{file} is no coefficient image ({status}); `axisc compile` makes one from a list or a machine file",
+    "{file} ist kein Koeffizientenabbild ({status}); `axisc compile` erzeugt eines aus Liste oder "
+    "Maschinendatei"};
+constexpr Sentence not_an_image_short{
+    "{file} is cut off or no coefficient image ({status}); compile the lists again",
+    "{file} ist abgeschnitten oder kein Koeffizientenabbild ({status}); die Listen neu übersetzen"};
+constexpr Sentence size{
+    "{file} is cut off or has bytes behind its end ({status}); copy it again or compile the lists again",
+    "{file} ist abgeschnitten oder zu lang ({status}); neu kopieren oder die Listen neu übersetzen"};
+constexpr Sentence version{
+    "{file} has another format version ({status}); compile the lists with this axisc",
+    "{file} hat eine andere Formatversion ({status}); die Listen mit diesem axisc übersetzen"};
+constexpr Sentence checksum{
+    "{file} was changed after it was written ({status}); copy it again or compile the lists again",
+    "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu übersetzen"};
+
+constexpr Sentence no_level{
+    "this processor does not have the instruction set that --level asks for; use --level auto",
+    "Dieser Prozessor hat den mit --level verlangten Befehlssatz nicht; nehmen Sie --level auto"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
-Text sentence(axisrt_status status) {
+SentenceRef sentence(axisrt_status status) {
   switch (status) {
     case AXISRT_WRONG_MAGIC:
-      return Text::ax9004_magic;
+      return says::magic;
     case AXISRT_TOO_SHORT:
-      return Text::ax9004_short;
+      return says::not_an_image_short;
     case AXISRT_WRONG_VERSION:
-      return Text::ax9004_version;
+      return says::version;
     case AXISRT_WRONG_SIZE:
-      return Text::ax9004_size;
+      return says::size;
     case AXISRT_WRONG_CHECKSUM:
-      return Text::ax9004_checksum;
+      return says::checksum;
     default:
-      return Text::ax9004;
+      return says::headline;
   }
 }
 
 }  // namespace
 
 Failure unusable_image(std::string const& path, axisrt_status status) {
-  return Failure({.text = sentence(status),
+  return Failure({.sentence = sentence(status),
                   .arguments = {{"file", path},
                                 {"status", axisrt_status_name(status)},
                                 {"reason", axisrt_status_text(status)}}},
@@ -62,7 +91,7 @@ std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
   if (!name || !chosen.empty()) return chosen;
   std::string known;
   for (auto const& label : labels) known += (known.empty() ? "" : ", ") + label;
-  throw Failure({.text = Text::cli_unknown_axis, .arguments = {{"axis", *name}, {"axes", known}}});
+  throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", *name}, {"axes", known}}});
 }
 
 std::string_view port_name(Port port) {
@@ -90,7 +119,7 @@ std::uint32_t level_of(std::optional<std::string> const& word) {
     if (*word == name) return level;
   }
   throw Failure(
-      {.text = Text::cli_bad_choice,
+      {.sentence = says::bad_choice,
        .arguments = {
            {"option", "--level"}, {"value", *word}, {"choices", "portable, auto, v2, v3, v4, neon"}}});
 }
@@ -98,7 +127,7 @@ std::uint32_t level_of(std::optional<std::string> const& word) {
 image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file, std::uint32_t level) {
   auto host = image::RuntimeHost::create(file.bytes.bytes(), std::nullopt, level);
   if (auto const* const status = std::get_if<axisrt_status>(&host)) {
-    if (*status == AXISRT_NO_LEVEL) throw Failure({.text = Text::cli_no_level, .arguments = {}});
+    if (*status == AXISRT_NO_LEVEL) throw Failure({.sentence = says::no_level, .arguments = {}});
     throw unusable_image(path, *status);
   }
   return std::get<image::RuntimeHost>(std::move(host));

@@ -1,13 +1,32 @@
 #include "cli/files/key_file.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
 #include "cli/options/filter_symbols.hpp"
+#include "cli/sentences.hpp"
 #include "system/file.hpp"
 
 #include <array>
 #include <span>
+
+namespace axisc::cli::says {
+
+constexpr Sentence cannot_read_no_secret_key{
+    "{file} is no secret key; name the file that `axisc keygen` wrote, the one without .pub",
+    "{file} ist kein geheimer Schlüssel; die Datei angeben, die `axisc keygen` schrieb, die ohne .pub"};
+constexpr Sentence cannot_read_no_public_key{
+    "{file} is no public key; name the .pub file that `axisc keygen` wrote",
+    "{file} ist kein öffentlicher Schlüssel; die .pub-Datei angeben, die `axisc keygen` schrieb"};
+constexpr Sentence cannot_read_secret_shared{
+    "{file} is a secret key that others may read; take their rights away: chmod 600 {file}",
+    "{file} ist ein geheimer Schlüssel, den andere lesen dürfen; deren Rechte entziehen: chmod 600 {file}"};
+
+constexpr Sentence cannot_write_key_exists{
+    "{file} exists already; a key is never overwritten, choose another name",
+    "{file} gibt es schon; ein Schlüssel wird nie überschrieben, einen anderen Namen wählen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -18,10 +37,11 @@ constexpr std::size_t longest_key_file = 256;
 
 [[noreturn]] void refuse_to_write(std::string const& path, system::Error const& error) {
   if (error.refusal == system::Refusal::exists) {
-    throw Failure({.text = Text::ax9002_key_exists, .arguments = {{"file", path}}}, cannot_write);
+    throw Failure({.sentence = says::cannot_write_key_exists, .arguments = {{"file", path}}}, cannot_write);
   }
-  throw Failure({.text = Text::ax9002, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-                cannot_write);
+  throw Failure(
+      {.sentence = says::cannot_write, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
+      cannot_write);
 }
 
 /// Removed again unless it is kept.
@@ -104,11 +124,12 @@ image::SecretKey load_secret_key(std::string const& path) {
   system::File const file = open_key(path);
   KeyText const text(file);
   auto key = image::read_secret_key(text.text());
-  if (!key) throw Failure({.text = Text::ax9001_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
+  if (!key)
+    throw Failure({.sentence = says::cannot_read_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
   auto const status = file.status();
   auto const* const facts = std::get_if<system::FileStatus>(&status);
   if (facts == nullptr || (facts->permissions & others) != 0) {
-    throw Failure({.text = Text::ax9001_secret_shared, .arguments = {{"file", path}}}, cannot_read);
+    throw Failure({.sentence = says::cannot_read_secret_shared, .arguments = {{"file", path}}}, cannot_read);
   }
   return std::move(*key);
 }
@@ -117,7 +138,8 @@ image::PublicKey load_public_key(std::string const& path) {
   system::File const file = open_key(path);
   KeyText const text(file);
   auto const key = image::read_public_key(text.text());
-  if (!key) throw Failure({.text = Text::ax9001_no_public_key, .arguments = {{"file", path}}}, cannot_read);
+  if (!key)
+    throw Failure({.sentence = says::cannot_read_no_public_key, .arguments = {{"file", path}}}, cannot_read);
   return *key;
 }
 

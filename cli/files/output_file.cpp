@@ -3,9 +3,33 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/fleet/unique_name.hpp"
+#include "cli/sentences.hpp"
 
 #include <filesystem>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence no_folder{"cannot write {file}: its folder does not exist; create it first",
+                             "{file} ist nicht schreibbar: den Ordner gibt es nicht; ihn zuerst anlegen"};
+constexpr Sentence is_folder{"cannot write {file}: it is a folder; name a file in it",
+                             "{file} ist nicht schreibbar: es ist ein Ordner; eine Datei darin angeben"};
+constexpr Sentence no_permission{
+    "cannot write {file}: permission denied; an old file is unchanged",
+    "{file} ist nicht schreibbar: keine Berechtigung; eine alte Datei ist unverändert"};
+constexpr Sentence read_only{"cannot write {file}: the file system is read-only",
+                             "{file} ist nicht schreibbar: das Dateisystem ist schreibgeschützt"};
+constexpr Sentence no_space{
+    "cannot write {file}: no space is left; an old file is unchanged",
+    "{file} ist nicht schreibbar: kein Speicherplatz mehr; eine alte Datei ist unverändert"};
+constexpr Sentence closed_pipe{"cannot write {file}: nobody reads the pipe any more",
+                               "{file} ist nicht schreibbar: niemand liest die Pipe mehr"};
+
+constexpr Sentence is_input{
+    "{file} is one of the inputs and would be overwritten; choose another name",
+    "{file} ist eine der Eingaben und würde überschrieben; einen anderen Namen wählen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -15,22 +39,22 @@ namespace fs = std::filesystem;
 
 constexpr int most_links = 40;
 
-Text sentence(system::Refusal refusal) {
+SentenceRef sentence(system::Refusal refusal) {
   switch (refusal) {
     case system::Refusal::not_found:
-      return Text::ax9002_no_folder;
+      return says::no_folder;
     case system::Refusal::is_folder:
-      return Text::ax9002_is_folder;
+      return says::is_folder;
     case system::Refusal::no_permission:
-      return Text::ax9002_no_permission;
+      return says::no_permission;
     case system::Refusal::read_only:
-      return Text::ax9002_read_only;
+      return says::read_only;
     case system::Refusal::no_space:
-      return Text::ax9002_no_space;
+      return says::no_space;
     case system::Refusal::closed_pipe:
-      return Text::ax9002_closed_pipe;
+      return says::closed_pipe;
     default:
-      return Text::ax9002;
+      return says::cannot_write;
   }
 }
 
@@ -100,7 +124,7 @@ void OutputFile::open_beside(system::FileStatus const* old) {
 }
 
 void OutputFile::fail(system::Error const& error) const {
-  throw Failure({.text = sentence(error.refusal),
+  throw Failure({.sentence = sentence(error.refusal),
                  .arguments = {{"file", path_}, {"reason", system::text_of(error)}}},
                 cannot_write);
 }
@@ -135,7 +159,8 @@ bool is_content_of(std::string const& path, std::string_view bytes) {
   if (file == nullptr) return false;
   auto const status = file->status();
   auto const* const facts = std::get_if<system::FileStatus>(&status);
-  if (facts == nullptr || facts->kind != system::FileKind::regular || facts->size != bytes.size()) return false;
+  if (facts == nullptr || facts->kind != system::FileKind::regular || facts->size != bytes.size())
+    return false;
   std::string block(std::size_t{1} << 16U, '\0');
   while (!bytes.empty()) {
     auto const result = file->read(block);
@@ -151,7 +176,7 @@ void refuse_overwriting(std::string const& output, std::vector<std::string> cons
   for (auto const& source : sources) {
     std::error_code error;
     if (output != "-" && fs::equivalent(output, source, error)) {
-      throw Failure({.text = Text::cli_output_is_input, .arguments = {{"file", output}}}, cannot_write);
+      throw Failure({.sentence = says::is_input, .arguments = {{"file", output}}}, cannot_write);
     }
   }
 }

@@ -1,17 +1,29 @@
 #include "cli/files/path_machine.hpp"
 
-#include "cli/options/check_options.hpp"
 #include "cli/checking/compilable.hpp"
 #include "cli/checking/machine_input.hpp"
+#include "cli/options/check_options.hpp"
 #include "codegen/image_writer.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <algorithm>
 
+namespace axisc::cli::says {
+
+constexpr Sentence not_a_command{"\"{value}\" is no #FILTER command: {reason}",
+                                 "\"{value}\" ist kein #FILTER-Befehl: {reason}"};
+constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
+                                "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};
+constexpr Sentence too_many_axes{"group {group} has {axes} axes; a path has at most {limit}",
+                                 "Gruppe {group} hat {axes} Achsen; eine Bahn hat höchstens {limit}"};
+constexpr Sentence unknown_group{"there is no group \"{group}\"; the groups are {groups}",
+                                 "es gibt keine Gruppe \"{group}\"; die Gruppen sind {groups}"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
-validator::CommandLimits command_limits(machine::Machine const& machine,
-                                        machine::MachineGroup const& group) {
+validator::CommandLimits command_limits(machine::Machine const& machine, machine::MachineGroup const& group) {
   return {.cycle_time = machine.cycle_time,
           .time_delay = std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
             auto const& kernel = machine.axes[axis].kernel;
@@ -45,7 +57,7 @@ ImageFile image_of(machine::Machine const& machine, std::string const& path) {
 motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
                                    std::string const& path) {
   if (group.axes.size() > motion::most_axes) {
-    throw Failure({.text = Text::cli_too_many_axes,
+    throw Failure({.sentence = says::too_many_axes,
                    .arguments = {{"group", group.name},
                                  {"axes", std::to_string(group.axes.size())},
                                  {"limit", std::to_string(motion::most_axes)}}});
@@ -65,19 +77,19 @@ std::size_t chosen_group(machine::Machine const& machine, std::optional<std::str
     known += (known.empty() ? "" : ", ") + group.name;
   }
   if (!name || known.empty()) {
-    throw Failure({.text = Text::cli_no_path_axes, .arguments = {{"file", path}}});
+    throw Failure({.sentence = says::no_path_axes, .arguments = {{"file", path}}});
   }
-  throw Failure({.text = Text::cli_unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
+  throw Failure({.sentence = says::unknown_group, .arguments = {{"group", *name}, {"groups", known}}});
 }
 
 machine::FilterCommand read_filter_command(machine::Machine const& machine,
-                                             machine::MachineGroup const& group, std::string const& text,
-                                             Language language) {
+                                           machine::MachineGroup const& group, std::string const& text,
+                                           Language language) {
   auto const checked = validator::parse_filter_command(text, command_limits(machine, group));
   if (checked.command && checked.mistakes.empty()) return *checked.command;
   auto const reason =
       checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-  throw Failure({.text = Text::cli_not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
+  throw Failure({.sentence = says::not_a_command, .arguments = {{"value", text}, {"reason", reason}}});
 }
 
 motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,

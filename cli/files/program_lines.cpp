@@ -1,8 +1,9 @@
 #include "cli/files/program_lines.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -28,8 +29,9 @@ constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::ma
     case system::Refusal::no_permission:
       throw unreadable(path, FileError::no_permission);
     default:
-      throw Failure({.text = Text::ax9001, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-                    cannot_read);
+      throw Failure(
+          {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
+          cannot_read);
   }
 }
 
@@ -44,7 +46,8 @@ Value require(std::string const& path, system::Result<Value> result) {
 
 ProgramLines::ProgramLines(std::string path) : path_(std::move(path)) {
   bool const is_input = path_ == "-";
-  file_ = require(path_, is_input ? system::File::standard_input() : system::File::open(path_, system::Access::read));
+  file_ = require(
+      path_, is_input ? system::File::standard_input() : system::File::open(path_, system::Access::read));
   auto const facts = require(path_, file_.status());
   if (facts.kind == system::FileKind::folder) throw unreadable(path_, configuration::FileError::is_folder);
   if (!is_input && facts.kind == system::FileKind::regular) {

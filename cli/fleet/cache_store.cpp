@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -44,8 +45,9 @@ CacheStore::CacheStore(std::string folder, std::uint64_t limit) : folder_(std::m
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) {
-    throw Failure({.text = Text::ax9002, .arguments = {{"file", folder_}, {"reason", error.message()}}},
-                  cannot_write);
+    throw Failure(
+        {.sentence = says::cannot_write, .arguments = {{"file", folder_}, {"reason", error.message()}}},
+        cannot_write);
   }
   packs_ = open_packs(folder_);
   used_.resize(packs_.size());

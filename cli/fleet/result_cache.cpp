@@ -1,10 +1,17 @@
 #include "cli/fleet/result_cache.hpp"
 
-#include "cli/fleet/byte_stream.hpp"
 #include "cli/failure.hpp"
+#include "cli/fleet/byte_stream.hpp"
 #include "cli/options/quantities.hpp"
 
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_size{"{option} needs a size, as in 500M or 2G, not \"{value}\"",
+                            "{option} braucht eine Größe, etwa 500M oder 2G, nicht \"{value}\""};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -70,7 +77,7 @@ std::uint64_t parse_size(std::string_view option, std::string const& text) {
   auto const count = parse_count(digits);
   if (!count || *count == 0 || *count > (std::uint64_t{1} << (62U - shift))) {
     throw Failure(
-        {.text = Text::cli_bad_size, .arguments = {{"option", std::string(option)}, {"value", text}}});
+        {.sentence = says::bad_size, .arguments = {{"option", std::string(option)}, {"value", text}}});
   }
   return *count << shift;
 }

@@ -1,11 +1,18 @@
 #include "cli/fleet/shard.hpp"
 
-#include "cli/fleet/digest.hpp"
 #include "cli/failure.hpp"
+#include "cli/fleet/digest.hpp"
 #include "cli/options/quantities.hpp"
 
 #include <algorithm>
 #include <filesystem>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_shard{"--shard needs I/N with I from 1 to N, as in 2/8, not \"{value}\"",
+                             "--shard braucht I/N mit I von 1 bis N, etwa 2/8, nicht \"{value}\""};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -20,7 +27,7 @@ Shard parse_shard(std::string_view text) {
   auto const index = parse_count(text.substr(0, slash));
   auto const count = parse_count(text.substr(std::min(slash + 1, text.size())));
   bool const good = index && count && *index >= 1 && *index <= *count && *count <= most_shards;
-  if (!good) throw Failure({.text = Text::cli_bad_shard, .arguments = {{"value", std::string(text)}}});
+  if (!good) throw Failure({.sentence = says::bad_shard, .arguments = {{"value", std::string(text)}}});
   return {.index = static_cast<std::uint32_t>(*index), .count = static_cast<std::uint32_t>(*count)};
 }
 

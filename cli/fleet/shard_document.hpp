@@ -28,7 +28,7 @@ class ShardDocument {
   void read_json();
   void read_sarif(std::string_view runs);
   void read_record(std::string_view json);
-  [[noreturn]] void refuse(Text reason) const;
+  [[noreturn]] void refuse(SentenceRef reason) const;
 
   std::string file_;
   std::string bytes_;

@@ -8,6 +8,38 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+namespace axisc::cli::says {
+
+constexpr Sentence group{"{group}: axes {axes}, NC cycle time {cycle_time} µs",
+                         "{group}: Achsen {axes}, NC-Zykluszeit {cycle_time} µs"};
+constexpr Sentence feed{"feed [mm/min]", "Vorschub [mm/min]"};
+constexpr Sentence order{"order", "Ordnung"};
+constexpr Sentence lists{"lists'", "Listen"};
+constexpr Sentence what{"contour", "Kontur"};
+constexpr Sentence axis{"{axis} [µm]", "{axis} [µm]"};
+constexpr Sentence deviation{"deviation [µm]", "Abweichung [µm]"};
+constexpr Sentence corner{"corner, {angle}°", "Ecke, {angle}°"};
+constexpr Sentence circle{"circle, r = {radius} mm", "Kreis, r = {radius} mm"};
+constexpr Sentence line{"line at 45°", "Gerade unter 45°"};
+constexpr Sentence parallel{"there and back", "hin und zurück"};
+constexpr Sentence bends{
+    "the axes' delays differ (filters or time delays are not the same): straight lines are bent",
+    "die Verzögerungen der Achsen sind verschieden (Filter oder Zeitverzögerungen sind nicht gleich): "
+    "Geraden werden krumm"};
+constexpr Sentence allowed_feed{
+    "an axis error of {tolerance} mm is kept at the corner up to {feed} mm/min, on the circle up to {circle} "
+    "mm/min",
+    "ein Achsfehler von {tolerance} mm wird an der Ecke bis {feed} mm/min eingehalten, auf dem Kreis bis "
+    "{circle} mm/min"};
+constexpr Sentence any_feed{"any", "beliebig"};
+constexpr Sentence allowed_order{"at {feed} mm/min the corner allows order {order}",
+                                 "bei {feed} mm/min lässt die Ecke die Ordnung {order} zu"};
+constexpr Sentence no_order{"at {feed} mm/min no order keeps it at the corner",
+                            "bei {feed} mm/min hält keine Ordnung sie an der Ecke ein"};
+constexpr Sentence path_group_unnamed{"channel", "Kanal"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -16,8 +48,8 @@ using motion::ContourFigures;
 using motion::units_per_um;
 using nlohmann::ordered_json;
 
-std::string say(Language language, Text text, std::vector<Argument> arguments = {}) {
-  return render({.text = text, .arguments = std::move(arguments)}, language);
+std::string say(Language language, SentenceRef text, std::vector<Argument> arguments = {}) {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
 std::string micrometres(double units) {
@@ -25,7 +57,7 @@ std::string micrometres(double units) {
 }
 
 std::string order_text(ContourCase const& row, Language language) {
-  return row.order ? std::to_string(*row.order) : say(language, Text::contour_lists);
+  return row.order ? std::to_string(*row.order) : say(language, says::lists);
 }
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -39,11 +71,11 @@ void add_rows(Rows& rows, ShownContour const& shown, GroupContour const& group, 
     cells.push_back(micrometres(figures.deviation));
     rows.push_back(std::move(cells));
   };
-  add(say(language, Text::contour_corner, {{"angle", format_exact(shown.angle_deg)}}), row.corner);
-  add(say(language, Text::contour_circle, {{"radius", format_exact(shown.radius_mm)}}), row.circle);
-  add(say(language, Text::contour_line), row.line);
+  add(say(language, says::corner, {{"angle", format_exact(shown.angle_deg)}}), row.corner);
+  add(say(language, says::circle, {{"radius", format_exact(shown.radius_mm)}}), row.circle);
+  add(say(language, says::line), row.line);
   std::vector<std::string> cells = {format_exact(row.feed_mm_per_min), order_text(row, language),
-                                    say(language, Text::contour_parallel)};
+                                    say(language, says::parallel)};
   cells.resize(3 + group.axes.size());
   cells.push_back(micrometres(row.parallel));
   rows.push_back(std::move(cells));
@@ -52,18 +84,18 @@ void add_rows(Rows& rows, ShownContour const& shown, GroupContour const& group, 
 std::string limits_text(GroupContour const& group, Language language) {
   auto const& limits = *group.limits;
   auto const feed = [&](std::optional<double> const& value) {
-    return value ? fmt::format("{:.1f}", *value) : say(language, Text::contour_any_feed);
+    return value ? fmt::format("{:.1f}", *value) : say(language, says::any_feed);
   };
-  std::string text = say(language, Text::contour_allowed_feed,
+  std::string text = say(language, says::allowed_feed,
                          {{"tolerance", format_exact(limits.tolerance_mm)},
                           {"feed", feed(limits.corner_feed)},
                           {"circle", feed(limits.circle_feed)}}) +
                      "\n";
   if (!limits.has_order) return text;
   std::string const at = format_exact(group.cases.front().feed_mm_per_min);
-  text += limits.order ? say(language, Text::contour_allowed_order,
-                             {{"feed", at}, {"order", std::to_string(*limits.order)}})
-                       : say(language, Text::contour_no_order, {{"feed", at}});
+  text += limits.order
+              ? say(language, says::allowed_order, {{"feed", at}, {"order", std::to_string(*limits.order)}})
+              : say(language, says::no_order, {{"feed", at}});
   return text + "\n";
 }
 
@@ -113,20 +145,19 @@ std::string contour_text(ShownContour const& shown, Language language) {
     if (!text.empty()) text += "\n";
     std::string names;
     for (auto const& axis : group.axes) names += (names.empty() ? "" : ", ") + axis;
-    text += say(language, Text::contour_group,
-                {{"group", group.name.empty() ? say(language, Text::path_group_unnamed) : group.name},
+    text += say(language, says::group,
+                {{"group", group.name.empty() ? say(language, says::path_group_unnamed) : group.name},
                  {"axes", names},
                  {"cycle_time", format_exact(shown.cycle_time_us)}}) +
             "\n";
-    Rows rows = {{say(language, Text::contour_feed), say(language, Text::contour_order),
-                  say(language, Text::contour_what)}};
+    Rows rows = {{say(language, says::feed), say(language, says::order), say(language, says::what)}};
     for (auto const& axis : group.axes) {
-      rows[0].push_back(say(language, Text::contour_axis, {{"axis", axis}}));
+      rows[0].push_back(say(language, says::axis, {{"axis", axis}}));
     }
-    rows[0].push_back(say(language, Text::contour_deviation));
+    rows[0].push_back(say(language, says::deviation));
     for (auto const& row : group.cases) add_rows(rows, shown, group, row, language);
     text += text_table(rows, 2);
-    if (!group.synchronous) text += say(language, Text::contour_bends) + "\n";
+    if (!group.synchronous) text += say(language, says::bends) + "\n";
     if (group.limits) text += limits_text(group, language);
   }
   return text;

@@ -1,7 +1,7 @@
 // What `axisc contour` found, and its forms of output.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "motion/contour_predictions.hpp"
 
 #include <cstdint>

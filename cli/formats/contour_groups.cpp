@@ -2,6 +2,7 @@
 
 #include "cli/failure.hpp"
 #include "cli/files/path_machine.hpp"
+#include "cli/sentences.hpp"
 #include "motion/chain_answer.hpp"
 #include "motion/feed_limits.hpp"
 
@@ -38,7 +39,7 @@ class GroupChains {
     }
     auto answered = motion::chain_answers(*runtime_);
     if (auto const* const missing = std::get_if<motion::NoAnswer>(&answered)) {
-      throw Failure({.text = Text::cli_blocks_constant,
+      throw Failure({.sentence = says::blocks_constant,
                      .arguments = {{"axis", machine_.axes[group().axes[missing->axis]].name},
                                    {"group", group().name}}});
     }

@@ -1,10 +1,32 @@
 #include "cli/formats/diff_formats.hpp"
 
+#include "cli/formats/sentences.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <cmath>
 #include <vector>
+
+namespace axisc::cli::says {
+
+constexpr Sentence nothing{"{before} and {after} mean the same", "{before} und {after} bedeuten dasselbe"};
+constexpr Sentence axis{"axis {axis}", "Achse {axis}"};
+constexpr Sentence present{"present", "vorhanden"};
+constexpr Sentence diff_default{"{value} (default)", "{value} (Vorgabe)"};
+constexpr Sentence what{"what", "was"};
+constexpr Sentence parameter{"parameter", "Parameter"};
+constexpr Sentence effect{"effect", "Wirkung"};
+constexpr Sentence before{"before", "vorher"};
+constexpr Sentence after{"after", "nachher"};
+constexpr Sentence delay{"delay", "Verzögerung"};
+constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0.01 %)"};
+constexpr Sentence longer{"longer than {time}", "länger als {time}"};
+constexpr Sentence overshoot{"overshoot of a step", "Überschwingen eines Sprungs"};
+constexpr Sentence gain{"gain at {frequency} Hz", "Verstärkung bei {frequency} Hz"};
+constexpr Sentence corner{"deviation at a 90° corner, {feed} mm/min",
+                          "Abweichung an einer 90°-Ecke, {feed} mm/min"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -21,8 +43,8 @@ class Lines {
  public:
   Lines(ShownDifference const& shown, Language language) : shown_(shown), language_(language) {}
 
-  [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const {
-    return render({.text = text, .arguments = std::move(arguments)}, language_);
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
+    return render({.sentence = text, .arguments = std::move(arguments)}, language_);
   }
 
   /// What concerns the machine as a whole.
@@ -30,16 +52,16 @@ class Lines {
     auto const& difference = shown_.difference;
     std::vector<Line> lines;
     if (difference.cycle_time_before != difference.cycle_time_after) {
-      lines.push_back({say(Text::inspect_cycle_time),
+      lines.push_back({say(says::inspect_cycle_time),
                        cycle_time(difference.cycle_time_before),
                        cycle_time(difference.cycle_time_after),
                        {}});
     }
     for (auto const& axis : difference.axes_removed) {
-      lines.push_back({say(Text::diff_axis, {{"axis", axis}}), say(Text::diff_present), "-", {}});
+      lines.push_back({say(says::axis, {{"axis", axis}}), say(says::present), "-", {}});
     }
     for (auto const& axis : difference.axes_added) {
-      lines.push_back({say(Text::diff_axis, {{"axis", axis}}), "-", say(Text::diff_present), {}});
+      lines.push_back({say(says::axis, {{"axis", axis}}), "-", say(says::present), {}});
     }
     return lines;
   }
@@ -58,25 +80,25 @@ class Lines {
     if (!axis.filtering_changed) return {};
     auto const& difference = shown_.difference;
     std::vector<Line> lines;
-    lines.push_back({say(Text::diff_delay),
+    lines.push_back({say(says::delay),
                      time(axis.before.delay_cycles, difference.cycle_time_before),
                      time(axis.after.delay_cycles, difference.cycle_time_after),
                      {}});
-    lines.push_back({say(Text::diff_settling),
+    lines.push_back({say(says::settling),
                      settling(axis.before, difference.cycle_time_before),
                      settling(axis.after, difference.cycle_time_after),
                      {}});
-    lines.push_back({say(Text::diff_overshoot),
+    lines.push_back({say(says::overshoot),
                      format_rounded(axis.before.overshoot * 100, figures) + " %",
                      format_rounded(axis.after.overshoot * 100, figures) + " %",
                      {}});
     for (auto const& gain : axis.gains) {
-      lines.push_back({say(Text::diff_gain, {{"frequency", format_rounded(gain.frequency.value, figures)}}),
+      lines.push_back({say(says::gain, {{"frequency", format_rounded(gain.frequency.value, figures)}}),
                        decibel(gain.before),
                        decibel(gain.after),
                        {}});
     }
-    lines.push_back({say(Text::diff_corner, {{"feed", format_exact(shown_.feed_mm_per_min)}}),
+    lines.push_back({say(says::corner, {{"feed", format_exact(shown_.feed_mm_per_min)}}),
                      corner(axis.before, difference.cycle_time_before),
                      corner(axis.after, difference.cycle_time_after),
                      {}});
@@ -90,7 +112,7 @@ class Lines {
                                   std::optional<std::string> const& otherwise) const {
     if (text) return *text;
     if (!otherwise) return "-";
-    return say(Text::diff_default, {{"value", otherwise->empty() ? "\"\"" : *otherwise}});
+    return say(says::diff_default, {{"value", otherwise->empty() ? "\"\"" : *otherwise}});
   }
   static std::string time(double cycles, design::CycleTime cycle_time) {
     return format_rounded(cycles * cycle_time.seconds() * 1e3, figures) + " ms";
@@ -98,8 +120,7 @@ class Lines {
   [[nodiscard]] std::string settling(image::ChainFigures const& figures_of_chain,
                                      design::CycleTime cycle_time) const {
     if (!figures_of_chain.settling_cycles) {
-      return say(Text::diff_longer,
-                 {{"time", time(static_cast<double>(image::longest_settling), cycle_time)}});
+      return say(says::longer, {{"time", time(static_cast<double>(image::longest_settling), cycle_time)}});
     }
     return time(static_cast<double>(*figures_of_chain.settling_cycles), cycle_time);
   }
@@ -139,10 +160,10 @@ std::string cell(std::string const& text) {
   return escaped;
 }
 
-std::string markdown_table(Lines const& words, std::vector<Line> const& lines, Text first_column) {
+std::string markdown_table(Lines const& words, std::vector<Line> const& lines, SentenceRef first_column) {
   if (lines.empty()) return {};
-  std::string text = "\n| " + words.say(first_column) + " | " + words.say(Text::diff_before) + " | " +
-                     words.say(Text::diff_after) + " |\n|---|---|---|\n";
+  std::string text = "\n| " + words.say(first_column) + " | " + words.say(says::before) + " | " +
+                     words.say(says::after) + " |\n|---|---|---|\n";
   for (auto const& line : lines) {
     auto const where = line.where.empty() ? std::string() : " (" + line.where + ")";
     text += "| " + cell(line.what + where) + " | " + cell(line.before) + " | " + cell(line.after) + " |\n";
@@ -163,12 +184,11 @@ std::optional<double> corner_deviation_um(image::ChainFigures const& figures_of_
 std::string diff_text(ShownDifference const& shown, Language language) {
   Lines const words(shown, language);
   if (shown.difference.empty()) {
-    return words.say(Text::diff_nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
+    return words.say(says::nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
   }
   std::string text = shown.before + " → " + shown.after + "\n" + text_block(words.machine());
   for (auto const& axis : shown.difference.axes) {
-    text +=
-        "\n" + words.say(Text::diff_axis, {{"axis", axis.name}}) + "\n" + text_block(words.parameters(axis));
+    text += "\n" + words.say(says::axis, {{"axis", axis.name}}) + "\n" + text_block(words.parameters(axis));
     if (axis.filtering_changed) text += "\n" + text_block(words.effects(axis));
   }
   return text;
@@ -177,14 +197,14 @@ std::string diff_text(ShownDifference const& shown, Language language) {
 std::string diff_markdown(ShownDifference const& shown, Language language) {
   Lines const words(shown, language);
   if (shown.difference.empty()) {
-    return words.say(Text::diff_nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
+    return words.say(says::nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
   }
   std::string text = "**" + cell(shown.before) + " → " + cell(shown.after) + "**\n";
-  text += markdown_table(words, words.machine(), Text::diff_what);
+  text += markdown_table(words, words.machine(), says::what);
   for (auto const& axis : shown.difference.axes) {
-    text += "\n### " + words.say(Text::diff_axis, {{"axis", cell(axis.name)}}) + "\n";
-    text += markdown_table(words, words.parameters(axis), Text::diff_parameter);
-    text += markdown_table(words, words.effects(axis), Text::diff_effect);
+    text += "\n### " + words.say(says::axis, {{"axis", cell(axis.name)}}) + "\n";
+    text += markdown_table(words, words.parameters(axis), says::parameter);
+    text += markdown_table(words, words.effects(axis), says::effect);
   }
   return text;
 }

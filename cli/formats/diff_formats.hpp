@@ -1,8 +1,8 @@
 // The forms in which `axisc diff` shows what changed.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "image/image_difference.hpp"
-#include "diagnostics/text.hpp"
 
 #include <string>
 

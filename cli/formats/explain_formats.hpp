@@ -1,7 +1,7 @@
 // What `axisc explain` prints: the pages behind the codes, and the facts about parameters.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/engine/rule.hpp"
 

@@ -4,12 +4,36 @@
 
 #include <utility>
 
+namespace axisc::cli::says {
+
+constexpr Sentence manual{"manual", "Handbuch"};
+constexpr Sentence type{"type", "Typ"};
+constexpr Sentence range{"range", "Wertebereich"};
+constexpr Sentence value{"value", "Wert"};
+constexpr Sentence symbols{"words", "Wörter"};
+constexpr Sentence explain_default{"default", "Vorgabe"};
+constexpr Sentence unit{"unit of the number", "Einheit der Zahl"};
+constexpr Sentence units{"{translatory} (translatory), {rotary} (rotary)",
+                         "{translatory} (translatorisch), {rotary} (rotatorisch)"};
+constexpr Sentence array{"entries", "Einträge"};
+constexpr Sentence entries{"`{first}` to `{last}`", "`{first}` bis `{last}`"};
+constexpr Sentence longest{"longest text, in characters", "längster Text, in Zeichen"};
+constexpr Sentence axis_types{"axis types", "Achstypen"};
+constexpr Sentence since{"since build", "ab Version"};
+constexpr Sentence rules{"rules that look at it", "Regeln, die darauf schauen"};
+constexpr Sentence example{"As it would stand in a list, with its default:",
+                           "So stünde er in einer Liste, mit seiner Vorgabe:"};
+
+constexpr Sentence file{"from", "aus"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
-std::string say(Text text, Language language, std::vector<Argument> arguments = {}) {
-  return render({.text = text, .arguments = std::move(arguments)}, language);
+std::string say(SentenceRef text, Language language, std::vector<Argument> arguments = {}) {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
 /// "0 ≤", "< P-AXIS-00008": empty where there is no limit.
@@ -29,7 +53,7 @@ std::string range_text(schema::Parameter const& parameter, Language language) {
   auto const minimum = limit_text(parameter.minimum);
   auto const maximum = limit_text(parameter.maximum);
   if (minimum.empty() && maximum.empty()) return {};
-  std::string text = say(Text::explain_value, language);
+  std::string text = say(says::value, language);
   if (!minimum.empty()) text = minimum + (parameter.minimum.open ? " < " : " ≤ ") + text;
   if (!maximum.empty()) text += (parameter.maximum.open ? " < " : " ≤ ") + maximum;
   return text;
@@ -48,8 +72,7 @@ std::string unit_text(schema::Parameter const& parameter, Language language) {
   std::string linear(parameter.unit_translatory);
   std::string rotary(parameter.unit_rotary);
   if (linear == rotary || rotary.empty()) return linear;
-  return say(Text::explain_units, language,
-             {{"translatory", std::move(linear)}, {"rotary", std::move(rotary)}});
+  return say(says::units, language, {{"translatory", std::move(linear)}, {"rotary", std::move(rotary)}});
 }
 
 /// `filter[2].order` of the last entry, so that the number of entries is seen at once.
@@ -57,7 +80,7 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
   if (parameter.index_count() == 0) return {};
   auto const last =
       static_cast<schema::Slot>(static_cast<unsigned>(parameter.first_slot) + parameter.slots - 1U);
-  return say(Text::explain_entries, language,
+  return say(says::entries, language,
              {{"first", schema::slot_name(parameter, parameter.first_slot)},
               {"last", schema::slot_name(parameter, last)}});
 }
@@ -86,23 +109,23 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
   std::string text = "# " + std::string(parameter.name);
   if (parameter.p_axis != 0) text += " (" + schema::p_axis_text(parameter.p_axis) + ")";
   text += "\n\n";
-  auto const row = [&](Text label, std::string const& value) {
+  auto const row = [&](SentenceRef label, std::string const& value) {
     if (!value.empty()) text += "- " + say(label, language) + ": " + value + "\n";
   };
-  row(Text::explain_type, std::string(schema::data_type_name(parameter.type)));
-  row(Text::explain_range, parameter.is_enumeration() ? "" : range_text(parameter, language));
-  row(Text::explain_symbols, symbols_text(parameter));
-  row(Text::explain_default, parameter.has_default ? default_text(parameter) : "");
-  row(Text::explain_unit, unit_text(parameter, language));
-  row(Text::explain_array, entries_text(parameter, language));
-  row(Text::explain_longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
-  row(Text::explain_axis_types, axis_types_text(parameter.axis_types));
-  row(Text::explain_since, std::string(parameter.since));
-  row(Text::explain_file, std::string(catalogue.file_of(parameter)));
-  row(Text::explain_manual, manual_section(parameter, language));
-  row(Text::explain_rules, joined(rules_about(parameter)));
+  row(says::type, std::string(schema::data_type_name(parameter.type)));
+  row(says::range, parameter.is_enumeration() ? "" : range_text(parameter, language));
+  row(says::symbols, symbols_text(parameter));
+  row(says::explain_default, parameter.has_default ? default_text(parameter) : "");
+  row(says::unit, unit_text(parameter, language));
+  row(says::array, entries_text(parameter, language));
+  row(says::longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
+  row(says::axis_types, axis_types_text(parameter.axis_types));
+  row(says::since, std::string(parameter.since));
+  row(says::file, std::string(catalogue.file_of(parameter)));
+  row(says::manual, manual_section(parameter, language));
+  row(says::rules, joined(rules_about(parameter)));
   if (auto const line = example(parameter); !line.empty()) {
-    text += "\n" + say(Text::explain_example, language) + "\n\n" + line;
+    text += "\n" + say(says::example, language) + "\n\n" + line;
   }
   return text;
 }

@@ -1,21 +1,35 @@
 #include "cli/formats/explain_formats.hpp"
+#include "diagnostics/sentences.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence all_heading{"Rules", "Regeln"};
+constexpr Sentence all_origin{
+    "Every code that axisc reports, as printed by `axisc explain --all`.",
+    "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
+constexpr Sentence column_code{"code", "Code"};
+constexpr Sentence column_name{"name", "Name"};
+constexpr Sentence column_severity{"severity", "Stufe"};
+constexpr Sentence column_control{"message of the control", "Meldung der Steuerung"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 namespace {
 
-std::string say(Text text, Language language, std::vector<Argument> arguments = {}) {
-  return render({.text = text, .arguments = std::move(arguments)}, language);
+std::string say(SentenceRef text, Language language, std::vector<Argument> arguments = {}) {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
 std::string severity_word(Severity severity, Language language) {
   switch (severity) {
     case Severity::error:
-      return say(Text::word_error, language);
+      return say(axisc::says::word_error, language);
     case Severity::warning:
-      return say(Text::word_warning, language);
+      return say(axisc::says::word_warning, language);
     case Severity::note:
-      return say(Text::word_note, language);
+      return say(axisc::says::word_note, language);
   }
   return {};
 }
@@ -24,8 +38,8 @@ std::string facts(validator::Rule const& rule, Language language) {
   auto text = severity_word(rule.severity, language);
   if (rule.control.empty()) return text;
   bool const several = rule.control.find('/') != std::string_view::npos;
-  return text + ", " + say(Text::word_control, language) + ": " +
-         say(several ? Text::control_messages : Text::control_message, language,
+  return text + ", " + say(axisc::says::word_control, language) + ": " +
+         say(several ? axisc::says::control_messages : axisc::says::control_message, language,
              {{"number", std::string(rule.control)}});
 }
 
@@ -42,11 +56,10 @@ std::string explain_rule(validator::Rule const& rule, std::size_t level, Languag
 }
 
 std::string explain_all(Language language) {
-  std::string text =
-      "# " + say(Text::explain_all_heading, language) + "\n\n" + say(Text::explain_all_origin, language) +
-      "\n\n| " + say(Text::explain_column_code, language) + " | " + say(Text::explain_column_name, language) +
-      " | " + say(Text::explain_column_severity, language) + " | " +
-      say(Text::explain_column_control, language) + " |\n|---|---|---|---|\n";
+  std::string text = "# " + say(says::all_heading, language) + "\n\n" + say(says::all_origin, language) +
+                     "\n\n| " + say(says::column_code, language) + " | " + say(says::column_name, language) +
+                     " | " + say(says::column_severity, language) + " | " +
+                     say(says::column_control, language) + " |\n|---|---|---|---|\n";
   for (auto const& rule : validator::rules()) {
     text += "| [" + code_text(rule.code) + "](#" + code_text(rule.code) + ") | " + std::string(rule.name) +
             " | " + severity_word(rule.severity, language) + " | " + std::string(rule.control) + " |\n";

@@ -1,7 +1,28 @@
-#include "cli/options/filter_symbols.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/formats/inspect_writer.hpp"
+#include "cli/formats/sentences.hpp"
+#include "cli/options/filter_symbols.hpp"
 #include "diagnostics/format_number.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence control{"Improved Position Control: additive velocity within ±{limit}",
+                           "Optimierte Lageregelung: additive Geschwindigkeit innerhalb ±{limit}"};
+constexpr Sentence of_master{"Improved Position Control: additive velocity of the gantry master {axis}",
+                             "Optimierte Lageregelung: additive Geschwindigkeit des Gantry-Masters {axis}"};
+constexpr Sentence drive{"position control in the drive: {scale} increments per {unit}",
+                         "Lageregelung im Antrieb: {scale} Inkremente je {unit}"};
+constexpr Sentence cnc{"position control in the CNC: {scale} increments per {unit}",
+                       "Lageregelung in der CNC: {scale} Inkremente je {unit}"};
+constexpr Sentence unknown{"it is not known where the position is controlled: no increments",
+                           "wo die Lage geregelt wird, ist nicht bekannt: keine Inkremente"};
+constexpr Sentence stage{
+    "stage[{index}] {mode}, weight {weight} ({numerator}/{denominator}), subtracted",
+    "stage[{index}] {mode}, Gewicht {weight} ({numerator}/{denominator}), wird abgezogen"};
+constexpr Sentence oscillator{"oscillator, {frequency} Hz, damping {damping}",
+                              "Schwinger, {frequency} Hz, Dämpfung {damping}"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -13,21 +34,18 @@ std::string InspectWriter::control_text(std::size_t axis) const {
   std::string text =
       "\n  " +
       (control->source == axis
-           ? say(Text::inspect_control,
-                 {{"limit", rounded(control->limit / 1e3) + (linear ? " mm/s" : " °/s")}})
-           : say(Text::inspect_control_of_master, {{"axis", axis_label(image_, control->source)}})) +
+           ? say(says::control, {{"limit", rounded(control->limit / 1e3) + (linear ? " mm/s" : " °/s")}})
+           : say(says::of_master, {{"axis", axis_label(image_, control->source)}})) +
       "\n    ";
   switch (control->scaling.controller) {
     case machine::PositionController::drive:
-      text += say(Text::inspect_control_drive,
-                  {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
+      text += say(says::drive, {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
     case machine::PositionController::cnc:
-      text += say(Text::inspect_control_cnc,
-                  {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
+      text += say(says::cnc, {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
     case machine::PositionController::unknown:
-      text += say(Text::inspect_control_unknown);
+      text += say(says::unknown);
       break;
   }
   text += "\n";
@@ -37,25 +55,24 @@ std::string InspectWriter::control_text(std::size_t axis) const {
 
 std::string InspectWriter::stage_text(image::ImageStage const& stage) const {
   std::string text = "    " +
-                     say(Text::inspect_stage, {{"index", std::to_string(stage.index)},
-                                               {"mode", std::string(mode_word(stage.mode))},
-                                               {"weight", format_exact(stage.weight)},
-                                               {"numerator", format_exact(stage.weight_numerator)},
-                                               {"denominator", format_exact(stage.weight_denominator)}}) +
+                     say(says::stage, {{"index", std::to_string(stage.index)},
+                                       {"mode", std::string(mode_word(stage.mode))},
+                                       {"weight", format_exact(stage.weight)},
+                                       {"numerator", format_exact(stage.weight_numerator)},
+                                       {"denominator", format_exact(stage.weight_denominator)}}) +
                      "\n";
   for (std::size_t i = 0; i < stage.filters.size(); ++i) {
     auto const& wanted = stage.filters[i].specification;
     auto const frequency = format_exact(wanted.frequency.value);
     text += "      ";
     if (stage.has_oscillator && i == 0) {
-      text += say(Text::inspect_oscillator,
-                  {{"frequency", frequency}, {"damping", format_exact(wanted.quality)}});
+      text += say(says::oscillator, {{"frequency", frequency}, {"damping", format_exact(wanted.quality)}});
     } else {
       text += std::string(type_word(wanted.type)) + ", " + std::string(prototype_word(wanted.prototype)) +
-              ", " + say(Text::inspect_column_order) + " " + std::to_string(wanted.order) + ", " + frequency +
+              ", " + say(says::inspect_column_order) + " " + std::to_string(wanted.order) + ", " + frequency +
               " Hz";
       if (design::uses_quality(wanted.type)) {
-        text += ", " + say(Text::inspect_column_quality) + " " + format_exact(wanted.quality);
+        text += ", " + say(says::inspect_column_quality) + " " + format_exact(wanted.quality);
       }
     }
     text += "\n";

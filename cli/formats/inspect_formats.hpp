@@ -1,9 +1,9 @@
 // The forms in which `axisc inspect` shows an image.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "image/image_contents.hpp"
 #include "image/signature.hpp"
-#include "diagnostics/text.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,9 +15,9 @@ namespace axisc::cli {
 struct Shown {
   std::string const& file;
   image::ImageContents const& image;
-  std::vector<std::size_t> axes;                        ///< which of them
+  std::vector<std::size_t> axes;                      ///< which of them
   std::optional<image::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
-  bool signature_checked = false;                       ///< and the signature was found right
+  bool signature_checked = false;                     ///< and the signature was found right
   std::optional<std::size_t> memory;  ///< bytes that the runtime needs on a target, where asked for
 };
 

@@ -4,6 +4,13 @@
 
 #include <algorithm>
 
+namespace axisc::cli::says {
+
+constexpr Sentence heading{"axis {axis} as compiled into {file}; behind each value: where it came from",
+                           "Achse {axis}, wie in {file} übersetzt; hinter jedem Wert: woher er kam"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -29,7 +36,7 @@ std::string inspect_as_list(Shown const& shown, Language language) {
     }
     if (!text.empty()) text += "\n";
     text += "# " +
-            render({.text = Text::inspect_list_heading,
+            render({.sentence = says::heading,
                     .arguments = {{"axis", axis_label(shown.image, index)}, {"file", shown.file}}},
                    language) +
             "\n";

@@ -1,10 +1,52 @@
-#include "cli/options/filter_symbols.hpp"
 #include "cli/files/image_file.hpp"
+#include "cli/files/key_file.hpp"
 #include "cli/formats/inspect_formats.hpp"
 #include "cli/formats/inspect_writer.hpp"
-#include "cli/files/key_file.hpp"
+#include "cli/formats/sentences.hpp"
+#include "cli/options/filter_symbols.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence heading{"{file}: coefficient image, format {format}, {bytes} bytes, axes: {axes}",
+                           "{file}: Koeffizientenabbild, Format {format}, {bytes} Bytes, Achsen: {axes}"};
+constexpr Sentence compiler{"compiled by", "übersetzt mit"};
+constexpr Sentence image_version{"image version", "Abbildversion"};
+constexpr Sentence signature{"signature", "Signatur"};
+constexpr Sentence inspect_unsigned{"none", "keine"};
+constexpr Sentence inspect_signed{"Ed25519, key {key} (not checked)",
+                                  "Ed25519, Schlüssel {key} (nicht geprüft)"};
+constexpr Sentence signed_right{"Ed25519, key {key}, right", "Ed25519, Schlüssel {key}, richtig"};
+constexpr Sentence memory{"memory", "Speicher"};
+constexpr Sentence memory_value{"{bytes} bytes, aligned to {alignment}",
+                                "{bytes} Bytes, ausgerichtet auf {alignment}"};
+constexpr Sentence digest{"all sources", "alle Quellen"};
+constexpr Sentence sources{"lists", "Listen"};
+constexpr Sentence stripped{"none (compiled with --strip)", "keine (mit --strip übersetzt)"};
+constexpr Sentence axis{"axis {axis}, number {number}, {type}", "Achse {axis}, Nummer {number}, {type}"};
+constexpr Sentence translatory{"translatory", "translatorisch"};
+constexpr Sentence rotary{"rotary", "rotatorisch"};
+constexpr Sentence spindle{"spindle", "Spindel"};
+constexpr Sentence velocity{"velocity limit", "Höchstgeschw."};
+constexpr Sentence acceleration{"acceleration limit", "Höchstbeschl."};
+constexpr Sentence window{"position window", "Positionsfenster"};
+constexpr Sentence chain{"setpoint chain", "Sollwertkette"};
+constexpr Sentence chain_value{"delay {cycles} cycles ({ms} ms), peak gain {gain}",
+                               "Verzögerung {cycles} Zyklen ({ms} ms), Spitzenverstärkung {gain}"};
+constexpr Sentence no_filter{"no filter: setpoints pass unchanged",
+                             "kein Filter: Sollwerte gehen unverändert durch"};
+constexpr Sentence setpoint{"setpoint", "Sollwert"};
+constexpr Sentence inspect_interface{"interface", "Schnittstelle"};
+constexpr Sentence column_prototype{"prototype", "Prototyp"};
+constexpr Sentence column_time_constant{"time constant", "Zeitkonstante"};
+constexpr Sentence proof{
+    "largest pole radius {radius}, gain at 0 Hz {gain}, self-test of {samples} samples",
+    "größter Polradius {radius}, Verstärkung bei 0 Hz {gain}, Selbsttest mit {samples} Werten"};
+constexpr Sentence pure_delay{"pure delay of {cycles} cycles", "reine Verzögerung um {cycles} Zyklen"};
+constexpr Sentence pass_through{"passes setpoints through unchanged", "lässt Sollwerte unverändert durch"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -15,41 +57,40 @@ class TextForm : public InspectWriter {
   using InspectWriter::InspectWriter;
 
   std::string header(Shown const& shown) const {
-    std::string text = say(Text::inspect_heading, {{"file", shown.file},
-                                                   {"format", version()},
-                                                   {"bytes", std::to_string(image_.size)},
-                                                   {"axes", std::to_string(image_.axes.size())}}) +
+    std::string text = say(says::heading, {{"file", shown.file},
+                                           {"format", version()},
+                                           {"bytes", std::to_string(image_.size)},
+                                           {"axes", std::to_string(image_.axes.size())}}) +
                        "\n";
-    text += row(Text::inspect_cycle_time, format_exact(image_.cycle_time.microseconds()) + " µs");
-    text += row(Text::inspect_compiler, "axisc " + image_.compiler_version);
-    text += row(Text::inspect_image_version, std::to_string(image_.image_version));
-    text += row(Text::inspect_signature, signature(shown));
+    text += row(says::inspect_cycle_time, format_exact(image_.cycle_time.microseconds()) + " µs");
+    text += row(says::compiler, "axisc " + image_.compiler_version);
+    text += row(says::image_version, std::to_string(image_.image_version));
+    text += row(says::signature, signature(shown));
     if (shown.memory) {
-      text += row(Text::inspect_memory,
-                  say(Text::inspect_memory_value, {{"bytes", std::to_string(*shown.memory)},
-                                                   {"alignment", std::to_string(AXISRT_ALIGNMENT)}}));
+      text += row(says::memory, say(says::memory_value, {{"bytes", std::to_string(*shown.memory)},
+                                                         {"alignment", std::to_string(AXISRT_ALIGNMENT)}}));
     }
-    text += row(Text::inspect_digest, "SHA-256 " + hexadecimal(image_.source_digest));
+    text += row(says::digest, "SHA-256 " + hexadecimal(image_.source_digest));
     std::vector<std::vector<std::string>> lists;
     for (auto const& list : image_.lists) lists.push_back({list.name, "SHA-256 " + hexadecimal(list.sha256)});
-    if (lists.empty()) return text + row(Text::inspect_sources, say(Text::inspect_stripped));
-    return text + "  " + say(Text::inspect_sources) + "\n" + text_table(lists, 4);
+    if (lists.empty()) return text + row(says::sources, say(says::stripped));
+    return text + "  " + say(says::sources) + "\n" + text_table(lists, 4);
   }
 
   std::string axis(std::size_t index) const {
     auto const& axis = image_.axes[index];
     bool const linear = axis.type == 1;
-    std::string text = say(Text::inspect_axis, {{"axis", axis_label(image_, index)},
-                                                {"number", std::to_string(axis.number)},
-                                                {"type", say(type_text(axis.type))}}) +
+    std::string text = say(says::axis, {{"axis", axis_label(image_, index)},
+                                        {"number", std::to_string(axis.number)},
+                                        {"type", say(type_text(axis.type))}}) +
                        "\n";
-    text += row(Text::inspect_velocity, rounded(axis.velocity_limit / 1e3) + (linear ? " mm/s" : " °/s"));
-    text += row(Text::inspect_acceleration, rounded(axis.acceleration_limit) + (linear ? " mm/s²" : " °/s²"));
-    text += row(Text::inspect_window, linear ? rounded(axis.position_window / 10) + " µm"
-                                             : rounded(axis.position_window / 1e4) + " °");
-    text += row(Text::inspect_chain, say(Text::inspect_chain_value, {{"cycles", rounded(axis.delay_cycles)},
-                                                                     {"ms", milliseconds(axis.delay_cycles)},
-                                                                     {"gain", rounded(axis.peak_gain)}}));
+    text += row(says::velocity, rounded(axis.velocity_limit / 1e3) + (linear ? " mm/s" : " °/s"));
+    text += row(says::acceleration, rounded(axis.acceleration_limit) + (linear ? " mm/s²" : " °/s²"));
+    text += row(says::window, linear ? rounded(axis.position_window / 10) + " µm"
+                                     : rounded(axis.position_window / 1e4) + " °");
+    text += row(says::chain, say(says::chain_value, {{"cycles", rounded(axis.delay_cycles)},
+                                                     {"ms", milliseconds(axis.delay_cycles)},
+                                                     {"gain", rounded(axis.peak_gain)}}));
     if (!axis.filters.empty() || !axis.slot) text += filters(axis, axis.filters, false);
     text += slot_text(index) + filters(axis, axis.interface_filters, true);
     return text + control_text(index);
@@ -57,28 +98,27 @@ class TextForm : public InspectWriter {
 
  private:
   std::string signature(Shown const& shown) const {
-    if (!shown.signer) return say(Text::inspect_unsigned);
-    return say(shown.signature_checked ? Text::inspect_signed_right : Text::inspect_signed,
+    if (!shown.signer) return say(says::inspect_unsigned);
+    return say(shown.signature_checked ? says::signed_right : says::inspect_signed,
                {{"key", key_name(*shown.signer)}});
   }
   std::string version() const {
     return std::to_string(image_.format_major) + "." + std::to_string(image_.format_minor);
   }
-  static Text type_text(std::uint32_t type) {
-    if (type == 2) return Text::inspect_rotary;
-    return type == 4 ? Text::inspect_spindle : Text::inspect_translatory;
+  static SentenceRef type_text(std::uint32_t type) {
+    if (type == 2) return says::rotary;
+    return type == 4 ? says::spindle : says::translatory;
   }
 
   std::string filters(image::ImageAxis const& axis, std::vector<image::ImageFilter> const& chain,
                       bool interface) const {
-    if (chain.empty()) return interface ? "" : "\n  " + say(Text::inspect_no_filter) + "\n";
+    if (chain.empty()) return interface ? "" : "\n  " + say(says::no_filter) + "\n";
     std::vector<std::vector<std::string>> rows{
-        {say(interface ? Text::inspect_interface : Text::inspect_setpoint), say(Text::inspect_column_type),
-         say(Text::inspect_column_prototype), say(Text::inspect_column_order),
-         say(Text::inspect_column_frequency), say(Text::inspect_column_quality),
-         say(Text::inspect_column_time_constant), say(Text::inspect_column_share),
-         say(Text::inspect_column_delay), say(Text::inspect_column_overshoot),
-         say(Text::inspect_column_peak_gain)}};
+        {say(interface ? says::inspect_interface : says::setpoint), say(says::inspect_column_type),
+         say(says::column_prototype), say(says::inspect_column_order), say(says::inspect_column_frequency),
+         say(says::inspect_column_quality), say(says::column_time_constant), say(says::inspect_column_share),
+         say(says::inspect_column_delay), say(says::inspect_column_overshoot),
+         say(says::inspect_column_peak_gain)}};
     for (auto const& filter : chain) rows.push_back(figures_of(filter));
     std::string text = "\n" + text_table(rows, 2);
     for (auto const& filter : chain) text += details(axis, filter, interface);
@@ -97,26 +137,24 @@ class TextForm : public InspectWriter {
             design::uses_quality(type) ? format_exact(wanted.quality) : "-",
             design::uses_time_constant(type) ? format_exact(wanted.time_constant.value) + " µs" : "-",
             format_exact(wanted.share_percent) + " %",
-            say(Text::inspect_delay_value, {{"cycles", rounded(made.group_delay_cycles)},
+            say(says::inspect_delay_value, {{"cycles", rounded(made.group_delay_cycles)},
                                             {"ms", milliseconds(made.group_delay_cycles)}}),
             rounded(filter.overshoot * 100) + " %",
             rounded(filter.peak_gain)};
   }
 
-  std::string details(image::ImageAxis const& axis, image::ImageFilter const& filter,
-                      bool interface) const {
+  std::string details(image::ImageAxis const& axis, image::ImageFilter const& filter, bool interface) const {
     auto const& made = filter.design;
-    std::string text =
-        "\n  " + filter_path(filter, interface) + ": " +
-        say(Text::inspect_proof, {{"radius", format_rounded(made.pole_radius, 9)},
-                                  {"gain", rounded(made.dc_gain)},
-                                  {"samples", std::to_string(filter.self_test_input.size())}}) +
-        "\n";
+    std::string text = "\n  " + filter_path(filter, interface) + ": " +
+                       say(says::proof, {{"radius", format_rounded(made.pole_radius, 9)},
+                                         {"gain", rounded(made.dc_gain)},
+                                         {"samples", std::to_string(filter.self_test_input.size())}}) +
+                       "\n";
     if (made.realisation == design::Realisation::delay) {
-      text += "    " + say(Text::inspect_pure_delay, {{"cycles", std::to_string(made.delay_cycles)}}) + "\n";
+      text += "    " + say(says::pure_delay, {{"cycles", std::to_string(made.delay_cycles)}}) + "\n";
     }
     if (made.realisation == design::Realisation::pass_through) {
-      text += "    " + say(Text::inspect_pass_through) + "\n";
+      text += "    " + say(says::pass_through) + "\n";
     }
     for (std::size_t i = 0; i < made.sections.size(); ++i) text += section(i, made);
     std::vector<std::vector<std::string>> settings;

@@ -1,11 +1,20 @@
 #include "cli/formats/inspect_writer.hpp"
 
+#include "cli/formats/sentences.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence section{"section {number}", "Abschnitt {number}"};
+constexpr Sentence poles{"poles: {first}; {second}", "Pole: {first}; {second}"};
+constexpr Sentence pole{"radius {radius} at {frequency} Hz", "Radius {radius} bei {frequency} Hz"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -16,11 +25,11 @@ constexpr int figures = 5;
 
 }  // namespace
 
-std::string InspectWriter::say(Text text, std::vector<Argument> arguments) const {
-  return render({.text = text, .arguments = std::move(arguments)}, language_);
+std::string InspectWriter::say(SentenceRef text, std::vector<Argument> arguments) const {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language_);
 }
 
-std::string InspectWriter::row(Text label, std::string const& value) const {
+std::string InspectWriter::row(SentenceRef label, std::string const& value) const {
   return "  " + padded(say(label), label_width) + value + "\n";
 }
 
@@ -33,26 +42,25 @@ std::string InspectWriter::milliseconds(double cycles) const {
 }
 
 std::string InspectWriter::delay(double cycles) const {
-  return say(Text::inspect_delay_value, {{"cycles", rounded(cycles)}, {"ms", milliseconds(cycles)}});
+  return say(says::inspect_delay_value, {{"cycles", rounded(cycles)}, {"ms", milliseconds(cycles)}});
 }
 
 std::string InspectWriter::section(std::size_t index, design::FilterDesign const& made) const {
   auto const& section = made.sections[index];
   auto const direct = design::direct_form(section, made.blocks_constant);
   auto const [first, second] = design::poles(section);
-  auto const head = say(Text::inspect_section, {{"number", std::to_string(index + 1)}});
+  auto const head = say(says::section, {{"number", std::to_string(index + 1)}});
   std::string const below(display_width(head), ' ');
   return "    " + head + "  b0 " + format_exact(direct.b0) + "  b1 " + format_exact(direct.b1) + "  b2 " +
          format_exact(direct.b2) + "  a1 " + format_exact(direct.a1) + "  a2 " + format_exact(direct.a2) +
          "\n    " + below + "  p " + format_exact(section.p) + "  q " + format_exact(section.q) + "  k " +
          format_exact(section.k) + "  b " + format_exact(section.b) + "\n    " + below + "  " +
-         say(Text::inspect_poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
+         say(says::poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
 }
 
 std::string InspectWriter::pole(std::complex<double> pole) const {
   double const frequency = std::abs(std::arg(pole)) / (2 * std::numbers::pi * image_.cycle_time.seconds());
-  return say(Text::inspect_pole,
-             {{"radius", format_rounded(std::abs(pole), 9)}, {"frequency", rounded(frequency)}});
+  return say(says::pole, {{"radius", format_rounded(std::abs(pole), 9)}, {"frequency", rounded(frequency)}});
 }
 
 }  // namespace axisc::cli

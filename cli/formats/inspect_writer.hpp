@@ -1,8 +1,8 @@
 // Parts of `axisc inspect` as text.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "image/image_contents.hpp"
-#include "diagnostics/text.hpp"
 
 #include <complex>
 #include <span>
@@ -13,8 +13,7 @@ namespace axisc::cli {
 
 class InspectWriter {
  public:
-  InspectWriter(image::ImageContents const& image, Language language)
-      : image_(image), language_(language) {}
+  InspectWriter(image::ImageContents const& image, Language language) : image_(image), language_(language) {}
 
   /// The kernels that the axes may execute; empty without any.
   [[nodiscard]] std::string kernels_text(std::span<std::size_t const> axes) const;
@@ -22,8 +21,8 @@ class InspectWriter {
   [[nodiscard]] std::string channels_text(std::span<std::size_t const> axes) const;
 
  protected:
-  [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const;
-  [[nodiscard]] std::string row(Text label, std::string const& value) const;
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const;
+  [[nodiscard]] std::string row(SentenceRef label, std::string const& value) const;
   [[nodiscard]] static std::string rounded(double value);
   [[nodiscard]] std::string milliseconds(double cycles) const;
   /// "10 cycles (10 ms)"

@@ -7,19 +7,29 @@
 #include <array>
 #include <utility>
 
+namespace axisc::cli::says {
+
+constexpr Sentence explain_manual_filter{"Axis filters, section 3.2", "Achsfilter, Abschnitt 3.2"};
+constexpr Sentence explain_manual_interface{"Axis filters, section 3.3", "Achsfilter, Abschnitt 3.3"};
+constexpr Sentence explain_manual_fir{"FIR filters, section 6.2", "FIR-Filter, Abschnitt 6.2"};
+constexpr Sentence explain_manual_position_control{"Improved Position Control, section 4.2",
+                                                   "Optimierte Lageregelung, Abschnitt 4.2"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
 /// Parameters by the beginning of their names; the first that fits counts.
-constexpr std::array<std::pair<std::string_view, Text>, 7> manuals = {{
-    {"filter_fir.", Text::explain_manual_fir},
-    {"filter[", Text::explain_manual_filter},
-    {"lr_param.add_interface.", Text::explain_manual_interface},
-    {"lr_param.improved_position_control.", Text::explain_manual_position_control},
-    {"antr.v_reso_", Text::explain_manual_position_control},
-    {"antr.v_time_base", Text::explain_manual_position_control},
-    {"getriebe[].multi_gain_", Text::explain_manual_position_control},
+constexpr std::array<std::pair<std::string_view, SentenceRef>, 7> manuals = {{
+    {"filter_fir.", says::explain_manual_fir},
+    {"filter[", says::explain_manual_filter},
+    {"lr_param.add_interface.", says::explain_manual_interface},
+    {"lr_param.improved_position_control.", says::explain_manual_position_control},
+    {"antr.v_reso_", says::explain_manual_position_control},
+    {"antr.v_time_base", says::explain_manual_position_control},
+    {"getriebe[].multi_gain_", says::explain_manual_position_control},
 }};
 
 /// `filter[0].order` and `filter[i].order` become `filter[].order`.
@@ -117,7 +127,7 @@ std::string default_text(schema::Parameter const& parameter) {
 std::string manual_section(schema::Parameter const& parameter, Language language) {
   for (auto const& [beginning, text] : manuals) {
     if (parameter.name.substr(0, beginning.size()) == beginning) {
-      return render({.text = text, .arguments = {}}, language);
+      return render({.sentence = text, .arguments = {}}, language);
     }
   }
   return {};

@@ -1,7 +1,7 @@
 // Facts about a row of the catalogue that are found out from elsewhere: rules, manuals, number formats.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "schema/catalogue.hpp"
 
 #include <string>

@@ -12,6 +12,35 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+namespace axisc::cli::says {
+
+constexpr Sentence axis{"axis {axis}: {distance} mm there and back at {feed} mm/min, Kv {kv} 1/s",
+                        "Achse {axis}: {distance} mm hin und zurück mit {feed} mm/min, Kv {kv} 1/s"};
+constexpr Sentence frequency{"oscillation of the load", "Schwingung der Last"};
+constexpr Sentence phase{"while", "während"};
+constexpr Sentence travel{"travelling", "Verfahren"};
+constexpr Sentence ramps{"at rest after braking", "Stillstand nach dem Bremsen"};
+constexpr Sentence without{"without [m/s²]", "ohne [m/s²]"};
+constexpr Sentence with{"with [m/s²]", "mit [m/s²]"};
+constexpr Sentence v_add{"largest additive velocity {velocity} µm/s of {limit} µm/s",
+                         "größte additive Geschwindigkeit {velocity} µm/s von {limit} µm/s"};
+constexpr Sentence limit_hit{"the additive velocity is limited (P-AXIS-00757)",
+                             "die additive Geschwindigkeit wird begrenzt (P-AXIS-00757)"};
+constexpr Sentence diverges{
+    "the loop DIVERGES {which}: the oscillation grows; lower the weights (P-AXIS-00754/00755), or move fg_f0",
+    "der Regelkreis schwingt AUF {which}: die Schwingung wächst; Gewichte verkleinern (P-AXIS-00754/00755) "
+    "oder fg_f0 verschieben"};
+constexpr Sentence which_with{"with Improved Position Control", "mit optimierter Lageregelung"};
+constexpr Sentence which_without{"even without Improved Position Control",
+                                 "auch ohne optimierte Lageregelung"};
+constexpr Sentence kv{
+    "highest Kv without oscillation: {without} 1/s without, {with} 1/s with Improved Position Control",
+    "höchstes Kv ohne Schwingung: {without} 1/s ohne, {with} 1/s mit optimierter Lageregelung"};
+constexpr Sentence no_function{"axis {axis} has no active Improved Position Control",
+                               "Achse {axis} hat keine aktive optimierte Lageregelung"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -19,8 +48,8 @@ namespace {
 using motion::MovePhase;
 using nlohmann::ordered_json;
 
-std::string say(Language language, Text text, std::vector<Argument> arguments = {}) {
-  return render({.text = text, .arguments = std::move(arguments)}, language);
+std::string say(Language language, SentenceRef text, std::vector<Argument> arguments = {}) {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
 std::string kv_text(double kv) {
@@ -30,37 +59,36 @@ std::string kv_text(double kv) {
 }  // namespace
 
 std::string plant_text(ClosedLoopFigures const& figures, Language language) {
-  std::string text = say(language, Text::plant_axis,
+  std::string text = say(language, says::axis,
                          {{"axis", figures.axis},
                           {"distance", format_exact(figures.distance_mm)},
                           {"feed", fmt::format("{:.0f}", figures.feed_mm_per_min)},
                           {"kv", format_exact(figures.kv)}}) +
                      "\n";
-  std::vector<std::vector<std::string>> rows = {
-      {say(language, Text::plant_frequency), say(language, Text::plant_phase),
-       say(language, Text::plant_without), say(language, Text::plant_with)}};
+  std::vector<std::vector<std::string>> rows = {{say(language, says::frequency), say(language, says::phase),
+                                                 say(language, says::without), say(language, says::with)}};
   for (auto const& found : figures.oscillations) {
     rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
-                    say(language, found.phase == MovePhase::travel ? Text::plant_travel : Text::plant_ramps),
+                    say(language, found.phase == MovePhase::travel ? says::travel : says::ramps),
                     fmt::format("{:.3f}", found.without.amplitude),
                     fmt::format("{:.3f}", found.with.amplitude)});
   }
   text += text_table(rows, 2);
   if (figures.has_function) {
-    text += say(language, Text::plant_v_add,
+    text += say(language, says::v_add,
                 {{"velocity", fmt::format("{:.0f}", figures.largest_additive)},
                  {"limit", fmt::format("{:.0f}", figures.limit)}}) +
             "\n";
   } else {
-    text += say(language, Text::plant_no_function, {{"axis", figures.axis}}) + "\n";
+    text += say(language, says::no_function, {{"axis", figures.axis}}) + "\n";
   }
-  if (figures.limit_hit) text += say(language, Text::plant_limit_hit) + "\n";
+  if (figures.limit_hit) text += say(language, says::limit_hit) + "\n";
   if (figures.diverges_without || figures.diverges_with) {
-    Text const which = figures.diverges_without ? Text::plant_which_without : Text::plant_which_with;
-    text += say(language, Text::plant_diverges, {{"which", say(language, which)}}) + "\n";
+    SentenceRef const which = figures.diverges_without ? says::which_without : says::which_with;
+    text += say(language, says::diverges, {{"which", say(language, which)}}) + "\n";
   }
   text +=
-      say(language, Text::plant_kv,
+      say(language, says::kv,
           {{"without", kv_text(figures.highest_kv_without)}, {"with", kv_text(figures.highest_kv_with)}}) +
       "\n";
   return text;

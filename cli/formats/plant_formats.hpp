@@ -1,7 +1,7 @@
 // What `axisc simulate --plant` found, and its forms of output.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "motion/closed_loop.hpp"
 #include "motion/spectrum.hpp"
 

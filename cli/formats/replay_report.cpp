@@ -9,6 +9,26 @@
 
 #include <nlohmann/json.hpp>
 
+namespace axisc::cli::says {
+
+constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, level {level}",
+                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Stufe {level}"};
+constexpr Sentence cycle{"cycle", "Zyklus"};
+constexpr Sentence reset{"reset to {value}", "zurückgesetzt auf {value}"};
+constexpr Sentence reset_interface{"additional interface reset to {value}",
+                                   "Zusatzschnittstelle zurückgesetzt auf {value}"};
+constexpr Sentence reset_velocity{"velocities reset", "Geschwindigkeiten zurückgesetzt"};
+constexpr Sentence rebase{"origin shifted by {value}", "Nullpunkt um {value} verschoben"};
+constexpr Sentence same{"every output is the same, bit for bit", "jede Ausgabe ist gleich, Bit für Bit"};
+constexpr Sentence differs{
+    "{count} calls gave something else than the controller, the first in cycle {cycle}: {axis} gave "
+    "{recorded}, here {computed}",
+    "{count} Aufrufe ergaben etwas anderes als die Steuerung, der erste in Zyklus {cycle}: {axis} gab "
+    "{recorded} aus, hier {computed}"};
+constexpr Sentence more{"and {count} more", "und {count} weitere"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -62,8 +82,8 @@ std::string command_text(axisrt_filter_command const& command) {
 
 }  // namespace
 
-std::string ReplayReport::say(Text text, std::vector<Argument> arguments) const {
-  return render({.text = text, .arguments = std::move(arguments)}, language_);
+std::string ReplayReport::say(SentenceRef text, std::vector<Argument> arguments) const {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language_);
 }
 
 std::string ReplayReport::name(ReplayedEntry const& entry, std::size_t axis) const {
@@ -95,16 +115,16 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
   auto const value = [&] { return std::vector<Argument>{{"value", format_exact(entry.in.at(0))}}; };
   switch (entry.kind) {
     case RecordedKind::reset:
-      event.what = say(Text::replay_reset, value());
+      event.what = say(says::reset, value());
       break;
     case RecordedKind::reset_interface:
-      event.what = say(Text::replay_reset_interface, value());
+      event.what = say(says::reset_interface, value());
       break;
     case RecordedKind::reset_velocity:
-      event.what = say(Text::replay_reset_velocity);
+      event.what = say(says::reset_velocity);
       break;
     case RecordedKind::rebase:
-      event.what = say(Text::replay_rebase, value());
+      event.what = say(says::rebase, value());
       break;
     default:
       event.what = command_text(entry.command);
@@ -157,29 +177,29 @@ void ReplayReport::add(ReplayedEntry const& entry) {
 }
 
 std::string ReplayReport::text(std::uint32_t level) const {
-  std::string text = say(Text::replay_head, {{"cycles", std::to_string(cycles_)},
-                                             {"cycle_time", format_exact(image_.cycle_time.microseconds())},
-                                             {"axes", std::to_string(image_.axes.size())},
-                                             {"level", std::string(level_name(level))}}) +
+  std::string text = say(says::head, {{"cycles", std::to_string(cycles_)},
+                                      {"cycle_time", format_exact(image_.cycle_time.microseconds())},
+                                      {"axes", std::to_string(image_.axes.size())},
+                                      {"level", std::string(level_name(level))}}) +
                      "\n";
   std::vector<std::vector<std::string>> rows;
   for (auto const& event : events_) {
     if (rows.size() == most_rows) break;
     std::string const until = event.last > event.first ? "-" + std::to_string(event.last) : "";
-    rows.push_back({say(Text::replay_cycle) + " " + std::to_string(event.first) + until, event.subject,
-                    event.what, event.status == AXISRT_OK ? "" : axisrt_status_name(event.status)});
+    rows.push_back({say(says::cycle) + " " + std::to_string(event.first) + until, event.subject, event.what,
+                    event.status == AXISRT_OK ? "" : axisrt_status_name(event.status)});
   }
   text += text_table(rows, 2);
   if (events_.size() > rows.size()) {
-    text += "  " + say(Text::replay_more, {{"count", std::to_string(events_.size() - rows.size())}}) + "\n";
+    text += "  " + say(says::more, {{"count", std::to_string(events_.size() - rows.size())}}) + "\n";
   }
-  if (!first_difference_) return text + say(Text::replay_same) + "\n";
+  if (!first_difference_) return text + say(says::same) + "\n";
   return text +
-         say(Text::replay_differs, {{"count", std::to_string(differences_)},
-                                    {"cycle", std::to_string(first_difference_->cycle)},
-                                    {"axis", first_difference_->subject},
-                                    {"recorded", json_number(first_difference_->recorded)},
-                                    {"computed", json_number(first_difference_->computed)}}) +
+         say(says::differs, {{"count", std::to_string(differences_)},
+                             {"cycle", std::to_string(first_difference_->cycle)},
+                             {"axis", first_difference_->subject},
+                             {"recorded", json_number(first_difference_->recorded)},
+                             {"computed", json_number(first_difference_->computed)}}) +
          "\n";
 }
 

@@ -1,9 +1,9 @@
 // What a recording shows: who did what in which cycle, and where the replay gave something else.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "image/image_contents.hpp"
 #include "image/recording.hpp"
-#include "diagnostics/text.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -40,7 +40,7 @@ class ReplayReport {
   [[nodiscard]] std::string json(std::uint32_t level) const;
 
  private:
-  [[nodiscard]] std::string say(Text text, std::vector<Argument> arguments = {}) const;
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const;
   [[nodiscard]] std::string name(image::ReplayedEntry const& entry, std::size_t axis) const;
   void add_event(ReplayEvent event);
   void add_call(image::ReplayedEntry const& entry);

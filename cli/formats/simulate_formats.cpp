@@ -9,6 +9,21 @@
 
 #include <fmt/format.h>
 
+namespace axisc::cli::says {
+
+constexpr Sentence block{"block", "Satz"};
+constexpr Sentence pass{"pass", "Durchgang"};
+constexpr Sentence line{"line", "Zeile"};
+constexpr Sentence time{"time [s]", "Zeit [s]"};
+constexpr Sentence axis_error{"axis error [µm]", "Achsfehler [µm]"};
+constexpr Sentence deviation{"deviation [µm]", "Abweichung [µm]"};
+constexpr Sentence lag{"lag [µm]", "Nachlauf [µm]"};
+constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
+constexpr Sentence total{"{blocks} blocks, {cycles} cycles of {cycle_time} µs, {time} s",
+                         "{blocks} Sätze, {cycles} Zyklen zu {cycle_time} µs, {time} s"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -84,7 +99,7 @@ class TextSummary final : public SummaryWriter {
  public:
   TextSummary(SimulatedPath const& path, Language language, TextSink sink)
       : path_(path), language_(language), sink_(std::move(sink)) {
-    row(say(Text::simulate_block), say(Text::simulate_line), headings());
+    row(say(says::block), say(says::line), headings());
   }
 
   void block(motion::BlockSummary const& summary) override {
@@ -96,17 +111,16 @@ class TextSummary final : public SummaryWriter {
 
   void pass(motion::PassSummary const& summary) override {
     std::swap(text_, passes_);
-    if (text_.empty()) row(say(Text::simulate_pass), say(Text::simulate_line), headings());
+    if (text_.empty()) row(say(says::pass), say(says::line), headings());
     row(std::to_string(++count_), summary.line == 0 ? "" : std::to_string(summary.line), cells(summary));
-    text_.insert(text_.size() - 1,
-                 "  " + (summary.command.empty() ? say(Text::simulate_start) : summary.command));
+    text_.insert(text_.size() - 1, "  " + (summary.command.empty() ? say(says::start) : summary.command));
     std::swap(text_, passes_);
   }
 
   void finish(std::uint64_t blocks, std::uint64_t cycles) override {
     double const seconds = static_cast<double>(cycles) * path_.cycle_time.seconds();
     text_ += "\n" + passes_ + "\n" +
-             render({.text = Text::simulate_total,
+             render({.sentence = says::total,
                      .arguments = {{"blocks", std::to_string(blocks)},
                                    {"cycles", std::to_string(cycles)},
                                    {"cycle_time", format_exact(path_.cycle_time.microseconds())},
@@ -117,13 +131,12 @@ class TextSummary final : public SummaryWriter {
   }
 
  private:
-  [[nodiscard]] std::string say(Text text) const {
-    return render({.text = text, .arguments = {}}, language_);
+  [[nodiscard]] std::string say(SentenceRef text) const {
+    return render({.sentence = text, .arguments = {}}, language_);
   }
 
   [[nodiscard]] std::vector<std::string> headings() const {
-    return {say(Text::simulate_time), say(Text::simulate_axis_error), say(Text::simulate_deviation),
-            say(Text::simulate_lag)};
+    return {say(says::time), say(says::axis_error), say(says::deviation), say(says::lag)};
   }
 
   [[nodiscard]] std::vector<std::string> cells(PathSummary const& summary) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/units.hpp"
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "motion/simulation.hpp"
 
 #include <functional>

@@ -3,12 +3,49 @@
 #include "cli/failure.hpp"
 #include "cli/options/finding_codes.hpp"
 #include "cli/options/quantities.hpp"
+#include "cli/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <algorithm>
 #include <thread>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_build{
+    "\"{value}\" is no build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
+    "\"{value}\" ist kein Stand der Steuerung; schreiben Sie V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
+constexpr Sentence bad_cycle_time{
+    "\"{value}\" is no cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
+    "\"{value}\" ist keine Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
+    "Nanosekunden"};
+constexpr Sentence unknown_code{"there is no code \"{code}\"; `axisc explain --all` lists them",
+                                "den Code \"{code}\" gibt es nicht; `axisc explain --all` nennt alle"};
+constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean {meant}?",
+                                      "den Code \"{code}\" gibt es nicht; war {meant} gemeint?"};
+constexpr Sentence option_axis_type{
+    "translatory, rotary or spindle, whatever the list says (kenngr.achs_typ)",
+    "translatorisch, rotatorisch oder Spindel, was immer die Liste sagt (kenngr.achs_typ)"};
+constexpr Sentence option_build{
+    "build of the control, V3.1.3075.04: warns of what needs a newer one",
+    "Stand der Steuerung, V3.1.3075.04: warnt vor dem, was einen neueren braucht"};
+constexpr Sentence option_finding_format{"form of the findings (default text)",
+                                         "Form der Befunde (Vorgabe text)"};
+constexpr Sentence option_werror{"warnings lead to exit status 1 as well",
+                                 "auch Warnungen führen zum Rückgabewert 1"};
+constexpr Sentence option_disable{"leave these codes out; may be repeated",
+                                  "diese Codes weglassen; mehrmals möglich"};
+constexpr Sentence option_pedantic{"print notes as well", "auch Hinweise zeigen"};
+constexpr Sentence option_jobs{"threads (default: one per core); the output is the same for every number",
+                               "Threads (Vorgabe: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
+constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
+
+constexpr Sentence option_schema{
+    "add the parameters of FILE to those that are known, or override them (repeatable)",
+    "die Parameter aus FILE zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -25,7 +62,7 @@ Code parse_code(std::string const& word) {
   }
   std::vector<std::string_view> const known(codes.begin(), codes.end());
   auto const meant = schema::closest_word(word, known);
-  throw Failure({.text = meant.empty() ? Text::cli_unknown_code : Text::cli_unknown_code_meant,
+  throw Failure({.sentence = meant.empty() ? says::unknown_code : says::unknown_code_meant,
                  .arguments = {{"code", word}, {"meant", std::string(meant)}}});
 }
 
@@ -34,43 +71,43 @@ machine::AxisType parse_axis_type(std::string const& word) {
   if (letter == "T") return machine::AxisType::translatory;
   if (letter == "R") return machine::AxisType::rotary;
   if (letter == "S") return machine::AxisType::spindle;
-  throw Failure({.text = Text::cli_bad_choice,
+  throw Failure({.sentence = says::bad_choice,
                  .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
 }
 
 }  // namespace
 
 void declare_checking(CommandLine& command_line, CheckingWords& words) {
-  command_line.value("--cycle-time", "TIME", words.cycle_time, Text::cli_opt_cycle_time);
-  command_line.value("--axis-type", "T|R|S", words.axis_type, Text::cli_opt_axis_type);
-  command_line.value("--build", "VERSION", words.build, Text::cli_opt_build);
+  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
+  command_line.value("--axis-type", "T|R|S", words.axis_type, says::option_axis_type);
+  command_line.value("--build", "VERSION", words.build, says::option_build);
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
                        {"json", FindingFormat::json},
                        {"sarif", FindingFormat::sarif},
                        {"github", FindingFormat::github},
                        {"gitlab", FindingFormat::gitlab}},
-                      words.format, Text::cli_opt_finding_format);
-  command_line.flag("--werror", words.werror, Text::cli_opt_werror);
-  command_line.values("--disable", "CODE[,CODE]", words.disabled, Text::cli_opt_disable);
+                      words.format, says::option_finding_format);
+  command_line.flag("--werror", words.werror, says::option_werror);
+  command_line.values("--disable", "CODE[,CODE]", words.disabled, says::option_disable);
   declare_schema(command_line, words.schema_files);
-  command_line.flag("--pedantic", words.pedantic, Text::cli_opt_pedantic);
+  command_line.flag("--pedantic", words.pedantic, says::option_pedantic);
   declare_threads(command_line, words.threads);
-  command_line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
 }
 
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
-  command_line.values("--schema", "FILE", files, Text::cli_opt_schema);
+  command_line.values("--schema", "FILE", files, says::option_schema);
 }
 
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads) {
-  command_line.value("-j,--jobs", "N", threads, Text::cli_opt_jobs);
+  command_line.value("-j,--jobs", "N", threads, says::option_jobs);
 }
 
 std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word) {
   if (!word) return std::nullopt;
   auto const time = parse_cycle_time(*word);
-  if (!time) throw Failure({.text = Text::cli_bad_cycle_time, .arguments = {{"value", *word}}});
+  if (!time) throw Failure({.sentence = says::bad_cycle_time, .arguments = {{"value", *word}}});
   return time;
 }
 
@@ -81,7 +118,7 @@ validator::CheckOptions check_options(CheckingWords const& words) {
   if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
   if (words.build) {
     options.build = validator::parse_build_version(*words.build);
-    if (!options.build) throw Failure({.text = Text::cli_bad_build, .arguments = {{"value", *words.build}}});
+    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *words.build}}});
   }
   for (auto const& list : words.disabled) {
     for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
@@ -93,7 +130,7 @@ std::optional<unsigned> asked_threads(std::optional<std::string> const& threads)
   if (!threads) return std::nullopt;
   auto const count = parse_count(*threads);
   if (!count || *count == 0 || *count > most_threads) {
-    throw Failure({.text = Text::cli_bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
+    throw Failure({.sentence = says::bad_count, .arguments = {{"option", "-j"}, {"value", *threads}}});
   }
   return static_cast<unsigned>(*count);
 }

@@ -4,6 +4,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/report/text_table.hpp"
+#include "cli/sentences.hpp"
 #include "runtime/format/image_format.h"
 #include "schema/closest_word.hpp"
 
@@ -12,6 +13,30 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
+namespace axisc::cli::says {
+
+constexpr Sentence unknown_option{
+    "\"axisc {command}\" has no option {option}; `axisc {command} --help` lists them",
+    "\"axisc {command}\" hat keine Option {option}; `axisc {command} --help` nennt alle"};
+constexpr Sentence unknown_option_meant{
+    "\"axisc {command}\" has no option {option}; did you mean {meant}?",
+    "\"axisc {command}\" hat keine Option {option}; war {meant} gemeint?"};
+constexpr Sentence option_value_missing{
+    "option {option} needs a value; `axisc {command} --help` shows how it is written",
+    "Option {option} braucht einen Wert; `axisc {command} --help` zeigt die Schreibweise"};
+constexpr Sentence option_without_value{
+    "option {option} takes no value; `axisc {command} --help` shows how it is written",
+    "Option {option} nimmt keinen Wert; `axisc {command} --help` zeigt die Schreibweise"};
+constexpr Sentence superfluous_argument{
+    "\"{argument}\" is one argument too many; `axisc {command} --help` shows the form",
+    "\"{argument}\" ist ein Argument zu viel; `axisc {command} --help` zeigt die Form"};
+constexpr Sentence argument_missing{"{argument} is missing; `axisc {command} --help` shows the form",
+                                    "{argument} fehlt; `axisc {command} --help` zeigt die Form"};
+constexpr Sentence option_color{"colours; auto: on a terminal, unless NO_COLOR is set",
+                                "Farben; auto: auf einem Terminal, sofern NO_COLOR nicht gesetzt ist"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -57,7 +82,7 @@ struct CommandLine::Declared {
   Takes takes{};
   std::string names;
   std::string shown;
-  Text meaning{};
+  SentenceRef meaning = axisc::says::as_given;
   std::function<void(std::vector<std::string> const&)> take;
   CLI::Option* option = nullptr;  ///< none where no word names it
 
@@ -69,24 +94,25 @@ struct CommandLine::Parser {
   std::vector<Declared> declared;
 };
 
-CommandLine::CommandLine(std::string_view command, Text purpose, Text examples, Language language)
+CommandLine::CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples,
+                         Language language)
     : command_(command),
       purpose_(purpose),
       examples_(examples),
       language_(language),
       parser_(std::make_unique<Parser>()) {
-  flag("-h,--help", wants_help_, Text::cli_opt_help);
-  flag("--version", wants_version_, Text::cli_opt_version);
-  choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, Text::cli_opt_lang);
+  flag("-h,--help", wants_help_, says::option_help);
+  flag("--version", wants_version_, says::option_version);
+  choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, says::option_lang);
   choice("--color",
          {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}},
-         color_, Text::cli_opt_color);
+         color_, says::option_color);
 }
 
 CommandLine::~CommandLine() = default;
 
 CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names, std::string_view shown,
-                                            Text meaning) {
+                                            SentenceRef meaning) {
   auto& row = parser_->declared.emplace_back();
   row.takes = takes;
   row.names = names;
@@ -95,26 +121,26 @@ CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names,
   return row;
 }
 
-void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, Text meaning) {
+void CommandLine::argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning) {
   declare(Takes::argument, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
     target = given.front();
   };
 }
 
-void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, Text meaning) {
+void CommandLine::arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning) {
   declare(Takes::arguments, {}, shown, meaning).take = [&target](std::vector<std::string> const& given) {
     target = given;
   };
 }
 
-void CommandLine::flag(std::string_view names, bool& target, Text meaning) {
+void CommandLine::flag(std::string_view names, bool& target, SentenceRef meaning) {
   declare(Takes::nothing, names, {}, meaning).take = [&target](std::vector<std::string> const&) {
     target = true;
   };
 }
 
 void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
-                                 std::optional<std::string>& target, Text meaning) {
+                                 std::optional<std::string>& target, SentenceRef meaning) {
   // The parser's word for a flag that stands alone.
   declare(Takes::word_or_nothing, names, shown, meaning).take =
       [&target](std::vector<std::string> const& given) {
@@ -123,21 +149,21 @@ void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
 }
 
 void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-                        Text meaning) {
+                        SentenceRef meaning) {
   declare(Takes::value, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
     target = given.back();
   };
 }
 
 void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
-                         Text meaning) {
+                         SentenceRef meaning) {
   declare(Takes::values, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
     target = given;
   };
 }
 
 void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
-                            std::function<void(std::size_t)> take, Text meaning) {
+                            std::function<void(std::size_t)> take, SentenceRef meaning) {
   auto shown = joined(words, "|");
   declare(Takes::value, names, shown, meaning).take =
       [name = std::string(names), words = std::move(words),
@@ -145,7 +171,7 @@ void CommandLine::choice_of(std::string_view names, std::vector<std::string_view
         auto const found = std::find(words.begin(), words.end(), given.back());
         if (found == words.end()) {
           throw Failure(
-              {.text = Text::cli_bad_choice,
+              {.sentence = says::bad_choice,
                .arguments = {{"option", name}, {"value", given.back()}, {"choices", joined(words, ", ")}}});
         }
         take(static_cast<std::size_t>(found - words.begin()));
@@ -184,7 +210,7 @@ void CommandLine::refuse_unknown() const {
   if (remaining.empty()) return;
   auto const unknown = remaining.front().substr(0, remaining.front().find('='));
   if (unknown.substr(0, 1) != "-") {
-    throw Failure({.text = Text::cli_superfluous_argument,
+    throw Failure({.sentence = says::superfluous_argument,
                    .arguments = {{"argument", remaining.front()}, {"command", command_}}});
   }
   std::vector<std::string_view> known;
@@ -196,7 +222,7 @@ void CommandLine::refuse_unknown() const {
     }
   }
   auto const meant = schema::closest_word(unknown, known);
-  throw Failure({.text = meant.empty() ? Text::cli_unknown_option : Text::cli_unknown_option_meant,
+  throw Failure({.sentence = meant.empty() ? says::unknown_option : says::unknown_option_meant,
                  .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }
 
@@ -206,11 +232,10 @@ void CommandLine::refuse_value(std::string_view complaint) const {
     auto const name = row.option->get_name();
     auto const bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     if (!is_about(complaint, name) && !is_about(complaint, bare)) continue;
-    throw Failure(
-        {.text = row.shown.empty() ? Text::cli_option_without_value : Text::cli_option_value_missing,
-         .arguments = {{"option", name}, {"command", command_}}});
+    throw Failure({.sentence = row.shown.empty() ? says::option_without_value : says::option_value_missing,
+                   .arguments = {{"option", name}, {"command", command_}}});
   }
-  throw Failure({.text = Text::cli_unexpected, .arguments = {{"reason", std::string(complaint)}}});
+  throw Failure({.sentence = says::unexpected, .arguments = {{"reason", std::string(complaint)}}});
 }
 
 std::optional<std::string> CommandLine::read(std::span<std::string const> arguments) {
@@ -246,7 +271,7 @@ bool CommandLine::answers(Invocation const& invocation) {
 
 void CommandLine::require(bool given, std::string_view argument) const {
   if (given) return;
-  throw Failure({.text = Text::cli_argument_missing,
+  throw Failure({.sentence = says::argument_missing,
                  .arguments = {{"argument", std::string(argument)}, {"command", command_}}});
 }
 
@@ -282,9 +307,10 @@ std::string help_row(std::string_view name, std::string_view meaning) {
 }
 
 std::string CommandLine::help() const {
-  auto const say = [this](Text text) { return render({.text = text, .arguments = {}}, language_); };
-  std::string usage =
-      say(Text::cli_help_usage) + ": axisc " + command_ + " [" + say(Text::cli_help_options) + "]";
+  auto const say = [this](SentenceRef text) {
+    return render({.sentence = text, .arguments = {}}, language_);
+  };
+  std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";
   std::string rows;
   std::string options;
   for (auto const& row : parser_->declared) {
@@ -298,7 +324,7 @@ std::string CommandLine::help() const {
     if (!row.shown.empty()) name += (row.shown.front() == '[' ? "" : " ") + row.shown;
     options += help_row(name, say(row.meaning));
   }
-  return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(Text::cli_help_options_heading) + ":\n" +
+  return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(says::help_options_heading) + ":\n" +
          options + "\n" + say(examples_) + "\n";
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/options/environment.hpp"
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -24,7 +24,7 @@ struct Invocation;
 class CommandLine {
  public:
   /// Declares --help, --version, --lang and --color. `examples` is the last part of the help.
-  CommandLine(std::string_view command, Text purpose, Text examples, Language language);
+  CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples, Language language);
   CommandLine(CommandLine const&) = delete;
   CommandLine& operator=(CommandLine const&) = delete;
   ~CommandLine();
@@ -32,22 +32,23 @@ class CommandLine {
   // Targets must live until read() returns; what the command line does not name stays as it is.
 
   /// Words that belong to no option, at most one.
-  void argument(std::string_view shown, std::optional<std::string>& target, Text meaning);
+  void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning);
   /// The same, any number of them.
-  void arguments(std::string_view shown, std::vector<std::string>& target, Text meaning);
+  void arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning);
   /// `names` are separated by commas: "-o,--output". `shown` stands for the value in the help.
-  void flag(std::string_view names, bool& target, Text meaning);
+  void flag(std::string_view names, bool& target, SentenceRef meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-             Text meaning);
+             SentenceRef meaning);
   /// A flag that may carry a word, only behind "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
   void flag_with_word(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-                      Text meaning);
+                      SentenceRef meaning);
   /// An option that may be repeated.
-  void values(std::string_view names, std::string_view shown, std::vector<std::string>& target, Text meaning);
+  void values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
+              SentenceRef meaning);
   /// One of a few words.
   template <class Enumeration>
   void choice(std::string_view names, std::initializer_list<std::pair<std::string_view, Enumeration>> words,
-              Enumeration& target, Text meaning) {
+              Enumeration& target, SentenceRef meaning) {
     std::vector<std::string_view> keys;
     std::vector<Enumeration> meanings;
     for (auto const& [word, value] : words) {
@@ -78,16 +79,16 @@ class CommandLine {
   enum class Takes : std::uint8_t;
 
   void choice_of(std::string_view names, std::vector<std::string_view> words,
-                 std::function<void(std::size_t)> take, Text meaning);
-  Declared& declare(Takes takes, std::string_view names, std::string_view shown, Text meaning);
+                 std::function<void(std::size_t)> take, SentenceRef meaning);
+  Declared& declare(Takes takes, std::string_view names, std::string_view shown, SentenceRef meaning);
   void build(Declared& row);
   void refuse_unknown() const;
   /// What the parser complains about begins with the option's name.
   [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;
-  Text purpose_;
-  Text examples_;
+  SentenceRef purpose_;
+  SentenceRef examples_;
   Language language_;
   ColorChoice color_ = ColorChoice::automatic;
   bool wants_help_ = false;

@@ -2,6 +2,8 @@
 
 #include "cli/options/image_names.hpp"
 #include "cli/options/machine_outline.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +15,7 @@ namespace {
 void refuse_programs(std::vector<std::string> const& paths) {
   for (auto const& path : paths) {
     if (has_extension(path, ".nc")) {
-      throw Failure({.text = Text::cli_nc_program, .arguments = {{"file", path}}});
+      throw Failure({.sentence = says::nc_program, .arguments = {{"file", path}}});
     }
   }
 }
@@ -26,7 +28,7 @@ CompileInputs choose_one(CompileWords const& words) {
     if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
     named = std::move(inputs.paths);
   }
-  if (named.size() > 1) throw Failure({.text = Text::cli_one_output, .arguments = {}});
+  if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
   CompileInputs chosen{.part = choose_part({}, std::move(named)), .images = {}, .failures = {}};
   if (words.output) chosen.images = {*words.output};

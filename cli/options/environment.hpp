@@ -1,7 +1,7 @@
 // What the environment says about language and colours.
 #pragma once
 
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "system/process.hpp"
 
 #include <cstdint>

@@ -5,13 +5,34 @@
 #include <filesystem>
 #include <utility>
 
+namespace axisc::cli::says {
+
+constexpr Sentence option_shard{
+    "only the inputs of part I of N (from 1/N to N/N); a path is always in the same part",
+    "nur die Eingaben von Teil I von N (1/N bis N/N); ein Pfad liegt immer im selben Teil"};
+constexpr Sentence option_print_key{
+    "print a digest of everything that the result depends on, and do nothing else",
+    "einen Fingerabdruck von allem drucken, wovon das Ergebnis abhängt, und sonst nichts tun"};
+constexpr Sentence option_cache{
+    "keep results there and take those that are still right; may be shared by several processes",
+    "Ergebnisse dort aufheben und die noch richtigen wiederverwenden; mehrere Prozesse dürfen sie teilen"};
+constexpr Sentence option_cache_size{
+    "how large that folder may grow, as in 500M or 2G (default 1G); what was used longest ago is removed",
+    "wie groß der Ordner werden darf, etwa 500M oder 2G (Vorgabe 1G); das am längsten nicht Gebrauchte wird "
+    "gelöscht"};
+constexpr Sentence cache_unusable{
+    "the cache {folder} cannot be used: {reason}; going on without",
+    "der Cache {folder} ist nicht verwendbar: {reason}; es geht ohne ihn weiter"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 void declare_fleet(CommandLine& command_line, FleetWords& words) {
-  command_line.value("--shard", "I/N", words.shard, Text::cli_opt_shard);
-  command_line.value("--cache", "FOLDER", words.cache, Text::cli_opt_cache);
-  command_line.value("--cache-size", "SIZE", words.cache_size, Text::cli_opt_cache_size);
-  command_line.flag("--print-key", words.print_key, Text::cli_opt_print_key);
+  command_line.value("--shard", "I/N", words.shard, says::option_shard);
+  command_line.value("--cache", "FOLDER", words.cache, says::option_cache);
+  command_line.value("--cache-size", "SIZE", words.cache_size, says::option_cache_size);
+  command_line.flag("--print-key", words.print_key, says::option_print_key);
 }
 
 std::vector<std::string> Part::paths() const {
@@ -60,7 +81,7 @@ std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err, L
   try {
     return std::make_unique<ResultCache>(*words.cache, limit);
   } catch (Failure const& failure) {
-    err.write(warning_line({.text = Text::cli_cache_unusable,
+    err.write(warning_line({.sentence = says::cache_unusable,
                             .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
                            language));
     return nullptr;
@@ -73,7 +94,7 @@ void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, C
   try {
     cache->finish();
   } catch (Failure const& failure) {
-    err.write(warning_line({.text = Text::cli_cache_unusable,
+    err.write(warning_line({.sentence = says::cache_unusable,
                             .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
                            language));
   }

@@ -1,11 +1,18 @@
 #include "cli/options/frequencies.hpp"
 
-#include "cli/options/command_line.hpp"
 #include "cli/failure.hpp"
+#include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <cmath>
+
+namespace axisc::cli::says {
+
+constexpr Sentence bad_frequency{"\"{value}\" is no frequency from 0 to {nyquist} Hz (0.5/T)",
+                                 "\"{value}\" ist keine Frequenz von 0 bis {nyquist} Hz (0.5/T)"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -22,13 +29,13 @@ std::vector<double> parse_frequencies(std::string const& text, design::CycleTime
   for (auto const& word : split_list(text)) {
     auto const frequency = parse_finite(word);
     if (!frequency || *frequency < 0 || *frequency > nyquist) {
-      throw Failure({.text = Text::cli_bad_frequency,
+      throw Failure({.sentence = says::bad_frequency,
                      .arguments = {{"value", word}, {"nyquist", format_exact(nyquist)}}});
     }
     frequencies.push_back(*frequency);
   }
   if (frequencies.empty()) {
-    throw Failure({.text = Text::cli_bad_frequency,
+    throw Failure({.sentence = says::bad_frequency,
                    .arguments = {{"value", text}, {"nyquist", format_exact(nyquist)}}});
   }
   return frequencies;

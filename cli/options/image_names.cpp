@@ -5,6 +5,23 @@
 #include <filesystem>
 #include <unordered_map>
 
+namespace axisc::cli::says {
+
+constexpr Sentence output_collision{
+    "{first} and {second} would both be written to {file}; rename one, or compile them into different "
+    "folders",
+    "{first} und {second} würden beide nach {file} geschrieben; eine umbenennen oder in verschiedene Ordner "
+    "übersetzen"};
+constexpr Sentence outside_input_folder{
+    "{file} does not lie below {folder}, where the names of the images begin; name another folder with "
+    "--input-folder",
+    "{file} liegt nicht unter {folder}, wo die Namen der Abbilder beginnen; mit --input-folder einen anderen "
+    "Ordner angeben"};
+constexpr Sentence no_image_name{"standard input gives an image no name; write it with -o",
+                                 "die Standardeingabe gibt einem Abbild keinen Namen; es mit -o schreiben"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -25,16 +42,16 @@ std::vector<std::string> image_names(std::vector<std::string> const& inputs, std
   std::vector<std::string> names;
   std::unordered_map<std::string, std::string> taken;
   for (auto const& input : inputs) {
-    if (input == "-") throw Failure({.text = Text::cli_no_image_name, .arguments = {}});
+    if (input == "-") throw Failure({.sentence = says::no_image_name, .arguments = {}});
     auto below = absolute(input).lexically_relative(folder);
     if (below.empty() || *below.begin() == "..") {
-      throw Failure({.text = Text::cli_outside_input_folder,
+      throw Failure({.sentence = says::outside_input_folder,
                      .arguments = {{"file", input}, {"folder", folder.string()}}});
     }
     names.push_back((fs::path(output_folder) / below.replace_extension(".axim")).string());
     auto const [first, is_new] = taken.emplace(names.back(), input);
     if (is_new) continue;
-    throw Failure({.text = Text::cli_output_collision,
+    throw Failure({.sentence = says::output_collision,
                    .arguments = {{"first", first->second}, {"second", input}, {"file", names.back()}}});
   }
   return names;

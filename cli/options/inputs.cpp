@@ -12,6 +12,21 @@
 #include <utility>
 #include <variant>
 
+namespace axisc::cli::says {
+
+constexpr Sentence folder{"cannot read the folder {folder}: {reason}; check its access rights",
+                          "der Ordner {folder} ist nicht lesbar: {reason}; die Zugriffsrechte prüfen"};
+constexpr Sentence folder_empty{
+    "the folder {folder} holds no list (*.lis), no machine file (*.json with the key \"axes\") and no NC "
+    "program (*.nc)",
+    "der Ordner {folder} enthält keine Liste (*.lis), keine Maschinendatei (*.json mit dem Schlüssel "
+    "\"axes\") und kein NC-Programm (*.nc)"};
+constexpr Sentence listed{
+    "cannot read {file}, named in {place}: there is no such file; check the name and the folder",
+    "{file}, genannt in {place}, ist nicht lesbar: die Datei gibt es nicht; Name und Ordner prüfen"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -95,7 +110,7 @@ class Expansion {
       add_folder(input.path);
     } else if (type == fs::file_type::not_found && !input.place.empty()) {
       failures_.push_back(
-          Failure({.text = Text::ax9001_listed, .arguments = {{"file", input.path}, {"place", input.place}}},
+          Failure({.sentence = says::listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
     } else {
       found_.push_back({.path = input.path, .is_link = is_link, .named = outline_of(input.path).named});
@@ -137,9 +152,9 @@ class Expansion {
           {.path = start == "." ? path.substr(2) : path, .is_link = entry->is_symlink(unknown), .named = {}});
     }
     if (error) {
-      failures_.push_back(Failure(
-          {.text = Text::ax9001_folder, .arguments = {{"folder", folder}, {"reason", error.message()}}},
-          cannot_read));
+      failures_.push_back(
+          Failure({.sentence = says::folder, .arguments = {{"folder", folder}, {"reason", error.message()}}},
+                  cannot_read));
       return;
     }
     std::sort(entries.begin(), entries.end(),
@@ -153,7 +168,7 @@ class Expansion {
     }
     if (found_.size() == before) {
       failures_.push_back(
-          Failure({.text = Text::ax9001_folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
+          Failure({.sentence = says::folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
     }
   }
 

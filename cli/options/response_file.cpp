@@ -1,7 +1,7 @@
 #include "cli/options/response_file.hpp"
 
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -9,6 +9,20 @@
 #include <variant>
 
 #include <climits>
+
+namespace axisc::cli::says {
+
+constexpr Sentence nested{
+    "{place}: a response file cannot name another one; write ./{name} for a file of that name",
+    "{place}: eine Antwortdatei kann keine weitere nennen; eine Datei dieses Namens als ./{name} angeben"};
+constexpr Sentence response_long{
+    "{place}: a name of {length} bytes is no path; a response file has one path per line, or a NUL behind "
+    "each",
+    "{place}: ein Name von {length} Bytes ist kein Pfad; eine Antwortdatei hat einen Pfad je Zeile oder ein "
+    "NUL hinter jedem"};
+constexpr Sentence empty{"{file} names no input", "{file} nennt keine Eingabe"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -27,11 +41,11 @@ std::string without_quotes(std::string_view name) {
 
 void add_path(std::vector<NamedInput>& inputs, std::string name, std::string place) {
   if (name.starts_with('@')) {
-    throw Failure({.text = Text::cli_response_nested,
-                   .arguments = {{"place", std::move(place)}, {"name", std::move(name)}}});
+    throw Failure(
+        {.sentence = says::nested, .arguments = {{"place", std::move(place)}, {"name", std::move(name)}}});
   }
   if (name.size() >= PATH_MAX) {
-    throw Failure({.text = Text::cli_response_long,
+    throw Failure({.sentence = says::response_long,
                    .arguments = {{"place", std::move(place)}, {"length", std::to_string(name.size())}}});
   }
   inputs.push_back({.path = std::move(name), .place = std::move(place)});
@@ -52,7 +66,7 @@ void read_response_file(std::string const& file, std::vector<NamedInput>& inputs
     add_path(inputs, has_nul ? std::string(name) : without_quotes(name), file + ":" + std::to_string(number));
   }
   if (inputs.size() == before) {
-    throw Failure({.text = Text::cli_response_empty, .arguments = {{"file", file}}});
+    throw Failure({.sentence = says::empty, .arguments = {{"file", file}}});
   }
 }
 

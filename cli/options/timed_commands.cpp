@@ -6,16 +6,40 @@
 
 #include <algorithm>
 
+namespace axisc::cli::says {
+
+constexpr Sentence bad_timed_command{
+    "--at {value}: expected CYCLE:COMMAND, for example \"100:#FILTER ON [ORDER=20]\"",
+    "--at {value}: erwartet wird ZYKLUS:BEFEHL, zum Beispiel \"100:#FILTER ON [ORDER=20]\""};
+constexpr Sentence bad_command{"--at {value}: {reason}", "--at {value}: {reason}"};
+constexpr Sentence no_banks{
+    "no axis of a channel in {file} has a FIR or HSC filter that \"{command}\" could switch",
+    "keine Achse eines Kanals in {file} hat ein FIR- oder HSC-Filter, das \"{command}\" schalten könnte"};
+constexpr Sentence no_bank{
+    "{file} has no kernels for \"{command}\"; it has: {banks}. Name the command in filter_sets of the "
+    "machine file",
+    "{file} enthält keine Kerne für \"{command}\"; vorhanden: {banks}. Den Befehl in filter_sets der "
+    "Maschinendatei nennen"};
+constexpr Sentence command_busy{
+    "\"{command}\" at cycle {cycle}: a filter is still changing over from the command before",
+    "\"{command}\" in Zyklus {cycle}: ein Filter ist noch im Übergang vom Befehl davor"};
+constexpr Sentence command_standstill{
+    "\"{command}\" at cycle {cycle}: no transition within the limits of the axes is possible, only at "
+    "standstill",
+    "\"{command}\" in Zyklus {cycle}: kein Übergang innerhalb der Grenzen der Achsen, nur im Stillstand"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
-[[noreturn]] void refuse(Text text, TimedCommand const& command, std::string const& path,
+[[noreturn]] void refuse(SentenceRef text, TimedCommand const& command, std::string const& path,
                          std::vector<Argument> more = {}) {
   std::vector<Argument> arguments = {
       {"file", path}, {"command", command.text}, {"cycle", std::to_string(command.cycle)}};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  throw Failure({.text = text, .arguments = std::move(arguments)});
+  throw Failure({.sentence = text, .arguments = std::move(arguments)});
 }
 
 /// "ON, ON [ORDER=20], ON [HSC]": what the image's channels can be switched to, each once.
@@ -49,15 +73,15 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   auto const colon = word.find(':');
   auto const cycle = parse_count(std::string_view(word).substr(0, colon));
   if (colon == std::string::npos || !cycle) {
-    throw Failure({.text = Text::cli_bad_timed_command, .arguments = {{"value", word}}});
+    throw Failure({.sentence = says::bad_timed_command, .arguments = {{"value", word}}});
   }
   TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}};
-  if (file.contents.groups.empty()) refuse(Text::cli_no_banks, command, path);
+  if (file.contents.groups.empty()) refuse(says::no_banks, command, path);
   auto checked = validator::parse_filter_command(command.text, limits_of(file.contents));
   if (!checked.mistakes.empty() || !checked.command) {
     auto const reason =
         checked.mistakes.empty() ? std::string() : render(checked.mistakes.front().message, language);
-    throw Failure({.text = Text::cli_bad_command, .arguments = {{"value", word}, {"reason", reason}}});
+    throw Failure({.sentence = says::bad_command, .arguments = {{"value", word}, {"reason", reason}}});
   }
   command.command = *checked.command;
   return command;
@@ -86,12 +110,12 @@ void execute(TimedCommand const& command, image::RuntimeHost& host, image::Image
       case AXISRT_NO_BANK:
         break;
       case AXISRT_BUSY:
-        refuse(Text::cli_command_busy, command, path);
+        refuse(says::command_busy, command, path);
       default:
-        refuse(Text::cli_command_standstill, command, path);
+        refuse(says::command_standstill, command, path);
     }
   }
-  if (!executed) refuse(Text::cli_no_bank, command, path, {{"banks", banks_of(image)}});
+  if (!executed) refuse(says::no_bank, command, path, {{"banks", banks_of(image)}});
 }
 
 }  // namespace axisc::cli

@@ -4,6 +4,22 @@
 #include "cli/failure.hpp"
 #include "cli/files/output_file.hpp"
 
+namespace axisc::cli::says {
+
+constexpr Sentence stdout_closed_pipe{
+    "cannot write standard output: nobody reads the pipe any more",
+    "die Standardausgabe ist nicht schreibbar: niemand liest die Pipe mehr"};
+constexpr Sentence stdout_no_space{"cannot write standard output: no space is left",
+                                   "die Standardausgabe ist nicht schreibbar: kein Speicherplatz mehr"};
+constexpr Sentence stdout_closed{"cannot write standard output: it is closed",
+                                 "die Standardausgabe ist nicht schreibbar: sie ist geschlossen"};
+constexpr Sentence stdout_failed{"cannot write standard output: {reason}",
+                                 "die Standardausgabe ist nicht schreibbar: {reason}"};
+constexpr Sentence stderr_failed{"cannot write standard error",
+                                 "die Standardfehlerausgabe ist nicht schreibbar"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -11,16 +27,16 @@ namespace {
 /// Large enough that writing costs nothing beside what is written, small enough to stay in the processor's caches.
 constexpr std::size_t piece = std::size_t{1} << 15U;
 
-Text reason(system::Refusal refusal) {
+SentenceRef reason(system::Refusal refusal) {
   switch (refusal) {
     case system::Refusal::closed_pipe:
-      return Text::cli_stdout_closed_pipe;
+      return says::stdout_closed_pipe;
     case system::Refusal::no_space:
-      return Text::cli_stdout_no_space;
+      return says::stdout_no_space;
     case system::Refusal::not_open:
-      return Text::cli_stdout_closed;
+      return says::stdout_closed;
     default:
-      return Text::cli_stdout_failed;
+      return says::stdout_failed;
   }
 }
 
@@ -44,8 +60,10 @@ void Console::flush() {
   auto const error = system::write(stream_, buffer_);
   buffer_.clear();
   if (!error) return;
-  if (stream_ == system::Stream::error) throw Failure({.text = Text::cli_stderr_failed, .arguments = {}}, cannot_write);
-  throw Failure({.text = reason(error->refusal), .arguments = {{"reason", system::text_of(*error)}}}, cannot_write);
+  if (stream_ == system::Stream::error)
+    throw Failure({.sentence = says::stderr_failed, .arguments = {}}, cannot_write);
+  throw Failure({.sentence = reason(error->refusal), .arguments = {{"reason", system::text_of(*error)}}},
+                cannot_write);
 }
 
 }  // namespace axisc::cli

@@ -10,6 +10,28 @@
 #include <algorithm>
 #include <utility>
 
+namespace axisc::cli::says {
+
+constexpr Sentence empty{"{place}: the CSV file is empty; its first line names the columns",
+                         "{place}: die CSV-Datei ist leer; die erste Zeile nennt die Spalten"};
+constexpr Sentence unnamed_column{"{place}: a column has no name", "{place}: eine Spalte hat keinen Namen"};
+constexpr Sentence duplicate_column{"{place}: column \"{column}\" occurs twice",
+                                    "{place}: Spalte \"{column}\" kommt zweimal vor"};
+constexpr Sentence unknown_column{
+    "{place}: the image has no use for column \"{column}\"; known are {known}",
+    "{place}: das Abbild kann mit Spalte \"{column}\" nichts anfangen; bekannt sind {known}"};
+constexpr Sentence field_count{"{place}: the line has {fields} fields, the first line names {columns}",
+                               "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
+constexpr Sentence number{
+    R"({place}: "{text}" in column "{column}" is no number; write it with a decimal point)",
+    R"({place}: "{text}" in Spalte "{column}" ist keine Zahl; mit Dezimalpunkt schreiben)"};
+constexpr Sentence open_quote{"{place}: the quotation mark is not closed",
+                              "{place}: das Anführungszeichen ist nicht geschlossen"};
+constexpr Sentence long_line{"{place}: the line is longer than 1 MiB; this is no CSV file",
+                             "{place}: die Zeile ist länger als 1 MiB; das ist keine CSV-Datei"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -34,24 +56,24 @@ struct CsvPlace {
   std::uint32_t column;
 };
 
-[[noreturn]] void fail(Text text, CsvPlace const& place, std::vector<Argument> arguments = {}) {
+[[noreturn]] void fail(SentenceRef text, CsvPlace const& place, std::vector<Argument> arguments = {}) {
   arguments.push_back(
       {"place", place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
-  throw Failure({.text = text, .arguments = std::move(arguments)}, csv_malformed);
+  throw Failure({.sentence = text, .arguments = std::move(arguments)}, csv_malformed);
 }
 
 }  // namespace
 
 CsvReader::CsvReader(std::string name, ByteSource source)
     : name_(std::move(name)), source_(std::move(source)) {
-  if (!next_line()) fail(Text::ax9005_empty, {name_, 1, 1});
+  if (!next_line()) fail(says::empty, {name_, 1, 1});
   split_line();
   header_line_ = number_;
   for (auto const& field : fields_) {
-    if (field.text.empty()) fail(Text::ax9005_unnamed_column, {name_, number_, field.column});
+    if (field.text.empty()) fail(says::unnamed_column, {name_, number_, field.column});
     std::string column(field.text);
     if (std::find(header_.begin(), header_.end(), column) != header_.end()) {
-      fail(Text::ax9005_duplicate_column, {name_, number_, field.column}, {{"column", shown(column)}});
+      fail(says::duplicate_column, {name_, number_, field.column}, {{"column", shown(column)}});
     }
     header_.push_back(std::move(column));
     header_columns_.push_back(field.column);
@@ -64,7 +86,7 @@ bool CsvReader::next_line() {
     if (end == std::string::npos && !ended_) {
       buffer_.erase(0, used_);
       used_ = 0;
-      if (buffer_.size() > longest_line) fail(Text::ax9005_long_line, {name_, number_ + 1, 1});
+      if (buffer_.size() > longest_line) fail(says::long_line, {name_, number_ + 1, 1});
       auto const filled = buffer_.size();
       buffer_.resize(filled + piece);
       auto const got = source_({buffer_.data() + filled, piece});
@@ -95,7 +117,7 @@ void CsvReader::split_line() {
     }
     bool const quoted = !rest.empty() && rest.front() == '"';
     auto const closing = quoted ? rest.find('"', 1) : std::string_view::npos;
-    if (quoted && closing == std::string_view::npos) fail(Text::ax9005_open_quote, {name_, number_, column});
+    if (quoted && closing == std::string_view::npos) fail(says::open_quote, {name_, number_, column});
     auto const comma = rest.find(',', quoted ? closing : 0);
     auto const raw = rest.substr(0, comma);
     auto text = raw;
@@ -116,13 +138,13 @@ bool CsvReader::next(std::span<double> row) {
   split_line();
   if (fields_.size() != header_.size()) {
     auto const at = fields_.size() > header_.size() ? fields_[header_.size()].column : fields_.back().column;
-    fail(Text::ax9005_field_count, {name_, number_, at},
+    fail(says::field_count, {name_, number_, at},
          {{"fields", std::to_string(fields_.size())}, {"columns", std::to_string(header_.size())}});
   }
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     auto const value = parse_number(fields_[i].text);
     if (!value) {
-      fail(Text::ax9005_number, {name_, number_, fields_[i].column},
+      fail(says::number, {name_, number_, fields_[i].column},
            {{"text", shown(fields_[i].text)}, {"column", shown(header_[i])}});
     }
     row[i] = *value;
@@ -131,7 +153,7 @@ bool CsvReader::next(std::span<double> row) {
 }
 
 void CsvReader::refuse_column(std::size_t index, std::string_view known) const {
-  fail(Text::ax9005_unknown_column, {name_, header_line_, header_columns_[index]},
+  fail(says::unknown_column, {name_, header_line_, header_columns_[index]},
        {{"column", shown(header_[index])}, {"known", std::string(known)}});
 }
 

@@ -8,6 +8,15 @@
 
 #include <fmt/format.h>
 
+namespace axisc::cli::says {
+
+constexpr Sentence simulate_progress{"{percent} % of the program, {time} s simulated",
+                                     "{percent} % des Programms, {time} s simuliert"};
+
+constexpr Sentence progress{"{done} of {count}, {rate} per second", "{done} von {count}, {rate} je Sekunde"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -43,7 +52,7 @@ bool Progress::is_due() {
 
 void Progress::show(double share, double seconds) {
   if (!is_due()) return;
-  draw(share, {.text = Text::simulate_progress,
+  draw(share, {.sentence = says::simulate_progress,
                .arguments = {{"percent", fmt::format("{:.0f}", share * 100)},
                              {"time", fmt::format("{:.1f}", seconds)}}});
 }
@@ -53,7 +62,7 @@ void Progress::show(std::size_t done, std::size_t count) {
   std::chrono::duration<double> const seconds = last_ - begun_;
   if (seconds < patience) return;
   draw(static_cast<double>(done) / static_cast<double>(count),
-       {.text = Text::cli_progress,
+       {.sentence = says::progress,
         .arguments = {{"done", std::to_string(done)},
                       {"count", std::to_string(count)},
                       {"rate", fmt::format("{:.0f}", static_cast<double>(done) / seconds.count())}}});

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/report/console.hpp"
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 
 #include <chrono>
 #include <cstddef>

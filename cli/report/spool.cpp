@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/sentences.hpp"
 
 #include <cstring>
 #include <filesystem>
@@ -19,8 +20,9 @@ struct Header {
 };
 
 [[noreturn]] void fail(std::string const& place, system::Error const& error) {
-  throw Failure({.text = Text::ax9002, .arguments = {{"file", place}, {"reason", system::text_of(error)}}},
-                cannot_write);
+  throw Failure(
+      {.sentence = says::cannot_write, .arguments = {{"file", place}, {"reason", system::text_of(error)}}},
+      cannot_write);
 }
 
 std::string temporary_folder() {

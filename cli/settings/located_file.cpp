@@ -1,9 +1,10 @@
 #include "cli/settings/located_file.hpp"
 
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/json_reading.hpp"
+#include "configuration/sentences.hpp"
 
 #include <utility>
 #include <variant>
@@ -15,28 +16,31 @@ namespace {
 std::vector<Message> sentences_of(configuration::JsonProblem const& problem) {
   std::vector<Message> sentences{problem.message};
   if (!problem.suggestion.empty()) {
-    sentences.push_back({.text = Text::json_did_you_mean, .arguments = {{"suggestion", problem.suggestion}}});
+    sentences.push_back({.sentence = axisc::configuration::says::json_did_you_mean,
+                         .arguments = {{"suggestion", problem.suggestion}}});
   }
   if (!problem.known_keys.empty()) {
-    sentences.push_back({.text = Text::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
+    sentences.push_back({.sentence = axisc::configuration::says::json_known_keys,
+                         .arguments = {{"keys", problem.known_keys}}});
   }
   return sentences;
 }
 
 }  // namespace
 
-LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape, Text malformed,
+LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape, SentenceRef malformed,
                          std::optional<Code> code)
     : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_whole(path_, Dash::is_a_name)) {
   auto parsed = configuration::parse_json(source_.bytes(), source_.text_begin());
-  if (auto const* const error = std::get_if<configuration::JsonError>(&parsed)) refuse(error->span, malformed);
+  if (auto const* const error = std::get_if<configuration::JsonError>(&parsed))
+    refuse(error->span, malformed);
   document_ = std::get<configuration::JsonDocument>(std::move(parsed));
   auto const problems = configuration::check_json(document_, shape_).problems;
   if (!problems.empty()) refuse(problems.front().span, sentences_of(problems.front()));
 }
 
 configuration::JsonValue const* LocatedFile::find(configuration::JsonValue const& object,
-                                              std::string_view key) const {
+                                                  std::string_view key) const {
   auto const* const member = object.find(key);
   return member == nullptr ? nullptr : &document_[member->value];
 }
@@ -47,8 +51,8 @@ void LocatedFile::fill(configuration::JsonShape const& shape, configuration::Jso
   configuration::JsonReading(document_, all).fill(shape, object, target);
 }
 
-void LocatedFile::refuse(Span span, Text what, std::vector<Argument> arguments) const {
-  refuse(span, {Message{.text = what, .arguments = std::move(arguments)}});
+void LocatedFile::refuse(Span span, SentenceRef what, std::vector<Argument> arguments) const {
+  refuse(span, {Message{.sentence = what, .arguments = std::move(arguments)}});
 }
 
 void LocatedFile::refuse(Span span, std::vector<Message> sentences) const {

@@ -1,10 +1,10 @@
 // A JSON file of the user's, read with the place of everything in it, so that each complaint names line and column.
 #pragma once
 
-#include "diagnostics/finding.hpp"
-#include "diagnostics/source_text.hpp"
 #include "configuration/json_shape.hpp"
 #include "configuration/located_json.hpp"
+#include "diagnostics/finding.hpp"
+#include "diagnostics/source_text.hpp"
 
 #include <optional>
 #include <string>
@@ -17,21 +17,24 @@ class LocatedFile {
  public:
   /// Failure where the file cannot be read, with the sentence `malformed` where it is not JSON, and with the first thing in
   /// it that is not as `shape` says; these carry `code`.
-  LocatedFile(std::string path, configuration::JsonShape const& shape, Text malformed,
+  LocatedFile(std::string path, configuration::JsonShape const& shape, SentenceRef malformed,
               std::optional<Code> code = std::nullopt);
 
   [[nodiscard]] std::string const& path() const { return path_; }
   [[nodiscard]] std::string_view bytes() const { return source_.bytes().substr(source_.text_begin()); }
   [[nodiscard]] configuration::JsonValue const& root() const { return document_.root(); }
-  [[nodiscard]] configuration::JsonValue const& operator[](std::size_t index) const { return document_[index]; }
+  [[nodiscard]] configuration::JsonValue const& operator[](std::size_t index) const {
+    return document_[index];
+  }
   /// A key's value; null where `object` does not have the key.
   [[nodiscard]] configuration::JsonValue const* find(configuration::JsonValue const& object,
-                                                 std::string_view key) const;
+                                                     std::string_view key) const;
   /// Stores what the file, or an object in it, says where the shape's keys say.
   void fill(void* target) const { fill(shape_, root(), target); }
-  void fill(configuration::JsonShape const& shape, configuration::JsonValue const& object, void* target) const;
+  void fill(configuration::JsonShape const& shape, configuration::JsonValue const& object,
+            void* target) const;
   /// Failure: the place as "axisc.json:3:5", and `what`.
-  [[noreturn]] void refuse(Span span, Text what, std::vector<Argument> arguments = {}) const;
+  [[noreturn]] void refuse(Span span, SentenceRef what, std::vector<Argument> arguments = {}) const;
 
  private:
   [[noreturn]] void refuse(Span span, std::vector<Message> sentences) const;

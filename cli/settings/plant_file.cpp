@@ -3,20 +3,29 @@
 #include "cli/codes.hpp"
 #include "cli/settings/located_file.hpp"
 #include "configuration/json_reading.hpp"
+#include "configuration/sentences.hpp"
 
 #include <array>
 #include <string_view>
+
+namespace axisc::cli::says {
+
+constexpr Sentence json{"the plant file is no valid JSON here",
+                        "die Streckendatei ist hier kein gültiges JSON"};
+constexpr Sentence axis{"there is no plant for axis {axis}", "für Achse {axis} gibt es keine Strecke"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 namespace {
 
-using motion::PlantParameters;
 using configuration::by;
 using configuration::JsonKey;
 using configuration::JsonReading;
 using configuration::JsonShape;
 using configuration::JsonValue;
+using motion::PlantParameters;
 using Kind = configuration::JsonShapeKind;
 using enum configuration::JsonPresence;
 
@@ -96,7 +105,7 @@ constexpr std::array file_keys = {JsonKey{"plants", &plants_shape, required, "On
 constexpr JsonShape plant_file_shape{.kind = Kind::object, .title = "Plant file of axisc", .keys = file_keys};
 
 motion::PlantParameters read_plant(std::string const& path, std::string const& axis) {
-  LocatedFile const file(path, plant_file_shape, Text::ax9009_json, plant_file);
+  LocatedFile const file(path, plant_file_shape, says::json, plant_file);
   auto const& plants = *file.find(file.root(), "plants");
   for (auto const item : plants.items) {
     auto const& plant = file[item];
@@ -104,11 +113,12 @@ motion::PlantParameters read_plant(std::string const& path, std::string const& a
     PlantParameters parameters;
     file.fill(plant_shape, plant, &parameters);
     if (parameters.structure_mass > 0 && !(parameters.structure_frequency > 0)) {
-      file.refuse(plant.span, Text::json_missing_key, {{"key", "structure_frequency_hz"}});
+      file.refuse(plant.span, axisc::configuration::says::json_missing_key,
+                  {{"key", "structure_frequency_hz"}});
     }
     return parameters;
   }
-  file.refuse(plants.span, Text::ax9009_axis, {{"axis", axis}});
+  file.refuse(plants.span, says::axis, {{"axis", axis}});
 }
 
 }  // namespace axisc::cli

@@ -11,6 +11,19 @@
 
 #include <nlohmann/json.hpp>
 
+namespace axisc::cli::says {
+
+constexpr Sentence json{"the schema file is no valid JSON here",
+                        "die Schemadatei ist hier kein gültiges JSON"};
+constexpr Sentence twice{"\"{value}\" stands in this file twice",
+                         "\"{value}\" steht zweimal in dieser Datei"};
+constexpr Sentence too_many{"more than {count} single parameters; reduce the array sizes",
+                            "mehr als {count} einzelne Parameter; die Feldgrößen verkleinern"};
+constexpr Sentence limit_unknown{"no parameter has the number {value}; add it to this file",
+                                 "kein Parameter hat die Nummer {value}; in dieser Datei ergänzen"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
@@ -52,8 +65,7 @@ void require_room(LocatedFile const& file, schema::Catalogue const& catalogue,
     auto const* const known = known_row(catalogue, row.name);
     if (known == nullptr || known->array != row.array) slots += schema::slots_of(row.array);
     if (slots > schema::most_slots) {
-      file.refuse(name_of(file, entry), Text::schema_too_many,
-                  {{"count", std::to_string(schema::most_slots)}});
+      file.refuse(name_of(file, entry), says::too_many, {{"count", std::to_string(schema::most_slots)}});
     }
   }
 }
@@ -64,7 +76,7 @@ constexpr JsonShape schema_file_shape{
     .kind = Kind::object, .title = "Schema file of axisc: parameters of the control", .keys = file_keys};
 
 schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path) {
-  LocatedFile const file(path, schema_file_shape, Text::schema_json);
+  LocatedFile const file(path, schema_file_shape, says::json);
   auto const document = nlohmann::ordered_json::parse(file.bytes());
   auto const& items = file.find(file.root(), "parameters")->items;
   std::vector<Entry> entries;
@@ -74,7 +86,7 @@ schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::stri
     entries.push_back({file[items[i]], read_schema_entry(file, file[items[i]], json, catalogue)});
     auto const& name = entries.back().reading.row.name;
     if (!names.insert(name).second) {
-      file.refuse(name_of(file, entries.back()), Text::schema_twice, {{"value", name}});
+      file.refuse(name_of(file, entries.back()), says::twice, {{"value", name}});
     }
   }
   require_room(file, catalogue, entries);
@@ -86,7 +98,7 @@ schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::stri
     for (auto const& named : entry.reading.named) {
       if (!extended.find_number(named.p_axis).empty()) continue;
       auto const* const value = file.find(entry.json, named.key);
-      file.refuse(value == nullptr ? name_of(file, entry) : value->span, Text::schema_limit_unknown,
+      file.refuse(value == nullptr ? name_of(file, entry) : value->span, says::limit_unknown,
                   {{"value", schema::p_axis_text(named.p_axis)}});
     }
   }

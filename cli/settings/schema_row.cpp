@@ -1,5 +1,7 @@
 #include "cli/settings/schema_row.hpp"
 
+#include "cli/settings/sentences.hpp"
+#include "configuration/sentences.hpp"
 #include "schema/indexed_name.hpp"
 #include "validator/loading/build_version.hpp"
 #include "validator/values/reading.hpp"
@@ -11,14 +13,61 @@
 #include <string_view>
 #include <utility>
 
+namespace axisc::cli::says {
+
+constexpr Sentence name{
+    "\"{value}\" is no parameter name; write it as lists do, in lower case, with [] where an index stands: "
+    "filter[].order",
+    "\"{value}\" ist kein Parametername; Schreibweise wie in Listen, in Kleinbuchstaben, mit [] an der "
+    "Stelle eines Index: filter[].order"};
+constexpr Sentence shape{
+    "\"{value}\" is known as {known}; a schema file cannot change which of its parts have an index",
+    "\"{value}\" ist als {known} bekannt; welche Teile einen Index haben, kann eine Schemadatei nicht "
+    "ändern"};
+constexpr Sentence type_missing{"{parameter} is new and needs a \"type\"",
+                                "{parameter} ist neu und braucht einen \"type\""};
+constexpr Sentence identifier{"a number is written P-AXIS-00140",
+                              "eine Nummer wird P-AXIS-00140 geschrieben"};
+constexpr Sentence array{
+    "\"array\" needs {count} whole numbers from 1 to 1000, one for each [] of {parameter}",
+    "\"array\" braucht {count} ganze Zahlen von 1 bis 1000, eine je [] von {parameter}"};
+constexpr Sentence array_fixed{"{parameter} is compiled into images and keeps its {size} entries",
+                               "{parameter} wird in Abbilder übersetzt und behält seine {size} Einträge"};
+constexpr Sentence array_smaller{
+    "{parameter} has {size} entries; a schema file can only add some",
+    "{parameter} hat {size} Einträge; eine Schemadatei kann nur weitere hinzufügen"};
+constexpr Sentence limit{
+    "a limit is a number, MIN(UNS32), MAX(UNS32) or the number of a parameter, P-AXIS-00140",
+    "eine Grenze ist eine Zahl, MIN(UNS32), MAX(UNS32) oder die Nummer eines Parameters, P-AXIS-00140"};
+constexpr Sentence limit_type{"limits are for numbers; {parameter} is of type {type}",
+                              "Grenzen gelten für Zahlen; {parameter} hat den Typ {type}"};
+constexpr Sentence limit_order{"the minimum of {parameter} is above its maximum",
+                               "das Minimum von {parameter} liegt über dem Maximum"};
+constexpr Sentence symbols{
+    "symbols are words of A to Z, 0 to 9 and _ with a number from 0 to 65535 or null",
+    "Symbole sind Wörter aus A bis Z, 0 bis 9 und _ mit einer Zahl von 0 bis 65535 oder null"};
+constexpr Sentence number_names{"\"number_names\" are words with a number from 0 to 65535",
+                                "\"number_names\" sind Wörter mit einer Zahl von 0 bis 65535"};
+constexpr Sentence symbols_type{"symbols are for STRING and BOOLEAN; {parameter} is of type {type}",
+                                "Symbole gelten für STRING und BOOLEAN; {parameter} hat den Typ {type}"};
+constexpr Sentence schema_default{
+    R"(the default "{value}" is no value of {parameter}; give it another "default")",
+    R"(die Vorgabe "{value}" ist kein Wert von {parameter}; eine andere ("default") angeben)"};
+constexpr Sentence unit{R"(a unit is a text, or an object with "translatory" and "rotary")",
+                        R"(eine Einheit ist ein Text oder ein Objekt mit "translatory" und "rotary")"};
+constexpr Sentence max_length{"\"max_length\" is a whole number from 1 to 255, for STRING alone",
+                              "\"max_length\" ist eine ganze Zahl von 1 bis 255, nur für STRING"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
-using schema::RowContradiction;
 using configuration::JsonKey;
 using configuration::JsonShape;
 using configuration::JsonValue;
+using schema::RowContradiction;
 using Kind = configuration::JsonShapeKind;
 using enum configuration::JsonPresence;
 
@@ -62,20 +111,20 @@ bool is_build(std::string_view text) {
   return validator::parse_build_version(text).has_value();
 }
 
-constexpr JsonShape whole_number(double lowest, double highest, std::optional<Text> sentence = {}) {
+constexpr JsonShape whole_number(double lowest, double highest, std::optional<SentenceRef> sentence = {}) {
   return {.kind = Kind::whole_number, .lowest = lowest, .highest = highest, .sentence = sentence};
 }
 
 template <std::size_t count>
-constexpr JsonShape either(std::array<JsonShape const*, count> const& shapes, Text sentence) {
+constexpr JsonShape either(std::array<JsonShape const*, count> const& shapes, SentenceRef sentence) {
   return {.kind = Kind::either, .alternatives = shapes, .sentence = sentence};
 }
 
 constexpr JsonShape identifier{
-    .accepts = is_identifier, .pattern = "^P-AXIS-[0-9]{5}$", .sentence = Text::schema_identifier};
+    .accepts = is_identifier, .pattern = "^P-AXIS-[0-9]{5}$", .sentence = says::identifier};
 constexpr JsonShape name{.accepts = is_parameter_pattern,
                          .pattern = R"(^(?!(.*\[){3})[a-z_][a-z0-9_]*(\[\])?(\.[a-z_][a-z0-9_]*(\[\])?)*$)",
-                         .sentence = Text::schema_name};
+                         .sentence = says::name};
 constexpr JsonShape type{.words = schema::data_type_words};
 constexpr JsonShape array_size = whole_number(1, 1000);
 constexpr JsonShape array{.kind = Kind::list, .items = &array_size, .fewest = 1};
@@ -86,25 +135,23 @@ constexpr std::array unit_keys = {
     JsonKey{"rotary", &configuration::json_text, required, "Of rotary axes and spindles."}};
 constexpr JsonShape units{.kind = Kind::object, .title = "Unit per kind of axis", .keys = unit_keys};
 constexpr std::array unit_shapes = {&configuration::json_text, &units};
-constexpr JsonShape unit = either(unit_shapes, Text::schema_unit);
+constexpr JsonShape unit = either(unit_shapes, says::unit);
 
 constexpr JsonShape any_number{.kind = Kind::number};
 constexpr JsonShape limit_text{
     .accepts = is_limit,
     .pattern = "^((MIN|MAX)\\((UNS08|UNS16|UNS32|UNS64|SGN08|SGN16|SGN32|SGN64|REAL64)\\)|P-AXIS-[0-9]{5})$"};
 constexpr std::array limit_shapes = {&any_number, &limit_text};
-constexpr JsonShape limit = either(limit_shapes, Text::schema_limit);
+constexpr JsonShape limit = either(limit_shapes, says::limit);
 
-constexpr JsonShape symbol{.accepts = is_symbol, .pattern = "^[A-Z0-9_]+$", .sentence = Text::schema_symbols};
-constexpr JsonShape number_of_word = whole_number(0, 65535, Text::schema_number_names);
+constexpr JsonShape symbol{.accepts = is_symbol, .pattern = "^[A-Z0-9_]+$", .sentence = says::symbols};
+constexpr JsonShape number_of_word = whole_number(0, 65535, says::number_names);
 constexpr std::array symbol_number_shapes = {&number_of_word, &configuration::json_null};
-constexpr JsonShape symbol_number = either(symbol_number_shapes, Text::schema_symbols);
-constexpr JsonShape symbols{.kind = Kind::map,
-                            .items = &symbol_number,
-                            .names = &symbol,
-                            .fewest = 1,
-                            .sentence = Text::schema_symbols};
-constexpr JsonShape number_names{.kind = Kind::map, .items = &number_of_word, .names = &configuration::json_text};
+constexpr JsonShape symbol_number = either(symbol_number_shapes, says::symbols);
+constexpr JsonShape symbols{
+    .kind = Kind::map, .items = &symbol_number, .names = &symbol, .fewest = 1, .sentence = says::symbols};
+constexpr JsonShape number_names{
+    .kind = Kind::map, .items = &number_of_word, .names = &configuration::json_text};
 
 constexpr JsonShape max_length = whole_number(1, 255);
 constexpr std::array<std::string_view, 3> axis_type_words = {"T", "R", "S"};
@@ -112,7 +159,7 @@ constexpr JsonShape axis_type{.words = axis_type_words};
 constexpr JsonShape axis_types{.kind = Kind::list, .items = &axis_type, .fewest = 1, .distinct = true};
 constexpr JsonShape since{.accepts = is_build,
                           .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
-                          .sentence = Text::settings_build};
+                          .sentence = says::settings_build};
 
 constexpr std::array row_keys = {
     JsonKey{"id", &identifier, optional, "Documented number; several names may share one."},
@@ -151,9 +198,10 @@ std::string sizes_text(std::array<std::uint16_t, 2> const& sizes) {
 }
 
 /// In the order of RowContradiction.
-constexpr std::array sentences = {
-    Text::schema_type_missing, Text::schema_array,        Text::schema_limit_type, Text::schema_limit_order,
-    Text::schema_symbols_type, Text::json_repeated_value, Text::schema_max_length, Text::schema_default};
+constexpr std::array sentences = {says::type_missing, says::array,
+                                  says::limit_type,   says::limit_order,
+                                  says::symbols_type, axisc::configuration::says::json_repeated_value,
+                                  says::max_length,   says::schema_default};
 
 class EntryReader {
  public:
@@ -183,8 +231,7 @@ class EntryReader {
     // Most names exist with one set of indices; lists mean the same parameter by all of them.
     for (auto const& known : catalogue_.parameters()) {
       if (schema::without_brackets(known.name) != schema::without_brackets(wanted)) continue;
-      file_.refuse(span_of("name"), Text::schema_shape,
-                   {{"value", wanted}, {"known", std::string(known.name)}});
+      file_.refuse(span_of("name"), says::shape, {{"value", wanted}, {"known", std::string(known.name)}});
     }
     return nullptr;
   }
@@ -206,10 +253,10 @@ class EntryReader {
     if (known.array == row.array) return;
     std::vector<Argument> const arguments{{"parameter", row.name}, {"size", sizes_text(known.array)}};
     if (validator::is_compiled_family(row.name)) {
-      file_.refuse(span_of("array"), Text::schema_array_fixed, arguments);
+      file_.refuse(span_of("array"), says::array_fixed, arguments);
     }
     if (row.array[0] < known.array[0] || row.array[1] < known.array[1]) {
-      file_.refuse(span_of("array"), Text::schema_array_smaller, arguments);
+      file_.refuse(span_of("array"), says::array_smaller, arguments);
     }
   }
 

@@ -1,14 +1,15 @@
 #include "cli/settings/settings.hpp"
 
 #include "cli/codes.hpp"
-#include "cli/files/disk_files.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/options/environment.hpp"
 #include "cli/options/finding_codes.hpp"
 #include "cli/options/glob.hpp"
-#include "cli/settings/located_file.hpp"
 #include "cli/options/machine_outline.hpp"
+#include "cli/settings/located_file.hpp"
 #include "cli/settings/schema_file.hpp"
-#include "cli/options/environment.hpp"
+#include "cli/settings/sentences.hpp"
 #include "configuration/json_reading.hpp"
 
 #include <algorithm>
@@ -17,6 +18,18 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+
+namespace axisc::cli::says {
+
+constexpr Sentence json{"the settings are no valid JSON here",
+                        "die Einstellungen sind hier kein gültiges JSON"};
+constexpr Sentence code{"there is no code \"{value}\"; `axisc explain --all` lists them",
+                        "es gibt keinen Code \"{value}\"; `axisc explain --all` nennt alle"};
+constexpr Sentence schema_missing{
+    "the schema file {file} cannot be read; paths are relative to the settings",
+    "die Schemadatei {file} ist nicht lesbar; Pfade gelten relativ zu den Einstellungen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -37,12 +50,12 @@ constexpr std::string_view file_name = "axisc.json";
 constexpr JsonShape build_shape{
     .accepts = [](std::string_view text) { return validator::parse_build_version(text).has_value(); },
     .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
-    .sentence = Text::settings_build};
+    .sentence = says::settings_build};
 constexpr std::array<std::string_view, 2> languages = {"en", "de"};
 constexpr JsonShape language_shape{.words = languages};
 constexpr JsonShape code_shape{.accepts = [](std::string_view text) { return find_code(text).has_value(); },
                                .pattern = "^([Aa][Xx][0-9]{4}|[a-z][a-z0-9-]*)$",
-                               .sentence = Text::settings_code};
+                               .sentence = says::code};
 constexpr JsonShape codes_shape{.kind = Kind::list, .items = &code_shape};
 constexpr std::array<std::string_view, 3> severities = {"error", "warning", "note"};
 constexpr JsonShape severity_shape{.words = severities};
@@ -106,7 +119,7 @@ void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings&
     auto const path = (fs::path(file.path()).parent_path() / name).lexically_normal().string();
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-      file.refuse(file[item].span, Text::settings_schema_missing, {{"file", name}});
+      file.refuse(file[item].span, says::schema_missing, {{"file", name}});
     }
     settings.schema_files.push_back(path);
     settings.catalogue = with_schema_file(settings.catalogue, path);
@@ -152,7 +165,7 @@ fs::path canonical_folder(std::string const& folder) {
 }  // namespace
 
 Settings read_settings(std::string const& path, std::string const& folder) {
-  LocatedFile const file(path, settings_shape, Text::settings_json);
+  LocatedFile const file(path, settings_shape, says::json);
   Settings settings;
   settings.file = path;
   settings.folder = folder;

@@ -1,14 +1,23 @@
-#include "cli/settings/settings.hpp"
 #include "cli/report/text_table.hpp"
+#include "cli/settings/settings.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/location.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence from_command_line{"command line", "Befehlszeile"};
+constexpr Sentence from_default{"default", "Vorgabe"};
+constexpr Sentence cycle_time_default{"as the machine file says, else 1000 is assumed",
+                                      "wie die Maschinendatei sagt, sonst wird 1000 angenommen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 namespace {
 
-std::string say(Text text, Language language) {
-  return render({.text = text, .arguments = {}}, language);
+std::string say(SentenceRef text, Language language) {
+  return render({.sentence = text, .arguments = {}}, language);
 }
 
 std::string joined(std::vector<Code> const& codes) {
@@ -22,8 +31,8 @@ std::string joined(std::vector<Code> const& codes) {
 std::string describe_settings(std::string const& input, validator::CheckOptions const& command_line,
                               std::vector<std::string> const& schema_files, Settings const* settings,
                               Language language) {
-  auto const from_command_line = say(Text::settings_from_command_line, language);
-  auto const from_default = say(Text::settings_from_default, language);
+  auto const from_command_line = say(says::from_command_line, language);
+  auto const from_default = say(says::from_default, language);
   auto const from_file = settings ? settings->file : std::string();
   std::vector<std::vector<std::string>> rows;
   auto const add = [&](std::string const& name, std::string const& value, std::string const& origin) {
@@ -34,7 +43,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
   } else if (settings && settings->cycle_time) {
     add("cycle_time_us", format_exact(settings->cycle_time->microseconds()), from_file);
   } else {
-    add("cycle_time_us", say(Text::settings_cycle_time_default, language), from_default);
+    add("cycle_time_us", say(says::cycle_time_default, language), from_default);
   }
   if (command_line.build) {
     add("build", to_text(*command_line.build), from_command_line);

@@ -2,6 +2,7 @@
 
 #include "cli/checking/depfile.hpp"
 #include "cli/failure.hpp"
+#include "cli/sentences.hpp"
 #include "support/catch.hpp"
 
 #include <array>
@@ -12,6 +13,21 @@ using namespace axisc::cli;
 
 namespace {
 
+constexpr Sentence purpose{"Checks axis lists.", "Prüft Achslisten."};
+constexpr Sentence examples{"Example: axisc lint x.lis", "Beispiel: axisc lint x.lis"};
+constexpr Sentence option_fix{
+    "write the fixes that do not change what the machine does; =all: the others as well",
+    "die Korrekturen schreiben, die nicht ändern, was die Maschine tut; =all: auch die anderen"};
+constexpr Sentence option_disable{"leave these codes out; may be repeated",
+                                  "diese Codes weglassen; mehrmals möglich"};
+constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
+constexpr Sentence option_image_output{
+    "the image to write, or - for standard output; an image that would be the same is not touched",
+    "das Abbild, das geschrieben wird, oder - für die Standardausgabe; eines, das gleich bliebe, wird nicht "
+    "angefasst"};
+constexpr Sentence option_inspect_format{"form of the output (default text)",
+                                         "Form der Ausgabe (Vorgabe text)"};
+
 struct Words {
   std::vector<std::string> inputs;
   std::optional<std::string> output;
@@ -21,12 +37,12 @@ struct Words {
 };
 
 std::optional<std::string> read(Words& words, std::vector<std::string> const& arguments) {
-  CommandLine line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, Language::english);
-  line.arguments("INPUT...", words.inputs, Text::cli_arg_inputs);
-  line.value("-o,--output", "FILE", words.output, Text::cli_opt_image_output);
-  line.values("--disable", "CODE", words.codes, Text::cli_opt_disable);
-  line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
-  line.choice("--level", {{"low", 1}, {"high", 2}}, words.level, Text::cli_opt_inspect_format);
+  CommandLine line("lint", purpose, examples, Language::english);
+  line.arguments("INPUT...", words.inputs, cli::says::argument_inputs);
+  line.value("-o,--output", "FILE", words.output, option_image_output);
+  line.values("--disable", "CODE", words.codes, option_disable);
+  line.flag("-q,--quiet", words.quiet, option_quiet);
+  line.choice("--level", {{"low", 1}, {"high", 2}}, words.level, option_inspect_format);
   return line.read(arguments);
 }
 
@@ -130,11 +146,11 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   };
   auto const given = [](std::vector<std::string> const& arguments) {
     Given words;
-    CommandLine line("lint", Text::cli_lint_purpose, Text::cli_lint_examples, Language::english);
-    line.flag_with_word("--fix", "all", words.word, Text::cli_opt_fix);
-    line.value("-o,--output", "FILE", words.output, Text::cli_opt_image_output);
-    line.value("--output-folder", "FOLDER", words.folder, Text::cli_opt_image_output);
-    line.flag("-q,--quiet", words.quiet, Text::cli_opt_quiet);
+    CommandLine line("lint", purpose, examples, Language::english);
+    line.flag_with_word("--fix", "all", words.word, option_fix);
+    line.value("-o,--output", "FILE", words.output, option_image_output);
+    line.value("--output-folder", "FOLDER", words.folder, option_image_output);
+    line.flag("-q,--quiet", words.quiet, option_quiet);
     CHECK_FALSE(line.read(arguments));
     return words;
   };

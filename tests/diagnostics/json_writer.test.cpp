@@ -13,6 +13,8 @@ using namespace axisc::test;
 
 namespace {
 
+constexpr Sentence summary_nothing{"no findings", "keine Befunde"};
+
 std::vector<std::string> keys_of(nlohmann::ordered_json const& object) {
   std::vector<std::string> keys;
   for (auto const& item : object.items()) keys.push_back(item.key());
@@ -64,7 +66,7 @@ TEST_CASE("the fields of the JSON form") {
 
 TEST_CASE("messages of the JSON form follow the language") {
   DelayExample example;
-  example.finding.message = {.text = Text::summary_nothing, .arguments = {}};
+  example.finding.message = {.sentence = summary_nothing, .arguments = {}};
   auto const message = [&](Language language) {
     auto const json = nlohmann::json::parse(
         write_json({example.finding}, example.sources, {.files = 1}, {.language = language}));

@@ -4,6 +4,7 @@
 #include "diagnostics/fix_batch.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
+#include "validator/sentences.hpp"
 
 namespace {
 
@@ -168,7 +169,7 @@ TEST_CASE("the assumed cycle time is named once, first, and only where it counts
   CHECK(assumed.found() == Lines{"- AX9006", "3:17 AX3002"});
   CHECK(assumed.result.cycle_time_assumed);
   CHECK_FALSE(assumed.result.cycle_time_known);
-  CHECK(assumed.result.findings.back().notes.back().text == Text::cycle_time_assumed_note);
+  CHECK(assumed.result.findings.back().notes.back().sentence == validator::says::cycle_time_assumed_note);
   CHECK(Checked(active).found() == Lines{"3:17 AX3002"});
   CHECK(Checked("filter[0].order 2\n", {}).found().empty());
   CHECK_FALSE(Checked("filter[0].order 2\n", {}).result.cycle_time_assumed);

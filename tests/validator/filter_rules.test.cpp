@@ -1,5 +1,5 @@
 // The rules about filters through the front door: a list in, findings out.
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "support/catch.hpp"
 #include "validator/check.hpp"
 
@@ -16,7 +16,9 @@ using machine::AxisType;
 class OneList final : public configuration::Files {
  public:
   explicit OneList(std::string text) : text_(std::move(text)) {}
-  std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override { return text_; }
+  std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
+    return text_;
+  }
 
  private:
   std::string text_;

@@ -5,7 +5,7 @@
 // machine.json where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
 // `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
 // `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
-#include "diagnostics/text.hpp"
+#include "diagnostics/message.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "support/map_files.hpp"

@@ -11,6 +11,14 @@
 #include <string_view>
 #include <utility>
 
+namespace axisc::validator::says {
+
+constexpr Sentence not_compiled_filter{
+    "the filter `{filter}` of axis \"{axis}\", whose values cannot be used",
+    "der Filter `{filter}` der Achse \"{axis}\", dessen Werte nicht verwendbar sind"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator {
 namespace {
 
@@ -46,16 +54,17 @@ class AxisBuilder {
  private:
   [[nodiscard]] double number(std::string_view pattern) const { return values_.at(pattern).value.number; }
 
-  void leave_out(EffectiveValue const& value, Text text, std::vector<Argument> arguments) {
+  void leave_out(EffectiveValue const& value, SentenceRef text, std::vector<Argument> arguments) {
     Place const fallback{.source = machine_.lists[axis_.list].list.source, .span = {}};
     Place const place = value.value_place() ? *value.value_place() : value.name_place().value_or(fallback);
     arguments.push_back({.name = "axis", .value = axis_.name});
-    not_compiled_.push_back({.place = place, .feature = {.text = text, .arguments = std::move(arguments)}});
+    not_compiled_.push_back(
+        {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
   }
 
   /// An error about it was silenced; it must not be left out without a word.
   void leave_out_filter(EffectiveValue const& value, std::string name) {
-    leave_out(value, Text::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
+    leave_out(value, says::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
   }
 
   void add_filters(machine::AxisConfiguration& result) {
@@ -83,9 +92,9 @@ class AxisBuilder {
     auto const specification = fir.specification(cycle_time_);
     if (specification && !result.kernel) {
       result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
-                                       .index = 0,
-                                       .specification = *specification,
-                                       .on_at_start = fir.enable.value.flag()};
+                                                .index = 0,
+                                                .specification = *specification,
+                                                .on_at_start = fir.enable.value.flag()};
     } else {
       leave_out_filter(fir.anchor(fir.enable), "filter_fir");
     }
@@ -97,9 +106,9 @@ class AxisBuilder {
     auto const specification = hsc_kernel(filter, cycle_time_);
     if (specification && filter.index == 0) {
       result.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::hsc,
-                                       .index = filter.index,
-                                       .specification = *specification,
-                                       .on_at_start = false};
+                                                .index = filter.index,
+                                                .specification = *specification,
+                                                .on_at_start = false};
     } else {
       leave_out_filter(filter.anchor(filter.prototype), "filter[" + std::to_string(filter.index) + "]");
     }
@@ -202,13 +211,14 @@ class AxisBuilder {
 };
 
 machine::StoredContent stored_content(LoadedProgram const& program, configuration::Files& files) {
-  return {.size = program.mark.bytes,
-          .read = [&files, path = program.path, mark = program.mark](machine::ContentReceiver const& receive) {
-            read_program_again(files, path, mark, [&receive](std::string_view piece) {
-              receive(piece);
-              return true;
-            });
-          }};
+  return {
+      .size = program.mark.bytes,
+      .read = [&files, path = program.path, mark = program.mark](machine::ContentReceiver const& receive) {
+        read_program_again(files, path, mark, [&receive](std::string_view piece) {
+          receive(piece);
+          return true;
+        });
+      }};
 }
 
 }  // namespace

@@ -5,6 +5,13 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence not_compiled_command{"the command `{command}`, whose values cannot be used",
+                                        "der Befehl `{command}`, dessen Werte nicht verwendbar sind"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator {
 namespace {
 
@@ -22,7 +29,7 @@ class SetCollector {
       sets.push_back(command.parameters);
     } else if (!checked.mistakes.empty()) {
       not_compiled_.push_back({.place = place,
-                               .feature = {.text = Text::not_compiled_command,
+                               .feature = {.sentence = says::not_compiled_command,
                                            .arguments = {{"command", std::string(written)}}}});
     }
   }
@@ -54,8 +61,8 @@ bool has_time_delay(LoadedMachine const& machine, LoadedGroup const& group) {
 }
 
 std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machine, LoadedGroup const& group,
-                                             SourceSet const& sources,
-                                             std::vector<NotCompiled>& not_compiled) {
+                                                      SourceSet const& sources,
+                                                      std::vector<NotCompiled>& not_compiled) {
   CommandLimits const limits{.cycle_time = machine.cycle_time.value_or(design::CycleTime{}),
                              .time_delay = has_time_delay(machine, group)};
   SetCollector collector(limits, not_compiled);

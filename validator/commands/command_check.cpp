@@ -4,10 +4,58 @@
 #include "grammar/number.hpp"
 #include "schema/closest_word.hpp"
 #include "validator/commands/command_keywords.hpp"
+#include "validator/sentences.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+namespace axisc::validator::says {
+
+constexpr Sentence filter_syntax_letter_case{"`{text}` is written in capitals: `{command}`",
+                                             "`{text}` wird groß geschrieben: `{command}`"};
+constexpr Sentence filter_syntax_unexpected{"`{text}` does not belong into the command `{command}`",
+                                            "`{text}` gehört nicht in den Befehl `{command}`"};
+constexpr Sentence filter_syntax_expected_keyword{
+    "a keyword or `]` must stand here, not `{text}`",
+    "hier muss ein Schlüsselwort oder `]` stehen, nicht `{text}`"};
+constexpr Sentence filter_syntax_unclosed{"this bracket of `{command}` is not closed",
+                                          "diese Klammer von `{command}` ist nicht geschlossen"};
+constexpr Sentence filter_syntax_no_value{"the keyword `{keyword}` has no value",
+                                          "das Schlüsselwort `{keyword}` hat keinen Wert"};
+constexpr Sentence filter_syntax_no_number{"`{value}` is no number for `{keyword}`",
+                                           "`{value}` ist keine Zahl für `{keyword}`"};
+constexpr Sentence filter_syntax_no_value_allowed{"the keyword `{keyword}` takes no value",
+                                                  "das Schlüsselwort `{keyword}` nimmt keinen Wert an"};
+constexpr Sentence filter_syntax_no_filter_command{"this is no #FILTER command",
+                                                   "das ist kein #FILTER-Befehl"};
+constexpr Sentence filter_syntax_syntax_filter{
+    "the form is `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
+    "QUALITY=..]` or `#FILTER ON [HSC]`",
+    "die Form ist `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
+    "QUALITY=..]` oder `#FILTER ON [HSC]`"};
+constexpr Sentence filter_syntax_syntax_guard{
+    "the form is `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`",
+    "die Form ist `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`"};
+
+constexpr Sentence filter_keyword_unknown{"`{command}` has no keyword `{keyword}`",
+                                          "`{command}` hat kein Schlüsselwort `{keyword}`"};
+constexpr Sentence filter_keyword_known{"keywords: {keywords}", "Schlüsselwörter: {keywords}"};
+constexpr Sentence filter_keyword_repeated{"the keyword `{keyword}` stands in one command twice",
+                                           "das Schlüsselwort `{keyword}` steht in einem Befehl zweimal"};
+constexpr Sentence filter_keyword_beside_hsc{"`{keyword}` beside `HSC` is not supported",
+                                             "`{keyword}` neben `HSC` wird nicht unterstützt"};
+constexpr Sentence filter_keyword_range{"`{keyword}={value}` is out of range",
+                                        "`{keyword}={value}` liegt außerhalb des Bereichs"};
+constexpr Sentence filter_keyword_range_whole{"{text}, a whole number", "{text}, ganzzahlig"};
+constexpr Sentence filter_keyword_delay{
+    "an axis of the channel has the time delay, which takes at most 100 cycles",
+    "eine Achse des Kanals hat die Zeitverzögerung, die höchstens 100 Takte annimmt"};
+constexpr Sentence filter_keyword_variable{
+    "the value of `{keyword}` must be a number, not the variable `{value}`",
+    "der Wert von `{keyword}` muss eine Zahl sein, nicht die Variable `{value}`"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator {
 namespace {
@@ -27,22 +75,23 @@ std::string_view slice(std::string_view text, Span span) {
   return text.substr(span.begin, span.size());
 }
 
-Text text_of(CommandProblemKind kind) {
+SentenceRef text_of(CommandProblemKind kind) {
   switch (kind) {
     case CommandProblemKind::letter_case:
-      return Text::ax5001_letter_case;
+      return says::filter_syntax_letter_case;
     case CommandProblemKind::unexpected_text:
-      return Text::ax5001_unexpected;
+      return says::filter_syntax_unexpected;
     case CommandProblemKind::expected_keyword:
-      return Text::ax5001_expected_keyword;
+      return says::filter_syntax_expected_keyword;
     case CommandProblemKind::unclosed_bracket:
-      return Text::ax5001_unclosed;
+      return says::filter_syntax_unclosed;
   }
-  return Text::ax5001_unexpected;
+  return says::filter_syntax_unexpected;
 }
 
 Message syntax_of(CommandKind kind) {
-  return {.text = kind == CommandKind::filter ? Text::ax5001_syntax_filter : Text::ax5001_syntax_guard,
+  return {.sentence = kind == CommandKind::filter ? says::filter_syntax_syntax_filter
+                                                  : says::filter_syntax_syntax_guard,
           .arguments = {}};
 }
 
@@ -76,11 +125,11 @@ class CommandCheck {
   }
 
  private:
-  CommandMistake& add(Code code, Span span, Text text, std::vector<Argument> arguments = {}) {
+  CommandMistake& add(Code code, Span span, SentenceRef text, std::vector<Argument> arguments = {}) {
     CommandMistake& mistake = checked_.mistakes.emplace_back();
     mistake.code = code;
     mistake.span = span;
-    mistake.message = {.text = text, .arguments = std::move(arguments)};
+    mistake.message = {.sentence = text, .arguments = std::move(arguments)};
     if (code == syntax_mistake) mistake.notes.push_back(syntax_of(command_.kind));
     return mistake;
   }
@@ -112,7 +161,7 @@ class CommandCheck {
       unknown(keyword, name, known);
     } else if (Keyword const* const first = earlier(index, name)) {
       CommandMistake& mistake =
-          add(keyword_mistake, keyword.name, Text::ax5002_repeated, {{"keyword", name}});
+          add(keyword_mistake, keyword.name, says::filter_keyword_repeated, {{"keyword", name}});
       mistake.first = first->name;
       mistake.control = keyword_repeated;
     } else if (is_hsc) {
@@ -127,22 +176,23 @@ class CommandCheck {
   void check_hsc(Keyword const& keyword) {
     if (keyword.kind == KeywordValue::none) return;
     usable_ = false;
-    add(syntax_mistake, keyword.name, Text::ax5001_no_value_allowed, {{"keyword", std::string(hsc)}});
+    add(syntax_mistake, keyword.name, says::filter_syntax_no_value_allowed, {{"keyword", std::string(hsc)}});
   }
 
   void unknown(Keyword const& keyword, std::string const& name, std::vector<std::string_view> const& known) {
     usable_ = false;
-    CommandMistake& mistake = add(keyword_mistake, keyword.name, Text::ax5002_unknown,
+    CommandMistake& mistake = add(keyword_mistake, keyword.name, says::filter_keyword_unknown,
                                   {{"keyword", name}, {"command", std::string(proper_name(command_.kind))}});
     std::string all;
     for (std::string_view const word : known) all.append(all.empty() ? "" : ", ").append(word);
     if (command_.kind == CommandKind::filter) all.append(", ").append(hsc);
-    mistake.notes.push_back({.text = Text::ax5002_known, .arguments = {{"keywords", std::move(all)}}});
+    mistake.notes.push_back(
+        {.sentence = says::filter_keyword_known, .arguments = {{"keywords", std::move(all)}}});
     std::string_view const closest = schema::closest_word(name, known);
     if (closest.empty()) return;
     mistake.better = closest;
     mistake.help.push_back(
-        {.text = Text::parameter_did_you_mean, .arguments = {{"suggestion", std::string(closest)}}});
+        {.sentence = says::parameter_did_you_mean, .arguments = {{"suggestion", std::string(closest)}}});
   }
 
   [[nodiscard]] Keyword const* earlier(std::size_t index, std::string_view name) const {
@@ -155,7 +205,7 @@ class CommandCheck {
   void beside_hsc(Keyword const& keyword, std::string const& name) {
     usable_ = false;
     if (std::exchange(beside_hsc_reported_, true)) return;
-    add(keyword_mistake, keyword.name, Text::ax5002_beside_hsc, {{"keyword", name}});
+    add(keyword_mistake, keyword.name, says::filter_keyword_beside_hsc, {{"keyword", name}});
   }
 
   void check_value(Keyword const& keyword, std::string const& name) {
@@ -163,17 +213,17 @@ class CommandCheck {
       case KeywordValue::none:
       case KeywordValue::missing:
         usable_ = false;
-        add(syntax_mistake, keyword.name, Text::ax5001_no_value, {{"keyword", name}});
+        add(syntax_mistake, keyword.name, says::filter_syntax_no_value, {{"keyword", name}});
         return;
       case KeywordValue::malformed:
         usable_ = false;
-        add(syntax_mistake, keyword.value, Text::ax5001_no_number,
+        add(syntax_mistake, keyword.value, says::filter_syntax_no_number,
             {{"value", word(keyword.value)}, {"keyword", name}});
         return;
       case KeywordValue::variable:
         usable_ = false;
         if (variables_ == Variables::refused) {
-          add(keyword_mistake, keyword.value, Text::ax5002_variable,
+          add(keyword_mistake, keyword.value, says::filter_keyword_variable,
               {{"value", word(keyword.value)}, {"keyword", name}});
         }
         return;
@@ -196,21 +246,23 @@ class CommandCheck {
 
   void out_of_range(Keyword const& keyword, std::string const& name, double value,
                     KeywordRange const& range) {
-    CommandMistake& mistake = add(keyword_mistake, keyword.value, Text::ax5002_range,
+    CommandMistake& mistake = add(keyword_mistake, keyword.value, says::filter_keyword_range,
                                   {{"keyword", name}, {"value", word(keyword.value)}});
-    mistake.label = Message{.text = range.whole ? Text::ax5002_range_whole : Text::fixed_placeholder,
-                            .arguments = {{"text", range.text}}};
+    mistake.label =
+        Message{.sentence = range.whole ? says::filter_keyword_range_whole : axisc::says::as_given,
+                .arguments = {{"text", range.text}}};
     mistake.control = range.control;
     if (range.control.empty()) mistake.reaction.reset();
     bool const order = name == "ORDER" || name == "ORDER_TIME";
-    if (order && limits_.time_delay) mistake.notes.push_back({.text = Text::ax5002_delay, .arguments = {}});
+    if (order && limits_.time_delay)
+      mistake.notes.push_back({.sentence = says::filter_keyword_delay, .arguments = {}});
     if (order && value > *range.maximum) {
       mistake.control = "50911";
-      mistake.reaction = Text::filter_reaction_clipped;
+      mistake.reaction = says::filter_reaction_clipped;
       mistake.value = std::to_string(limits_.longest_order());
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";
-      mistake.reaction = Text::filter_reaction_inactive;
+      mistake.reaction = says::filter_reaction_inactive;
     }
     mistake.depends_on_cycle_time = range.depends_on_cycle_time;
   }
@@ -268,7 +320,7 @@ CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& 
   CommandMistake& mistake = none.mistakes.emplace_back();
   mistake.code = syntax_mistake;
   mistake.span = command ? command->name : Span{.begin = 0, .end = static_cast<std::uint32_t>(text.size())};
-  mistake.message = {.text = Text::ax5001_no_filter_command, .arguments = {}};
+  mistake.message = {.sentence = says::filter_syntax_no_filter_command, .arguments = {}};
   mistake.notes.push_back(syntax_of(CommandKind::filter));
   return none;
 }

@@ -6,6 +6,7 @@
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"
 #include "machine/filter_command.hpp"
+#include "validator/sentences.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -39,7 +40,7 @@ struct CommandMistake {
   std::optional<Span> first;          ///< where a repeated keyword stands first
   std::optional<std::string> better;  ///< what to write in `span` instead
   std::string control;                ///< the control's message numbers; empty where none is known
-  std::optional<Text> reaction = Text::program_reaction_aborted;  ///< none where it is not documented
+  std::optional<SentenceRef> reaction = says::program_reaction_aborted;  ///< none where it is not documented
   std::string value;  ///< what the control runs with instead; empty where none is known
   bool depends_on_cycle_time = false;
 };

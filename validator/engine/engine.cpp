@@ -1,15 +1,24 @@
 #include "validator/engine/engine.hpp"
 
-#include "validator/views/axis_views.hpp"
 #include "validator/commands/channel.hpp"
 #include "validator/engine/policy.hpp"
 #include "validator/engine/precedence.hpp"
 #include "validator/engine/suppression.hpp"
+#include "validator/views/axis_views.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <utility>
 #include <vector>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the NC cycle time is not known; 1 ms was assumed",
+                            "die NC-Zykluszeit ist nicht bekannt; angenommen wurde 1 ms"};
+constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, states it",
+                        "`--cycle-time 2ms` oder \"cycle_time_us\" in einer Maschinendatei gibt sie an"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator {
 namespace {
@@ -229,8 +238,8 @@ class Engine {
   }
 
   /// Rules that look at NC programs beside lists see a command of the machine file as a program of one line.
-  void run_program_checks_of_set(configuration::LocatedText const& set, LoadedGroup const* group, std::uint32_t offset,
-                                 std::optional<Span> instead) {
+  void run_program_checks_of_set(configuration::LocatedText const& set, LoadedGroup const* group,
+                                 std::uint32_t offset, std::optional<Span> instead) {
     auto const command = grammar::parse_nc_command(set.text);
     if (!command) return;
     LoadedProgram program;
@@ -312,8 +321,8 @@ class Engine {
     Finding finding = new_finding(*find_rule(cycle_time_assumed));
     finding.severity = policy_.severity(finding.code, finding.severity);
     finding.file = machine_.path;
-    finding.message = {.text = Text::ax9006, .arguments = {}};
-    finding.help.push_back({.text = Text::ax9006_help, .arguments = {}});
+    finding.message = {.sentence = says::headline, .arguments = {}};
+    finding.help.push_back({.sentence = says::help, .arguments = {}});
     return finding;
   }
 

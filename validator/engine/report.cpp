@@ -1,6 +1,7 @@
 #include "validator/engine/report.hpp"
 
 #include "validator/engine/rule.hpp"
+#include "validator/sentences.hpp"
 
 #include <memory>
 #include <string>
@@ -35,7 +36,7 @@ Finding tell(ReportedFindings& reported, Reported const& finding) {
   told.axis = std::move(axis);
   if (finding.words) finding.words(told);
   if (finding.cycle_time_assumed) {
-    told.notes.push_back({.text = Text::cycle_time_assumed_note, .arguments = {}});
+    told.notes.push_back({.sentence = says::cycle_time_assumed_note, .arguments = {}});
   }
   return told;
 }

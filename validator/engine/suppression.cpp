@@ -6,6 +6,18 @@
 #include <algorithm>
 #include <charconv>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"nothing is silenced: there is no {code} on this line",
+                            "hier wird nichts unterdrückt: zu dieser Zeile gibt es kein {code}"};
+constexpr Sentence next_line{"nothing is silenced: there is no {code} on the next line",
+                             "hier wird nichts unterdrückt: zur nächsten Zeile gibt es kein {code}"};
+constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gibt es nicht"};
+constexpr Sentence empty{"`axisc: allow` names no code", "`axisc: allow` nennt keinen Code"};
+constexpr Sentence fix{"remove {what}", "{what} entfernen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator {
 namespace {
 
@@ -126,14 +138,14 @@ bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
 
 void Suppressions::report(Allowance const& allowance, SourceSet const& sources, ReportedFindings& reported) {
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
-  Text text = allowance.next_line ? Text::ax1013_next_line : Text::ax1013;
-  if (!allowance.known) text = word.empty() ? Text::ax1013_empty : Text::ax1013_unknown;
-  Message message{.text = text, .arguments = {}};
+  SentenceRef text = allowance.next_line ? says::next_line : says::headline;
+  if (!allowance.known) text = word.empty() ? says::empty : says::unknown;
+  Message message{.sentence = text, .arguments = {}};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
   Finding& finding = Report(reported, *find_rule(unused_allowance)).add(allowance.place, std::move(message));
   std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
   Fix fix;
-  fix.title = {.text = Text::ax1013_fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
+  fix.title = {.sentence = says::fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};
   fix.edits.push_back({.place = allowance.removed, .text = {}});
   fix.safety = FixSafety::safe;
   finding.fix = std::move(fix);

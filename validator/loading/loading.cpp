@@ -9,6 +9,26 @@
 #include <map>
 #include <utility>
 
+namespace axisc::validator::says {
+
+constexpr Sentence not_found{"the file \"{file}\" does not exist", "die Datei \"{file}\" gibt es nicht"};
+constexpr Sentence is_folder{"\"{file}\" is a folder", "\"{file}\" ist ein Ordner"};
+constexpr Sentence no_permission{"the file \"{file}\" may not be read",
+                                 "die Datei \"{file}\" darf nicht gelesen werden"};
+constexpr Sentence not_readable{"the file \"{file}\" cannot be read",
+                                "die Datei \"{file}\" ist nicht lesbar"};
+constexpr Sentence too_large{"the file \"{file}\" is larger than 1 GiB",
+                             "die Datei \"{file}\" ist größer als 1 GiB"};
+constexpr Sentence line_too_long{"the file \"{file}\" has a line of more than 1 MiB",
+                                 "die Datei \"{file}\" hat eine Zeile von mehr als 1 MiB"};
+constexpr Sentence binary{"the file \"{file}\" is no text", "die Datei \"{file}\" ist kein Text"};
+constexpr Sentence utf16{"the file \"{file}\" is UTF-16; lists are UTF-8 or windows-1252",
+                         "die Datei \"{file}\" ist UTF-16; Listen sind UTF-8 oder windows-1252"};
+constexpr Sentence image{"the file \"{file}\" is a coefficient image, not a list",
+                         "die Datei \"{file}\" ist ein Koeffizientenabbild, keine Liste"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator {
 namespace {
 
@@ -40,7 +60,8 @@ bool ends_in(std::string_view path, std::string_view extension) {
   return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
-std::variant<std::string, configuration::FileError> read_text(configuration::Files& files, std::string const& path) {
+std::variant<std::string, configuration::FileError> read_text(configuration::Files& files,
+                                                              std::string const& path) {
   std::variant<std::string, configuration::FileError> bytes = files.read(path);
   if (auto const* const text = std::get_if<std::string>(&bytes)) {
     std::variant<std::monostate, configuration::FileError> const problem = configuration::check_text(*text);
@@ -61,28 +82,28 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   return list;
 }
 
-Text text_of(configuration::FileError error) {
+SentenceRef text_of(configuration::FileError error) {
   switch (error) {
     case configuration::FileError::not_found:
-      return Text::ax4020_not_found;
+      return says::not_found;
     case configuration::FileError::is_folder:
-      return Text::ax4020_is_folder;
+      return says::is_folder;
     case configuration::FileError::no_permission:
-      return Text::ax4020_no_permission;
+      return says::no_permission;
     case configuration::FileError::not_readable:
-      return Text::ax4020_not_readable;
+      return says::not_readable;
     case configuration::FileError::too_large:
-      return Text::ax4020_too_large;
+      return says::too_large;
     case configuration::FileError::line_too_long:
-      return Text::ax4020_line_too_long;
+      return says::line_too_long;
     case configuration::FileError::binary:
-      return Text::ax4020_binary;
+      return says::binary;
     case configuration::FileError::utf16:
-      return Text::ax4020_utf16;
+      return says::utf16;
     case configuration::FileError::image:
-      return Text::ax4020_image;
+      return says::image;
   }
-  return Text::ax4020_not_readable;
+  return says::not_readable;
 }
 
 class Loader {
@@ -139,7 +160,8 @@ class Loader {
   }
 
   void load_machine(SourceId source) {
-    configuration::MachineFile const file = configuration::read_machine_file(sources_, source, machine_.findings);
+    configuration::MachineFile const file =
+        configuration::read_machine_file(sources_, source, machine_.findings);
     machine_.machine_file = source;
     machine_.inch = file.inch;
     if (file.machine) machine_.name = file.machine->text;
@@ -157,8 +179,8 @@ class Loader {
       axis.name = named.name.text;
       axis.drive = named.drive;
       if (named.position_control) {
-        axis.position_control =
-            named.position_control->text == "drive" ? machine::PositionController::drive : machine::PositionController::cnc;
+        axis.position_control = named.position_control->text == "drive" ? machine::PositionController::drive
+                                                                        : machine::PositionController::cnc;
       }
     }
     for (configuration::MachineFileGroup const& group : file.groups) add_group(group);
@@ -286,7 +308,7 @@ class Loader {
     Finding& finding = machine_.findings.emplace_back();
     finding.code = configuration::machine_file_code;
     finding.place = name.place;
-    finding.message = {.text = text_of(error), .arguments = {{"file", name.text}}};
+    finding.message = {.sentence = text_of(error), .arguments = {{"file", name.text}}};
   }
 
   configuration::Files& files_;
@@ -317,8 +339,9 @@ bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
   return false;
 }
 
-std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files, std::string const& path,
-                                            CheckOptions const& options, SourceSet& sources) {
+std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files,
+                                                           std::string const& path,
+                                                           CheckOptions const& options, SourceSet& sources) {
   std::variant<LoadedMachine, configuration::FileError> loaded;
   auto const error = Loader(files, options, sources, std::get<LoadedMachine>(loaded)).load(path);
   if (error) loaded = *error;

@@ -1,6 +1,15 @@
 #include "validator/rules/command_mistakes.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/sentences.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence program_fix{"write `{replacement}`", "`{replacement}` schreiben"};
+
+constexpr Sentence first{"first here", "zuerst hier"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator {
 
@@ -13,15 +22,14 @@ void report_mistakes(CommandContext const& context, Code code, Report& report) {
     finding.notes = mistake.notes;
     finding.help = mistake.help;
     if (mistake.depends_on_cycle_time && !context.whole.machine.cycle_time) {
-      finding.notes.push_back(message(Text::cycle_time_assumed_note));
+      finding.notes.push_back(message(says::cycle_time_assumed_note));
     }
     if (mistake.first) {
-      finding.related.push_back(
-          {.place = context.place(*mistake.first), .message = message(Text::ax5002_first)});
+      finding.related.push_back({.place = context.place(*mistake.first), .message = message(says::first)});
     }
     if (mistake.better && !context.instead) {
       finding.fix =
-          replace_by(place, *mistake.better, message(Text::program_fix, {{"replacement", *mistake.better}}));
+          replace_by(place, *mistake.better, message(says::program_fix, {{"replacement", *mistake.better}}));
     }
     finding.control.reset();
     if (mistake.reaction) {

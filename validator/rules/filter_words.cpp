@@ -8,6 +8,18 @@
 #include <cmath>
 #include <utility>
 
+namespace axisc::validator::says {
+
+constexpr Sentence type_here{"the type is set here", "hier wird der Typ gesetzt"};
+constexpr Sentence type_default{"no list sets `{parameter}`: the type is `{type}` by default",
+                                "keine Liste setzt `{parameter}`: ohne Angabe ist der Typ `{type}`"};
+constexpr Sentence filter_default{"no list sets `{parameter}`: the default {value} counts",
+                                  "keine Liste setzt `{parameter}`: es gilt der Standardwert {value}"};
+constexpr Sentence time_in_cycles{"{time} ({milliseconds}) are {cycles} cycles of {cycle}",
+                                  "{time} ({milliseconds}) sind {cycles} Takte zu {cycle}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 
 std::string filter_name(FilterView const& filter) {
@@ -40,7 +52,7 @@ std::string milliseconds(double value) {
 }
 
 Message time_in_cycles(double time, design::CycleTime cycle_time) {
-  return {Text::filter_time_in_cycles,
+  return {says::time_in_cycles,
           {{"time", microseconds(time)},
            {"milliseconds", milliseconds(time)},
            {"cycles", number(cycle_time.cycles({time}))},
@@ -63,17 +75,17 @@ void note_default(Finding& finding, EffectiveValue const& value) {
   std::string const standard =
       value.value.text.empty() ? number(value.value.number) : std::string(value.value.text);
   finding.notes.push_back(
-      {Text::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
+      {says::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
 }
 
 void relate_set_type(Finding& finding, EffectiveValue const& type) {
-  if (type.value_place()) finding.related.push_back({*type.value_place(), {Text::filter_type_here, {}}});
+  if (type.value_place()) finding.related.push_back({*type.value_place(), {says::type_here, {}}});
 }
 
 void relate_type(Finding& finding, FilterView const& filter) {
   if (filter.type.value_place()) return relate_set_type(finding, filter.type);
   finding.notes.push_back(
-      {Text::filter_type_default,
+      {says::type_default,
        {{"parameter", parameter_name(filter.type)}, {"type", std::string(filter.type_word())}}});
 }
 

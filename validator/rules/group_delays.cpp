@@ -1,6 +1,7 @@
 #include "validator/rules/group_delays.hpp"
 
 #include "diagnostics/format_number.hpp"
+#include "validator/rules/sentences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ std::string cycles_text(double cycles) {
 }
 
 Message delay_of(DelayedAxis const& axis) {
-  return {Text::group_axis_delay, {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.delay.cycles)}}};
+  return {says::group_axis_delay, {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.delay.cycles)}}};
 }
 
 void relate_others(Finding& finding, Delays const& delays, std::size_t reported) {

@@ -17,7 +17,7 @@ void name_parameter(Finding& finding, Line const& line) {
   if (reading.row_known()) finding.p_axis = schema::p_axis_text(reading.row->p_axis);
 }
 
-void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments, std::string value) {
+void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments, std::string value) {
   if (!finding.control) finding.control.emplace();
   finding.control->reaction = message(text, std::move(arguments));
   finding.control->value = std::move(value);

@@ -12,14 +12,14 @@
 
 namespace axisc::validator {
 
-[[nodiscard]] inline Message message(Text text, std::vector<Argument> arguments = {}) {
-  return {.text = text, .arguments = std::move(arguments)};
+[[nodiscard]] inline Message message(SentenceRef text, std::vector<Argument> arguments = {}) {
+  return {.sentence = text, .arguments = std::move(arguments)};
 }
 
 /// The same of values that are moved, for checks that many lines of one list may fail.
 template <typename... Arguments>
-[[nodiscard]] Message message_of(Text text, Arguments... arguments) {
-  Message result{.text = text, .arguments = {}};
+[[nodiscard]] Message message_of(SentenceRef text, Arguments... arguments) {
+  Message result{.sentence = text, .arguments = {}};
   result.arguments.reserve(sizeof...(arguments));
   (result.arguments.push_back(std::move(arguments)), ...);
   return result;
@@ -58,7 +58,8 @@ Reported& report_line(Report& report, Line const& line, Span span) {
   });
 }
 
-void set_reaction(Finding& finding, Text text, std::vector<Argument> arguments = {}, std::string value = {});
+void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments = {},
+                  std::string value = {});
 /// Says beside the control's value, which is the raw number `value`, what that is for a person.
 void add_physical(Finding& finding, schema::Parameter const& row, machine::AxisType type, double value);
 

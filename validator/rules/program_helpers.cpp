@@ -3,6 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+namespace axisc::validator::says {
+
+constexpr Sentence here_too{"the same holds here", "dasselbe gilt hier"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator {
 namespace {
 
@@ -26,7 +32,7 @@ Finding& report_at_last(ProgramContext const& context, Report& report, std::vect
   std::size_t const others = spans.size() - 1;
   for (std::size_t i = others - std::min(others, most_related); i < others; ++i) {
     finding.related.push_back({.place = {.source = source, .span = spans[i]},
-                               .message = {.text = Text::program_here_too, .arguments = {}}});
+                               .message = {.sentence = says::here_too, .arguments = {}}});
   }
   return finding;
 }
@@ -42,12 +48,12 @@ void set_axis(Finding& finding, std::vector<LoadedAxis const*> const& axes) {
 }
 
 void relate_values(Finding& finding, std::vector<LoadedAxis const*> const& axes, std::string_view pattern,
-                   Text text) {
+                   SentenceRef text) {
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(pattern);
     if (!value.value_place()) continue;
     finding.related.push_back(
-        {.place = *value.value_place(), .message = {.text = text, .arguments = {{"axis", axis->name}}}});
+        {.place = *value.value_place(), .message = {.sentence = text, .arguments = {{"axis", axis->name}}}});
   }
 }
 

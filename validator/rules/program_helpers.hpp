@@ -47,6 +47,6 @@ void set_axis(Finding& finding, std::vector<LoadedAxis const*> const& axes);
 
 /// Relates the places where the axes' lists set a parameter.
 void relate_values(Finding& finding, std::vector<LoadedAxis const*> const& axes, std::string_view pattern,
-                   Text text);
+                   SentenceRef text);
 
 }  // namespace axisc::validator

@@ -5,6 +5,15 @@
 
 #include <utility>
 
+namespace axisc::validator::says {
+
+constexpr Sentence lost{"the parameter keeps its earlier value",
+                        "der Parameter behält seinen vorherigen Wert"};
+constexpr Sentence target{"{p_axis} is `{name}`", "{p_axis} ist `{name}`"};
+constexpr Sentence target_here{"`{name}` is set here", "hier wird `{name}` gesetzt"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 
 std::string named(ReferenceProblem const& problem) {
@@ -21,17 +30,16 @@ void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue c
   std::string earlier(value.value.text);
   if (earlier.empty() && schema::default_value(*value.row)) earlier = format_exact(value.value.number);
   bool const is_number = value.value.text.empty() && !earlier.empty();
-  set_reaction(finding, Text::reference_lost, {}, std::move(earlier));
+  set_reaction(finding, says::lost, {}, std::move(earlier));
   if (is_number) add_physical(finding, *value.row, context.type, value.value.number);
 }
 
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem) {
   if (!problem.target) return;
   std::string const name = name_of(context, *problem.target);
-  finding.notes.push_back(message(Text::reference_target, {{"p_axis", named(problem)}, {"name", name}}));
+  finding.notes.push_back(message(says::target, {{"p_axis", named(problem)}, {"name", name}}));
   if (auto const& place = context.values[*problem.target].value_place()) {
-    finding.related.push_back(
-        {.place = *place, .message = message(Text::reference_target_here, {{"name", name}})});
+    finding.related.push_back({.place = *place, .message = message(says::target_here, {{"name", name}})});
   }
 }
 

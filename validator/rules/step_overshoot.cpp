@@ -7,6 +7,13 @@
 #include <cmath>
 #include <cstdint>
 
+namespace axisc::validator::says {
+
+constexpr Sentence filter_overshoot{"a step overshoots by {overshoot} %",
+                                    "ein Sprung schwingt um {overshoot} % über"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -32,7 +39,7 @@ std::optional<double> step_overshoot(FilterContext const& context) {
 }
 
 Message overshoot_label(double overshoot) {
-  return {Text::filter_overshoot, {{"overshoot", percent(overshoot)}}};
+  return {says::filter_overshoot, {{"overshoot", percent(overshoot)}}};
 }
 
 }  // namespace axisc::validator::checks

@@ -6,6 +6,15 @@
 #include <array>
 #include <cstdio>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the character {character} is not allowed in a list",
+                            "das Zeichen {character} ist in einer Liste nicht erlaubt"};
+constexpr Sentence undefined{"the byte {character} is no character, neither in UTF-8 nor in windows-1252",
+                             "das Byte {character} ist kein Zeichen, weder in UTF-8 noch in windows-1252"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -21,7 +30,7 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   std::string const shown = undefined     ? hexadecimal("0x%02X", byte)
                             : byte < 0x80 ? hexadecimal("U+%04X", byte)
                                           : "U+0080";
-  finding.message = message(undefined ? Text::ax1001_undefined : Text::ax1001, {{"character", shown}});
+  finding.message = message(undefined ? says::undefined : says::headline, {{"character", shown}});
 }
 
 void invalid_character(ListContext const& context, Report& report) {

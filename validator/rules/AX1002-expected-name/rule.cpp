@@ -3,6 +3,15 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"a line begins with a parameter name, a comment or `Ende`",
+                            "eine Zeile beginnt mit einem Parameternamen, einem Kommentar oder `Ende`"};
+constexpr Sentence reaction{"it ignores what it does not know", "sie übergeht, was sie nicht kennt"};
+constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -15,11 +24,11 @@ bool opens_foreign_comment(std::string_view word) {
 }
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
-  finding.message = message(Text::ax1002);
-  set_reaction(finding, Text::ax1002_reaction);
+  finding.message = message(says::headline);
+  set_reaction(finding, says::reaction);
   if (!opens_foreign_comment(context.source.slice(problem.span))) return;
   Span const before{.begin = problem.span.begin, .end = problem.span.begin};
-  finding.fix = replace_by(place_of(context, before), "# ", message(Text::ax1002_fix), FixSafety::safe);
+  finding.fix = replace_by(place_of(context, before), "# ", message(says::fix), FixSafety::safe);
 }
 
 void expected_name(ListContext const& context, Report& report) {

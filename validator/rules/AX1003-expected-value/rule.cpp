@@ -3,13 +3,21 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{name}` has no value", "`{name}` hat keinen Wert"};
+constexpr Sentence help{"write the value behind the name, separated by a blank",
+                        "den Wert durch ein Leerzeichen getrennt hinter den Namen schreiben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
   finding.parameter = context.source.utf8(problem.span);
-  finding.message = message_of(Text::ax1003, Argument{"name", finding.parameter});
-  finding.help.push_back(message(Text::ax1003_help));
+  finding.message = message_of(says::headline, Argument{"name", finding.parameter});
+  finding.help.push_back(message(says::help));
 }
 
 void expected_value(ListContext const& context, Report& report) {

@@ -4,6 +4,16 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the index `{index}` is malformed", "der Index `{index}` ist fehlerhaft"};
+constexpr Sentence help{
+    "an index is a whole number from 0 in brackets, without blanks: `filter[0].order`",
+    "ein Index ist eine ganze Zahl ab 0 in eckigen Klammern, ohne Leerzeichen: `filter[0].order`"};
+constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -20,12 +30,12 @@ std::string repaired_index(std::string_view index) {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
   std::string const index = context.source.utf8(problem.span);
-  finding.message = message_of(Text::ax1004, Argument{"index", index});
-  finding.help.push_back(message(Text::ax1004_help));
+  finding.message = message_of(says::headline, Argument{"index", index});
+  finding.help.push_back(message(says::help));
   std::string const repaired = repaired_index(index);
   if (repaired.empty()) return;
   finding.fix = replace_by(place_of(context, problem.span), repaired,
-                           message_of(Text::ax1004_fix, Argument{"replacement", repaired}));
+                           message_of(says::fix, Argument{"replacement", repaired}));
 }
 
 void malformed_index(ListContext const& context, Report& report) {

@@ -4,6 +4,15 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{value}` has a decimal comma", "`{value}` hat ein Dezimalkomma"};
+constexpr Sentence reaction{"it expects a decimal point and would read another number",
+                            "sie erwartet einen Dezimalpunkt und würde eine andere Zahl lesen"};
+constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -21,12 +30,12 @@ std::string repaired(std::string value, Reading const& reading) {
 void describe(Finding& finding, Line const& line) {
   Span const written = line.assignment().value;
   std::string const value = line.text(written);
-  finding.message = message_of(Text::ax1005, Argument{"value", value});
-  set_reaction(finding, Text::ax1005_reaction);
+  finding.message = message_of(says::headline, Argument{"value", value});
+  set_reaction(finding, says::reaction);
   std::string const number = repaired(value, line.reading());
   if (number.empty()) return;
   finding.fix =
-      replace_by(line.place(written), number, message_of(Text::ax1005_fix, Argument{"replacement", number}));
+      replace_by(line.place(written), number, message_of(says::fix, Argument{"replacement", number}));
 }
 
 void decimal_comma(ListContext const& context, Report& report) {

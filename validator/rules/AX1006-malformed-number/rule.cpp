@@ -2,6 +2,19 @@
 
 #include "validator/rules/helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{value}` is no number", "`{value}` ist keine Zahl"};
+constexpr Sentence leading_zero{"`{value}` begins with a zero", "`{value}` beginnt mit einer Null"};
+constexpr Sentence exponent{"`{value}` is too big for a number", "`{value}` ist zu groß für eine Zahl"};
+constexpr Sentence reaction{"it finds no number", "sie findet keine Zahl"};
+constexpr Sentence leading_zero_reaction{"it rejects numbers with a leading zero",
+                                         "sie weist Zahlen mit führender Null zurück"};
+constexpr Sentence exponent_reaction{"it rejects the exponent", "sie weist den Exponenten zurück"};
+constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -16,8 +29,8 @@ std::string without_leading_zeros(std::string const& value) {
 
 /// What the control does with one kind of malformed number.
 struct Trouble {
-  Text headline;
-  Text reaction;
+  SentenceRef headline;
+  SentenceRef reaction;
   std::string_view control;  ///< instead of the row's number
   std::string_view result;
 };
@@ -25,21 +38,19 @@ struct Trouble {
 Trouble trouble_of(schema::NumberStatus status) {
   switch (status) {
     case schema::NumberStatus::leading_zero:
-      return {.headline = Text::ax1006_leading_zero,
-              .reaction = Text::ax1006_leading_zero_reaction,
+      return {.headline = says::leading_zero,
+              .reaction = says::leading_zero_reaction,
               .control = "1022",
               .result = ""};
     case schema::NumberStatus::exponent_too_big:
-      return {.headline = Text::ax1006_exponent,
-              .reaction = Text::ax1006_exponent_reaction,
-              .control = "1027",
-              .result = ""};
+      return {
+          .headline = says::exponent, .reaction = says::exponent_reaction, .control = "1027", .result = ""};
     case schema::NumberStatus::good:
     case schema::NumberStatus::not_a_number:
     case schema::NumberStatus::out_of_data_range:
       break;
   }
-  return {.headline = Text::ax1006, .reaction = Text::ax1006_reaction, .control = "", .result = "0"};
+  return {.headline = says::headline, .reaction = says::reaction, .control = "", .result = "0"};
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -53,7 +64,7 @@ void describe(Finding& finding, Line const& line) {
   std::string const shorter = without_leading_zeros(value);
   if (!schema::is_complete_number(shorter)) return;
   finding.fix = replace_by(line.place(line.assignment().value), shorter,
-                           message(Text::ax1006_fix, {{"replacement", shorter}}));
+                           message(says::fix, {{"replacement", shorter}}));
 }
 
 void malformed_number(ListContext const& context, Report& report) {

@@ -5,6 +5,15 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{text}` looks like a second value", "`{text}` sieht wie ein zweiter Wert aus"};
+constexpr Sentence reaction{"it reads over the rest of the line", "sie überliest den Rest der Zeile"};
+constexpr Sentence help{"if it is a comment, open it with `(`", "ein Kommentar sollte mit `(` beginnen"};
+constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -52,11 +61,11 @@ Span first_word(Line const& line) {
 
 void describe(Finding& finding, Line const& line) {
   Span const word = first_word(line);
-  finding.message = message(Text::ax1007, {{"text", line.text(word)}});
-  set_reaction(finding, Text::ax1007_reaction, {}, line.text(line.assignment().value));
-  finding.help.push_back(message(Text::ax1007_help));
+  finding.message = message(says::headline, {{"text", line.text(word)}});
+  set_reaction(finding, says::reaction, {}, line.text(line.assignment().value));
+  finding.help.push_back(message(says::help));
   Span const before{.begin = word.begin, .end = word.begin};
-  finding.fix = replace_by(line.place(before), "( ", message(Text::ax1007_fix), FixSafety::safe);
+  finding.fix = replace_by(line.place(before), "( ", message(says::fix), FixSafety::safe);
 }
 
 void suspicious_trailer(ListContext const& context, Report& report) {

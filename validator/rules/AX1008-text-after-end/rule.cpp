@@ -3,6 +3,14 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"text behind `Ende` is ignored", "Text hinter `Ende` wird nicht mehr gelesen"};
+constexpr Sentence related{"the list ends here", "hier endet die Liste"};
+constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -24,12 +32,11 @@ std::vector<Edit> comments_from(ListContext const& context, std::uint32_t begin)
 }
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
-  finding.message = message(Text::ax1008);
+  finding.message = message(says::headline);
   if (auto const& marker = context.list.tree.end_marker) {
-    finding.related.push_back(
-        {.place = place_of(context, *marker), .message = message(Text::ax1008_related)});
+    finding.related.push_back({.place = place_of(context, *marker), .message = message(says::related)});
   }
-  finding.fix = Fix{.title = message(Text::ax1008_fix),
+  finding.fix = Fix{.title = message(says::fix),
                     .edits = comments_from(context, problem.span.begin),
                     .safety = FixSafety::safe};
 }

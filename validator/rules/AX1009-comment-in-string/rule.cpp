@@ -2,18 +2,29 @@
 
 #include "validator/rules/helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"behind a symbol only `(` opens a comment",
+                            "hinter einem Symbol beginnt ein Kommentar nur mit `(`"};
+constexpr Sentence string{"in a string only `(` opens a comment",
+                          "in einer Zeichenkette beginnt ein Kommentar nur mit `(`"};
+constexpr Sentence reaction{"it reads `{value}`", "sie liest `{value}`"};
+constexpr Sentence fix{"open the comment with `(`", "den Kommentar mit `(` beginnen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, Line const& line) {
   Span const trouble = line.reading().trouble;
   bool const is_symbol = !line.reading().row->symbols.empty();
-  finding.message = message(is_symbol ? Text::ax1009 : Text::ax1009_string);
+  finding.message = message(is_symbol ? says::headline : says::string);
   std::string const value = line.text({.begin = line.assignment().value.begin, .end = trouble.end});
-  set_reaction(finding, Text::ax1009_reaction, {{"value", value}}, is_symbol ? "" : value);
+  set_reaction(finding, says::reaction, {{"value", value}}, is_symbol ? "" : value);
   if (is_symbol) finding.control->message = "2022";
   Span const before{.begin = trouble.begin, .end = trouble.begin};
-  finding.fix = replace_by(line.place(before), "( ", message(Text::ax1009_fix));
+  finding.fix = replace_by(line.place(before), "( ", message(says::fix));
 }
 
 void comment_in_string(ListContext const& context, Report& report) {

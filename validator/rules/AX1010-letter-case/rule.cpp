@@ -3,6 +3,16 @@
 #include "diagnostics/ascii.hpp"
 #include "validator/rules/helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{written}` differs from `{expected}` in letter case",
+                            "`{written}` weicht in der Groß- und Kleinschreibung von `{expected}` ab"};
+constexpr Sentence reaction{"what it does with another letter case is not documented",
+                            "ihr Verhalten bei anderer Groß- und Kleinschreibung ist nicht dokumentiert"};
+constexpr Sentence fix{"write `{expected}`", "`{expected}` schreiben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -11,10 +21,10 @@ constexpr std::string_view end_marker = "Ende";
 /// `finding` stands at what is written.
 void describe(Finding& finding, std::string written, std::string const& expected) {
   finding.message =
-      message_of(Text::ax1010, Argument{"written", std::move(written)}, Argument{"expected", expected});
-  set_reaction(finding, Text::ax1010_reaction);
-  finding.fix = replace_by(*finding.place, expected,
-                           message_of(Text::ax1010_fix, Argument{"expected", expected}), FixSafety::safe);
+      message_of(says::headline, Argument{"written", std::move(written)}, Argument{"expected", expected});
+  set_reaction(finding, says::reaction);
+  finding.fix = replace_by(*finding.place, expected, message_of(says::fix, Argument{"expected", expected}),
+                           FixSafety::safe);
 }
 
 void describe_name(Finding& finding, Line const& line) {

@@ -5,6 +5,14 @@
 #include <charconv>
 #include <optional>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the comment names {named}, but `{parameter}` is {own}",
+                            "der Kommentar nennt {named}, `{parameter}` ist aber {own}"};
+constexpr Sentence note{"{named} is `{name}`", "{named} ist `{name}`"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -51,14 +59,14 @@ void describe(Finding& finding, Line const& line) {
   Mention const first = *other_parameter(line);
   std::string const named = line.text(first.span);
   finding.message = message(
-      Text::ax1011, {{"named", named},
-                     {"parameter", line.name()},
-                     {"own", schema::p_axis_text(line.context.list.readings[line.number].row->p_axis)}});
+      says::headline, {{"named", named},
+                       {"parameter", line.name()},
+                       {"own", schema::p_axis_text(line.context.list.readings[line.number].row->p_axis)}});
   if (first.number > UINT16_MAX) return;
   schema::Catalogue const& catalogue = line.context.list.catalogue;
   for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {
     std::string name(catalogue.parameter(id).name);
-    finding.notes.push_back(message(Text::ax1011_note, {{"named", named}, {"name", std::move(name)}}));
+    finding.notes.push_back(message(says::note, {{"named", named}, {"name", std::move(name)}}));
   }
 }
 

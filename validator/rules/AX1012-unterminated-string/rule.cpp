@@ -3,15 +3,24 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the quotation mark is not closed on this line",
+                            "das Anführungszeichen wird in dieser Zeile nicht geschlossen"};
+constexpr Sentence fix{"close the quotation at the end of the line",
+                       "das Anführungszeichen am Zeilenende schließen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
-  finding.message = message(Text::ax1012);
+  finding.message = message(says::headline);
   // With a comment on the line nobody knows where the string was meant to end.
   if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
   Span const behind{.begin = problem.span.end, .end = problem.span.end};
-  finding.fix = replace_by(place_of(context, behind), "\"", message(Text::ax1012_fix));
+  finding.fix = replace_by(place_of(context, behind), "\"", message(says::fix));
 }
 
 void unterminated_string(ListContext const& context, Report& report) {

@@ -1,6 +1,21 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/sentences.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "index {index} is out of range: `{parameter}` has the entries 0 to {last}",
+    "Index {index} liegt außerhalb des Bereichs: `{parameter}` hat die Einträge 0 bis {last}"};
+constexpr Sentence missing{"`{parameter}` is an array and needs an index",
+                           "`{parameter}` ist ein Feld und braucht einen Index"};
+constexpr Sentence superfluous{"`{parameter}` is no array and takes no index",
+                               "`{parameter}` ist kein Feld und hat keinen Index"};
+constexpr Sentence reaction{"the entry is lost, start-up goes on",
+                            "der Eintrag geht verloren, der Hochlauf geht weiter"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -11,19 +26,18 @@ void describe(Finding& finding, Line const& line) {
   schema::NameLookup const name = line.context.list.catalogue.find(line.context.source.slice(written));
   std::string const pattern(name.row->name);
   if (name.status == Status::index_out_of_range) {
-    finding.message = message(Text::ax2002, {{"index", std::to_string(name.index.at(name.index_position))},
-                                             {"parameter", pattern},
-                                             {"last", std::to_string(name.array_size - 1)}});
+    finding.message = message(says::headline, {{"index", std::to_string(name.index.at(name.index_position))},
+                                               {"parameter", pattern},
+                                               {"last", std::to_string(name.array_size - 1)}});
   } else {
-    finding.message =
-        message(name.status == Status::index_missing ? Text::ax2002_missing : Text::ax2002_superfluous,
-                {{"parameter", pattern}});
+    finding.message = message(name.status == Status::index_missing ? says::missing : says::superfluous,
+                              {{"parameter", pattern}});
   }
-  set_reaction(finding, Text::ax2002_reaction);
+  set_reaction(finding, says::reaction);
   // A scalar's name is the whole repair; where other indices remain, nobody knows which one was meant.
   if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
   finding.fix =
-      replace_by(line.place(written), pattern, message(Text::parameter_fix, {{"replacement", pattern}}));
+      replace_by(line.place(written), pattern, message(says::parameter_fix, {{"replacement", pattern}}));
 }
 
 void index_out_of_range(ListContext const& context, Report& report) {

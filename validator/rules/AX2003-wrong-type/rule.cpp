@@ -2,16 +2,33 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/sentences.hpp"
 
 #include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence parameter_no_number{"it finds no number", "sie findet keine Zahl"};
+
+constexpr Sentence integer{"`{parameter}` needs a whole number, `{value}` is none",
+                           "`{parameter}` braucht eine ganze Zahl, `{value}` ist keine"};
+constexpr Sentence real{"`{parameter}` needs a number, `{value}` is none",
+                        "`{parameter}` braucht eine Zahl, `{value}` ist keine"};
+constexpr Sentence boolean{"`{parameter}` is a switch: 0 or 1, not `{value}`",
+                           "`{parameter}` ist ein Schalter: 0 oder 1, nicht `{value}`"};
+constexpr Sentence symbol{
+    "`{parameter}` needs a symbol or its number, `{value}` is none",
+    "`{parameter}` braucht ein Symbol oder dessen Nummer, `{value}` ist keines von beiden"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
 
-Text headline(schema::Parameter const& parameter) {
-  if (parameter.type == schema::DataType::boolean) return Text::ax2003_boolean;
-  if (parameter.type == schema::DataType::real64) return Text::ax2003_real;
-  return schema::is_integer(parameter.type) ? Text::ax2003_integer : Text::ax2003_symbol;
+SentenceRef headline(schema::Parameter const& parameter) {
+  if (parameter.type == schema::DataType::boolean) return says::boolean;
+  if (parameter.type == schema::DataType::real64) return says::real;
+  return schema::is_integer(parameter.type) ? says::integer : says::symbol;
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -21,7 +38,7 @@ void describe(Finding& finding, Line const& line) {
       message_of(headline(parameter), Argument{"parameter", line.name()}, Argument{"value", value});
   if (!schema::is_number(parameter.type)) return;
   if (line.assignment().kind != grammar::ValueKind::real) {
-    set_reaction(finding, Text::parameter_no_number, {}, "0");
+    set_reaction(finding, says::parameter_no_number, {}, "0");
     finding.control->message = "1001138";
     return;
   }
@@ -29,7 +46,7 @@ void describe(Finding& finding, Line const& line) {
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
   finding.fix = replace_by(line.place(line.reading().text), whole,
-                           message(Text::parameter_fix, {{"replacement", whole}}));
+                           message(says::parameter_fix, {{"replacement", whole}}));
 }
 
 void wrong_type(ListContext const& context, Report& report) {

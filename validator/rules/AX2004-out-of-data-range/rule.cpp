@@ -6,6 +6,14 @@
 #include <cstdint>
 #include <string>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"{value} does not fit {type}", "{value} passt nicht in {type}"};
+constexpr Sentence range{"{type} holds {lowest} to {highest}", "{type} fasst {lowest} bis {highest}"};
+constexpr Sentence reaction{"it clips the value", "sie begrenzt den Wert"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -24,11 +32,11 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, s
   name_parameter(finding, row, slot);
   std::string type_name(schema::data_type_name(row.type));
   finding.message =
-      message_of(Text::ax2004, Argument{"value", std::move(value)}, Argument{"type", type_name});
+      message_of(says::headline, Argument{"value", std::move(value)}, Argument{"type", type_name});
   std::string lowest = limit_text(row.type, false);
   std::string highest = limit_text(row.type, true);
-  set_reaction(finding, Text::ax2004_reaction, {}, positive ? highest : lowest);
-  finding.notes.push_back(message_of(Text::ax2004_range, Argument{"type", std::move(type_name)},
+  set_reaction(finding, says::reaction, {}, positive ? highest : lowest);
+  finding.notes.push_back(message_of(says::range, Argument{"type", std::move(type_name)},
                                      Argument{"lowest", std::move(lowest)},
                                      Argument{"highest", std::move(highest)}));
   schema::DataRange const range = schema::data_range(row.type);

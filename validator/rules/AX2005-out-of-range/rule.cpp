@@ -3,6 +3,17 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/views/units_text.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"};
+
+constexpr Sentence headline{"`{parameter}` is out of range: {range}",
+                            "`{parameter}` liegt außerhalb des Bereichs: {range}"};
+constexpr Sentence raw{"in the list's numbers: {range}", "in Zahlen der Liste: {range}"};
+constexpr Sentence file{"{file} says so", "so steht es in {file}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -20,18 +31,17 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
   schema::Parameter const& parameter = context.values.row(slot);
   name_parameter(finding, parameter, slot);
   std::string_view const unit = unit_of(parameter, context.type);
-  finding.message = message_of(Text::ax2005, Argument{"parameter", finding.parameter},
+  finding.message = message_of(says::headline, Argument{"parameter", finding.parameter},
                                Argument{"range", range_text(parameter, unit, true)});
   if (!unit.empty()) {
-    finding.label = message_of(Text::parameter_value_in_unit, Argument{"value", physical(value, unit)});
+    finding.label = message_of(says::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }
   if (is_scaled(unit)) {
-    finding.notes.push_back(
-        message_of(Text::ax2005_raw, Argument{"range", range_text(parameter, unit, false)}));
+    finding.notes.push_back(message_of(says::raw, Argument{"range", range_text(parameter, unit, false)}));
   }
   std::string file(context.values.catalogue().file_of(parameter));
   if (!file.empty()) {
-    finding.notes.push_back(message_of(Text::ax2005_file, Argument{"file", std::move(file)}));
+    finding.notes.push_back(message_of(says::file, Argument{"file", std::move(file)}));
   }
 }
 

@@ -6,20 +6,30 @@
 #include <utility>
 #include <vector>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` is set again in line {line}, and the last value counts",
+                            "`{parameter}` wird in Zeile {line} erneut gesetzt, es gilt der letzte Wert"};
+constexpr Sentence related{"this value counts", "dieser Wert gilt"};
+constexpr Sentence fix{"make the earlier one a comment", "die frühere Zuweisung zum Kommentar machen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 /// The earlier of two lines that set one parameter.
 void describe(Finding& finding, Line const& line, grammar::Assignment const& later) {
   name_parameter(finding, line);
-  finding.message = message(Text::ax2006, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
-  finding.related.push_back({.place = line.place(later.value), .message = message(Text::ax2006_related)});
+  finding.message =
+      message(says::headline, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
+  finding.related.push_back({.place = line.place(later.value), .message = message(says::related)});
   // The last one wins, so the earlier line is ignored. One that carries a directive would speak for the next line.
   grammar::Assignment const& assignment = line.assignment();
   SourceText const& source = line.context.source;
   if (source.slice(source.line_span(assignment.line)).find("axisc:") != std::string_view::npos) return;
   Span const at_name{.begin = assignment.name.begin, .end = assignment.name.begin};
-  finding.fix = replace_by(line.place(at_name), "# ", message(Text::ax2006_fix), FixSafety::safe);
+  finding.fix = replace_by(line.place(at_name), "# ", message(says::fix), FixSafety::safe);
 }
 
 void duplicate_parameter(ListContext const& context, Report& report) {

@@ -1,6 +1,17 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/sentences.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{value}` is no value of `{parameter}`",
+                            "`{value}` ist kein Wert von `{parameter}`"};
+constexpr Sentence allowed{"values: {values}", "Werte: {values}"};
+constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert nicht"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -19,18 +30,18 @@ std::string allowed_values(schema::Parameter const& parameter) {
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.reading().row;
   std::string const value = line.text(line.reading().text);
-  finding.message = message_of(Text::ax2007, Argument{"value", value}, Argument{"parameter", line.name()});
-  finding.notes.push_back(message_of(Text::ax2007_allowed, Argument{"values", allowed_values(parameter)}));
-  set_reaction(finding, Text::ax2007_reaction);
+  finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
+  finding.notes.push_back(message_of(says::allowed, Argument{"values", allowed_values(parameter)}));
+  set_reaction(finding, says::reaction);
   std::vector<std::string_view> const suggestions = schema::suggest_symbols(parameter, value);
   for (std::string_view const suggestion : suggestions) {
     finding.help.push_back(
-        message_of(Text::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
+        message_of(says::parameter_did_you_mean, Argument{"suggestion", std::string(suggestion)}));
   }
   if (suggestions.empty()) return;
   std::string const best(suggestions.front());
   finding.fix = replace_by(line.place(line.reading().text), best,
-                           message_of(Text::parameter_fix, Argument{"replacement", best}));
+                           message_of(says::parameter_fix, Argument{"replacement", best}));
 }
 
 void unknown_symbol(ListContext const& context, Report& report) {

@@ -4,6 +4,15 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the text has {length} characters, `{parameter}` holds {limit}",
+                            "der Text hat {length} Zeichen, `{parameter}` fasst {limit}"};
+constexpr Sentence reaction{"it reports the text as too long, start-up goes on",
+                            "sie meldet den Text als zu lang, der Hochlauf geht weiter"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -14,10 +23,10 @@ std::size_t characters(std::string_view utf8) {
 
 void describe(Finding& finding, Line const& line) {
   std::size_t const length = characters(line.reading().value.text);
-  finding.message = message(Text::ax2008, {{"length", std::to_string(length)},
-                                           {"parameter", line.name()},
-                                           {"limit", std::to_string(line.reading().row->max_length)}});
-  set_reaction(finding, Text::ax2008_reaction);
+  finding.message = message(says::headline, {{"length", std::to_string(length)},
+                                             {"parameter", line.name()},
+                                             {"limit", std::to_string(line.reading().row->max_length)}});
+  set_reaction(finding, says::reaction);
 }
 
 void string_too_long(ListContext const& context, Report& report) {

@@ -2,6 +2,18 @@
 
 #include "validator/rules/helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence translatory{"`{parameter}` is not meant for translatory axes",
+                               "`{parameter}` ist für translatorische Achsen nicht vorgesehen"};
+constexpr Sentence rotary{"`{parameter}` is not meant for rotary axes",
+                          "`{parameter}` ist für rotatorische Achsen nicht vorgesehen"};
+constexpr Sentence spindle{"`{parameter}` is not meant for spindles",
+                           "`{parameter}` ist für Spindeln nicht vorgesehen"};
+constexpr Sentence types{"axis types: {types}", "Achstypen: {types}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -10,9 +22,9 @@ char letter(machine::AxisType type) {
   return type == machine::AxisType::rotary ? 'R' : 'S';
 }
 
-Text headline(machine::AxisType type) {
-  if (type == machine::AxisType::translatory) return Text::ax2009_translatory;
-  return type == machine::AxisType::rotary ? Text::ax2009_rotary : Text::ax2009_spindle;
+SentenceRef headline(machine::AxisType type) {
+  if (type == machine::AxisType::translatory) return says::translatory;
+  return type == machine::AxisType::rotary ? says::rotary : says::spindle;
 }
 
 using Rows = std::vector<schema::Parameter const*>;
@@ -31,7 +43,7 @@ void describe(Finding& finding, AxisContext const& context, EffectiveValue const
   finding.message = message(headline(context.type), {{"parameter", finding.parameter}});
   std::string listed;
   for (char const type : row.axis_types) listed.append(listed.empty() ? "" : ", ").append(1, type);
-  finding.notes.push_back(message(Text::ax2009_types, {{"types", listed}}));
+  finding.notes.push_back(message(says::types, {{"types", listed}}));
 }
 
 void check_row(AxisContext const& context, schema::Parameter const& row, Report& report) {

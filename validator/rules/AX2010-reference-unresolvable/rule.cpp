@@ -3,6 +3,15 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"there is no parameter {p_axis}", "einen Parameter {p_axis} gibt es nicht"};
+constexpr Sentence no_value{
+    "`{name}` ({p_axis}) has no value: no list sets it, and it has no default",
+    "`{name}` ({p_axis}) hat keinen Wert: keine Liste setzt ihn, und er hat keinen Vorgabewert"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -11,9 +20,9 @@ void reference_unresolvable(AxisContext const& context, Report& report) {
                    [&](ReferenceProblem const& problem, EffectiveValue const& value) {
                      Message const text =
                          problem.target
-                             ? message(Text::ax2010_no_value, {{"name", name_of(context, *problem.target)},
-                                                               {"p_axis", named(problem)}})
-                             : message(Text::ax2010, {{"p_axis", named(problem)}});
+                             ? message(says::no_value, {{"name", name_of(context, *problem.target)},
+                                                        {"p_axis", named(problem)}})
+                             : message(says::headline, {{"p_axis", named(problem)}});
                      keep_earlier(context, report.add(value, text), value);
                    });
 }

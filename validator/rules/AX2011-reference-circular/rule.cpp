@@ -3,19 +3,28 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence itself{"`{parameter}` refers to itself", "`{parameter}` verweist auf sich selbst"};
+constexpr Sentence circle{"`{parameter}` refers to itself in a circle",
+                          "`{parameter}` verweist im Kreis auf sich selbst"};
+constexpr Sentence member{"`{parameter}` belongs to the circle", "`{parameter}` gehört zum Kreis"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void reference_circular(AxisContext const& context, Report& report) {
   for_each_problem(
       context, ReferenceTrouble::circular, [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        Text const text = problem.circle.empty() ? Text::ax2011_itself : Text::ax2011_circle;
+        SentenceRef const text = problem.circle.empty() ? says::itself : says::circle;
         Finding& finding = report.add(value, message(text, {{"parameter", name_of(context, problem.slot)}}));
         keep_earlier(context, finding, value);
         for (schema::Slot const member : problem.circle) {
           finding.related.push_back(
               {.place = *context.values[member].value_place(),
-               .message = message(Text::ax2011_member, {{"parameter", name_of(context, member)}})});
+               .message = message(says::member, {{"parameter", name_of(context, member)}})});
         }
       });
 }

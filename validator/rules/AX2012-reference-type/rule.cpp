@@ -3,29 +3,37 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` is {type}, but {p_axis} is {other}",
+                            "`{parameter}` ist {type}, {p_axis} aber {other}"};
+constexpr Sentence symbol{"`{parameter}` has no value `{value}`, which is that of {p_axis}",
+                          "`{parameter}` hat keinen Wert `{value}`, wie ihn {p_axis} hat"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void reference_type(AxisContext const& context, Report& report) {
-  for_each_problem(context, ReferenceTrouble::wrong_type,
-                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-                     schema::DataType const type = context.values.row(problem.slot).type;
-                     schema::DataType const other = context.values.row(*problem.target).type;
-                     Message text =
-                         message(Text::ax2012, {{"parameter", name_of(context, problem.slot)},
+  for_each_problem(
+      context, ReferenceTrouble::wrong_type,
+      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+        schema::DataType const type = context.values.row(problem.slot).type;
+        schema::DataType const other = context.values.row(*problem.target).type;
+        Message text = message(says::headline, {{"parameter", name_of(context, problem.slot)},
                                                 {"type", std::string(schema::data_type_name(type))},
                                                 {"p_axis", named(problem)},
                                                 {"other", std::string(schema::data_type_name(other))}});
-                     if (type == other) {
-                       text = message(Text::ax2012_symbol,
-                                      {{"parameter", name_of(context, problem.slot)},
-                                       {"value", std::string(context.values[*problem.target].value.text)},
-                                       {"p_axis", named(problem)}});
-                     }
-                     Finding& finding = report.add(value, std::move(text));
-                     keep_earlier(context, finding, value);
-                     add_target(context, finding, problem);
-                   });
+        if (type == other) {
+          text = message(says::symbol, {{"parameter", name_of(context, problem.slot)},
+                                        {"value", std::string(context.values[*problem.target].value.text)},
+                                        {"p_axis", named(problem)}});
+        }
+        Finding& finding = report.add(value, std::move(text));
+        keep_earlier(context, finding, value);
+        add_target(context, finding, problem);
+      });
 }
 
 }  // namespace

@@ -5,6 +5,15 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"{p_axis} has the entries 0 to {last}, not {index}",
+                            "{p_axis} hat die Einträge 0 bis {last}, nicht {index}"};
+constexpr Sentence scalar{"{p_axis} is no array and has no entry {index}",
+                          "{p_axis} ist kein Feld und hat keinen Eintrag {index}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -15,24 +24,23 @@ std::string written_index(AxisContext const& context, EffectiveValue const& valu
 }
 
 void reference_index(AxisContext const& context, Report& report) {
-  for_each_problem(
-      context, ReferenceTrouble::wrong_index,
-      [&](ReferenceProblem const& problem, EffectiveValue const& value) {
-        schema::Catalogue const& catalogue = context.values.catalogue();
-        std::uint16_t entries = 0;
-        for (schema::ParameterId const id :
-             catalogue.find_number(static_cast<std::uint16_t>(problem.p_axis))) {
-          entries = std::max(entries, catalogue.parameter(id).array[0]);
-        }
-        std::string const index = written_index(context, value);
-        Message text = message(Text::ax2013_scalar, {{"p_axis", named(problem)}, {"index", index}});
-        if (entries != 0) {
-          text =
-              message(Text::ax2013,
-                      {{"p_axis", named(problem)}, {"last", std::to_string(entries - 1)}, {"index", index}});
-        }
-        keep_earlier(context, report.add(value, std::move(text)), value);
-      });
+  for_each_problem(context, ReferenceTrouble::wrong_index,
+                   [&](ReferenceProblem const& problem, EffectiveValue const& value) {
+                     schema::Catalogue const& catalogue = context.values.catalogue();
+                     std::uint16_t entries = 0;
+                     for (schema::ParameterId const id :
+                          catalogue.find_number(static_cast<std::uint16_t>(problem.p_axis))) {
+                       entries = std::max(entries, catalogue.parameter(id).array[0]);
+                     }
+                     std::string const index = written_index(context, value);
+                     Message text = message(says::scalar, {{"p_axis", named(problem)}, {"index", index}});
+                     if (entries != 0) {
+                       text = message(says::headline, {{"p_axis", named(problem)},
+                                                       {"last", std::to_string(entries - 1)},
+                                                       {"index", index}});
+                     }
+                     keep_earlier(context, report.add(value, std::move(text)), value);
+                   });
 }
 
 }  // namespace

@@ -4,6 +4,14 @@
 #include "validator/rules/reference_words.hpp"
 #include "validator/views/units_text.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` is in {unit}, but {p_axis} is in {other}",
+                            "`{parameter}` hat die Einheit {unit}, {p_axis} aber {other}"};
+constexpr Sentence reaction{"it takes the number as it is", "sie übernimmt die Zahl unverändert"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -13,12 +21,12 @@ void reference_unit(AxisContext const& context, Report& report) {
       [&](ReferenceProblem const& problem, EffectiveValue const& value) {
         Finding& finding = report.add(
             value,
-            message(Text::ax2014,
+            message(says::headline,
                     {{"parameter", name_of(context, problem.slot)},
                      {"unit", raw_unit_name(unit_of(context.values.row(problem.slot), context.type))},
                      {"p_axis", named(problem)},
                      {"other", raw_unit_name(unit_of(context.values.row(*problem.target), context.type))}}));
-        set_reaction(finding, Text::ax2014_reaction);
+        set_reaction(finding, says::reaction);
         add_target(context, finding, problem);
       });
 }

@@ -8,6 +8,19 @@
 #include <optional>
 #include <tuple>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` must be {relation} `{limit}`",
+                            "`{parameter}` muss {relation} `{limit}` sein"};
+constexpr Sentence label{"{value}, but it must be {relation} {limit}",
+                         "{value}, muss aber {relation} {limit} sein"};
+constexpr Sentence related{"the limit is set here: {limit}", "hier wird die Grenze gesetzt: {limit}"};
+constexpr Sentence limit_by_parameter_default{
+    "no list sets `{limit}` ({p_axis}): its default {value} counts",
+    "keine Liste setzt `{limit}` ({p_axis}): es gilt der Vorgabewert {value}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -56,8 +69,9 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   if (!other || values[*other].unusable) return std::nullopt;
   if (!values[*other].set() && !schema::default_value(values.row(*other))) return std::nullopt;
   double const bound = values[*other].value.number;
-  bool const violated = side == Side::minimum ? schema::violates_minimum(value.value.number, bound, limit.open)
-                                              : schema::violates_maximum(value.value.number, bound, limit.open);
+  bool const violated = side == Side::minimum
+                            ? schema::violates_minimum(value.value.number, bound, limit.open)
+                            : schema::violates_maximum(value.value.number, bound, limit.open);
   if (!violated) return std::nullopt;
   return Violation{.limit = *other, .side = side, .open = limit.open};
 }
@@ -85,16 +99,15 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
   std::string const own_value = physical(value.value.number, unit_of(*value.row, context.type));
   std::string const sign = relation(violation);
   Finding& finding = report.add(
-      value, message(Text::ax2015,
+      value, message(says::headline,
                      {{"parameter", parameter_name(value)}, {"relation", sign}, {"limit", limit_name}}));
-  finding.label =
-      message(Text::ax2015_label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
+  finding.label = message(says::label, {{"value", own_value}, {"relation", sign}, {"limit", limit_value}});
   if (limit.value_place()) {
     finding.related.push_back(
-        {.place = *limit.value_place(), .message = message(Text::ax2015_related, {{"limit", limit_value}})});
+        {.place = *limit.value_place(), .message = message(says::related, {{"limit", limit_value}})});
   } else {
     finding.notes.push_back(
-        message(Text::ax2015_default,
+        message(says::limit_by_parameter_default,
                 {{"limit", limit_name}, {"p_axis", parameter_number(limit)}, {"value", limit_value}}));
   }
 }

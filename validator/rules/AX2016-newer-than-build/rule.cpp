@@ -8,6 +8,20 @@
 #include <algorithm>
 #include <array>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` needs build {needed} of the control, which has {build}",
+                            "`{parameter}` braucht den Stand {needed} der Steuerung, sie hat {build}"};
+constexpr Sentence time_delay{"`TIME_DELAY` exists from one of the builds {needed}; the control has {build}",
+                              "`TIME_DELAY` gibt es ab einem der Stände {needed}; die Steuerung hat {build}"};
+constexpr Sentence quotes{
+    "a text in quotes needs build {needed} of the control, which has {build}",
+    "ein Text in Anführungszeichen braucht den Stand {needed} der Steuerung, sie hat {build}"};
+constexpr Sentence spindle{"filters for spindles need build {needed} of the control, which has {build}",
+                           "Filter für Spindeln brauchen den Stand {needed} der Steuerung, sie hat {build}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -51,9 +65,9 @@ std::string missing_build(schema::Parameter const& parameter, Reading const& rea
   return {};
 }
 
-Text headline(schema::Parameter const& parameter, Reading const& reading, BuildVersion const& build) {
-  if (build < needed_for(parameter)) return Text::ax2016;
-  return is_time_delay(parameter, reading) ? Text::ax2016_time_delay : Text::ax2016_quotes;
+SentenceRef headline(schema::Parameter const& parameter, Reading const& reading, BuildVersion const& build) {
+  if (build < needed_for(parameter)) return says::headline;
+  return is_time_delay(parameter, reading) ? says::time_delay : says::quotes;
 }
 
 void describe(Finding& finding, AxisContext const& context, Reading const& reading) {
@@ -71,8 +85,8 @@ void check_spindle(AxisContext const& context, BuildVersion const& build, Report
   for (FilterView const& filter : context.filters) {
     bool const on = !filter.enable.unusable && filter.enable.value.flag();
     if (filter.port != FilterPort::setpoint || !on) continue;
-    report.add(filter.enable, message(Text::ax2016_spindle, {{"needed", to_text(builds::spindle_filters)},
-                                                             {"build", to_text(build)}}));
+    report.add(filter.enable, message(says::spindle, {{"needed", to_text(builds::spindle_filters)},
+                                                      {"build", to_text(build)}}));
   }
 }
 
@@ -96,7 +110,7 @@ void check_needed(ProgramContext const& context, Span span, BuildVersion const& 
   if (build >= needed) return;
   std::string const written(context.text.substr(span.begin, span.size()));
   report.add(Place{.source = context.program.source, .span = span},
-             message(Text::ax2016,
+             message(says::headline,
                      {{"parameter", written}, {"needed", to_text(needed)}, {"build", to_text(build)}}));
 }
 

@@ -1,11 +1,27 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/sentences.hpp"
+#include "validator/views/fir_view.hpp"
 
 #include <optional>
 #include <string>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"order {order} is not allowed for `{type}`",
+                            "die Ordnung {order} ist für `{type}` nicht zulässig"};
+constexpr Sentence range{"allowed are 0 to {limit}", "zulässig sind 0 bis {limit}"};
+constexpr Sentence either{"allowed are 0 and {limit}", "zulässig sind 0 und {limit}"};
+constexpr Sentence limit{"{p_axis}: 0 ≤ order ≤ {limit} for `{type}`",
+                         "{p_axis}: 0 ≤ order ≤ {limit} für `{type}`"};
+constexpr Sentence limit_either{"{p_axis}: order = 0 or {limit} for `{type}`",
+                                "{p_axis}: order = 0 oder {limit} für `{type}`"};
+constexpr Sentence fix{"set the order to {limit}", "die Ordnung auf {limit} setzen"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -49,17 +65,17 @@ Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::st
   std::string const limit = number(allowed.highest);
   bool const up_to = allowed.range == Range::up_to;
   Finding& finding =
-      report.add(order, {Text::ax3001, {{"order", number(order.value.number)}, {"type", type}}});
-  finding.label = Message{up_to ? Text::ax3001_range : Text::ax3001_either, {{"limit", limit}}};
-  finding.notes.push_back({up_to ? Text::ax3001_limit : Text::ax3001_limit_either,
+      report.add(order, {says::headline, {{"order", number(order.value.number)}, {"type", type}}});
+  finding.label = Message{up_to ? says::range : says::either, {{"limit", limit}}};
+  finding.notes.push_back({up_to ? says::limit : says::limit_either,
                            {{"p_axis", parameter_number(order)}, {"limit", limit}, {"type", type}}});
   if (allowed.reaction == Reaction::clipped) {
-    react(finding, order_clipped, {Text::filter_reaction_clipped, {}}, limit);
+    react(finding, order_clipped, {says::filter_reaction_clipped, {}}, limit);
   } else {
-    react(finding, order_refused, {Text::filter_reaction_refused, {}});
+    react(finding, order_refused, {says::filter_reaction_refused, {}});
   }
   if (order.value_place() && !order.referenced) {
-    finding.fix = Fix{.title = {Text::ax3001_fix, {{"limit", limit}}},
+    finding.fix = Fix{.title = {says::fix, {{"limit", limit}}},
                       .edits = {{*order.value_place(), limit}},
                       .safety = FixSafety::changes_behaviour};
   }

@@ -3,6 +3,17 @@
 #include "validator/rules/characteristic_frequency.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"{frequency} Hz is not below half the sampling rate, {limit} Hz",
+                            "{frequency} Hz liegt nicht unter der halben Abtastrate von {limit} Hz"};
+constexpr Sentence label{"0.5/T = {limit} Hz at T = {cycle}", "0.5/T = {limit} Hz bei T = {cycle}"};
+constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz for `{user}`",
+                         "{p_axis}: 0 < f < 0.5/T = {limit} Hz für `{user}`"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -18,15 +29,15 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
     std::string const limit = number(nyquist);
     Finding& finding =
         report.add(found.anchor,
-                   {Text::ax3002, {{"frequency", number(found.frequency.value.number)}, {"limit", limit}}});
-    finding.label = Message{Text::ax3002_label,
-                            {{"limit", limit}, {"cycle", microseconds(axis.cycle_time.microseconds())}}};
+                   {says::headline, {{"frequency", number(found.frequency.value.number)}, {"limit", limit}}});
+    finding.label =
+        Message{says::label, {{"limit", limit}, {"cycle", microseconds(axis.cycle_time.microseconds())}}};
     finding.notes.push_back(
-        {Text::ax3002_limit,
+        {says::limit,
          {{"p_axis", parameter_number(found.frequency)}, {"limit", limit}, {"user", found.user}}});
     note_default(finding, found.frequency);
     react(finding, found.filtering == Filtering::setpoint ? setpoint_refused : position_controller_refused,
-          {Text::filter_reaction_refused, {}});
+          {says::filter_reaction_refused, {}});
   }
 }
 

@@ -3,6 +3,18 @@
 #include "validator/rules/characteristic_frequency.hpp"
 #include "validator/rules/filter_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{user}` cannot work at {frequency} Hz",
+                            "`{user}` kann bei {frequency} Hz nicht arbeiten"};
+constexpr Sentence label{"must be above 0 Hz", "muss über 0 Hz liegen"};
+constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz at T = {cycle}",
+                         "{p_axis}: 0 < f < 0.5/T = {limit} Hz bei T = {cycle}"};
+constexpr Sentence reaction{"the frequency is raised to the lowest allowed one",
+                            "die Frequenz wird auf die kleinste zulässige angehoben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -11,13 +23,13 @@ void frequency_zero(AxisContext const& axis, Report& report) {
     if (found.frequency.value.number > 0) continue;
     Finding& finding = report.add(
         found.anchor,
-        {Text::ax3003, {{"frequency", number(found.frequency.value.number)}, {"user", found.user}}});
-    finding.label = Message{Text::ax3003_label, {}};
-    finding.notes.push_back({Text::ax3003_limit,
+        {says::headline, {{"frequency", number(found.frequency.value.number)}, {"user", found.user}}});
+    finding.label = Message{says::label, {}};
+    finding.notes.push_back({says::limit,
                              {{"p_axis", parameter_number(found.frequency)},
                               {"limit", number(axis.cycle_time.nyquist().value)},
                               {"cycle", microseconds(axis.cycle_time.microseconds())}}});
-    react(finding, {Text::ax3003_reaction, {}});
+    react(finding, {says::reaction, {}});
   }
 }
 

@@ -2,9 +2,23 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
 
 #include <cmath>
 #include <numbers>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the time constant of `{type}` must be at least one NC cycle",
+                            "die Zeitkonstante von `{type}` muss mindestens einen NC-Takt lang sein"};
+constexpr Sentence limit{"{p_axis}: time_constant ≥ T = {limit} ({milliseconds}) for `{type}`",
+                         "{p_axis}: time_constant ≥ T = {limit} ({milliseconds}) für `{type}`"};
+constexpr Sentence help{"`{parameter} {shortest}` is the shortest; its cut-off frequency is {frequency} Hz",
+                        "`{parameter} {shortest}` ist die kürzeste; ihre Grenzfrequenz ist {frequency} Hz"};
+constexpr Sentence help_milliseconds{"the value is in µs: {value} ms are `{parameter} {microseconds}`",
+                                     "der Wert gilt in µs: {value} ms sind `{parameter} {microseconds}`"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -28,9 +42,9 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
   std::string const type(filter.type_word());
   double const shortest = std::ceil(cycle_time.microseconds());
   double const cut_off = 1e6 / (2 * std::numbers::pi * shortest);
-  Finding& finding = report.add(filter.anchor(time), {Text::ax3004, {{"type", type}}});
+  Finding& finding = report.add(filter.anchor(time), {says::headline, {{"type", type}}});
   finding.label = time_in_cycles(time.value.number, cycle_time);
-  finding.notes.push_back({Text::ax3004_limit,
+  finding.notes.push_back({says::limit,
                            {{"p_axis", parameter_number(time)},
                             {"limit", cycle},
                             {"milliseconds", milliseconds(cycle_time.microseconds())},
@@ -38,16 +52,16 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
   note_default(finding, time);
   relate_type(finding, filter);
   if (cycles * 1000 >= 1) {
-    finding.help.push_back({Text::ax3004_help_milliseconds,
+    finding.help.push_back({says::help_milliseconds,
                             {{"value", number(time.value.number)},
                              {"parameter", parameter_name(time)},
                              {"microseconds", number(time.value.number * 1000)}}});
   }
-  finding.help.push_back({Text::ax3004_help,
+  finding.help.push_back({says::help,
                           {{"parameter", parameter_name(time)},
                            {"shortest", number(shortest)},
                            {"frequency", number(std::round(cut_off))}}});
-  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+  react(finding, time_constant_message(context), {says::filter_reaction_off, {}});
 }
 
 }  // namespace

@@ -2,8 +2,22 @@
 
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
 
 #include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the delay must be shorter than 6 NC cycles",
+                            "die Verzögerung muss kürzer als 6 NC-Takte sein"};
+constexpr Sentence limit{"{p_axis}: 0 ≤ time_constant < 6 T = {limit} ({milliseconds}) for `TIME_DELAY`",
+                         "{p_axis}: 0 ≤ time_constant < 6 T = {limit} ({milliseconds}) für `TIME_DELAY`"};
+constexpr Sentence help_longest{"`{parameter} {longest}` is the longest here",
+                                "`{parameter} {longest}` ist hier die längste"};
+constexpr Sentence help_fir{"`filter_fir.type 4` delays by up to 100 cycles",
+                            "`filter_fir.type 4` verzögert um bis zu 100 Takte"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -22,18 +36,18 @@ void delay_too_long(FilterContext const& context, Report& report) {
   if (cycles < shortest_refused_cycles) return;
 
   double const limit = shortest_refused_cycles * cycle_time.microseconds();
-  Finding& finding = report.add(filter.anchor(time), {Text::ax3005, {}});
+  Finding& finding = report.add(filter.anchor(time), {says::headline, {}});
   finding.label = time_in_cycles(time.value.number, cycle_time);
-  finding.notes.push_back({Text::ax3005_limit,
+  finding.notes.push_back({says::limit,
                            {{"p_axis", parameter_number(time)},
                             {"limit", microseconds(limit)},
                             {"milliseconds", milliseconds(limit)}}});
   note_default(finding, time);
   relate_type(finding, filter);
-  finding.help.push_back({Text::ax3005_help_longest,
-                          {{"parameter", parameter_name(time)}, {"longest", number(std::ceil(limit) - 1)}}});
-  if (filter.port == FilterPort::setpoint) finding.help.push_back({Text::ax3005_help_fir, {}});
-  react(finding, time_constant_message(context), {Text::filter_reaction_off, {}});
+  finding.help.push_back(
+      {says::help_longest, {{"parameter", parameter_name(time)}, {"longest", number(std::ceil(limit) - 1)}}});
+  if (filter.port == FilterPort::setpoint) finding.help.push_back({says::help_fir, {}});
+  react(finding, time_constant_message(context), {says::filter_reaction_off, {}});
 }
 
 }  // namespace

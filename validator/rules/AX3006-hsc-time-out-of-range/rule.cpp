@@ -1,7 +1,19 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{filter}` has no order, and its time constant gives none",
+                            "`{filter}` hat keine Ordnung, und seine Zeitkonstante ergibt keine"};
+constexpr Sentence limit{"{p_axis}: T = {shortest} < time_constant < 200 T = {longest} for HSC filters",
+                         "{p_axis}: T = {shortest} < time_constant < 200 T = {longest} für HSC-Filter"};
+constexpr Sentence help{"`{parameter}` gives the order in cycles, 1 to 200",
+                        "`{parameter}` gibt die Ordnung in Takten an, 1 bis 200"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -16,15 +28,15 @@ void hsc_time_out_of_range(FilterContext const& context, Report& report) {
   if (cycles > 1 && cycles < design::longest_kernel_order) return;
 
   double const longest = design::longest_kernel_order * cycle_time.microseconds();
-  Finding& finding = report.add(filter.anchor(time), {Text::ax3006, {{"filter", filter_name(filter)}}});
+  Finding& finding = report.add(filter.anchor(time), {says::headline, {{"filter", filter_name(filter)}}});
   finding.label = time_in_cycles(time.value.number, cycle_time);
-  finding.notes.push_back({Text::ax3006_limit,
+  finding.notes.push_back({says::limit,
                            {{"p_axis", parameter_number(time)},
                             {"shortest", microseconds(cycle_time.microseconds())},
                             {"longest", microseconds(longest)}}});
   note_default(finding, time);
-  finding.help.push_back({Text::ax3006_help, {{"parameter", parameter_name(filter.order)}}});
-  react(finding, {Text::kernel_reaction_not_active, {}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(filter.order)}}});
+  react(finding, {says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace

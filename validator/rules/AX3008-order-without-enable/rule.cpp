@@ -1,6 +1,17 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/filter_words.hpp"
+#include "validator/sentences.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{filter}` has order {order}, but is not enabled",
+                            "`{filter}` hat die Ordnung {order}, ist aber nicht eingeschaltet"};
+constexpr Sentence label{"has no effect while `{enable}` is 0", "ohne Wirkung, solange `{enable}` 0 ist"};
+constexpr Sentence enable_here{"the filter is switched off here", "hier wird der Filter ausgeschaltet"};
+constexpr Sentence help{"`{enable} 1` switches the filter on", "`{enable} 1` schaltet den Filter ein"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -11,13 +22,13 @@ void order_without_enable(FilterContext const& context, Report& report) {
   if (filter.enable.value.flag() || !filter.order.set() || filter.order.value.number <= 0) return;
   Finding& finding = report.add(
       filter.order,
-      {Text::ax3008, {{"filter", filter_name(filter)}, {"order", number(filter.order.value.number)}}});
-  finding.label = Message{Text::ax3008_label, {{"enable", parameter_name(filter.enable)}}};
+      {says::headline, {{"filter", filter_name(filter)}, {"order", number(filter.order.value.number)}}});
+  finding.label = Message{says::label, {{"enable", parameter_name(filter.enable)}}};
   if (filter.enable.value_place()) {
-    finding.related.push_back({*filter.enable.value_place(), {Text::ax3008_enable_here, {}}});
+    finding.related.push_back({*filter.enable.value_place(), {says::enable_here, {}}});
   }
-  finding.help.push_back({Text::ax3008_help, {{"enable", parameter_name(filter.enable)}}});
-  react(finding, {Text::filter_reaction_inactive, {}});
+  finding.help.push_back({says::help, {{"enable", parameter_name(filter.enable)}}});
+  react(finding, {says::filter_reaction_inactive, {}});
 }
 
 }  // namespace

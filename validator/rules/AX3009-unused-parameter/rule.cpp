@@ -1,11 +1,30 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/fir_view.hpp"
 
 #include <array>
 #include <string>
 #include <utility>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{type}` does not use `{parameter}`", "`{type}` verwendet `{parameter}` nicht"};
+constexpr Sentence label{"{value} has no effect", "{value} hat keine Wirkung"};
+constexpr Sentence frequency{"{p_axis}: fg_f0 is for {types} and HSC_SHAPER",
+                             "{p_axis}: fg_f0 gilt für {types} und HSC_SHAPER"};
+constexpr Sentence prototype{"{p_axis}: prototype is for {types} and HSC filters",
+                             "{p_axis}: prototype gilt für {types} und HSC-Filter"};
+constexpr Sentence time_constant{"{p_axis}: time_constant is for {types} and HSC filters",
+                                 "{p_axis}: time_constant gilt für {types} und HSC-Filter"};
+constexpr Sentence quality{"{p_axis}: guete is for {types}", "{p_axis}: guete gilt für {types}"};
+constexpr Sentence fir_frequency{"{p_axis}: fcut is for type 3, windowed sinc",
+                                 "{p_axis}: fcut gilt für Typ 3, Windowed Sinc"};
+constexpr Sentence fir_quality{"{p_axis}: quality is for type 2, Gaussian",
+                               "{p_axis}: quality gilt für Typ 2, Gauß"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -50,7 +69,7 @@ std::string types_with(bool (*uses)(design::FilterType)) {
 struct Candidate {
   EffectiveValue const& parameter;
   bool used;
-  Text users;
+  SentenceRef users;
   bool (*uses)(design::FilterType) = nullptr;  ///< which standard types use it; null for filter_fir
 };
 
@@ -58,14 +77,14 @@ Finding* check(Candidate const& candidate, std::string const& type, Report& repo
   EffectiveValue const& parameter = candidate.parameter;
   if (candidate.used || !configured(parameter)) return nullptr;
   Finding& finding =
-      report.add(parameter, {Text::ax3009, {{"type", type}, {"parameter", parameter_name(parameter)}}});
+      report.add(parameter, {says::headline, {{"type", type}, {"parameter", parameter_name(parameter)}}});
   std::string const value =
       parameter.value.text.empty() ? number(parameter.value.number) : std::string(parameter.value.text);
-  finding.label = Message{Text::ax3009_label, {{"value", value}}};
+  finding.label = Message{says::label, {{"value", value}}};
   Message users{candidate.users, {{"p_axis", parameter_number(parameter)}}};
   if (candidate.uses != nullptr) users.arguments.push_back({"types", types_with(candidate.uses)});
   finding.notes.push_back(std::move(users));
-  react(finding, {Text::filter_value_ignored, {}});
+  react(finding, {says::filter_value_ignored, {}});
   return &finding;
 }
 
@@ -73,11 +92,10 @@ void check_filter(FilterView const& filter, Report& report) {
   if (!filter.active() && !has_kernel(filter)) return;
   Use const use = use_of(filter.type_number());
   std::array const candidates{
-      Candidate{filter.frequency, use.frequency, Text::ax3009_frequency, design::uses_frequency},
-      Candidate{filter.prototype, use.prototype, Text::ax3009_prototype, design::uses_prototype},
-      Candidate{filter.time_constant, use.time_constant, Text::ax3009_time_constant,
-                design::uses_time_constant},
-      Candidate{filter.quality, use.quality, Text::ax3009_quality, design::uses_quality},
+      Candidate{filter.frequency, use.frequency, says::frequency, design::uses_frequency},
+      Candidate{filter.prototype, use.prototype, says::prototype, design::uses_prototype},
+      Candidate{filter.time_constant, use.time_constant, says::time_constant, design::uses_time_constant},
+      Candidate{filter.quality, use.quality, says::quality, design::uses_quality},
   };
   for (Candidate const& candidate : candidates) {
     Finding* const finding = check(candidate, std::string(filter.type_word()), report);
@@ -90,8 +108,8 @@ void check_fir(FirView const& fir, Report& report) {
   FirType const type = fir.configured_type();
   std::string const name = "filter_fir.type " + number(fir.type.value.number);
   std::array const candidates{
-      Candidate{fir.frequency, type == FirType::windowed_sinc, Text::ax3009_fir_frequency},
-      Candidate{fir.quality, type == FirType::gaussian, Text::ax3009_fir_quality},
+      Candidate{fir.frequency, type == FirType::windowed_sinc, says::fir_frequency},
+      Candidate{fir.quality, type == FirType::gaussian, says::fir_quality},
   };
   for (Candidate const& candidate : candidates) {
     Finding* const finding = check(candidate, name, report);

@@ -3,6 +3,20 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence type{"`{type}` needs the prototype `HSC`", "`{type}` braucht den Prototyp `HSC`"};
+constexpr Sentence prototype{"the prototype `HSC` does not go with the type `{type}`",
+                             "der Prototyp `HSC` passt nicht zum Typ `{type}`"};
+constexpr Sentence label{"the prototype is `{prototype}`", "der Prototyp ist `{prototype}`"};
+constexpr Sentence limit{
+    "{p_axis}: HSC_MEAN and HSC_SHAPER only with prototype HSC, the other types only without",
+    "{p_axis}: HSC_MEAN und HSC_SHAPER nur mit Prototyp HSC, die anderen Typen nur ohne"};
+constexpr Sentence help{"`{parameter} HSC` makes it an HSC filter",
+                        "`{parameter} HSC` macht ihn zum HSC-Filter"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -17,14 +31,13 @@ void hsc_prototype_and_type(FilterContext const& context, Report& report) {
   if (type_is_hsc == filter.is_hsc()) return;
   std::string const type(filter.type_word());
   EffectiveValue const& place = filter.type.set() ? filter.type : filter.anchor(filter.prototype);
-  Finding& finding =
-      report.add(place, {type_is_hsc ? Text::ax3010_type : Text::ax3010_prototype, {{"type", type}}});
-  finding.label = Message{Text::ax3010_label, {{"prototype", symbol_word(filter.prototype)}}};
-  finding.notes.push_back({Text::ax3010_limit, {{"p_axis", parameter_number(filter.type)}}});
+  Finding& finding = report.add(place, {type_is_hsc ? says::type : says::prototype, {{"type", type}}});
+  finding.label = Message{says::label, {{"prototype", symbol_word(filter.prototype)}}};
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(filter.type)}}});
   if (place.slot == filter.type.slot) relate_prototype(finding, filter);
   note_default(finding, filter.prototype);
   if (type_is_hsc && filter.port == FilterPort::setpoint) {
-    finding.help.push_back({Text::ax3010_help, {{"parameter", parameter_name(filter.prototype)}}});
+    finding.help.push_back({says::help, {{"parameter", parameter_name(filter.prototype)}}});
   }
 }
 

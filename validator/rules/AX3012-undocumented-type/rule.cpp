@@ -2,6 +2,22 @@
 
 #include "validator/rules/filter_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the filter type `{type}` is not documented",
+                            "der Filtertyp `{type}` ist nicht dokumentiert"};
+constexpr Sentence undocumented_type_interface{
+    "`{type}` is for `filter[0]` only, not for the additional interface",
+    "`{type}` gibt es nur in `filter[0]`, nicht in der Zusatzschnittstelle"};
+constexpr Sentence label{"cannot be compiled", "lässt sich nicht übersetzen"};
+constexpr Sentence limit{
+    "{p_axis}: some builds know the types 7, 9 and 13; what they compute is not stated",
+    "{p_axis}: manche Stände kennen die Typen 7, 9 und 13; was sie rechnen, ist nicht beschrieben"};
+constexpr Sentence limit_interface{"{p_axis}: HSC filters can be used as axis filters only",
+                                   "{p_axis}: HSC-Filter sind nur als Achsfilter verwendbar"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -19,11 +35,11 @@ void undocumented_type(FilterContext const& context, Report& report) {
   int const type = filter.type_number();
   bool const misplaced = filter.port == FilterPort::additional_interface && is_hsc_type(type);
   if (!is_undocumented(type) && !misplaced) return;
-  Finding& finding = report.add(filter.type, {misplaced ? Text::ax3012_interface : Text::ax3012,
+  Finding& finding = report.add(filter.type, {misplaced ? says::undocumented_type_interface : says::headline,
                                               {{"type", std::string(filter.type_word())}}});
-  finding.label = Message{Text::ax3012_label, {}};
-  finding.notes.push_back({misplaced ? Text::ax3012_limit_interface : Text::ax3012_limit,
-                           {{"p_axis", parameter_number(filter.type)}}});
+  finding.label = Message{says::label, {}};
+  finding.notes.push_back(
+      {misplaced ? says::limit_interface : says::limit, {{"p_axis", parameter_number(filter.type)}}});
 }
 
 }  // namespace

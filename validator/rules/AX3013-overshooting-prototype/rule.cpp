@@ -3,6 +3,20 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/step_overshoot.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "a low-pass `{prototype}` of order {order} overshoots: it does not suit position setpoints",
+    "ein Tiefpass `{prototype}` der Ordnung {order} schwingt über: für Positionssollwerte ungeeignet"};
+constexpr Sentence butterworth{"{p_axis}: the overshoot of BUTTERWORTH grows with the order",
+                               "{p_axis}: das Überschwingen von BUTTERWORTH wächst mit der Ordnung"};
+constexpr Sentence bessel{
+    "{p_axis}: BESSEL overshoots slightly above order 1; not advised for positions",
+    "{p_axis}: BESSEL schwingt über Ordnung 1 leicht über; für Positionen nicht empfohlen"};
+constexpr Sentence help{"`CRIT_DAMPING` does not overshoot", "`CRIT_DAMPING` schwingt nicht über"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -17,14 +31,14 @@ void overshooting_prototype(FilterContext const& context, Report& report) {
   bool const butterworth = prototype == design::Prototype::butterworth;
   Finding& finding = report.add(
       filter.anchor(filter.prototype),
-      {Text::ax3013,
+      {says::headline,
        {{"prototype", symbol_word(filter.prototype)}, {"order", number(filter.order.value.number)}}});
   if (auto const overshoot = step_overshoot(context)) {
     finding.label = overshoot_label(*overshoot);
   }
-  finding.notes.push_back({butterworth ? Text::ax3013_butterworth : Text::ax3013_bessel,
-                           {{"p_axis", parameter_number(filter.prototype)}}});
-  finding.help.push_back({Text::ax3013_help, {}});
+  finding.notes.push_back(
+      {butterworth ? says::butterworth : says::bessel, {{"p_axis", parameter_number(filter.prototype)}}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -2,6 +2,17 @@
 
 #include "validator/rules/filter_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"an all-pass of order {order} should use the prototype `BESSEL`",
+                            "ein Allpass der Ordnung {order} sollte den Prototyp `BESSEL` verwenden"};
+constexpr Sentence label{"with `{prototype}` the group delay is less even over the frequencies",
+                         "mit `{prototype}` ist die Gruppenlaufzeit weniger gleichmäßig über der Frequenz"};
+constexpr Sentence help{"`{parameter} BESSEL` delays all frequencies nearly alike",
+                        "`{parameter} BESSEL` verzögert alle Frequenzen nahezu gleich"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -12,10 +23,10 @@ void allpass_prototype(FilterContext const& context, Report& report) {
   constexpr auto bessel = static_cast<double>(design::Prototype::bessel);
   if (filter.prototype.value.number == bessel) return;
   Finding& finding = report.add(filter.anchor(filter.prototype),
-                                {Text::ax3014, {{"order", number(filter.order.value.number)}}});
-  finding.label = Message{Text::ax3014_label, {{"prototype", symbol_word(filter.prototype)}}};
+                                {says::headline, {{"order", number(filter.order.value.number)}}});
+  finding.label = Message{says::label, {{"prototype", symbol_word(filter.prototype)}}};
   note_default(finding, filter.prototype);
-  finding.help.push_back({Text::ax3014_help, {{"parameter", parameter_name(filter.prototype)}}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(filter.prototype)}}});
 }
 
 }  // namespace

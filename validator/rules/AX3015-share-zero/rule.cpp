@@ -1,9 +1,23 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/sentences.hpp"
+#include "validator/views/fir_view.hpp"
 
 #include <string>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"share 0: `{filter}` has no effect",
+                            "Signalanteil 0: `{filter}` hat keine Wirkung"};
+constexpr Sentence label{"no part of the signal passes the filter",
+                         "kein Teil des Signals läuft durch den Filter"};
+constexpr Sentence limit{"{p_axis}: 100 % is the whole signal, 0 % none of it",
+                         "{p_axis}: 100 % ist das ganze Signal, 0 % nichts davon"};
+constexpr Sentence help{"to switch the filter off, `{enable} 0` says so",
+                        "um den Filter auszuschalten, sagt `{enable} 0` es deutlicher"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -14,11 +28,11 @@ bool works(FilterView const& filter) {
 
 void check(EffectiveValue const& share, std::string filter, EffectiveValue const& enable, Report& report) {
   if (share.unusable || share.value.number != 0) return;
-  Finding& finding = report.add(share, {Text::ax3015, {{"filter", std::move(filter)}}});
-  finding.label = Message{Text::ax3015_label, {}};
-  finding.notes.push_back({Text::ax3015_limit, {{"p_axis", parameter_number(share)}}});
-  if (enable.value.flag()) finding.help.push_back({Text::ax3015_help, {{"enable", parameter_name(enable)}}});
-  react(finding, {Text::filter_reaction_inactive, {}});
+  Finding& finding = report.add(share, {says::headline, {{"filter", std::move(filter)}}});
+  finding.label = Message{says::label, {}};
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(share)}}});
+  if (enable.value.flag()) finding.help.push_back({says::help, {{"enable", parameter_name(enable)}}});
+  react(finding, {says::filter_reaction_inactive, {}});
 }
 
 void share_zero(AxisContext const& axis, Report& report) {

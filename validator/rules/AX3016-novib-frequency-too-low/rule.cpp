@@ -1,8 +1,19 @@
 #include "validator/engine/rule.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"HSC NoVib cannot suppress {frequency} Hz at this cycle time",
+                            "HSC NoVib kann {frequency} Hz bei dieser Zykluszeit nicht unterdrücken"};
+constexpr Sentence label{"this needs order {order}, at most {limit} is possible",
+                         "dafür braucht es die Ordnung {order}, möglich ist höchstens {limit}"};
+constexpr Sentence limit{"{p_axis}: f ≥ 1/(101 T) = {lowest} Hz at T = {cycle}",
+                         "{p_axis}: f ≥ 1/(101 T) = {lowest} Hz bei T = {cycle}"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -16,10 +27,10 @@ void novib_frequency_too_low(FilterContext const& context, Report& report) {
   if (order <= design::longest_kernel_order) return;
   double const lowest = design::lowest_novib_frequency(cycle_time).value;
   Finding& finding =
-      report.add(filter.anchor(frequency), {Text::ax3016, {{"frequency", number(frequency.value.number)}}});
-  finding.label = Message{Text::ax3016_label,
-                          {{"order", number(order)}, {"limit", number(design::longest_kernel_order)}}};
-  finding.notes.push_back({Text::ax3016_limit,
+      report.add(filter.anchor(frequency), {says::headline, {{"frequency", number(frequency.value.number)}}});
+  finding.label =
+      Message{says::label, {{"order", number(order)}, {"limit", number(design::longest_kernel_order)}}};
+  finding.notes.push_back({says::limit,
                            {{"p_axis", parameter_number(frequency)},
                             {"lowest", format_rounded(lowest, 7)},
                             {"cycle", microseconds(cycle_time.microseconds())}}});

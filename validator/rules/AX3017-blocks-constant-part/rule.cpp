@@ -2,6 +2,18 @@
 
 #include "validator/rules/filter_words.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{type}` blocks the constant part of the position setpoint",
+                            "`{type}` sperrt den Gleichanteil des Positionssollwerts"};
+constexpr Sentence label{"with a share of {share} %, {left} % of a constant position is left",
+                         "bei {share} % Signalanteil bleiben {left} % einer konstanten Position übrig"};
+constexpr Sentence note{
+    "the filters act on absolute positions; with share s only 1 - s of the constant part is left",
+    "die Filter wirken auf absolute Positionen; beim Anteil s bleibt nur 1 - s des Gleichanteils"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -10,12 +22,12 @@ void blocks_constant_part(FilterContext const& context, Report& report) {
   if (!filter.active() || filter.port != FilterPort::setpoint) return;
   if (!design::kind_of(*filter.standard_type).blocks_constant) return;
   Finding& finding =
-      report.add(filter.anchor(filter.type), {Text::ax3017, {{"type", std::string(filter.type_word())}}});
+      report.add(filter.anchor(filter.type), {says::headline, {{"type", std::string(filter.type_word())}}});
   if (!filter.share.unusable) {
     double const share = filter.share.value.number / 100;
-    finding.label = Message{Text::ax3017_label, {{"share", percent(share)}, {"left", percent(1 - share)}}};
+    finding.label = Message{says::label, {{"share", percent(share)}, {"left", percent(1 - share)}}};
   }
-  finding.notes.push_back({Text::ax3017_note, {}});
+  finding.notes.push_back({says::note, {}});
 }
 
 }  // namespace

@@ -1,7 +1,18 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the HSC NoVib filter `{filter}` has order 0: it never works",
+                            "der HSC-NoVib-Filter `{filter}` hat die Ordnung 0: er wirkt nie"};
+constexpr Sentence limit{"{p_axis}: NoVib computes its order itself, but is active only with order > 0",
+                         "{p_axis}: NoVib berechnet seine Ordnung selbst, ist aber nur mit order > 0 aktiv"};
+constexpr Sentence help{"`{parameter} 1` makes it work", "`{parameter} 1` macht ihn wirksam"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -10,11 +21,11 @@ void novib_without_order(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (hsc_type(filter) != HscType::novib || filter.order.unusable || filter.order.value.number > 0) return;
   Finding& finding =
-      report.add(filter.anchor(filter.order), {Text::ax3018, {{"filter", filter_name(filter)}}});
-  finding.notes.push_back({Text::ax3018_limit, {{"p_axis", parameter_number(filter.order)}}});
+      report.add(filter.anchor(filter.order), {says::headline, {{"filter", filter_name(filter)}}});
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(filter.order)}}});
   note_default(finding, filter.order);
-  finding.help.push_back({Text::ax3018_help, {{"parameter", parameter_name(filter.order)}}});
-  react(finding, {Text::kernel_reaction_not_active, {}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(filter.order)}}});
+  react(finding, {says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace

@@ -1,7 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the FIR filter has a type, but no order: it cannot work",
+                            "der FIR-Filter hat einen Typ, aber keine Ordnung: er kann nicht wirken"};
+constexpr Sentence limit{
+    "a FIR filter works with order > 0 ({order_number}) or order_time ≥ T ({time_number})",
+    "ein FIR-Filter wirkt mit order > 0 ({order_number}) oder order_time ≥ T ({time_number})"};
+constexpr Sentence help{"set `filter_fir.order`, or give it in the NC program: `#FILTER ON [ORDER=20]`",
+                        "`filter_fir.order` setzen, oder im NC-Programm angeben: `#FILTER ON [ORDER=20]`"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -11,12 +24,12 @@ void fir_without_order(AxisContext const& axis, Report& report) {
   if (!fir.configured() || fir.order.unusable || fir.order_time.unusable) return;
   if (fir.order.value.number > 0 || fir.order_time.value.number > 0) return;
   if (program_gives_order(axis.machine, axis.index)) return;
-  Finding& finding = report.add(fir.anchor(fir.order), {Text::ax3021, {}});
+  Finding& finding = report.add(fir.anchor(fir.order), {says::headline, {}});
   finding.notes.push_back(
-      {Text::ax3021_limit,
+      {says::limit,
        {{"order_number", parameter_number(fir.order)}, {"time_number", parameter_number(fir.order_time)}}});
-  finding.help.push_back({Text::ax3021_help, {}});
-  react(finding, {Text::kernel_reaction_not_active, {}});
+  finding.help.push_back({says::help, {}});
+  react(finding, {says::kernel_reaction_not_active, {}});
 }
 
 }  // namespace

@@ -1,9 +1,23 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/fir_order_time.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence fir_order_time_range_short{"the order given as time is shorter than one NC cycle",
+                                              "die als Zeit angegebene Ordnung ist kürzer als ein NC-Takt"};
+constexpr Sentence fir_order_time_range_long{
+    "the order given as time is longer than {order} NC cycles",
+    "die als Zeit angegebene Ordnung ist länger als {order} NC-Takte"};
+constexpr Sentence limit{"{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}",
+                         "{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -19,18 +33,19 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
   if (!short_one && !is_too_long(fir, axis.cycle_time)) return;
   std::string const order = number(fir.longest_order());
   double const cycle = axis.cycle_time.microseconds();
-  Finding& finding =
-      report.add(fir.order_time, {short_one ? Text::ax3022_short : Text::ax3022_long, {{"order", order}}});
+  Finding& finding = report.add(
+      fir.order_time,
+      {short_one ? says::fir_order_time_range_short : says::fir_order_time_range_long, {{"order", order}}});
   finding.label = time_in_cycles(fir.order_time.value.number, axis.cycle_time);
-  finding.notes.push_back({Text::ax3022_limit,
+  finding.notes.push_back({says::limit,
                            {{"p_axis", parameter_number(fir.order_time)},
                             {"order", order},
                             {"shortest", microseconds(cycle)},
                             {"longest", microseconds(cycle * fir.longest_order())}}});
   if (short_one) {
-    react(finding, order_too_low, {Text::kernel_reaction_not_active, {}});
+    react(finding, order_too_low, {says::kernel_reaction_not_active, {}});
   } else {
-    react(finding, order_clipped, {Text::filter_reaction_clipped, {}}, order);
+    react(finding, order_clipped, {says::filter_reaction_clipped, {}}, order);
   }
 }
 

@@ -1,7 +1,17 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`filter_fir.order` {order} wins: `filter_fir.order_time` is not used",
+                            "`filter_fir.order` {order} gilt: `filter_fir.order_time` wird nicht verwendet"};
+constexpr Sentence label{"{time} have no effect", "{time} haben keine Wirkung"};
+constexpr Sentence order_here{"the order is set here", "hier wird die Ordnung gesetzt"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -10,12 +20,13 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
   FirView const& fir = axis.fir;
   if (!fir.configured() || fir.order.unusable || fir.order_time.unusable) return;
   if (!(fir.order.value.number > 0) || !(fir.order_time.value.number > 0)) return;
-  Finding& finding = report.add(fir.order_time, {Text::ax3023, {{"order", number(fir.order.value.number)}}});
-  finding.label = Message{Text::ax3023_label, {{"time", microseconds(fir.order_time.value.number)}}};
+  Finding& finding =
+      report.add(fir.order_time, {says::headline, {{"order", number(fir.order.value.number)}}});
+  finding.label = Message{says::label, {{"time", microseconds(fir.order_time.value.number)}}};
   if (fir.order.value_place()) {
-    finding.related.push_back({*fir.order.value_place(), {Text::ax3023_order_here, {}}});
+    finding.related.push_back({*fir.order.value_place(), {says::order_here, {}}});
   }
-  react(finding, {Text::filter_value_ignored, {}}, "filter_fir.order " + number(fir.order.value.number));
+  react(finding, {says::filter_value_ignored, {}}, "filter_fir.order " + number(fir.order.value.number));
 }
 
 }  // namespace

@@ -1,10 +1,21 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/fir_order_time.hpp"
+#include "validator/views/fir_view.hpp"
 
 #include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "`filter_fir.order_time` is no whole number of cycles: order {order} results",
+    "`filter_fir.order_time` ist kein ganzes Vielfaches des Takts: es ergibt sich die Ordnung {order}"};
+constexpr Sentence formula{"{p_axis}: order = order_time / T, rounded",
+                           "{p_axis}: order = order_time / T, gerundet"};
+constexpr Sentence reaction{"the time is rounded to whole cycles", "die Zeit wird auf ganze Takte gerundet"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -17,10 +28,10 @@ void fir_order_time_rounded(AxisContext const& axis, Report& report) {
   double const nanoseconds = fir.order_time.value.number * 1000;
   if (std::fmod(nanoseconds, axis.cycle_time.nanoseconds) == 0) return;
   std::string const order = number(fir.resulting_order(axis.cycle_time));
-  Finding& finding = report.add(fir.order_time, {Text::ax3024, {{"order", order}}});
+  Finding& finding = report.add(fir.order_time, {says::headline, {{"order", order}}});
   finding.label = time_in_cycles(fir.order_time.value.number, axis.cycle_time);
-  finding.notes.push_back({Text::ax3024_formula, {{"p_axis", parameter_number(fir.order_time)}}});
-  react(finding, {Text::ax3024_reaction, {}}, order);
+  finding.notes.push_back({says::formula, {{"p_axis", parameter_number(fir.order_time)}}});
+  react(finding, {says::reaction, {}}, order);
 }
 
 }  // namespace

@@ -1,7 +1,18 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "a time delay with a share of {share} % adds the undelayed signal",
+    "eine Zeitverzögerung mit {share} % Signalanteil mischt das unverzögerte Signal bei"};
+constexpr Sentence label{"{share} % delayed, {rest} % undelayed",
+                         "{share} % verzögert, {rest} % unverzögert"};
+constexpr Sentence help{"100 delays the whole signal", "100 verzögert das ganze Signal"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -11,10 +22,10 @@ void fir_delay_share(AxisContext const& axis, Report& report) {
   if (fir.configured_type() != FirType::time_delay || fir.share.unusable) return;
   double const share = fir.share.value.number;
   if (share == 0 || share == 100) return;
-  Finding& finding = report.add(fir.anchor(fir.share), {Text::ax3025, {{"share", number(share)}}});
-  finding.label = Message{Text::ax3025_label, {{"share", number(share)}, {"rest", number(100 - share)}}};
+  Finding& finding = report.add(fir.anchor(fir.share), {says::headline, {{"share", number(share)}}});
+  finding.label = Message{says::label, {{"share", number(share)}, {"rest", number(100 - share)}}};
   relate_set_type(finding, fir.type);
-  finding.help.push_back({Text::ax3025_help, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -1,11 +1,30 @@
 // AX3030: a stage works only with all its parameters.
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <string_view>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "stage {stage} works in mode `{mode}`, but not all its parameters are given",
+    "Stufe {stage} arbeitet im Modus `{mode}`, aber nicht alle ihre Parameter sind angegeben"};
+constexpr Sentence label{"missing: {parameters}", "es fehlt: {parameters}"};
+constexpr Sentence limit{
+    "an active stage needs order (1 to 3), fg_f0 and q_factor: their defaults are invalid",
+    "eine aktive Stufe braucht order (1 bis 3), fg_f0 und q_factor: deren Standardwerte sind ungültig"};
+constexpr Sentence limit_simulated{
+    "an active stage needs order (1 to 3), fg_f0, q_factor, in INDIRECT and SET_POINT also damping: their "
+    "defaults are invalid",
+    "eine aktive Stufe braucht order (1 bis 3), fg_f0, q_factor, in INDIRECT und SET_POINT auch damping: "
+    "deren Standardwerte sind ungültig"};
+constexpr Sentence reaction{"it reports each of them as out of range",
+                            "sie meldet jeden davon als außerhalb des Bereichs"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -70,10 +89,10 @@ void ipc_parameter_missing(AxisContext const& axis, Report& report) {
     Missing const missing = missing_in(stage);
     if (missing.empty()) continue;
     Finding& finding = report.add(
-        stage.mode, {Text::ax3030, {{"stage", number(stage.index)}, {"mode", symbol_word(stage.mode)}}});
-    finding.label = Message{Text::ax3030_label, {{"parameters", missing.names()}}};
-    finding.notes.push_back({stage.simulates() ? Text::ax3030_limit_simulated : Text::ax3030_limit, {}});
-    react(finding, missing.messages(), {Text::ax3030_reaction, {}});
+        stage.mode, {says::headline, {{"stage", number(stage.index)}, {"mode", symbol_word(stage.mode)}}});
+    finding.label = Message{says::label, {{"parameters", missing.names()}}};
+    finding.notes.push_back({stage.simulates() ? says::limit_simulated : says::limit, {}});
+    react(finding, missing.messages(), {says::reaction, {}});
   }
 }
 

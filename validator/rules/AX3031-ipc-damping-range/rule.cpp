@@ -1,8 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"a damping of {damping} simulates no vibration",
+                            "eine Dämpfung von {damping} ergibt keine Schwingung"};
+constexpr Sentence label{"must lie between 0 and 1", "muss zwischen 0 und 1 liegen"};
+constexpr Sentence limit{"{p_axis}: 0 < damping < 1 in INDIRECT and SET_POINT",
+                         "{p_axis}: 0 < damping < 1 in INDIRECT und SET_POINT"};
+constexpr Sentence reaction{"it reports the damping as out of range",
+                            "sie meldet die Dämpfung als außerhalb des Bereichs"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -11,10 +23,10 @@ void ipc_damping_range(AxisContext const& axis, Report& report) {
   for_each_damping(axis, [&](StageView const& stage, EffectiveValue const& damping) {
     double const value = damping.value.number;
     if (value > 0 && value < 1) return;
-    Finding& finding = report.add(damping, {Text::ax3031, {{"damping", number(value)}}});
-    finding.label = Message{Text::ax3031_label, {}};
-    finding.notes.push_back({Text::ax3031_limit, {{"p_axis", parameter_number(damping)}}});
-    react(finding, {Text::ax3031_reaction, {}});
+    Finding& finding = report.add(damping, {says::headline, {{"damping", number(value)}}});
+    finding.label = Message{says::label, {}};
+    finding.notes.push_back({says::limit, {{"p_axis", parameter_number(damping)}}});
+    react(finding, {says::reaction, {}});
     relate_mode(finding, stage);
   });
 }

@@ -1,7 +1,18 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the weight {weight} is limited to 7",
+                            "das Gewicht {weight} wird auf 7 begrenzt"};
+constexpr Sentence label{"{numerator} / {denominator} = {weight}", "{numerator} / {denominator} = {weight}"};
+constexpr Sentence limit{"{numerator} / {denominator} ≤ {limit}", "{numerator} / {denominator} ≤ {limit}"};
+constexpr Sentence denominator_here{"the denominator is set here", "hier wird der Nenner gesetzt"};
+constexpr Sentence reaction{"it limits the weight", "sie begrenzt das Gewicht"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -15,19 +26,19 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
     if (numerator.unusable || denominator.unusable || !(denominator.value.number > 0)) continue;
     double const weight = numerator.value.number / denominator.value.number;
     if (weight <= largest_weight) continue;
-    Finding& finding = report.add(numerator, {Text::ax3032, {{"weight", number(weight)}}});
-    finding.label = Message{Text::ax3032_label,
+    Finding& finding = report.add(numerator, {says::headline, {{"weight", number(weight)}}});
+    finding.label = Message{says::label,
                             {{"numerator", number(numerator.value.number)},
                              {"denominator", number(denominator.value.number)},
                              {"weight", number(weight)}}};
-    finding.notes.push_back({Text::ax3032_limit,
+    finding.notes.push_back({says::limit,
                              {{"numerator", parameter_number(numerator)},
                               {"denominator", parameter_number(denominator)},
                               {"limit", number(largest_weight)}}});
     if (denominator.value_place()) {
-      finding.related.push_back({*denominator.value_place(), {Text::ax3032_denominator_here, {}}});
+      finding.related.push_back({*denominator.value_place(), {says::denominator_here, {}}});
     }
-    react(finding, {Text::ax3032_reaction, {}}, number(largest_weight));
+    react(finding, {says::reaction, {}}, number(largest_weight));
   }
 }
 

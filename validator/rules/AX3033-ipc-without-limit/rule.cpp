@@ -1,7 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "the additive velocity is limited to 0: Improved Position Control has no effect",
+    "die additive Geschwindigkeit ist auf 0 begrenzt: die optimierte Lageregelung hat keine Wirkung"};
+constexpr Sentence limit{"{p_axis}: |v_add| ≤ v_add_max_fact / 1000 · vb_max (P-AXIS-00212)",
+                         "{p_axis}: |v_add| ≤ v_add_max_fact / 1000 · vb_max (P-AXIS-00212)"};
+constexpr Sentence help{"`{parameter} 100` allows a tenth of the axis' highest velocity",
+                        "`{parameter} 100` erlaubt ein Zehntel der Höchstgeschwindigkeit der Achse"};
+constexpr Sentence reaction{"it limits without a message", "sie begrenzt ohne Meldung"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -9,11 +22,11 @@ namespace {
 void ipc_without_limit(AxisContext const& axis, Report& report) {
   PositionControlView const& view = axis.position_control;
   if (!view.enabled() || view.limit.unusable || view.limit.value.number != 0) return;
-  Finding& finding = report.add(view.limit.set() ? view.limit : view.enable, {Text::ax3033, {}});
-  finding.notes.push_back({Text::ax3033_limit, {{"p_axis", parameter_number(view.limit)}}});
+  Finding& finding = report.add(view.limit.set() ? view.limit : view.enable, {says::headline, {}});
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(view.limit)}}});
   note_default(finding, view.limit);
-  finding.help.push_back({Text::ax3033_help, {{"parameter", parameter_name(view.limit)}}});
-  react(finding, {Text::ax3033_reaction, {}}, "0");
+  finding.help.push_back({says::help, {{"parameter", parameter_name(view.limit)}}});
+  react(finding, {says::reaction, {}}, "0");
 }
 
 }  // namespace

@@ -1,10 +1,22 @@
 #include "validator/engine/rule.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <cmath>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "{frequency} Hz lies within the bandwidth of {others}: the stages influence each other",
+    "{frequency} Hz liegt in der Bandbreite von {others}: die Stufen beeinflussen sich gegenseitig"};
+constexpr Sentence other{"{frequency} Hz, bandwidth {width} Hz", "{frequency} Hz, Bandbreite {width} Hz"};
+constexpr Sentence limit{
+    "bandwidth = fg_f0 / q_factor; stages are apart where |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)",
+    "Bandbreite = fg_f0 / q_factor; Stufen sind getrennt, wo |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -44,17 +56,16 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
       if (!is_earlier || !disturb(other, band)) continue;
       std::string const frequency = number(other.centre);
       frequencies.append(frequencies.empty() ? "" : ", ").append(frequency).append(" Hz");
-      earlier.push_back({*other.frequency.value_place(),
-                         {Text::ax3034_other,
-                          {{"frequency", frequency}, {"width", format_rounded(2 * other.half_width, 4)}}}});
+      earlier.push_back(
+          {*other.frequency.value_place(),
+           {says::other, {{"frequency", frequency}, {"width", format_rounded(2 * other.half_width, 4)}}}});
     }
     if (earlier.empty()) continue;
     Finding& finding = report.add(
-        band.frequency, {Text::ax3034, {{"frequency", number(band.centre)}, {"others", frequencies}}});
-    finding.label =
-        Message{Text::ax3034_other,
-                {{"frequency", number(band.centre)}, {"width", format_rounded(2 * band.half_width, 4)}}};
-    finding.notes.push_back({Text::ax3034_limit, {}});
+        band.frequency, {says::headline, {{"frequency", number(band.centre)}, {"others", frequencies}}});
+    finding.label = Message{
+        says::other, {{"frequency", number(band.centre)}, {"width", format_rounded(2 * band.half_width, 4)}}};
+    finding.notes.push_back({says::limit, {}});
     finding.related = std::move(earlier);
   }
 }

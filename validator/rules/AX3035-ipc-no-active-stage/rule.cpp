@@ -1,9 +1,19 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "Improved Position Control is enabled, but every stage is `NOT_ACTIVE`",
+    "die optimierte Lageregelung ist eingeschaltet, aber jede Stufe ist `NOT_ACTIVE`"};
+constexpr Sentence help{"`{parameter}` chooses `DIRECT`, `INDIRECT` or `SET_POINT`",
+                        "`{parameter}` wählt `DIRECT`, `INDIRECT` oder `SET_POINT`"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -13,8 +23,8 @@ void ipc_no_active_stage(AxisContext const& axis, Report& report) {
   bool const unknown = std::any_of(view.stages.begin(), view.stages.end(),
                                    [](StageView const& stage) { return stage.mode.unusable; });
   if (!view.enabled() || unknown || !view.active_stages().empty()) return;
-  Finding& finding = report.add(view.enable, {Text::ax3035, {}});
-  finding.help.push_back({Text::ax3035_help, {{"parameter", parameter_name(view.stages[0].mode)}}});
+  Finding& finding = report.add(view.enable, {says::headline, {}});
+  finding.help.push_back({says::help, {{"parameter", parameter_name(view.stages[0].mode)}}});
 }
 
 }  // namespace

@@ -1,9 +1,28 @@
 #include "validator/engine/rule.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"at {frequency} Hz the mode `{mode}` answers too late",
+                            "bei {frequency} Hz antwortet der Modus `{mode}` zu spät"};
+constexpr Sentence label{"the dead time turns the phase by {degrees}°: it may amplify instead of damping",
+                         "die Totzeit dreht die Phase um {degrees}°: das kann verstärken statt dämpfen"};
+constexpr Sentence limit_indirect{
+    "{p_axis}: at most 45° of two cycles, f ≤ 1/(16 T) = {limit} Hz at T = {cycle}, for `INDIRECT`",
+    "{p_axis}: höchstens 45° durch zwei Takte, f ≤ 1/(16 T) = {limit} Hz bei T = {cycle}, für `INDIRECT`"};
+constexpr Sentence limit_set_point{
+    "{p_axis}: at most 45° of one cycle, f ≤ 1/(8 T) = {limit} Hz at T = {cycle}, for `SET_POINT`",
+    "{p_axis}: höchstens 45° durch einen Takt, f ≤ 1/(8 T) = {limit} Hz bei T = {cycle}, für `SET_POINT`"};
+constexpr Sentence help_indirect{"`SET_POINT` has half the dead time; `DIRECT` simulates nothing",
+                                 "`SET_POINT` hat die halbe Totzeit; `DIRECT` simuliert nichts"};
+constexpr Sentence help_set_point{"`DIRECT` simulates nothing and has no such dead time",
+                                  "`DIRECT` simuliert nichts und hat diese Totzeit nicht"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -33,14 +52,14 @@ void ipc_phase_lag(AxisContext const& axis, Report& report) {
     std::string const mode = symbol_word(stage.mode);
     Finding& finding =
         report.add(filter->frequency,
-                   {Text::ax3036, {{"frequency", number(filter->frequency.value.number)}, {"mode", mode}}});
-    finding.label = Message{Text::ax3036_label, {{"degrees", format_rounded(periods * 360, 3)}}};
-    finding.notes.push_back({cycles == 2 ? Text::ax3036_limit_indirect : Text::ax3036_limit_set_point,
+                   {says::headline, {{"frequency", number(filter->frequency.value.number)}, {"mode", mode}}});
+    finding.label = Message{says::label, {{"degrees", format_rounded(periods * 360, 3)}}};
+    finding.notes.push_back({cycles == 2 ? says::limit_indirect : says::limit_set_point,
                              {{"p_axis", parameter_number(filter->frequency)},
                               {"limit", format_rounded(limit, 6)},
                               {"cycle", microseconds(axis.cycle_time.microseconds())}}});
     relate_mode(finding, stage);
-    finding.help.push_back({cycles == 2 ? Text::ax3036_help_indirect : Text::ax3036_help_set_point, {}});
+    finding.help.push_back({cycles == 2 ? says::help_indirect : says::help_set_point, {}});
   }
 }
 

@@ -1,8 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"a damping of {damping} makes large additive velocities",
+                            "eine Dämpfung von {damping} ergibt große additive Geschwindigkeiten"};
+constexpr Sentence label{"the simulation amplifies its frequency {gain} times",
+                         "die Simulation verstärkt ihre Frequenz auf das {gain}fache"};
+constexpr Sentence limit{
+    "{p_axis}: below {limit} the drive may start to oscillate; lower the damping in small steps",
+    "{p_axis}: unter {limit} kann der Antrieb aufschwingen; die Dämpfung in kleinen Schritten senken"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -13,11 +25,10 @@ void ipc_low_damping(AxisContext const& axis, Report& report) {
   for_each_damping(axis, [&](StageView const& /*stage*/, EffectiveValue const& damping) {
     double const value = damping.value.number;
     if (!(value > 0) || value >= lowest_calm_damping) return;
-    Finding& finding = report.add(damping, {Text::ax3037, {{"damping", number(value)}}});
-    finding.label = Message{Text::ax3037_label, {{"gain", number(1 / (2 * value))}}};
+    Finding& finding = report.add(damping, {says::headline, {{"damping", number(value)}}});
+    finding.label = Message{says::label, {{"gain", number(1 / (2 * value))}}};
     finding.notes.push_back(
-        {Text::ax3037_limit,
-         {{"p_axis", parameter_number(damping)}, {"limit", number(lowest_calm_damping)}}});
+        {says::limit, {{"p_axis", parameter_number(damping)}, {"limit", number(lowest_calm_damping)}}});
   });
 }
 

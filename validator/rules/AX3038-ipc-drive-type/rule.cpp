@@ -1,9 +1,18 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/drive.hpp"
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"Improved Position Control does not exist for the drive type `{drive}`",
+                            "die optimierte Lageregelung gibt es für den Antriebstyp `{drive}` nicht"};
+constexpr Sentence limit{"{p_axis}: SERCOS (2), PROFIDRIVE (3) and CANopen (8) have it",
+                         "{p_axis}: SERCOS (2), PROFIDRIVE (3) und CANopen (8) haben sie"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -15,11 +24,11 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
   bool const stated = named || (type.set() && !type.unusable);
   machine::DriveType const* const drive = drive_of(loaded(axis));
   if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
-  Message message{Text::ax3038,
+  Message message{says::headline,
                   {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};
   Finding& finding = named ? report.add(named->place, *type.row, type.slot, std::move(message))
                            : report.add(type, std::move(message));
-  finding.notes.push_back({Text::ax3038_limit, {{"p_axis", parameter_number(type)}}});
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(type)}}});
   relate_enable(finding, view);
 }
 

@@ -1,10 +1,23 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"stage {stage} mixes the older and the newer spelling",
+                            "Stufe {stage} mischt die ältere und die neuere Schreibweise"};
+constexpr Sentence older{"older spelling: `filter.…`, `filter.damping`",
+                         "ältere Schreibweise: `filter.…`, `filter.damping`"};
+constexpr Sentence newer{"newer spelling: `filter[k].…`, `osc_damping`",
+                         "neuere Schreibweise: `filter[k].…`, `osc_damping`"};
+constexpr Sentence help{"keep one of them in each stage; the newer one needs build V3.1.3132.0",
+                        "in jeder Stufe eine davon behalten; die neuere braucht den Stand V3.1.3132.0"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -46,11 +59,10 @@ void ipc_mixed_generations(AxisContext const& axis, Report& report) {
     bool const newer_last = *older.value_place() < *newer.value_place();
     EffectiveValue const& last = newer_last ? newer : older;
     EffectiveValue const& first = newer_last ? older : newer;
-    Finding& finding = report.add(last, {Text::ax3039, {{"stage", number(stage.index)}}});
-    finding.label = Message{newer_last ? Text::ax3039_newer : Text::ax3039_older, {}};
-    finding.related.push_back(
-        {*first.value_place(), {newer_last ? Text::ax3039_older : Text::ax3039_newer, {}}});
-    finding.help.push_back({Text::ax3039_help, {}});
+    Finding& finding = report.add(last, {says::headline, {{"stage", number(stage.index)}}});
+    finding.label = Message{newer_last ? says::newer : says::older, {}};
+    finding.related.push_back({*first.value_place(), {newer_last ? says::older : says::newer, {}}});
+    finding.help.push_back({says::help, {}});
   }
 }
 

@@ -4,6 +4,20 @@
 
 #include <tuple>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the additional interface is switched off: `{filter}` has no effect",
+                            "die Zusatzschnittstelle ist ausgeschaltet: `{filter}` hat keine Wirkung"};
+constexpr Sentence interface_here{"the interface is switched off here",
+                                  "hier wird die Schnittstelle ausgeschaltet"};
+constexpr Sentence filter_here{"the filter is enabled here", "hier wird der Filter eingeschaltet"};
+constexpr Sentence help{"`{interface} 1` switches the interface on (the default)",
+                        "`{interface} 1` schaltet die Schnittstelle ein (Standardwert)"};
+constexpr Sentence reaction{"setpoints of the additional interface are not used",
+                            "Sollwerte der Zusatzschnittstelle werden nicht verwendet"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -17,14 +31,14 @@ void interface_disabled(FilterContext const& context, Report& report) {
       std::tuple(interface.origin, interface.line) < std::tuple(filter.enable.origin, filter.enable.line);
   EffectiveValue const& last = filter_last ? filter.enable : interface;
   EffectiveValue const& first = filter_last ? interface : filter.enable;
-  Finding& finding = report.add(last, {Text::ax3041, {{"filter", filter_name(filter)}}});
-  finding.label = Message{filter_last ? Text::ax3041_filter_here : Text::ax3041_interface_here, {}};
+  Finding& finding = report.add(last, {says::headline, {{"filter", filter_name(filter)}}});
+  finding.label = Message{filter_last ? says::filter_here : says::interface_here, {}};
   if (first.value_place()) {
     finding.related.push_back(
-        {*first.value_place(), {filter_last ? Text::ax3041_interface_here : Text::ax3041_filter_here, {}}});
+        {*first.value_place(), {filter_last ? says::interface_here : says::filter_here, {}}});
   }
-  finding.help.push_back({Text::ax3041_help, {{"interface", parameter_name(interface)}}});
-  react(finding, {Text::ax3041_reaction, {}});
+  finding.help.push_back({says::help, {{"interface", parameter_name(interface)}}});
+  react(finding, {says::reaction, {}});
 }
 
 }  // namespace

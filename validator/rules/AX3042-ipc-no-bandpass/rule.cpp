@@ -1,8 +1,16 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"stage {stage} has no band-pass", "Stufe {stage} hat keinen Bandpass"};
+constexpr Sentence limit{"{p_axis}: an active stage needs at least one filter of type BANDPASS",
+                         "{p_axis}: eine aktive Stufe braucht mindestens einen Filter vom Typ BANDPASS"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -16,8 +24,8 @@ void ipc_no_bandpass(AxisContext const& axis, Report& report) {
       if (filter.type->set() && filter.type->value_place()) types.push_back(filter.type);
     }
     if (unknown || types.empty() || stage.bandpass()) continue;
-    Finding& finding = report.add(*last_of(types), {Text::ax3042, {{"stage", number(stage.index)}}});
-    finding.notes.push_back({Text::ax3042_limit, {{"p_axis", parameter_number(*types.front())}}});
+    Finding& finding = report.add(*last_of(types), {says::headline, {{"stage", number(stage.index)}}});
+    finding.notes.push_back({says::limit, {{"p_axis", parameter_number(*types.front())}}});
     for (EffectiveValue const* const type : types) {
       if (type != last_of(types)) relate_set_type(finding, *type);
     }

@@ -1,9 +1,21 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/drive.hpp"
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/position_control_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "Improved Position Control needs a closed position loop, not `{mode}`",
+    "die optimierte Lageregelung braucht einen geschlossenen Lageregelkreis, nicht `{mode}`"};
+constexpr Sentence limit{"{p_axis}: position control in the CNC or in the drive",
+                         "{p_axis}: Lageregelung in der CNC oder im Antrieb"};
+constexpr Sentence reaction{"it reports that this operation mode does not allow it",
+                            "sie meldet, dass diese Betriebsart das nicht zulässt"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -12,9 +24,9 @@ void ipc_operation_mode(AxisContext const& axis, Report& report) {
   PositionControlView const& view = axis.position_control;
   EffectiveValue const& mode = axis.values.at("antr.operation_mode");
   if (!view.enabled() || !mode.set() || !is_open_loop(mode)) return;
-  Finding& finding = report.add(mode, {Text::ax3043, {{"mode", std::string(mode.value.text)}}});
-  finding.notes.push_back({Text::ax3043_limit, {{"p_axis", parameter_number(mode)}}});
-  react(finding, {Text::ax3043_reaction, {}});
+  Finding& finding = report.add(mode, {says::headline, {{"mode", std::string(mode.value.text)}}});
+  finding.notes.push_back({says::limit, {{"p_axis", parameter_number(mode)}}});
+  react(finding, {says::reaction, {}});
   relate_enable(finding, view);
 }
 

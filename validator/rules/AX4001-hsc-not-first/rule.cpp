@@ -1,7 +1,17 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the HSC filter `{filter}` must be `filter[0]`",
+                            "der HSC-Filter `{filter}` muss `filter[0]` sein"};
+constexpr Sentence label{"HSC filters work in the first place only",
+                         "HSC-Filter wirken nur an erster Stelle"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -9,9 +19,9 @@ namespace {
 void hsc_not_first(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!is_configured_hsc(filter) || filter.index == 0) return;
-  Finding& finding = report.add(filter.prototype, {Text::ax4001, {{"filter", filter_name(filter)}}});
-  finding.label = Message{Text::ax4001_label, {}};
-  react(finding, {Text::filter_reaction_off, {}});
+  Finding& finding = report.add(filter.prototype, {says::headline, {{"filter", filter_name(filter)}}});
+  finding.label = Message{says::label, {}};
+  react(finding, {says::filter_reaction_off, {}});
 }
 
 }  // namespace

@@ -1,11 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/hsc_view.hpp"
 
 #include <algorithm>
 #include <tuple>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"{count} HSC filters in one axis, one is possible",
+                            "{count} HSC-Filter in einer Achse, einer ist möglich"};
+constexpr Sentence label{"one too many", "einer zu viel"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -22,12 +31,12 @@ void hsc_more_than_one(FilterContext const& context, Report& report) {
   auto const last = std::max_element(filters.begin(), filters.end(), stands_before);
   if (filters.size() < 2 || last->index != context.filter.index) return;
   Finding& finding =
-      report.add(last->prototype, {Text::ax4002, {{"count", number(static_cast<double>(filters.size()))}}});
-  finding.label = Message{Text::ax4002_label, {}};
+      report.add(last->prototype, {says::headline, {{"count", number(static_cast<double>(filters.size()))}}});
+  finding.label = Message{says::label, {}};
   for (FilterView const& filter : filters) {
     if (filter.index != last->index) relate_hsc_filter(finding, filter);
   }
-  react(finding, {Text::filter_reaction_off, {}});
+  react(finding, {says::filter_reaction_off, {}});
 }
 
 }  // namespace

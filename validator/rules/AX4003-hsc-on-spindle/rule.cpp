@@ -1,7 +1,15 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the HSC filter `{filter}` stands in a spindle",
+                            "der HSC-Filter `{filter}` steht in einer Spindel"};
+constexpr Sentence limit{"spindles have standard filters only", "für Spindeln gibt es nur Standardfilter"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -9,8 +17,8 @@ namespace {
 void hsc_on_spindle(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
   if (!is_configured_hsc(filter) || context.axis.type != machine::AxisType::spindle) return;
-  Finding& finding = report.add(filter.prototype, {Text::ax4003, {{"filter", filter_name(filter)}}});
-  finding.notes.push_back({Text::ax4003_limit, {}});
+  Finding& finding = report.add(filter.prototype, {says::headline, {{"filter", filter_name(filter)}}});
+  finding.notes.push_back({says::limit, {}});
 }
 
 }  // namespace

@@ -4,6 +4,18 @@
 
 #include <algorithm>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the time delay `{filter}` stands before the active filter `{next}`",
+                            "die Zeitverzögerung `{filter}` steht vor dem aktiven Filter `{next}`"};
+constexpr Sentence limit{"only the last active filter of an axis may be a time delay",
+                         "nur der letzte aktive Filter einer Achse darf eine Zeitverzögerung sein"};
+constexpr Sentence reaction{"it reports that only the last filter may be a time delay",
+                            "sie meldet, dass nur der letzte Filter ein Verzögerungsfilter sein darf"};
+constexpr Sentence next_here{"`{filter}` is active behind it", "`{filter}` ist dahinter aktiv"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -18,12 +30,12 @@ void delay_not_last(FilterContext const& context, Report& report) {
   if (next == filters.end()) return;
   Finding& finding =
       report.add(delay.anchor(delay.type),
-                 {Text::ax4004, {{"filter", filter_name(delay)}, {"next", filter_name(*next)}}});
-  finding.notes.push_back({Text::ax4004_limit, {}});
-  react(finding, {Text::ax4004_reaction, {}});
+                 {says::headline, {{"filter", filter_name(delay)}, {"next", filter_name(*next)}}});
+  finding.notes.push_back({says::limit, {}});
+  react(finding, {says::reaction, {}});
   if (next->enable.value_place()) {
     finding.related.push_back(
-        {*next->enable.value_place(), {Text::ax4004_next_here, {{"filter", filter_name(*next)}}}});
+        {*next->enable.value_place(), {says::next_here, {{"filter", filter_name(*next)}}}});
   }
 }
 

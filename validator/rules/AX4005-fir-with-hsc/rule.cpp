@@ -1,9 +1,22 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/hsc_words.hpp"
+#include "validator/views/fir_view.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"one axis cannot have a FIR filter and an HSC filter",
+                            "eine Achse kann nicht einen FIR-Filter und einen HSC-Filter haben"};
+constexpr Sentence guard{"one axis cannot have the Vibration Guard and an HSC filter",
+                         "eine Achse kann nicht den Vibration Guard und einen HSC-Filter haben"};
+constexpr Sentence reaction{"it reports that both together are not permitted",
+                            "sie meldet, dass beides zusammen nicht zulässig ist"};
+constexpr Sentence help{"FIR filters replace HSC filters from build V3.1.3075.02",
+                        "FIR-Filter ersetzen HSC-Filter ab Stand V3.1.3075.02"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -18,10 +31,10 @@ void fir_with_hsc(AxisContext const& axis, Report& report) {
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (hsc.empty() || (!fir.configured() && !guards(guard))) return;
   bool const is_fir = fir.configured();
-  Finding& finding = report.add(is_fir ? fir.type : guard, {is_fir ? Text::ax4005 : Text::ax4005_guard, {}});
+  Finding& finding = report.add(is_fir ? fir.type : guard, {is_fir ? says::headline : says::guard, {}});
   for (FilterView const& filter : hsc) relate_hsc_filter(finding, filter);
-  react(finding, {Text::ax4005_reaction, {}});
-  finding.help.push_back({Text::ax4005_help, {}});
+  react(finding, {says::reaction, {}});
+  finding.help.push_back({says::help, {}});
 }
 
 }  // namespace

@@ -1,7 +1,17 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"one axis cannot have a FIR filter and the Vibration Guard",
+                            "eine Achse kann nicht einen FIR-Filter und den Vibration Guard haben"};
+constexpr Sentence guard_here{"the Vibration Guard is switched on here",
+                              "hier wird der Vibration Guard eingeschaltet"};
+constexpr Sentence reaction{"the Vibration Guard is not active", "der Vibration Guard ist nicht aktiv"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -14,11 +24,11 @@ void fir_with_vibration_guard(AxisContext const& axis, Report& report) {
   FirView const& fir = axis.fir;
   EffectiveValue const& guard = axis.values.at("vib_guard.active");
   if (!fir.configured() || !guards(guard)) return;
-  Finding& finding = report.add(fir.type, {Text::ax4006, {}});
+  Finding& finding = report.add(fir.type, {says::headline, {}});
   if (guard.value_place()) {
-    finding.related.push_back({*guard.value_place(), {Text::ax4006_guard_here, {}}});
+    finding.related.push_back({*guard.value_place(), {says::guard_here, {}}});
   }
-  react(finding, {Text::ax4006_reaction, {}});
+  react(finding, {says::reaction, {}});
 }
 
 }  // namespace

@@ -2,13 +2,24 @@
 
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/group_delays.hpp"
+#include "validator/rules/sentences.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "the axes of the channel have different linear-phase filters, although their delays agree",
+    "die Achsen des Kanals haben verschiedene linearphasige Filter, obwohl ihre Verzögerungen "
+    "übereinstimmen"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
 
-bool same_kernel(std::optional<machine::ConfiguredKernel> const& left, std::optional<machine::ConfiguredKernel> const& right) {
+bool same_kernel(std::optional<machine::ConfiguredKernel> const& left,
+                 std::optional<machine::ConfiguredKernel> const& right) {
   if (!left || !right) return left.has_value() == right.has_value();
   return left->family == right->family && left->specification == right->specification &&
          left->on_at_start == right->on_at_start;
@@ -23,10 +34,10 @@ void group_not_identical(GroupContext const& context, Report& report) {
   });
   if (identical) return;
   report.axis = delays[*last].axis.name;
-  Finding& finding = report.add(*delays[*last].delay.cause, {Text::ax4010, {}});
+  Finding& finding = report.add(*delays[*last].delay.cause, {says::headline, {}});
   finding.label = delay_of(delays[*last]);
   relate_others(finding, delays, *last);
-  finding.help.push_back({Text::group_help_same, {}});
+  finding.help.push_back({says::group_help_same, {}});
 }
 
 }  // namespace

@@ -1,15 +1,38 @@
 #include "validator/engine/rule.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "validator/views/fir_view.hpp"
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/group_delays.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+#include "validator/views/hsc_view.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "the axes of the channel run apart: their filters delay differently, by {cycles} cycles ({milliseconds} "
+    "ms)",
+    "die Achsen des Kanals laufen auseinander: ihre Filter verzögern verschieden, um {cycles} Takte "
+    "({milliseconds} ms)"};
+constexpr Sentence missing{"axis \"{axis}\": {cycles} cycles, {missing} too few",
+                           "Achse \"{axis}\": {cycles} Takte, {missing} zu wenig"};
+constexpr Sentence limit{
+    "filter[0] to filter[2] if active, filter_fir or HSC if configured, at 0 Hz; axes agree below half a "
+    "cycle",
+    "filter[0] bis filter[2], wo aktiv, filter_fir oder HSC, wo konfiguriert, bei 0 Hz; unter einem halben "
+    "Takt stimmen Achsen überein"};
+constexpr Sentence help_delay{
+    "the same filter in all axes, or a time delay (`filter_fir.type 4`) in those that lack it",
+    "derselbe Filter in allen Achsen, oder eine Zeitverzögerung (`filter_fir.type 4`) in denen, die ihn "
+    "nicht haben"};
+constexpr Sentence fix{"add time delays: {axes}", "Zeitverzögerungen ergänzen: {axes}"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -82,7 +105,7 @@ std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
     if (written.insert(lagging.axis.list).second) writer.write(lagging.axis, missing, fix.edits);
   }
   if (spread(repaired) >= noticeable_delay || fix.edits.empty()) return std::nullopt;
-  fix.title = {Text::ax4011_fix, {{"axes", axes}}};
+  fix.title = {says::fix, {{"axes", axes}}};
   fix.safety = FixSafety::changes_behaviour;
   return fix;
 }
@@ -96,21 +119,21 @@ void group_delay_mismatch(GroupContext const& context, Report& report) {
   double const milli = difference * context.whole.cycle_time.microseconds() / 1e3;
   Finding& finding = report.add(
       *delays[*last].delay.cause,
-      {Text::ax4011, {{"cycles", cycles_text(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
+      {says::headline, {{"cycles", cycles_text(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
   finding.label = delay_of(delays[*last]);
   double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
   for (DelayedAxis const& axis : delays) {
     if (&axis == &delays[*last]) continue;
     double const missing = longest - axis.delay.cycles;
-    finding.notes.push_back({missing < noticeable_delay ? Text::group_axis_delay : Text::ax4011_missing,
+    finding.notes.push_back({missing < noticeable_delay ? says::group_axis_delay : says::missing,
                              {{"axis", axis.axis.name},
                               {"cycles", cycles_text(axis.delay.cycles)},
                               {"missing", cycles_text(missing)}}});
   }
-  finding.notes.push_back({Text::ax4011_limit, {}});
+  finding.notes.push_back({says::limit, {}});
   relate_others(finding, delays, *last);
   finding.fix = repair(context, delays);
-  finding.help.push_back({finding.fix ? Text::ax4011_help_delay : Text::group_help_same, {}});
+  finding.help.push_back({finding.fix ? says::help_delay : says::group_help_same, {}});
 }
 
 }  // namespace

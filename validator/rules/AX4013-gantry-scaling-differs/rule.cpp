@@ -1,11 +1,24 @@
 #include "validator/engine/rule.hpp"
 
+#include "validator/rules/filter_words.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/gantry.hpp"
 #include "validator/views/position_control_view.hpp"
-#include "validator/rules/filter_words.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    R"(the velocity scaling of the slave "{slave}" differs from that of its master "{master}")",
+    "die Geschwindigkeitsnormierung der Slaveachse \"{slave}\" weicht von der ihrer Masterachse \"{master}\" "
+    "ab"};
+constexpr Sentence difference{
+    R"({p_axis}: `{parameter}` is {slave_value} in "{slave}", {master_value} in "{master}")",
+    R"({p_axis}: `{parameter}` ist {slave_value} in "{slave}", {master_value} in "{master}")"};
+constexpr Sentence also_here{"`{parameter}` is set here", "hier wird `{parameter}` gesetzt"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -45,9 +58,9 @@ void check_slave(LoadedAxis const& slave, LoadedAxis const& master, Report& repo
   if (places.empty()) return;
   report.axis = slave.name;
   Finding& finding =
-      report.add(*places.back(), {Text::ax4013, {{"slave", slave.name}, {"master", master.name}}});
+      report.add(*places.back(), {says::headline, {{"slave", slave.name}, {"master", master.name}}});
   for (Scaling const& pair : differing) {
-    finding.notes.push_back({Text::ax4013_difference,
+    finding.notes.push_back({says::difference,
                              {{"parameter", parameter_name(pair.slave)},
                               {"p_axis", parameter_number(pair.slave)},
                               {"slave", slave.name},
@@ -58,7 +71,7 @@ void check_slave(LoadedAxis const& slave, LoadedAxis const& master, Report& repo
   for (EffectiveValue const* const value : places) {
     if (value == places.back()) continue;
     finding.related.push_back(
-        {*value->value_place(), {Text::ax4013_also_here, {{"parameter", parameter_name(*value)}}}});
+        {*value->value_place(), {says::also_here, {{"parameter", parameter_name(*value)}}}});
   }
 }
 

@@ -1,11 +1,52 @@
 // AX4014: lists and machine file must agree on who follows whom.
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/gantry.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
+#include "validator/views/gantry.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence no_master{"the gantry slave \"{axis}\" names no master",
+                             "die Gantry-Slaveachse \"{axis}\" nennt keine Masterachse"};
+constexpr Sentence number_names{"{p_axis}: the logical number of the master; 0 is none",
+                                "{p_axis}: die logische Nummer der Masterachse; 0 ist keine"};
+constexpr Sentence no_such_axis{
+    "the gantry slave \"{axis}\" names axis {number} as its master, which this machine does not have",
+    "die Gantry-Slaveachse \"{axis}\" nennt Achse {number} als Masterachse, die es in dieser Maschine nicht "
+    "gibt"};
+constexpr Sentence itself{
+    "the gantry slave \"{axis}\" names itself, axis {number}, as its master",
+    "die Gantry-Slaveachse \"{axis}\" nennt sich selbst, Achse {number}, als Masterachse"};
+constexpr Sentence no_master_bit{
+    "axis \"{axis}\" is the master of a gantry, but its mode lacks the master bit",
+    "Achse \"{axis}\" ist Masterachse eines Gantryverbunds, aber ihrer Betriebsart fehlt das Masterbit"};
+constexpr Sentence names_no_master{
+    R"(the gantry slave "{axis}" names "{master}" as its master, whose mode lacks the master bit)",
+    "die Gantry-Slaveachse \"{axis}\" nennt \"{master}\" als Masterachse, deren Betriebsart das Masterbit "
+    "fehlt"};
+constexpr Sentence named_here{"\"{axis}\" names it as its master", "\"{axis}\" nennt sie als Masterachse"};
+constexpr Sentence mode_here{"the mode of \"{axis}\"", "die Betriebsart von \"{axis}\""};
+constexpr Sentence bits{"{p_axis}: 0x10000 is a gantry master, 0x20000 a gantry slave",
+                        "{p_axis}: 0x10000 ist Gantry-Masterachse, 0x20000 Gantry-Slaveachse"};
+constexpr Sentence reaction_no_number{"it reports that the slave names no master",
+                                      "sie meldet, dass die Slaveachse keine Masterachse nennt"};
+constexpr Sentence reaction_no_master{
+    "it warns that the named axis is not configured as master",
+    "sie warnt, dass die genannte Achse nicht als Masterachse konfiguriert ist"};
+constexpr Sentence no_slave_bit{
+    "the machine file calls \"{axis}\" a gantry slave, its mode does not",
+    "die Maschinendatei nennt \"{axis}\" eine Gantry-Slaveachse, ihre Betriebsart nicht"};
+constexpr Sentence other_master{
+    "list and machine file give the gantry slave \"{axis}\" different masters",
+    "Liste und Maschinendatei geben der Gantry-Slaveachse \"{axis}\" verschiedene Masterachsen"};
+constexpr Sentence claim_here{"the machine file says it here", "hier sagt es die Maschinendatei"};
+constexpr Sentence lists_count{"the control knows the lists alone; they count",
+                               "die Steuerung kennt nur die Listen; sie gelten"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -34,17 +75,18 @@ class GantryJudge {
   }
   [[nodiscard]] std::string const& name(std::size_t axis) const { return machine_.axes[axis].name; }
 
-  Finding& add(std::size_t axis, EffectiveValue const& at, Text text, std::vector<Argument> arguments = {}) {
+  Finding& add(std::size_t axis, EffectiveValue const& at, SentenceRef text,
+               std::vector<Argument> arguments = {}) {
     report_.axis = name(axis);
     arguments.push_back({"axis", name(axis)});
     return report_.add(at, {text, std::move(arguments)});
   }
 
   /// Where the lists say something that the machine file contradicts.
-  void disagree(std::size_t axis, EffectiveValue const& at, Text text, GantryClaim const& claim) {
+  void disagree(std::size_t axis, EffectiveValue const& at, SentenceRef text, GantryClaim const& claim) {
     Finding& finding = add(axis, at, text);
-    finding.related.push_back({claim.place, {Text::ax4014_claim_here, {}}});
-    finding.notes.push_back({Text::ax4014_lists_count, {}});
+    finding.related.push_back({claim.place, {says::claim_here, {}}});
+    finding.notes.push_back({says::lists_count, {}});
     finding.control.reset();
   }
 
@@ -60,23 +102,22 @@ class GantryJudge {
     auto const master = axis_numbered(machine_, *number);
     if (!master || *master == axis) {
       if (!all_numbers_usable()) return;
-      Finding& finding =
-          add(axis, view.master_number, master ? Text::ax4014_itself : Text::ax4014_no_such_axis,
-              {{"number", checks::number(*number)}});
-      react(finding, no_master, {Text::ax4014_reaction_no_master, {}});
+      Finding& finding = add(axis, view.master_number, master ? says::itself : says::no_such_axis,
+                             {{"number", checks::number(*number)}});
+      react(finding, no_master, {says::reaction_no_master, {}});
       return;
     }
     if (claim != nullptr && claim->master != master) {
-      disagree(axis, view.master_number, Text::ax4014_other_master, *claim);
+      disagree(axis, view.master_number, says::other_master, *claim);
     }
     require_master_bit(axis, view, *master);
   }
 
   void without_master(std::size_t axis, GantryView const& view) {
     EffectiveValue const& at = view.master_number.set() ? view.master_number : view.mode;
-    Finding& finding = add(axis, at, Text::ax4014_no_master);
-    finding.notes.push_back({Text::ax4014_number_names, {{"p_axis", parameter_number(view.master_number)}}});
-    react(finding, no_master_number, {Text::ax4014_reaction_no_number, {}});
+    Finding& finding = add(axis, at, says::no_master);
+    finding.notes.push_back({says::number_names, {{"p_axis", parameter_number(view.master_number)}}});
+    react(finding, no_master_number, {says::reaction_no_number, {}});
   }
 
   void require_master_bit(std::size_t slave, GantryView const& view, std::size_t master) {
@@ -86,33 +127,33 @@ class GantryJudge {
     bool const at_master = other.mode.value_place() && view.master_number.value_place() &&
                            *view.master_number.value_place() < *other.mode.value_place();
     Finding& finding =
-        at_master ? add(master, other.mode, Text::ax4014_no_master_bit)
-                  : add(slave, view.master_number, Text::ax4014_names_no_master, {{"master", name(master)}});
+        at_master ? add(master, other.mode, says::no_master_bit)
+                  : add(slave, view.master_number, says::names_no_master, {{"master", name(master)}});
     EffectiveValue const& rest = at_master ? view.master_number : other.mode;
     if (rest.value_place()) {
-      finding.related.push_back({*rest.value_place(),
-                                 {at_master ? Text::ax4014_named_here : Text::ax4014_mode_here,
-                                  {{"axis", name(at_master ? slave : master)}}}});
+      finding.related.push_back(
+          {*rest.value_place(),
+           {at_master ? says::named_here : says::mode_here, {{"axis", name(at_master ? slave : master)}}}});
     }
-    finding.notes.push_back({Text::ax4014_bits, {{"p_axis", parameter_number(other.mode)}}});
-    react(finding, no_master, {Text::ax4014_reaction_no_master, {}});
+    finding.notes.push_back({says::bits, {{"p_axis", parameter_number(other.mode)}}});
+    react(finding, no_master, {says::reaction_no_master, {}});
   }
 
   void judge_claimed_slave(std::size_t axis, GantryView const& view, GantryClaim const& claim) {
     if (!view.open()) {
-      disagree(axis, view.mode, Text::ax4014_no_slave_bit, claim);
+      disagree(axis, view.mode, says::no_slave_bit, claim);
       return;
     }
     auto const number = view.named_master();
     if (number && axis_numbered(machine_, *number) != claim.master) {
-      disagree(axis, view.master_number, Text::ax4014_other_master, claim);
+      disagree(axis, view.master_number, says::other_master, claim);
     }
   }
 
   void judge_claimed_master(std::size_t axis, GantryView const& view) {
     GantryClaim const* const claim = master_claim(machine_, axis);
     if (claim == nullptr || view.open() || view.is_master()) return;
-    disagree(axis, view.mode, Text::ax4014_no_master_bit, *claim);
+    disagree(axis, view.mode, says::no_master_bit, *claim);
   }
 
   [[nodiscard]] bool all_numbers_usable() const {

@@ -6,6 +6,21 @@
 #include <algorithm>
 #include <map>
 
+namespace axisc::validator::says {
+
+constexpr Sentence zero{"an axis needs a number above 0", "eine Achse braucht eine Nummer über 0"};
+constexpr Sentence default_list{"the default list must have axis number 0 or none, not {number}",
+                                "die Standardliste muss die Achsnummer 0 oder keine haben, nicht {number}"};
+constexpr Sentence twice{"the axes {axes} have the same number {number}",
+                         "die Achsen {axes} haben dieselbe Nummer {number}"};
+constexpr Sentence also_here{"axis \"{axis}\" has it here", "Achse \"{axis}\" hat sie hier"};
+constexpr Sentence reaction_aborts{"it aborts the start-up", "sie bricht den Hochlauf ab"};
+constexpr Sentence reaction_zero{"it reports the number as wrong", "sie meldet die Nummer als falsch"};
+constexpr Sentence reaction_twice{"it reports the number as used twice",
+                                  "sie meldet die Nummer als doppelt vergeben"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -42,8 +57,8 @@ void check_default_list(LoadedMachine const& machine, Report& report) {
     if (reading.value.number == 0) return;
     Place const place{.source = list->source, .span = list->tree.assignments[i].value};
     Finding& finding = report.add(place, *reading.row, slot,
-                                  {Text::ax4015_default_list, {{"number", number(reading.value.number)}}});
-    react(finding, number_in_default_list, {Text::ax4015_reaction_aborts, {}});
+                                  {says::default_list, {{"number", number(reading.value.number)}}});
+    react(finding, number_in_default_list, {says::reaction_aborts, {}});
     return;
   }
 }
@@ -52,8 +67,8 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
   for (Numbered const& numbered : axes) {
     if (numbered.value.value.number != 0) continue;
     report.axis = numbered.axis.name;
-    Finding& finding = report.add(numbered.value, {Text::ax4015_zero, {}});
-    react(finding, number_zero, {Text::ax4015_reaction_zero, {}});
+    Finding& finding = report.add(numbered.value, {says::zero, {}});
+    react(finding, number_zero, {says::reaction_zero, {}});
   }
 }
 
@@ -73,14 +88,13 @@ void check_twice(std::vector<Numbered> const& axes, Report& report) {
       names.append(names.empty() ? "" : ", ").append(numbered.axis.name);
     }
     report.axis = last->axis.name;
-    Finding& finding =
-        report.add(last->value, {Text::ax4015_twice, {{"number", number(value)}, {"axes", names}}});
+    Finding& finding = report.add(last->value, {says::twice, {{"number", number(value)}, {"axes", names}}});
     for (Numbered const& numbered : sharing) {
       if (*numbered.value.value_place() == *last->value.value_place()) continue;
       finding.related.push_back(
-          {*numbered.value.value_place(), {Text::ax4015_also_here, {{"axis", numbered.axis.name}}}});
+          {*numbered.value.value_place(), {says::also_here, {{"axis", numbered.axis.name}}}});
     }
-    react(finding, number_twice, {Text::ax4015_reaction_twice, {}});
+    react(finding, number_twice, {says::reaction_twice, {}});
   }
 }
 

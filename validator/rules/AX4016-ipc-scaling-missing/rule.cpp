@@ -1,12 +1,32 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/drive.hpp"
-#include "validator/views/position_control_view.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/position_control_words.hpp"
+#include "validator/views/drive.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <algorithm>
 #include <array>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "the additive velocity goes to the drive, but its scaling is at its defaults",
+    "die additive Geschwindigkeit geht an den Antrieb, aber ihre Skalierung steht auf den Standardwerten"};
+constexpr Sentence defaults{
+    "P-AXIS-00205 to 00207: by default {denominator} µm per minute (0.001° per minute) are {numerator} "
+    "increment",
+    "P-AXIS-00205 bis 00207: ohne Angabe sind {denominator} µm je Minute (0,001° je Minute) {numerator} "
+    "Inkrement"};
+constexpr Sentence mapping{"the process data must contain the additive velocity",
+                           "die Prozessdaten müssen die additive Geschwindigkeit enthalten"};
+constexpr Sentence mapping_sercos{
+    "the process data must contain the additive velocity, for SERCOS S-0-0037",
+    "die Prozessdaten müssen die additive Geschwindigkeit enthalten, bei SERCOS S-0-0037"};
+constexpr Sentence reaction{"it reports that the cyclic telegram has no additive velocity",
+                            "sie meldet, dass das zyklische Telegramm keine additive Geschwindigkeit hat"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -24,14 +44,14 @@ void ipc_scaling_missing(AxisContext const& axis, Report& report) {
   for (EffectiveValue const* const value : scaling) {
     if (value->set() && (last == nullptr || last->value_place() < value->value_place())) last = value;
   }
-  Finding& finding = report.add(last != nullptr ? *last : view.enable, {Text::ax4016, {}});
+  Finding& finding = report.add(last != nullptr ? *last : view.enable, {says::headline, {}});
   finding.notes.push_back(
-      {Text::ax4016_defaults,
+      {says::defaults,
        {{"denominator", number(scaling[1]->value.number)}, {"numerator", number(scaling[0]->value.number)}}});
   machine::DriveType const* const drive = drive_of(loaded(axis));
   bool const sercos = drive != nullptr && drive->word == "SERCOS";
-  finding.notes.push_back({sercos ? Text::ax4016_mapping_sercos : Text::ax4016_mapping, {}});
-  react(finding, {Text::ax4016_reaction, {}});
+  finding.notes.push_back({sercos ? says::mapping_sercos : says::mapping, {}});
+  react(finding, {says::reaction, {}});
   if (last != nullptr) relate_enable(finding, view);
 }
 

@@ -2,8 +2,21 @@
 
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
+#include "validator/sentences.hpp"
 
 #include <algorithm>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"#FILTER and #VIB GUARD must not stand in one NC program",
+                            "#FILTER und #VIB GUARD dürfen nicht in einem NC-Programm stehen"};
+constexpr Sentence help{
+    "both smooth the setpoints: FIR filters over a wide band, the Vibration Guard at one frequency; keep one "
+    "of them",
+    "beide glätten die Sollwerte: FIR-Filter breitbandig, der Vibration Guard bei einer Frequenz; nur eines "
+    "von beiden verwenden"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -19,9 +32,9 @@ void filter_and_vibration_guard(ProgramContext const& context, Report& report) {
   std::vector<Span> const spans = commands_where(context, [](grammar::NcCommand const& command) {
     return command.kind == CommandKind::filter || command.kind == CommandKind::vibration_guard;
   });
-  Finding& finding = report_at_last(context, report, spans, message(Text::ax5003));
-  finding.help.push_back(message(Text::ax5003_help));
-  set_reaction(finding, Text::program_reaction_aborted);
+  Finding& finding = report_at_last(context, report, spans, message(says::headline));
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::program_reaction_aborted);
 }
 
 }  // namespace

@@ -3,6 +3,19 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "#FILTER must not be used while an axis list activates the Vibration Guard: {axes}",
+    "#FILTER darf nicht verwendet werden, wenn eine Achsliste den Vibration Guard aktiviert: {axes}"};
+constexpr Sentence active_here{"activated here for axis {axis}", "hier für die Achse {axis} aktiviert"};
+constexpr Sentence reaction{"the Vibration Guard is switched off", "der Vibration Guard wird abgeschaltet"};
+constexpr Sentence help{
+    "set `vib_guard.active 0`, or enable the FIR filters in the lists and leave #FILTER out",
+    "`vib_guard.active 0` setzen, oder die FIR-Filter in den Listen einschalten und auf #FILTER verzichten"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -15,11 +28,11 @@ void filter_with_guard_in_list(ProgramContext const& context, Report& report) {
   });
   if (axes.empty() || spans.empty()) return;
   Finding& finding =
-      report_at_last(context, report, spans, message(Text::ax5004, {{"axes", names_of(axes)}}));
+      report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  relate_values(finding, axes, active, Text::ax5004_active_here);
-  finding.help.push_back(message(Text::ax5004_help));
-  set_reaction(finding, Text::ax5004_reaction);
+  relate_values(finding, axes, active, says::active_here);
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::reaction);
 }
 
 }  // namespace

@@ -1,8 +1,22 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "#VIB GUARD must not be used while an axis list sets a FIR type: {axes}",
+    "#VIB GUARD darf nicht verwendet werden, wenn eine Achsliste einen FIR-Typ setzt: {axes}"};
+constexpr Sentence reaction{"the FIR filter is not active", "der FIR-Filter ist nicht aktiv"};
+constexpr Sentence help{
+    "set `filter_fir.type 0`, or activate the Vibration Guard in the lists of axes without a FIR filter",
+    "`filter_fir.type 0` setzen, oder den Vibration Guard in den Listen der Achsen ohne FIR-Filter "
+    "aktivieren"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -15,11 +29,11 @@ void guard_with_fir_in_list(ProgramContext const& context, Report& report) {
   });
   if (axes.empty() || spans.empty()) return;
   Finding& finding =
-      report_at_last(context, report, spans, message(Text::ax5005, {{"axes", names_of(axes)}}));
+      report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  relate_values(finding, axes, "filter_fir.type", Text::fir_type_here);
-  finding.help.push_back(message(Text::ax5005_help));
-  set_reaction(finding, Text::ax5005_reaction);
+  relate_values(finding, axes, "filter_fir.type", says::fir_type_here);
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::reaction);
 }
 
 }  // namespace

@@ -1,8 +1,20 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/fir_view.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/sentences.hpp"
+#include "validator/views/fir_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"#FILTER ON has no effect on axes without an order: {axes}",
+                            "#FILTER ON wirkt nicht auf Achsen ohne Ordnung: {axes}"};
+constexpr Sentence help{
+    "give an order: `#FILTER ON [ORDER=..]`, or `filter_fir.order` in the lists",
+    "eine Ordnung angeben: `#FILTER ON [ORDER=..]`, oder `filter_fir.order` in den Listen"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -20,11 +32,11 @@ void filter_without_order(ProgramContext const& context, Report& report) {
       context, [&](grammar::NcCommand const& command) { return is_fir_filter_on(context, command); });
   if (axes.empty() || spans.empty()) return;
   Finding& finding =
-      report_at_last(context, report, spans, message(Text::ax5007, {{"axes", names_of(axes)}}));
+      report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  relate_values(finding, axes, "filter_fir.type", Text::fir_type_here);
-  finding.help.push_back(message(Text::ax5007_help));
-  set_reaction(finding, Text::filter_reaction_inactive);
+  relate_values(finding, axes, "filter_fir.type", says::fir_type_here);
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::filter_reaction_inactive);
 }
 
 }  // namespace

@@ -4,6 +4,19 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    "`ACC_FACT` needs a valid P-AXIS-00013 (`getriebe[0].dynamik.a_trans_weight`) in every axis: {axes}",
+    "`ACC_FACT` braucht in jeder Achse ein gültiges P-AXIS-00013 (`getriebe[0].dynamik.a_trans_weight`): "
+    "{axes}"};
+constexpr Sentence limit{
+    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 and unset are not valid",
+    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 und nicht gesetzt sind ungültig"};
+constexpr Sentence value_here{"axis {axis} has {value} here", "die Achse {axis} hat hier {value}"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -30,16 +43,16 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
   });
   if (axes.empty()) return;
   Finding& finding =
-      report_at_last(context, report, spans, message(Text::ax5008, {{"axes", names_of(axes)}}));
+      report_at_last(context, report, spans, message(says::headline, {{"axes", names_of(axes)}}));
   set_axis(finding, axes);
-  finding.notes.push_back(message(Text::ax5008_limit));
+  finding.notes.push_back(message(says::limit));
   for (LoadedAxis const* const axis : axes) {
     EffectiveValue const& value = axis->merged.values.at(weight);
     if (!value.value_place()) continue;
     finding.related.push_back(
         {.place = *value.value_place(),
-         .message = message(Text::ax5008_value_here,
-                            {{"axis", axis->name}, {"value", format_exact(value.value.number)}})});
+         .message =
+             message(says::value_here, {{"axis", axis->name}, {"value", format_exact(value.value.number)}})});
   }
 }
 

@@ -3,6 +3,18 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{command}` switches the FIR filters off that #FILTER ON switched on",
+                            "`{command}` schaltet die FIR-Filter ab, die #FILTER ON eingeschaltet hat"};
+constexpr Sentence on_here{"switched on here", "hier eingeschaltet"};
+constexpr Sentence reaction{"from here on the FIR filters are off", "ab hier sind die FIR-Filter aus"};
+constexpr Sentence help{
+    "write `#FILTER ON` behind it once more; filters that the lists enable stay on",
+    "dahinter noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -21,12 +33,12 @@ void axis_exchange_disables(ProgramContext const& context, Report& report) {
   Span const switched_on = spans.front();
   spans.erase(spans.begin());
   std::string const name(context.text.substr(spans.back().begin, spans.back().size()));
-  Finding& finding = report_at_last(context, report, spans, message(Text::ax5009, {{"command", name}}));
-  finding.related.insert(finding.related.begin(),
-                         {.place = {.source = context.program.source, .span = switched_on},
-                          .message = message(Text::ax5009_on_here)});
-  finding.help.push_back(message(Text::ax5009_help));
-  set_reaction(finding, Text::ax5009_reaction);
+  Finding& finding = report_at_last(context, report, spans, message(says::headline, {{"command", name}}));
+  finding.related.insert(
+      finding.related.begin(),
+      {.place = {.source = context.program.source, .span = switched_on}, .message = message(says::on_here)});
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::reaction);
 }
 
 }  // namespace

@@ -1,8 +1,19 @@
 #include "validator/engine/rule.hpp"
 
-#include "validator/views/hsc_view.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
+#include "validator/sentences.hpp"
+#include "validator/views/hsc_view.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"#FILTER ON [HSC] has no HSC filter to switch on",
+                            "#FILTER ON [HSC] findet keinen HSC-Filter zum Einschalten"};
+constexpr Sentence help{
+    "preconfigure `filter[0].prototype HSC` in the axes of the channel, alike in all of them",
+    "`filter[0].prototype HSC` in den Achsen des Kanals vorkonfigurieren, in allen gleich"};
+
+}  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
@@ -20,9 +31,9 @@ void hsc_without_preconfiguration(ProgramContext const& context, Report& report)
     if (keyword != nullptr) spans.push_back(keyword->name);
   }
   if (spans.empty()) return;
-  Finding& finding = report_at_last(context, report, spans, message(Text::ax5010));
-  finding.help.push_back(message(Text::ax5010_help));
-  set_reaction(finding, Text::filter_reaction_inactive);
+  Finding& finding = report_at_last(context, report, spans, message(says::headline));
+  finding.help.push_back(message(says::help));
+  set_reaction(finding, says::filter_reaction_inactive);
 }
 
 }  // namespace

@@ -10,6 +10,22 @@
 #include <limits>
 #include <optional>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the filters of this axis need more than 10 s to settle",
+                            "die Filter dieser Achse brauchen mehr als 10 s, um einzuschwingen"};
+constexpr Sentence measured{"a step stays within 0.01 % after {seconds} s",
+                            "ein Sprung bleibt nach {seconds} s innerhalb von 0.01 %"};
+constexpr Sentence beyond{"a step is not settled after {seconds} s",
+                          "ein Sprung ist nach {seconds} s nicht eingeschwungen"};
+constexpr Sentence slowest{"`{filter}` is the slowest filter of the chain",
+                           "`{filter}` ist der langsamste Filter der Kette"};
+constexpr Sentence frequency{"`{parameter}` is {value} Hz", "`{parameter}` ist {value} Hz"};
+constexpr Sentence time{"`{parameter}` is {value} µs", "`{parameter}` ist {value} µs"};
+constexpr Sentence cause_here{"this value makes it slow", "dieser Wert macht ihn langsam"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -57,19 +73,18 @@ void long_settling(AxisContext const& axis, Report& report) {
   if (result.settling == Settling::in_time) return;
 
   FilterView const& filter = *slowest->filter;
-  Finding& finding = report.add(filter.anchor(filter.enable), {Text::ax6003, {}});
-  finding.label = result.seconds
-                      ? Message{Text::ax6003_measured, {{"seconds", format_rounded(*result.seconds, 3)}}}
-                      : Message{Text::ax6003_beyond, {{"seconds", number(measured_seconds)}}};
+  Finding& finding = report.add(filter.anchor(filter.enable), {says::headline, {}});
+  finding.label = result.seconds ? Message{says::measured, {{"seconds", format_rounded(*result.seconds, 3)}}}
+                                 : Message{says::beyond, {{"seconds", number(measured_seconds)}}};
   if (chain.size() > 1) {
-    finding.notes.push_back({Text::ax6003_slowest, {{"filter", filter_name(filter)}}});
+    finding.notes.push_back({says::slowest, {{"filter", filter_name(filter)}}});
   }
   bool const by_frequency = design::uses_frequency(*filter.standard_type);
   EffectiveValue const& cause = by_frequency ? filter.frequency : filter.time_constant;
-  finding.notes.push_back({by_frequency ? Text::ax6003_frequency : Text::ax6003_time,
+  finding.notes.push_back({by_frequency ? says::frequency : says::time,
                            {{"parameter", parameter_name(cause)}, {"value", number(cause.value.number)}}});
   if (cause.value_place()) {
-    finding.related.push_back({*cause.value_place(), {Text::ax6003_cause_here, {}}});
+    finding.related.push_back({*cause.value_place(), {says::cause_here, {}}});
   }
 }
 

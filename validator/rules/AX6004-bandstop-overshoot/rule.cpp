@@ -3,6 +3,18 @@
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/step_overshoot.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the band-stop `{filter}` overshoots by {overshoot} %",
+                            "die Bandsperre `{filter}` schwingt um {overshoot} % über"};
+constexpr Sentence monitoring{
+    "{p_axis}: `{parameter}` lets the velocity exceed its limit by {limit} % before it responds",
+    "{p_axis}: `{parameter}` lässt {limit} % Überschreitung der Geschwindigkeit zu, bevor sie anspricht"};
+constexpr Sentence help{"reduce the axis' dynamics, or allow slightly more with {p_axis}",
+                        "die Achsdynamik verringern, oder mit {p_axis} geringfügig mehr zulassen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -16,16 +28,16 @@ void bandstop_overshoot(FilterContext const& context, Report& report) {
   if (!overshoot || *overshoot <= noticeable) return;
   Finding& finding =
       report.add(filter.anchor(filter.type),
-                 {Text::ax6004, {{"filter", filter_name(filter)}, {"overshoot", percent(*overshoot)}}});
+                 {says::headline, {{"filter", filter_name(filter)}, {"overshoot", percent(*overshoot)}}});
   finding.label = overshoot_label(*overshoot);
   EffectiveValue const& limit = context.axis.values.at("kenngr.dyn_monitoring_v_err");
   if (!limit.unusable) {
-    finding.notes.push_back({Text::ax6004_monitoring,
+    finding.notes.push_back({says::monitoring,
                              {{"p_axis", parameter_number(limit)},
                               {"parameter", parameter_name(limit)},
                               {"limit", percent(limit.value.number / 1000)}}});
   }
-  finding.help.push_back({Text::ax6004_help, {{"p_axis", parameter_number(limit)}}});
+  finding.help.push_back({says::help, {{"p_axis", parameter_number(limit)}}});
 }
 
 }  // namespace

@@ -6,6 +6,19 @@
 
 #include <cstdint>
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the filters of this axis may amplify peaks {gain} times",
+                            "die Filter dieser Achse können Spitzen auf das {gain}-fache verstärken"};
+constexpr Sentence label{"peak gain Σ|h| = {gain}", "Spitzenverstärkung Σ|h| = {gain}"};
+constexpr Sentence note{
+    "peaks of velocity and acceleration may grow that much; every notch and all-pass does this",
+    "Spitzen von Geschwindigkeit und Beschleunigung können so weit wachsen; jede Bandsperre und jeder "
+    "Allpass tut das"};
+constexpr Sentence filter_here{"`{filter}` is part of the chain", "`{filter}` gehört zur Kette"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
@@ -22,14 +35,14 @@ void peak_gain(AxisContext const& axis, Report& report) {
   if (gain <= noticeable) return;
   FilterView const& last = *chain.back().filter;
   Finding& finding =
-      report.add(last.anchor(last.enable), {Text::ax6005, {{"gain", format_rounded(gain, 3)}}});
-  finding.label = Message{Text::ax6005_label, {{"gain", format_rounded(gain, 3)}}};
-  finding.notes.push_back({Text::ax6005_note, {}});
+      report.add(last.anchor(last.enable), {says::headline, {{"gain", format_rounded(gain, 3)}}});
+  finding.label = Message{says::label, {{"gain", format_rounded(gain, 3)}}};
+  finding.notes.push_back({says::note, {}});
   for (ChainLink const& link : chain) {
     FilterView const& filter = *link.filter;
     if (filter.index == last.index || !filter.enable.value_place()) continue;
     finding.related.push_back(
-        {*filter.enable.value_place(), {Text::ax6005_filter_here, {{"filter", filter_name(filter)}}}});
+        {*filter.enable.value_place(), {says::filter_here, {{"filter", filter_name(filter)}}}});
   }
 }
 

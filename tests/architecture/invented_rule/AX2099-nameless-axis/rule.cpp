@@ -6,7 +6,7 @@ namespace {
 void nameless_axis(AxisContext const& axis, Report& report) {
   EffectiveValue const& name = axis.values.at("kopf.log_achs_name");
   if (name.unusable || name.value.text != "NONAME") return;
-  report.add(name, {Text::fixed_placeholder, {{"text", "the axis has no name of its own"}}});
+  report.add(name, {axisc::says::as_given, {{"text", "the axis has no name of its own"}}});
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#include "cli/commands/sentences.hpp"
+
+namespace axisc::cli::says {
+
+constinit Sentence const bad_number{"{option} needs a number, not \"{value}\"",
+                                    "{option} braucht eine Zahl, nicht \"{value}\""};
+constinit Sentence const no_velocities{
+    "nothing in {file} uses velocities; --port setpoint or --port interface can be fed",
+    "nichts in {file} verwendet Geschwindigkeiten; möglich sind --port setpoint und --port interface"};
+constinit Sentence const no_interface_filter{
+    "no axis that was asked for in {file} has a filter on its additional interface",
+    "keine der verlangten Achsen in {file} hat ein Filter auf der Zusatzschnittstelle"};
+constinit Sentence const argument_input{
+    "one axis list or machine file (*.json), or - for standard input",
+    "eine Achsliste oder Maschinendatei (*.json), oder - für die Standardeingabe"};
+constinit Sentence const argument_image{"a coefficient image, or - for standard input",
+                                        "ein Koeffizientenabbild, oder - für die Standardeingabe"};
+constinit Sentence const option_at{
+    "execute a command before that cycle; only for images with kernel banks",
+    "vor diesem Zyklus einen Befehl ausführen; nur für Abbilder mit Kernbänken"};
+constinit Sentence const option_level{
+    "instruction set: portable (default) gives the same bits everywhere, auto what a controller like this "
+    "machine takes",
+    "Befehlssatz: portable (Vorgabe) gibt überall dieselben Bits, auto den, den eine Steuerung wie dieser "
+    "Rechner nimmt"};
+
+constinit Sentence const option_group{"only this group (NC channel)", "nur diese Gruppe (NC-Kanal)"};
+
+}  // namespace axisc::cli::says

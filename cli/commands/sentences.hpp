@@ -1,0 +1,17 @@
+// What several sources of this folder say.
+#pragma once
+
+#include "diagnostics/sentence.hpp"
+
+namespace axisc::cli::says {
+
+extern Sentence const bad_number;
+extern Sentence const no_velocities;
+extern Sentence const no_interface_filter;
+extern Sentence const argument_input;
+extern Sentence const argument_image;
+extern Sentence const option_at;
+extern Sentence const option_level;
+extern Sentence const option_group;
+
+}  // namespace axisc::cli::says

@@ -1,0 +1,10 @@
+// What several sources of this folder say.
+#pragma once
+
+#include "diagnostics/sentence.hpp"
+
+namespace axisc::cli::says {
+
+extern Sentence const one_output;
+
+}  // namespace axisc::cli::says

@@ -1,0 +1,15 @@
+#include "configuration/sentences.hpp"
+
+namespace axisc::configuration::says {
+
+constinit Sentence const json_did_you_mean{"did you mean \"{suggestion}\"?", "ist \"{suggestion}\" gemeint?"};
+constinit Sentence const json_known_keys{"keys here: {keys}", "Schlüssel an dieser Stelle: {keys}"};
+constinit Sentence const json_missing_key{"the key \"{key}\" is missing here",
+                                          "hier fehlt der Schlüssel \"{key}\""};
+constinit Sentence const json_cycle_time{
+    "the cycle time must be above 0 and at most 1000000 µs, not {value} µs",
+    "die Zykluszeit muss größer als 0 und höchstens 1000000 µs sein, nicht {value} µs"};
+constinit Sentence const json_repeated_value{R"("{value}" stands in "{key}" twice)",
+                                             R"("{value}" steht zweimal in "{key}")"};
+
+}  // namespace axisc::configuration::says

@@ -1,0 +1,14 @@
+// What several sources say, in this folder and in those above it.
+#pragma once
+
+#include "diagnostics/sentence.hpp"
+
+namespace axisc::configuration::says {
+
+extern Sentence const json_did_you_mean;
+extern Sentence const json_known_keys;
+extern Sentence const json_missing_key;
+extern Sentence const json_cycle_time;
+extern Sentence const json_repeated_value;
+
+}  // namespace axisc::configuration::says

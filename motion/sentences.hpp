@@ -1,0 +1,10 @@
+// What several sources of this folder say.
+#pragma once
+
+#include "diagnostics/sentence.hpp"
+
+namespace axisc::motion::says {
+
+extern Sentence const cannot_simulate;
+
+}  // namespace axisc::motion::says

@@ -1,0 +1,14 @@
+// What several sources of this folder say.
+#pragma once
+
+#include "diagnostics/sentence.hpp"
+
+namespace axisc::validator::says {
+
+extern Sentence const parameter_did_you_mean;
+extern Sentence const filter_reaction_inactive;
+extern Sentence const filter_reaction_clipped;
+extern Sentence const cycle_time_assumed_note;
+extern Sentence const program_reaction_aborted;
+
+}  // namespace axisc::validator::says
