@@ -5,7 +5,6 @@
 #pragma once
 
 #include "diagnostics/ascii.hpp"
-#include "diagnostics/sentence.hpp"
 #include "grammar/character_class.hpp"
 #include "grammar/lexical.hpp"
 
@@ -69,7 +68,7 @@ struct Rest : x3::parser<Rest> {
 
 /// Matches `text`, or the same but for the case of its ASCII letters; no attribute.
 template <bool in_any_case>
-struct SentenceRef : x3::parser<Text<in_any_case>> {
+struct Text : x3::parser<Text<in_any_case>> {
   using attribute_type = x3::unused_type;
   static bool const has_attribute = false;
 
