@@ -70,8 +70,8 @@ struct FilterKind {
 namespace detail {
 
 inline constexpr OrderRange up_to_6{OrderSource::configured, 6};
-inline constexpr OrderRange up_to_3{OrderSource::configured,
-                                    3};  ///< of the prototype: a band filter has 2n poles
+/// Of the prototype: a band filter of order n has 2n poles.
+inline constexpr OrderRange up_to_3{OrderSource::configured, 3};
 inline constexpr QualityRange band_quality{1, 10};
 inline constexpr TimeConstantRange lag{TimeMeaning::lag, 1};
 inline constexpr TimeConstantRange short_delay{TimeMeaning::delay, 0, 6};
