@@ -96,7 +96,8 @@ TEST_CASE("what contradicts itself") {
   refuses(document(R"({"name": "a", "type": "UNS08", "maximum": "P-AXIS-00002"})"), "names no parameter");
   refuses(document(R"({"name": "a", "type": "UNS08", "minimum": 3, "maximum": 2})"), "above the maximum");
   refuses(document(R"({"name": "a", "type": "STRING", "minimum": 3})"), "limits are for numbers");
-  refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"), "is not a value");
+  refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"),
+          "is not a value");
   refuses(document(R"({"name": "a", "type": "BOOLEAN", "default": "2"})"), "is not a value");
   refuses(document(R"({"name": "a", "type": "BOOLEAN", "symbols": {"TRUE": 1}})"), "TRUE stands twice");
   refuses(document(R"({"name": "a", "type": "UNS08", "default": "-1"})"), "is not a value");
