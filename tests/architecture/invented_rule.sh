@@ -36,7 +36,7 @@ done
 
 quietly "$test_rules"
 echo "1:1 $code" >"$samples/fail.expected"
-! "$test_rules" "every rule reports its failing sample, exactly as expected" >"$folder/log" || fail "the failing sample is not tested"
+! "$test_rules" "every rule reports its failing sample*" >"$folder/log" || fail "the failing sample is not tested"
 grep -q "$rule" "$folder/log" || fail "the test of the samples fails elsewhere"
 cp "$samples/fail.lis" "$samples/pass.lis"
 ! "$test_rules" "every rule passes its passing sample" >"$folder/log" || fail "the passing sample is not tested"

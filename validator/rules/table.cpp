@@ -33,7 +33,7 @@ constexpr auto number_of_code = [] {
 }  // namespace
 
 RuleRange rules() {
-  return RuleRange(table, RuleRange::all_kinds);
+  return {table, RuleRange::all_kinds};
 }
 
 Rule const* find_rule(Code code) {

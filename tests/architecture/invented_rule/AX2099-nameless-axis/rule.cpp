@@ -1,12 +1,18 @@
 #include "validator/engine/rule.hpp"
 
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the axis has no name of its own", "die Achse hat keinen eigenen Namen"};
+
+}  // namespace axisc::validator::says
+
 namespace axisc::validator::checks {
 namespace {
 
 void nameless_axis(AxisContext const& axis, Report& report) {
   EffectiveValue const& name = axis.values.at("kopf.log_achs_name");
   if (name.unusable || name.value.text != "NONAME") return;
-  report.add(name, {axisc::says::as_given, {{"text", "the axis has no name of its own"}}});
+  report.add(name, {says::headline, {}});
 }
 
 }  // namespace
