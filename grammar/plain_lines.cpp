@@ -55,8 +55,9 @@ constexpr std::array<TrailerKind, 256> trailer_kinds = [] {
   auto const of = [&kinds](char byte) -> TrailerKind& { return kinds[static_cast<unsigned char>(byte)]; };
   of(lexical::parenthesis) = TrailerKind::parenthesis;
   of(lexical::hash) = TrailerKind::hash;
-  for (char const byte : {' ', '\t', lexical::carriage_return, lexical::line_feed})
+  for (char const byte : {' ', '\t', lexical::carriage_return, lexical::line_feed}) {
     of(byte) = TrailerKind::none;
+  }
   return kinds;
 }();
 
