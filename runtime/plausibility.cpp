@@ -1,4 +1,4 @@
-#include "runtime/building.hpp"
+#include "runtime/creation/building.hpp"
 #include "runtime/lane.hpp"
 
 namespace axisc::runtime {

@@ -2,7 +2,7 @@
 #include "runtime/recording.hpp"
 
 #include "axisrt.h"
-#include "runtime/building.hpp"
+#include "runtime/creation/building.hpp"
 #include "runtime/configuration.hpp"
 #include "runtime/format/crc32c.hpp"
 #include "runtime/recorder.hpp"

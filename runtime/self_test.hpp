@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisrt.h"
-#include "runtime/image_view.hpp"
+#include "runtime/verification/image_view.hpp"
 #include "runtime/runtime_object.hpp"
 
 namespace axisc::runtime {

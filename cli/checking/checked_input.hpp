@@ -5,7 +5,7 @@
 #include "cli/fleet/byte_stream.hpp"
 #include "cli/failure.hpp"
 #include "cli/options/report_format.hpp"
-#include "diagnostics/report_elements.hpp"
+#include "diagnostics/writers/report_elements.hpp"
 
 #include <cstdint>
 #include <deque>

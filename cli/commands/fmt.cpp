@@ -8,7 +8,7 @@
 #include "cli/options/machine_outline.hpp"
 #include "cli/sentences.hpp"
 #include "cli/settings/settings.hpp"
-#include "diagnostics/unified_diff.hpp"
+#include "diagnostics/writers/unified_diff.hpp"
 #include "validator/list_layout.hpp"
 
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "cli/options/lint_options.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
-#include "diagnostics/unified_diff.hpp"
+#include "diagnostics/writers/unified_diff.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <algorithm>

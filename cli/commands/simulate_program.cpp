@@ -5,7 +5,7 @@
 #include "cli/formats/simulate_formats.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "motion/program_interpreter.hpp"
 #include "motion/simulation.hpp"
 

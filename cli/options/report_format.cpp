@@ -1,6 +1,6 @@
 #include "cli/options/report_format.hpp"
 
-#include "diagnostics/report_elements.hpp"
+#include "diagnostics/writers/report_elements.hpp"
 
 namespace axisc::cli {
 

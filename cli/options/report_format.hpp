@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/options/check_options.hpp"
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 
 #include <string>
 #include <vector>

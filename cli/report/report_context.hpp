@@ -1,7 +1,7 @@
 // What reports for code hosts need: the rules, the version, and where the repository is.
 #pragma once
 
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 
 #include <string>
 

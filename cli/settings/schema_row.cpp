@@ -198,7 +198,7 @@ std::string sizes_text(std::array<std::uint16_t, 2> const& sizes) {
 }
 
 /// In the order of RowContradiction.
-constexpr std::array sentences = {says::type_missing, says::array,
+constexpr std::array<SentenceRef, 8> sentences = {says::type_missing, says::array,
                                   says::limit_type,   says::limit_order,
                                   says::symbols_type, axisc::configuration::says::json_repeated_value,
                                   says::max_length,   says::schema_default};

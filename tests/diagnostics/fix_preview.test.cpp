@@ -1,4 +1,4 @@
-#include "diagnostics/fix_preview.hpp"
+#include "diagnostics/writers/fix_preview.hpp"
 
 #include "example_findings.hpp"
 #include "support/catch.hpp"

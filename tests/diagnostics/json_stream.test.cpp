@@ -1,4 +1,4 @@
-#include "diagnostics/json_stream.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,7 +1,7 @@
 // Findings and surroundings for the tests of the formats that code hosts read.
 #pragma once
 
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "example_findings.hpp"
 #include "support/golden.hpp"
 

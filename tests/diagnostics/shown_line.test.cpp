@@ -1,4 +1,4 @@
-#include "diagnostics/shown_line.hpp"
+#include "diagnostics/writers/shown_line.hpp"
 
 #include "support/catch.hpp"
 

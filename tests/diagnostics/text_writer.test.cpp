@@ -1,4 +1,4 @@
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "example_findings.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"

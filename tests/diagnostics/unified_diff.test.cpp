@@ -1,4 +1,4 @@
-#include "diagnostics/unified_diff.hpp"
+#include "diagnostics/writers/unified_diff.hpp"
 
 #include "support/catch.hpp"
 

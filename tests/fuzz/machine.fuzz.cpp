@@ -1,5 +1,5 @@
 // Any bytes as a list or as a machine file: findings, never a crash; every place lies inside its source.
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "validator/check.hpp"
 
 #include <cstddef>

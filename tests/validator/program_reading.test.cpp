@@ -1,6 +1,6 @@
 #include "validator/loading/program_reading.hpp"
 
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
 #include "validator/check.hpp"

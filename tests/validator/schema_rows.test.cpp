@@ -1,5 +1,5 @@
 // The catalogue with rows of schema files, as checks see it.
-#include "diagnostics/writers.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "schema/parameter_row.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"

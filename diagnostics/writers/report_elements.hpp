@@ -1,0 +1,58 @@
+// The documents of the formats piece by piece: head, one element per finding, tail. A run with more findings than memory
+// holds writes them so; the whole documents (writers.hpp) are made of the same pieces.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+#include "diagnostics/writers/writers.hpp"
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc {
+
+/// An element may hold these where it depends on the other findings. JSON never contains them.
+inline constexpr char occurrence_hole = '\x01';  ///< the number behind a fingerprint
+inline constexpr char rule_index_hole = '\x02';  ///< where SARIF's list of rules names the rule
+
+struct Numbers {
+  std::uint32_t occurrence = 1;
+  std::size_t rule_index = 0;
+};
+
+/// `element` with numbers in its holes.
+[[nodiscard]] std::string fill_holes(std::string_view element, Numbers const& numbers);
+
+/// A source that findings point into.
+struct Artifact {
+  std::string name;
+  Encoding encoding = Encoding::utf8;
+};
+
+// Between two elements stands a comma; in front of each the line break and indentation that its format has. Elements are
+// appended to `text`.
+
+[[nodiscard]] std::string json_head();
+void append_json_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                         Language language);
+/// `counts` and `codes` are those of the elements; `shard` is a JSON object of the caller's, or empty.
+[[nodiscard]] std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,
+                                    std::vector<CodeCount> const& codes, std::string_view shard = {});
+
+/// `codes` and `artifacts` are those of the elements, the artifacts without repetition.
+[[nodiscard]] std::string sarif_head(std::set<Code> const& codes, std::vector<Artifact> const& artifacts,
+                                     ReportContext const& context, Language language);
+void append_sarif_element(std::string& text, Finding const& finding, SourceSet const& sources,
+                          ReportContext const& context, Language language);
+[[nodiscard]] std::string sarif_tail(bool has_elements, std::string_view shard = {});
+/// The place of a rule among those that are listed, for the hole.
+[[nodiscard]] std::size_t rule_index(std::set<Code> const& codes, Code code, ReportContext const& context);
+/// Sources of a finding's places, each once, ascending.
+[[nodiscard]] std::set<SourceId> sources_of(Finding const& finding);
+
+[[nodiscard]] std::string gitlab_element(Finding const& finding, SourceSet const& sources,
+                                         ReportContext const& context, Language language);
+
+}  // namespace axisc
