@@ -5,6 +5,9 @@
 #include "runtime/little_endian.hpp"
 #include "runtime/recording.hpp"
 
+#include <bit>
+#include <limits>
+
 namespace axisc::runtime {
 namespace {
 
@@ -29,7 +32,7 @@ class Reader {
     for (uint64_t i = 0; i < count_states(to); ++i) {
       auto const row = static_cast<uint32_t>(i % to.state_stride / to.width);
       uint64_t const bits = take();
-      good = good && is_possible(row, bits, std::bit_cast<uint64_t>(to.states[i]));
+      good = good && is_possible(row, bits);
       if (row == GroupParts::reset_done && bits == 0) never_reset += 1;
       to.states[i] = std::bit_cast<double>(bits);
     }
@@ -43,14 +46,14 @@ class Reader {
     return word;
   }
 
-  static bool is_possible(uint32_t row, uint64_t bits, uint64_t created) {
+  static bool is_possible(uint32_t row, uint64_t bits) {
     switch (row) {
       case GroupParts::input:
         return is_within(std::bit_cast<double>(bits), largest_position);
       case GroupParts::reset_done:
         return bits == 0 || bits == all_set;
       case GroupParts::largest_increment:
-        return bits == created;
+        return bits <= std::bit_cast<uint64_t>(std::numeric_limits<double>::infinity());
       default:
         return is_within(std::bit_cast<double>(bits), largest_restored);
     }

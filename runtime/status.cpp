@@ -43,7 +43,7 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_WRONG_SIGNATURE:
       return "The image was changed after it was signed, or signed with another key.";
     case AXISRT_BAD_ARGUMENT:
-      return "An argument is null, out of range or of unknown size.";
+      return "An argument is null, out of range, of unknown size, or memory that is in use.";
     case AXISRT_OTHER_AXES:
       return "The image is of another machine: its axes differ.";
     case AXISRT_OLDER_IMAGE:

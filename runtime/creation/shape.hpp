@@ -82,7 +82,7 @@ class Grouping {
     uint32_t first_line;
     uint32_t left;  ///< lines that are not in a group yet
   };
-  static constexpr uint32_t most_shapes = 64;
+  static constexpr uint32_t most_shapes = 32;
 
   [[nodiscard]] Key key_of(uint32_t line) const;
   [[nodiscard]] static bool less(Key const& a, Key const& b);

@@ -8,6 +8,9 @@
  *
  * The caller owns all memory; nothing here allocates, locks, does input or output, throws or recurses.
  * All calls for one runtime come from one task. Arrays have one entry per axis, in image order.
+ * On x86-64 and Arm every call rounds to nearest and without traps, whatever the caller has set, and gives the caller's control
+ * word back; other processors must be set so. Structures begin as zeros: a reserved number that is not 0 is
+ * AXISRT_BAD_ARGUMENT.
  * Positions are in the list's unit (0.1 um or 1e-4 degree), |position| <= 2^53.
  *
  * Coefficient convention: H(z) = (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), stored in increment form
@@ -31,7 +34,7 @@ typedef enum axisrt_status {
   AXISRT_TOO_SHORT = 1,        /* fewer bytes than a header, or than the header's total size */
   AXISRT_WRONG_MAGIC = 2,      /* does not begin with "AXIM" */
   AXISRT_WRONG_VERSION = 3,    /* another major version of the format */
-  AXISRT_WRONG_SIZE = 4,       /* bytes behind the total size that are no whole signature */
+  AXISRT_WRONG_SIZE = 4,       /* bytes after the total size that are not a whole signature */
   AXISRT_WRONG_CHECKSUM = 5,   /* header or payload was changed */
   AXISRT_OUT_OF_BOUNDS = 6,    /* an offset, count, index or value out of range; a section missing or twice */
   AXISRT_OVERLAP = 7,          /* sections overlap or are not aligned to 64 bytes */
@@ -46,20 +49,20 @@ typedef enum axisrt_status {
   AXISRT_OTHER_CYCLE_TIME = 20, /* the image was made for another NC cycle time */
   AXISRT_SELF_TEST_FAILED = 21, /* this processor does not compute what the image demands */
   AXISRT_MEMORY_TOO_SMALL = 22,
-  AXISRT_BAD_ARGUMENT = 23, /* null pointer, axis number too large, structure of unknown size */
-  AXISRT_NO_LEVEL =
-      24, /* this processor, or this build, does not have the instruction set that was asked for */
+  /* Null pointer, axis number too large, structure of unknown size, reserved number that is not 0, or memory that overlaps
+   * what the call still reads. */
+  AXISRT_BAD_ARGUMENT = 23,
+  AXISRT_NO_LEVEL = 24,        /* this processor, or this build, lacks the instruction set asked for */
   AXISRT_UNSIGNED = 25,        /* a signature is demanded, and the image has none */
   AXISRT_WRONG_SIGNATURE = 26, /* the image was changed after it was signed, or signed with another key */
 
   /* axisrt_prepare. */
-  AXISRT_OTHER_AXES =
-      27, /* the image is of another machine: number, names, numbers or types of axes differ */
-  AXISRT_OLDER_IMAGE = 28, /* its version counter is lower than that of the image that works */
+  AXISRT_OTHER_AXES = 27,  /* of another machine: number, names, numbers or types of its axes differ */
+  AXISRT_OLDER_IMAGE = 28, /* its version counter is lower than that of the image in use */
 
   /* axisrt_recorder_start, axisrt_restore. */
   AXISRT_OTHER_IMAGE = 29,   /* it is not the image that was recorded */
-  AXISRT_BAD_RECORDING = 30, /* no recording, of another version, or damaged */
+  AXISRT_BAD_RECORDING = 30, /* not a recording, of another version, or damaged */
 
   /* The cycle. The step was done all the same, unless it says otherwise. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
@@ -72,7 +75,7 @@ typedef enum axisrt_status {
   AXISRT_BUSY = 50,    /* a filter of the group is still changing over; try again in the next cycle */
   AXISRT_NO_BANK = 51, /* the image has no kernels for these parameters */
   AXISRT_NEEDS_STANDSTILL = 52, /* no transition is gentle enough: only while the axes stand */
-  AXISRT_NOT_WARM = 53 /* axisrt_swap: the new filters have not seen enough of the motion yet; shadow on */
+  AXISRT_NOT_WARM = 53          /* axisrt_swap: the new filters have not seen enough of the motion yet */
 } axisrt_status;
 
 /* One sentence in English, for logs; never null. May be called anywhere. */
@@ -118,7 +121,7 @@ typedef struct axisrt_config {
   uint32_t cycle_time_ns; /* the controller's real NC cycle time; an image for another one is refused */
   const void* image;      /* aligned to 64 bytes; only read, and not needed after create, except for names */
   size_t image_size;      /* with the signature behind it, where there is one */
-  void* memory;           /* aligned to 64 bytes; the caller's, for as long as the runtime is used */
+  void* memory;           /* aligned to 64 bytes, apart from the image; the runtime's while it is used */
   size_t memory_size;
   uint32_t level;    /* an axisrt_level; axisrt_memory_size and axisrt_create get the same */
   uint32_t reserved; /* 0 */
@@ -130,13 +133,14 @@ typedef struct axisrt_config {
 /* Bytes that create needs for this image, and their alignment (AXISRT_ALIGNMENT); `memory`, `memory_size` and
  * `cycle_time_ns` of the configuration are not looked at. Verifies the image and returns what axisrt_verify returns, or
  * AXISRT_MEMORY_TOO_SMALL if this processor cannot address as much, AXISRT_UNSIGNED, AXISRT_WRONG_SIGNATURE or
- * AXISRT_NO_LEVEL for a number that is no level (one that this processor lacks is answered, for a program that plans another's
- * memory). Cost as axisrt_verify, and a
- * pass over the axes for each shape of chains. Not in the cycle. */
+ * AXISRT_NO_LEVEL for a number that is not a level (for one that this processor lacks the answer is right, so that a program can
+ * plan another's memory). Cost: as axisrt_verify, and a pass over the axes for each shape of chains, of which at most 32 count.
+ * Not in the cycle. */
 axisrt_status axisrt_memory_size(const axisrt_config* config, size_t* bytes, size_t* alignment);
 
-/* Checks the signature if one is demanded, verifies the image, compares the cycle time, copies the coefficients and runs the self-tests. No axis may be
- * stepped before it was reset. On failure *runtime is null. Needs no counterpart: the memory is the caller's.
+/* Checks the signature if one is demanded, verifies the image, compares the cycle time, copies the coefficients and runs the
+ * self-tests. No axis may be stepped before it was reset. On failure *runtime is null. Needs no counterpart: the memory is the
+ * caller's.
  * Returns what axisrt_verify returns, or one of the statuses of create. Cost: as axisrt_verify, the coefficients, the
  * self-tests' cycles. Not in the cycle. */
 axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
@@ -179,9 +183,12 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
 /* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was reset. `in`
  * may equal `out`. `status` may be null, else status[axis] receives what happened to that axis. Returns the worst of
  * them, or AXISRT_BAD_ARGUMENT for a null pointer.
- * Error against the exact filter: at most ulp(max(|in|, |out|))/2 + 2^-42 D, where D is the largest |out - in| since the
- * last rest (for chains that block the constant part: the largest distance of `in` from there). At rest a chain with DC
- * gain 1 ends at out == in, exactly and for good.
+ * Error against the exact filter, for characteristic frequencies from 1e-4/T to 0.4/T and whatever the setpoints are: at most
+ *     ulp(max(|in|, |out|)) + 2^-42 D + 2^-40 d
+ * D: the largest |out - in| since the last rest; for chains that block the constant part the largest distance of `in` from
+ * there, or the largest |out|. d: the largest |in[n] - in[n-1]| since then; its term counts where setpoints jump back and
+ * forth, and vanishes beside the others in a move. From 1e-6/T on and up to 0.475/T the last terms are 2^-38 D + 2^-32 d.
+ * At rest a chain with DC gain 1 ends at out == in, exactly and for good.
  * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that of one
  * kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
@@ -211,9 +218,9 @@ typedef struct axisrt_velocities {
   uint32_t reserved;     /* 0 */
   const double* v_set;   /* commanded by the position controller */
   const double* v_motor; /* measured by the motor's encoder */
-  const double*
-      v_direct; /* measured by the direct measuring system; null: the motor's are used. For a single axis without
-                             such a system repeat the motor's velocity. */
+  /* Measured by the direct measuring system; null: the motor's are used. For a single axis without such a system repeat the
+   * motor's velocity. */
+  const double* v_direct;
 } axisrt_velocities;
 
 /* Puts the stages of an axis into the steady state for these velocities. To be called once before the first
@@ -235,9 +242,8 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in,
 
 /* What the NC command #FILTER asks for. */
 typedef enum axisrt_action {
-  AXISRT_ACTION_SET = 0, /* #FILTER [...]: other parameters, the switch stays as it is */
-  AXISRT_ACTION_ON =
-      1, /* #FILTER ON [...]: the lists' values with these parameters, nothing of earlier commands */
+  AXISRT_ACTION_SET = 0,        /* #FILTER [...]: other parameters, the switch stays as it is */
+  AXISRT_ACTION_ON = 1,         /* #FILTER ON [...]: the lists' values with these parameters */
   AXISRT_ACTION_OFF = 2,        /* #FILTER OFF: FIR and HSC filters; keywords are ignored */
   AXISRT_ACTION_PROGRAM_END = 3 /* the state of start-up; keywords are ignored */
 } axisrt_action;
@@ -294,7 +300,8 @@ uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
 #define AXISRT_ALLOW_OLDER 1u
 
 /* Creates the runtime of another image of the same machine beside the one that works, in the steady state for its latest
- * setpoints, and plans the change. Returns what axisrt_create returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY
+ * setpoints, and plans the change. Does not read the image of `active`; the memory of `config` must not touch that of
+ * `active` or of its recorder (AXISRT_BAD_ARGUMENT). Returns what axisrt_create returns, AXISRT_OTHER_AXES, AXISRT_OLDER_IMAGE, or AXISRT_BUSY
  * while `active` itself is still replacing another. `prepared` may get commands; it begins with the lists' values. Prepare again
  * after axisrt_rebase, and after axisrt_reset of an axis that was reset before.
  * Cost: axisrt_create, and the step responses of all chains of both images (at most 2^21 cycles each). Not in the cycle. */
@@ -334,8 +341,9 @@ axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* c
                                    size_t* bytes);
 
 /* Begins to record; `memory` of the configuration is the recorder's, until it was stopped and dumped. AXISRT_BUSY where
- * the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE; else what axisrt_create returns. A change of
- * image ends the recording (axisrt_swap). Cost: axisrt_create, and a copy of the state. Not in the cycle. */
+ * the runtime is recorded already or another image is prepared; AXISRT_OTHER_IMAGE unless the image is the runtime's own, header
+ * included; AXISRT_BAD_ARGUMENT where the memory touches that of the runtime; else what axisrt_create returns. A change of image
+ * ends the recording (axisrt_swap). Cost: axisrt_create, and a copy of the state. Not in the cycle. */
 axisrt_status axisrt_recorder_start(axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                     axisrt_recorder** recorder);
 
@@ -362,8 +370,7 @@ typedef struct axisrt_axis_state {
   double filter_output[AXISRT_MOST_FILTERS]; /* output of each filter of the cascade, in order */
   uint32_t filters;                          /* how many of them there are */
   uint32_t filters_on;                       /* bit i: filter i of the cascade works */
-  uint32_t
-      kernel; /* index in the image of the FIR or HSC kernel that works or begins to; AXISRT_NO_KERNEL: none */
+  uint32_t kernel;     /* of the image, that works or begins to; AXISRT_NO_KERNEL: none */
   uint32_t fading;     /* 1 while one kernel changes over to another */
   uint32_t settled;    /* 1 if |unfiltered - filtered| <= kenngr.filter_position_window */
   uint32_t reset_done; /* 1 if the axis was reset since create */

@@ -160,3 +160,94 @@ TEST_CASE("a pure delay is exact to the last bit, whatever the positions are") {
     REQUIRE(runtime.step(jumping_input(cycle)) == jumping_input(std::max(0, cycle - 4)));
   }
 }
+
+namespace {
+
+/// A chain for a frequency; those of the lowest quality are the hardest on an input that alternates.
+std::vector<ExactFilter> hard_chain(int kind, Quad f) {
+  switch (kind) {
+    case 0:
+      return {exact::bandstop_of_order_3(f, T, 1)};
+    case 1:
+      return std::vector<ExactFilter>(3, exact::bandstop_of_order_3(f, T, 10));
+    case 2:
+      return {exact::lowpass(f, T, Quad{7} / 10), exact::allpass(f, T, 2)};
+    case 3:
+      return {exact::highpass(f, T, 1)};
+    default:
+      return {exact::allpass(f, T, Quad{7} / 10)};
+  }
+}
+
+constexpr int hard_chains = 5;
+
+/// Setpoints that no interpolator gives: alternating in every cycle or every other, noise, random accelerations.
+class HardInput {
+ public:
+  explicit HardInput(int kind) : kind_(kind) {}
+  double next() {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    double const noise = std::ldexp(static_cast<double>(state_ >> 33U), -30) - 1;  // -1 to 1
+    ++cycle_;
+    switch (kind_) {
+      case 0:
+        return position_ = (cycle_ & 1U) != 0 ? 1000 : -1000;
+      case 1:
+        return position_ = 5000 + ((cycle_ & 2U) != 0 ? 1e6 : -1e6);
+      case 2:
+        return position_ = 1e9 + 1000 * noise;
+      default:
+        velocity_ += 20 * noise;
+        return position_ += velocity_;
+    }
+  }
+  static constexpr int kinds = 4;
+
+ private:
+  int kind_;
+  std::uint64_t state_ = 1;
+  std::uint32_t cycle_ = 0;
+  double velocity_ = 0, position_ = 0;
+};
+
+/// The largest error over  ulp + 2^-42 D + 2^-40 d  (next to the ends of the range  ulp + 2^-38 D + 2^-32 d).
+double error_over_bound(std::vector<ExactFilter> const& filters, HardInput input, bool at_the_ends) {
+  bool const blocks = filters[0].blocks_constant;
+  TestRuntime runtime(one_axis_image(filters, cycle_time_ns), cycle_time_ns);
+  REQUIRE(runtime.status == AXISRT_OK);
+  double const rest = input.next();
+  ExactChain exact(filters, rest);
+  REQUIRE(axisrt_reset(runtime.runtime, 0, rest) == AXISRT_OK);
+  double before = rest;
+  double distance = 0;
+  double increment = 0;
+  double worst = 0;
+  for (int cycle = 0; cycle < 1500; ++cycle) {
+    double const x = input.next();
+    double const y = runtime.step(x);
+    auto const error = static_cast<double>(absolute(static_cast<Quad>(y) - exact.step(x)));
+    distance = std::max(distance, blocks ? std::max(std::fabs(x - rest), std::fabs(y)) : std::fabs(y - x));
+    increment = std::max(increment, std::fabs(x - before));
+    before = x;
+    double const bound = ulp(std::max(std::fabs(x), std::fabs(y))) +
+                         std::ldexp(distance, at_the_ends ? -38 : -42) +
+                         std::ldexp(increment, at_the_ends ? -32 : -40);
+    worst = std::max(worst, error / bound);
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("the accuracy bound holds for setpoints that no interpolator gives, at every frequency") {
+  for (double const periods_per_cycle : {1e-6, 1e-5, 1e-4, 1.25e-4, 1e-3, 1e-2, 0.1, 0.3, 0.4, 0.45, 0.475}) {
+    bool const at_the_ends = periods_per_cycle < 1e-4 || periods_per_cycle > 0.4;
+    Quad const f = static_cast<Quad>(periods_per_cycle) / T;
+    for (int chain = 0; chain < hard_chains; ++chain) {
+      for (int input = 0; input < HardInput::kinds; ++input) {
+        INFO("f T " << periods_per_cycle << ", chain " << chain << ", input " << input);
+        CHECK(error_over_bound(hard_chain(chain, f), HardInput(input), at_the_ends) <= 1);
+      }
+    }
+  }
+}
