@@ -10,6 +10,7 @@
 #include "validator/check.hpp"
 #include "validator/values/reading.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/values/list_reader.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,8 +3,9 @@
 #include "cli/settings/sentences.hpp"
 #include "configuration/sentences.hpp"
 #include "schema/indexed_name.hpp"
-#include "validator/loading/build_version.hpp"
+#include "validator/build_version.hpp"
 #include "validator/values/reading.hpp"
+#include "validator/values/lost_assignment.hpp"
 
 #include <algorithm>
 #include <array>

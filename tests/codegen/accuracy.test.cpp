@@ -35,7 +35,7 @@ double half_ulp(double value) {
   return (std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude) / 2;
 }
 
-double step(RuntimeHost& runtime, double x) {
+double step(image::RuntimeHost& runtime, double x) {
   std::array<double, 1> value = {x};
   axisrt_status const status = runtime.step(value, value);
   // These moves are faster than an axis may be.
@@ -49,7 +49,7 @@ struct Accuracy {
 };
 
 /// The reference move and the beginning of the rest behind it, compared with the exact filter in every cycle.
-Accuracy measure(RuntimeHost& runtime, std::vector<FilterSpecification> const& filters,
+Accuracy measure(image::RuntimeHost& runtime, std::vector<FilterSpecification> const& filters,
                  bool blocks_constant) {
   test::ExactChain exact(filters, cycle_time, start);
   CHECK(runtime.reset(0, start) == AXISRT_OK);
@@ -69,7 +69,7 @@ Accuracy measure(RuntimeHost& runtime, std::vector<FilterSpecification> const& f
 }
 
 /// Cycles at rest until the output is the setpoint and stays there for 20,000 more; `longest` if it does not.
-int cycles_until_exact(RuntimeHost& runtime, int longest) {
+int cycles_until_exact(image::RuntimeHost& runtime, int longest) {
   int exact_since = 0;
   for (int cycle = 0; cycle < longest; ++cycle) {
     if (step(runtime, target) != target) exact_since = cycle + 1;
@@ -78,7 +78,7 @@ int cycles_until_exact(RuntimeHost& runtime, int longest) {
   return longest;
 }
 
-RuntimeHost runtime_with(std::vector<FilterSpecification> const& filters) {
+image::RuntimeHost runtime_with(std::vector<FilterSpecification> const& filters) {
   return test::runtime_for(write_image(test::machine_with(filters, cycle_time), {}));
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("filters of 1 Hz at 1e9 units keep the accuracy and end exactly on the
        {.type = FilterType::time_delay, .time_constant = {5.4 * 125}}}));
   CAPTURE(static_cast<int>(filter.type), static_cast<int>(filter.prototype), filter.order,
           filter.share_percent);
-  RuntimeHost runtime = runtime_with({filter});
+  image::RuntimeHost runtime = runtime_with({filter});
   CHECK(measure(runtime, {filter}, false).worst_of_bound <= 1);
   constexpr int longest = 2'500'000;
   CHECK(cycles_until_exact(runtime, longest) < longest);
@@ -146,7 +146,7 @@ TEST_CASE("filters that block the constant part keep the accuracy", "[image][acc
         .share_percent = 60}}));
   CAPTURE(static_cast<int>(filter.type), static_cast<int>(filter.prototype), filter.order,
           filter.share_percent);
-  RuntimeHost runtime = runtime_with({filter});
+  image::RuntimeHost runtime = runtime_with({filter});
   CHECK(measure(runtime, {filter}, true).worst_of_bound <= 1);
 }
 
@@ -157,14 +157,14 @@ TEST_CASE("the reference move through three band-stops", "[image][accuracy]") {
                                       .frequency = {1},
                                       .quality = 10};
   std::vector<FilterSpecification> const chain(3, band_stop);
-  RuntimeHost runtime = runtime_with(chain);
+  image::RuntimeHost runtime = runtime_with(chain);
   Accuracy const accuracy = measure(runtime, chain, false);
   CHECK(accuracy.worst_of_bound <= 1);
   CHECK(accuracy.largest_error <= 2.4e-7);
 }
 
 TEST_CASE("a whole delay is exact", "[image][accuracy]") {
-  RuntimeHost runtime = runtime_with({{.type = FilterType::time_delay, .time_constant = {5 * 125}}});
+  image::RuntimeHost runtime = runtime_with({{.type = FilterType::time_delay, .time_constant = {5 * 125}}});
   CHECK(runtime.reset(0, setpoint(0)) == AXISRT_OK);
   bool exact = true;
   for (int cycle = 0; cycle < move_cycles; ++cycle) {

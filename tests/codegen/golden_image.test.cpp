@@ -83,7 +83,7 @@ TEST_CASE("today's compiler still writes the images of format 1.1", "[image][gol
 }
 
 TEST_CASE("an image of format 1.0 is read", "[image][golden]") {
-  ImageContents const contents = test::contents_of(bytes_of(whole_image));
+  image::ImageContents const contents = test::contents_of(bytes_of(whole_image));
   CHECK(contents.format_major == 1);
   CHECK(contents.format_minor == 0);
   CHECK(contents.compiler_version == "0.1.0");
@@ -103,7 +103,7 @@ TEST_CASE("an image of format 1.0 is read", "[image][golden]") {
 }
 
 TEST_CASE("an image of format 1.0 runs", "[image][golden]") {
-  RuntimeHost runtime = test::runtime_for(bytes_of(whole_image));
+  image::RuntimeHost runtime = test::runtime_for(bytes_of(whole_image));
   REQUIRE(runtime.axis_count() == 4);
   CHECK(runtime.axis_name(1) == "Y");
   CHECK(runtime.reset_all(1e9) == AXISRT_OK);
@@ -117,7 +117,7 @@ TEST_CASE("an image of format 1.0 runs", "[image][golden]") {
 }
 
 TEST_CASE("an image of format 1.1 is read", "[image][golden]") {
-  ImageContents const contents = test::contents_of(bytes_of(whole_channel));
+  image::ImageContents const contents = test::contents_of(bytes_of(whole_channel));
   CHECK(contents.format_minor == 1);
   CHECK(contents.image_version == 4);
   REQUIRE(contents.axes.size() == 5);
@@ -130,13 +130,13 @@ TEST_CASE("an image of format 1.1 is read", "[image][golden]") {
   CHECK(contents.axes[0].control->stages[1].has_oscillator);
   CHECK(contents.axes[3].control->source == 0);
 
-  ImageContents const stripped = test::contents_of(bytes_of(stripped_channel));
+  image::ImageContents const stripped = test::contents_of(bytes_of(stripped_channel));
   CHECK(stripped.groups[0].name.empty());
   CHECK(stripped.kernels.size() == contents.kernels.size());
 }
 
 TEST_CASE("an image of format 1.1 runs", "[image][golden]") {
-  RuntimeHost runtime = test::runtime_for(bytes_of(whole_channel));
+  image::RuntimeHost runtime = test::runtime_for(bytes_of(whole_channel));
   CHECK(runtime.reset_all(1e9) == AXISRT_OK);
   CHECK(runtime.group_count() == 2);
   CHECK(runtime.has_position_control(3));

@@ -7,7 +7,7 @@
 namespace axisc::codegen {
 namespace {
 
-void check_filter(ImageFilter const& filter, machine::ConfiguredFilter const& configured,
+void check_filter(image::ImageFilter const& filter, machine::ConfiguredFilter const& configured,
                   design::CycleTime cycle_time) {
   CHECK(filter.index == configured.index);
   CHECK(filter.specification == configured.specification);
@@ -30,7 +30,7 @@ void check_filter(ImageFilter const& filter, machine::ConfiguredFilter const& co
   CHECK(filter.self_test_output.size() == filter.self_test_input.size());
 }
 
-void check_chain(std::vector<ImageFilter> const& chain,
+void check_chain(std::vector<image::ImageFilter> const& chain,
                  std::vector<machine::ConfiguredFilter> const& configured, design::CycleTime cycle_time) {
   REQUIRE(chain.size() == configured.size());
   for (std::size_t i = 0; i < chain.size(); ++i) check_filter(chain[i], configured[i], cycle_time);
@@ -41,7 +41,7 @@ void check_chain(std::vector<ImageFilter> const& chain,
 TEST_CASE("what is written is read back", "[image]") {
   machine::Machine const machine = test::sample_machine();
   std::vector<std::byte> const image = write_image(machine, {.image_version = 41});
-  ImageContents const contents = test::contents_of(image);
+  image::ImageContents const contents = test::contents_of(image);
 
   CHECK(contents.format_major == 1);
   CHECK(contents.format_minor == 1);
@@ -59,7 +59,7 @@ TEST_CASE("what is written is read back", "[image]") {
 
   REQUIRE(contents.axes.size() == machine.axes.size());
   for (std::size_t i = 0; i < contents.axes.size(); ++i) {
-    ImageAxis const& axis = contents.axes[i];
+    image::ImageAxis const& axis = contents.axes[i];
     machine::AxisConfiguration const& configured = machine.axes[i];
     CHECK(axis.name == configured.name);
     CHECK(axis.number == configured.number);
@@ -71,7 +71,7 @@ TEST_CASE("what is written is read back", "[image]") {
     check_chain(axis.interface_filters, configured.interface_filters, machine.cycle_time);
 
     double delay = 0;
-    for (ImageFilter const& filter : axis.filters) delay += filter.design.group_delay_cycles;
+    for (image::ImageFilter const& filter : axis.filters) delay += filter.design.group_delay_cycles;
     CHECK(axis.delay_cycles == Approx(delay).epsilon(1e-14));
     CHECK(axis.peak_gain >= 1);
 
@@ -87,13 +87,13 @@ TEST_CASE("what is written is read back", "[image]") {
 
 TEST_CASE("kernels, channels and banks are read back", "[image]") {
   machine::Machine const machine = test::kernel_machine();
-  ImageContents const contents = test::contents_of(write_image(machine, {}));
+  image::ImageContents const contents = test::contents_of(write_image(machine, {}));
 
-  ImageSlot const slot = contents.axes[0].slot.value();
+  image::ImageSlot const slot = contents.axes[0].slot.value();
   CHECK(slot.family == machine::KernelFamily::fir);
   CHECK(slot.on_at_start);
   CHECK(slot.group == 0U);
-  ImageKernel const& kernel = contents.kernels.at(slot.kernel.value());
+  image::ImageKernel const& kernel = contents.kernels.at(slot.kernel.value());
   CHECK(kernel.specification.type == design::KernelType::gaussian);
   CHECK(kernel.specification.order == 21);
   CHECK(kernel.specification.quality == 0.75);
@@ -113,7 +113,7 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
   CHECK(kernel.self_test_output.size() == 32 + 22);
   CHECK(contents.axes[0].delay_cycles == Approx(11 + 5).epsilon(1e-2));  // and the PT1
 
-  ImageSlot const hsc = contents.axes[2].slot.value();
+  image::ImageSlot const hsc = contents.axes[2].slot.value();
   CHECK(hsc.family == machine::KernelFamily::hsc);
   CHECK_FALSE(hsc.on_at_start);
   CHECK(contents.kernels[hsc.kernel.value()].specification.share_percent == 90);
@@ -122,7 +122,7 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
   CHECK_FALSE(contents.axes[4].slot->kernel);
 
   REQUIRE(contents.groups.size() == 2);
-  ImageGroup const& mill = contents.groups[0];
+  image::ImageGroup const& mill = contents.groups[0];
   CHECK(mill.name == "mill");
   CHECK(mill.members == std::vector<std::size_t>{0, 3, 1, 2});
   CHECK(mill.off_fade_cycles > 0);
@@ -139,7 +139,7 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
   CHECK(mill.banks[6].kernels[3] == hsc.kernel);
   CHECK(contents.groups[1].name == "turn");
 
-  ImageContents const stripped = test::contents_of(write_image(machine, {.strip = true}));
+  image::ImageContents const stripped = test::contents_of(write_image(machine, {.strip = true}));
   CHECK(stripped.groups[0].name.empty());
   CHECK(stripped.kernels[0].self_test_input.empty());
   CHECK(stripped.kernels[0].design.tail_sums == contents.kernels[0].design.tail_sums);
@@ -147,8 +147,8 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
 
 TEST_CASE("position control is read back", "[image]") {
   machine::Machine const machine = test::kernel_machine();
-  ImageContents const contents = test::contents_of(write_image(machine, {}));
-  ImageControl const control = contents.axes[0].control.value();
+  image::ImageContents const contents = test::contents_of(write_image(machine, {}));
+  image::ImageControl const control = contents.axes[0].control.value();
   CHECK(control.source == 0);
   CHECK(control.limit == 500'000);
   CHECK(control.limit_factor == 1000);
@@ -175,7 +175,7 @@ TEST_CASE("position control is read back", "[image]") {
   CHECK(control.stages[1].filters[0].design.dc_gain == 1);
   CHECK(control.stages[1].filters[1].design.blocks_constant);
 
-  ImageControl const slave = contents.axes[3].control.value();
+  image::ImageControl const slave = contents.axes[3].control.value();
   CHECK(slave.source == 0);
   CHECK(slave.stages.empty());
   CHECK(slave.limit == 500'000);
@@ -187,11 +187,11 @@ TEST_CASE("position control is read back", "[image]") {
 TEST_CASE("an image that verify refuses is not read", "[image]") {
   std::vector<std::byte> image = write_image(test::sample_machine(), {});
   image[image.size() / 2] ^= std::byte{1};
-  auto const refused = read_image(image);
+  auto const refused = image::read_image(image);
   REQUIRE(std::holds_alternative<axisrt_status>(refused));
   CHECK(std::get<axisrt_status>(refused) == AXISRT_WRONG_CHECKSUM);
 
-  auto const nothing = read_image({});
+  auto const nothing = image::read_image({});
   REQUIRE(std::holds_alternative<axisrt_status>(nothing));
   CHECK(std::get<axisrt_status>(nothing) == AXISRT_TOO_SHORT);
 }

@@ -81,13 +81,13 @@ TEST_CASE("a stripped image is small, says the same about filters and runs", "[i
   std::vector<std::byte> const stripped = write_image(sample_machine(), {.strip = true});
   CHECK(stripped.size() < whole.size() / 2);
 
-  ImageContents const contents = contents_of(stripped);
+  image::ImageContents const contents = contents_of(stripped);
   CHECK(contents.source_digest == contents_of(whole).source_digest);
   CHECK(contents.lists.empty());
   REQUIRE(contents.axes.size() == 4);
   for (std::size_t i = 0; i < contents.axes.size(); ++i) {
-    ImageAxis const& axis = contents.axes[i];
-    ImageAxis const expected = contents_of(whole).axes[i];
+    image::ImageAxis const& axis = contents.axes[i];
+    image::ImageAxis const expected = contents_of(whole).axes[i];
     CHECK(axis.name.empty());
     CHECK(axis.values.empty());
     CHECK(axis.peak_gain == expected.peak_gain);

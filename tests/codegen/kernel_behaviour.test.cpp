@@ -27,7 +27,7 @@ machine::Machine machine_with_kernels(std::vector<KernelSpecification> const& ke
   return machine;
 }
 
-void step(RuntimeHost& runtime, double x, std::vector<double>& outputs) {
+void step(image::RuntimeHost& runtime, double x, std::vector<double>& outputs) {
   std::vector<double> const inputs(outputs.size(), x);
   if (runtime.step(inputs, outputs) != AXISRT_OK) FAIL("a step was refused");
 }
@@ -54,7 +54,7 @@ std::vector<KernelSpecification> every_kind(std::uint32_t order) {
 }
 
 /// The value itself, in every cycle, at every axis: after a reset, and at the end of a move.
-bool stays_constant(RuntimeHost& runtime, std::size_t axes, int cycles, test::Random& random) {
+bool stays_constant(image::RuntimeHost& runtime, std::size_t axes, int cycles, test::Random& random) {
   std::vector<double> outputs(axes);
   double x = std::floor(random.between(-2e9, 2e9)) / 3;
   bool constant = runtime.reset_all(x) == AXISRT_OK;
@@ -75,7 +75,7 @@ bool stays_constant(RuntimeHost& runtime, std::size_t axes, int cycles, test::Ra
 
 TEST_CASE("a moving average and the time delay that belongs to it keep two axes in step", "[kernel]") {
   auto const [order, delay] = GENERATE(table<std::uint32_t, std::uint32_t>({{20, 10}, {21, 11}}));
-  RuntimeHost runtime = test::runtime_for(
+  image::RuntimeHost runtime = test::runtime_for(
       write_image(machine_with_kernels({{.type = KernelType::moving_average, .order = order},
                                         {.type = KernelType::time_delay, .order = delay}}),
                   {}));
@@ -95,7 +95,7 @@ TEST_CASE("a constant setpoint comes out unchanged, whatever the kernel", "[kern
   test::Random random(12);
   for (std::uint32_t order = 1; order <= design::longest_kernel_order; ++order) {
     std::vector<KernelSpecification> const kernels = every_kind(order);
-    RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {.strip = true}));
+    image::RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {.strip = true}));
     CAPTURE(order);
     CHECK(stays_constant(runtime, kernels.size(), 500, random));
   }
@@ -104,14 +104,14 @@ TEST_CASE("a constant setpoint comes out unchanged, whatever the kernel", "[kern
 TEST_CASE("a constant setpoint comes out unchanged for 1e5 cycles", "[kernel]") {
   test::Random random(13);
   std::vector<KernelSpecification> const kernels = every_kind(100);
-  RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {}));
   CHECK(stays_constant(runtime, kernels.size(), 100'000, random));
 }
 
 TEST_CASE("a constant setpoint comes out unchanged for 1e8 cycles", "[.][slow]") {
   test::Random random(14);
   std::vector<KernelSpecification> const kernels = every_kind(20);
-  RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {}));
   CHECK(stays_constant(runtime, kernels.size(), 100'000'000, random));
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("a constant setpoint comes out unchanged through any sequence of comma
     group.filter_sets.push_back(test::filter_set(order));
   group.filter_sets.push_back(test::filter_set({}, 50));
   machine.groups = {group};
-  RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
   test::Random random(15);
   std::vector<double> outputs(machine.axes.size());
   double x = 1e9 / 7;

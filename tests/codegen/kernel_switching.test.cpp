@@ -92,9 +92,9 @@ struct Watched {
 
 class Watch {
  public:
-  explicit Watch(ImageContents const& contents) : contents_(contents), watched_(axes) {
+  explicit Watch(image::ImageContents const& contents) : contents_(contents), watched_(axes) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      for (ImageFilter const& filter : contents.axes[axis].filters) filters_[axis] *= filter.peak_gain;
+      for (image::ImageFilter const& filter : contents.axes[axis].filters) filters_[axis] *= filter.peak_gain;
     }
   }
 
@@ -129,13 +129,13 @@ class Watch {
   [[nodiscard]] double kernel_gain(axisrt_axis_state const& state) const {
     return state.kernel == AXISRT_NO_KERNEL ? 1 : contents_.kernels[state.kernel].peak_gain;
   }
-  ImageContents const& contents_;
+  image::ImageContents const& contents_;
   std::vector<Watched> watched_;
   std::array<double, axes> filters_ = {1, 1, 1, 1, 1};
   std::array<std::uint32_t, axes> kernels_{};
 };
 
-axisrt_status random_command(RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
+axisrt_status random_command(image::RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
   machine::FilterCommand command;
   std::uint32_t const kind = random.below(10);
   if (kind == 0) return runtime.end_program(0);
@@ -154,9 +154,9 @@ namespace {
 void switch_often(int number_of_commands) {
   machine::Machine const machine = switching_machine();
   std::vector<std::byte> const image = write_image(machine, {});
-  ImageContents const contents = test::contents_of(image);
-  for (ImageBank const& bank : contents.groups[0].banks) CHECK(bank.fade_cycles > 0);
-  RuntimeHost runtime = test::runtime_for(image);
+  image::ImageContents const contents = test::contents_of(image);
+  for (image::ImageBank const& bank : contents.groups[0].banks) CHECK(bank.fade_cycles > 0);
+  image::RuntimeHost runtime = test::runtime_for(image);
   CHECK(runtime.reset_all(1000) == AXISRT_OK);
 
   MotionLimits const limits = motion_limits(500'000, 8000, machine.cycle_time);

@@ -30,7 +30,7 @@ machine::Machine machine(std::vector<double> const& frequencies, CycleTime cycle
 }
 
 /// |1 - (1 - z^-1) sum of S_j z^-j|
-double gain(ImageKernel const& kernel, double frequency, CycleTime cycle_time) {
+double gain(image::ImageKernel const& kernel, double frequency, CycleTime cycle_time) {
   using Complex = std::complex<long double>;
   long double const theta =
       2 * std::numbers::pi_v<long double> * frequency * cycle_time.nanoseconds / 1'000'000'000;
@@ -54,11 +54,11 @@ TEST_CASE("NoVib in the image suppresses its frequency and what lies within 10 %
     for (int i = 0; i < frequencies; ++i) {
       list.push_back(lowest * std::pow(highest / lowest, double(i) / (frequencies - 1)));
     }
-    ImageContents const contents = test::contents_of(write_image(machine(list, cycle_time), {.strip = true}));
+    image::ImageContents const contents = test::contents_of(write_image(machine(list, cycle_time), {.strip = true}));
     REQUIRE(contents.axes.size() == list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       REQUIRE(contents.axes[i].slot);
-      ImageKernel const& kernel = contents.kernels[contents.axes[i].slot->kernel.value()];
+      image::ImageKernel const& kernel = contents.kernels[contents.axes[i].slot->kernel.value()];
       CAPTURE(nanoseconds, list[i], kernel.specification.order);
       CHECK(kernel.specification.frequency.value == list[i]);
       CHECK(gain(kernel, list[i], cycle_time) < 1e-12);
@@ -74,12 +74,12 @@ TEST_CASE("the longest NoVib kernel runs", "[image][novib]") {
   machine::Machine slowest = machine({lowest}, cycle_time);
   slowest.axes[0].kernel->on_at_start = true;
   std::vector<std::byte> const image = write_image(slowest, {});
-  ImageContents const contents = test::contents_of(image);
+  image::ImageContents const contents = test::contents_of(image);
   CHECK(contents.kernels[0].design.tail_sums.size() == 200);
   CHECK(contents.kernels[0].specification.order == 200);
   CHECK(contents.axes[0].delay_cycles == 100);
 
-  RuntimeHost runtime = test::runtime_for(image);
+  image::RuntimeHost runtime = test::runtime_for(image);
   CHECK(runtime.reset(0, 0) == AXISRT_OK);
   double largest = 0;
   for (int n = 0; n < 2000; ++n) {

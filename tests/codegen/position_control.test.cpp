@@ -45,7 +45,7 @@ struct Velocities {
   double set = 0, motor = 0, direct = 0;
 };
 
-double step(RuntimeHost& runtime, Velocities const& v) {
+double step(image::RuntimeHost& runtime, Velocities const& v) {
   std::array<double, 1> const set = {v.set};
   std::array<double, 1> const motor = {v.motor};
   std::array<double, 1> const direct = {v.direct};
@@ -60,7 +60,7 @@ double step(RuntimeHost& runtime, Velocities const& v) {
 /// Response of the additive velocity at f, from the response to one impulse.
 Complex measured(machine::PositionControl const& control, Velocities const& impulse, double f) {
   constexpr int cycles = 8000;
-  RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));
   CHECK(runtime.reset_velocity(0, 0, 0, 0) == AXISRT_OK);
   double const height = impulse.set + impulse.motor + impulse.direct;
   Complex sum = 0;
@@ -126,7 +126,7 @@ TEST_CASE("the additive velocity stays within its share of the axis' velocity", 
   machine::PositionControl control = test::manual_position_control();
   double const factor = GENERATE(1000.0, 40.0, 0.0);
   control.limit_factor = factor;
-  RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine(control), {}));
   CHECK(runtime.reset_velocity(0, 0, 0, 0) == AXISRT_OK);
   double const limit = factor / 1000 * 500'000;
   double least = 0;
@@ -142,7 +142,7 @@ TEST_CASE("the additive velocity stays within its share of the axis' velocity", 
 }
 
 TEST_CASE("constant velocities are not touched", "[position-control]") {
-  RuntimeHost runtime = test::runtime_for(write_image(machine(test::manual_position_control()), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine(test::manual_position_control()), {}));
   CHECK(runtime.reset_velocity(0, 1e6, 2e5, -3e5) == AXISRT_OK);
   for (int n = 0; n < 1000; ++n) {
     REQUIRE(step(runtime, {.set = 1e6, .motor = 2e5, .direct = -3e5}) == 0);

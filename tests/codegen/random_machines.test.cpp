@@ -12,7 +12,7 @@ namespace axisc::codegen {
 namespace {
 
 /// Commands that the image has banks for, at random.
-void command(RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
+void command(image::RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
   if (runtime.group_count() == 0) return;
   auto const& sets = machine.groups[0].filter_sets;
   machine::FilterCommand command;
@@ -25,9 +25,9 @@ void command(RuntimeHost& runtime, machine::Machine const& machine, test::Random
   if (!answered) FAIL(axisrt_status_name(status));
 }
 
-bool has_dc_gain_1(ImageAxis const& axis) {
+bool has_dc_gain_1(image::ImageAxis const& axis) {
   return std::none_of(axis.filters.begin(), axis.filters.end(),
-                      [](ImageFilter const& filter) { return filter.design.blocks_constant; });
+                      [](image::ImageFilter const& filter) { return filter.design.blocks_constant; });
 }
 
 /// Random motion with commands, then rest until every axis that can has arrived exactly.
@@ -89,8 +89,8 @@ class Run {
   }
 
   machine::Machine const& machine_;
-  ImageContents contents_;
-  RuntimeHost runtime_;
+  image::ImageContents contents_;
+  image::RuntimeHost runtime_;
   test::Random& random_;
   std::vector<double> outputs_;
   double x_ = 1e6;
@@ -120,8 +120,8 @@ TEST_CASE("random machines compile, pass their self-tests and settle", "[image][
     CAPTURE(i);
     machine::Machine const machine = test::random_machine(random, 0.005);
     std::vector<std::byte> const image = write_image(machine, {});
-    ImageContents const contents = test::contents_of(image);
-    RuntimeHost runtime = test::runtime_for(image);
+    image::ImageContents const contents = test::contents_of(image);
+    image::RuntimeHost runtime = test::runtime_for(image);
 
     bool sound = runtime.reset_all(1000) == AXISRT_OK;
     std::vector<double> values(machine.axes.size());

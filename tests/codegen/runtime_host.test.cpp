@@ -16,14 +16,14 @@ std::vector<std::byte> sample_image() {
   return write_image(test::sample_machine(), {});
 }
 
-axisrt_status refusal(std::variant<RuntimeHost, axisrt_status> const& result) {
+axisrt_status refusal(std::variant<image::RuntimeHost, axisrt_status> const& result) {
   return std::holds_alternative<axisrt_status>(result) ? std::get<axisrt_status>(result) : AXISRT_OK;
 }
 
 }  // namespace
 
 TEST_CASE("a runtime knows its axes", "[runtime-host]") {
-  RuntimeHost const runtime = test::runtime_for(sample_image());
+  image::RuntimeHost const runtime = test::runtime_for(sample_image());
   CHECK(runtime.axis_count() == 4);
   CHECK(runtime.cycle_time().nanoseconds == 1'000'000);
   CHECK(runtime.axis_name(2) == "Ä");
@@ -35,15 +35,15 @@ TEST_CASE("a runtime knows its axes", "[runtime-host]") {
 
 TEST_CASE("a runtime refuses what it cannot run", "[runtime-host]") {
   std::vector<std::byte> image = sample_image();
-  CHECK(refusal(RuntimeHost::create(image, design::CycleTime{1'000'000})) == AXISRT_OK);
-  CHECK(refusal(RuntimeHost::create(image, design::CycleTime{500'000})) == AXISRT_OTHER_CYCLE_TIME);
-  CHECK(refusal(RuntimeHost::create({})) == AXISRT_TOO_SHORT);
+  CHECK(refusal(image::RuntimeHost::create(image, design::CycleTime{1'000'000})) == AXISRT_OK);
+  CHECK(refusal(image::RuntimeHost::create(image, design::CycleTime{500'000})) == AXISRT_OTHER_CYCLE_TIME);
+  CHECK(refusal(image::RuntimeHost::create({})) == AXISRT_TOO_SHORT);
   image.back() ^= std::byte{1};
-  CHECK(refusal(RuntimeHost::create(image)) == AXISRT_WRONG_CHECKSUM);
+  CHECK(refusal(image::RuntimeHost::create(image)) == AXISRT_WRONG_CHECKSUM);
 }
 
 TEST_CASE("axes are reset before they are filtered", "[runtime-host]") {
-  RuntimeHost runtime = test::runtime_for(sample_image());
+  image::RuntimeHost runtime = test::runtime_for(sample_image());
   std::array<double, 4> const setpoints = {100, 100, 100, 100};
   std::array<double, 4> outputs{};
   std::array<std::uint8_t, 4> status{};
@@ -60,7 +60,7 @@ TEST_CASE("axes are reset before they are filtered", "[runtime-host]") {
 }
 
 TEST_CASE("arrays have one entry per axis", "[runtime-host]") {
-  RuntimeHost runtime = test::runtime_for(sample_image());
+  image::RuntimeHost runtime = test::runtime_for(sample_image());
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   std::array<double, 5> values{};
   std::array<std::uint8_t, 3> status{};
@@ -73,9 +73,9 @@ TEST_CASE("arrays have one entry per axis", "[runtime-host]") {
 }
 
 TEST_CASE("a runtime can be moved", "[runtime-host]") {
-  RuntimeHost first = test::runtime_for(sample_image());
+  image::RuntimeHost first = test::runtime_for(sample_image());
   CHECK(first.reset_all(7) == AXISRT_OK);
-  RuntimeHost second = std::move(first);
+  image::RuntimeHost second = std::move(first);
   std::array<double, 4> values = {7, 7, 7, 7};
   CHECK(second.step(values, values) == AXISRT_OK);
   CHECK(values[0] == 7);
@@ -87,7 +87,7 @@ TEST_CASE("a runtime can be moved", "[runtime-host]") {
 }
 
 TEST_CASE("a bad setpoint is reported and does no harm", "[runtime-host]") {
-  RuntimeHost runtime = test::runtime_for(sample_image());
+  image::RuntimeHost runtime = test::runtime_for(sample_image());
   CHECK(runtime.reset_all(5) == AXISRT_OK);
   std::array<double, 4> values = {5, std::numeric_limits<double>::quiet_NaN(), 5, 5};
   std::array<std::uint8_t, 4> status{};
@@ -98,8 +98,8 @@ TEST_CASE("a bad setpoint is reported and does no harm", "[runtime-host]") {
 
 TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
   machine::Machine const machine = test::kernel_machine();
-  RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
-  ImageContents const contents = test::contents_of(write_image(machine, {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
+  image::ImageContents const contents = test::contents_of(write_image(machine, {}));
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   CHECK(runtime.group_count() == 2);
   auto const kernel_of = [&](std::uint32_t axis) {
@@ -107,7 +107,7 @@ TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
   };
   machine::FilterCommand command;
   command.filter_switch = machine::FilterSwitch::on;
-  for (ImageBank const& bank : contents.groups[0].banks) {
+  for (image::ImageBank const& bank : contents.groups[0].banks) {
     command.parameters = bank.parameters;
     command.hsc = bank.hsc;
     CHECK(runtime.command(0, command) == AXISRT_OK);
@@ -131,7 +131,7 @@ TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
 }
 
 TEST_CASE("velocities have one entry per axis, the direct ones may be missing", "[runtime-host]") {
-  RuntimeHost runtime = test::runtime_for(write_image(test::kernel_machine(), {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(test::kernel_machine(), {}));
   CHECK(runtime.has_position_control(0));
   CHECK_FALSE(runtime.has_position_control(1));
   CHECK(runtime.reset_all(0) == AXISRT_OK);
@@ -158,7 +158,7 @@ TEST_CASE("velocities have one entry per axis, the direct ones may be missing", 
 }
 
 TEST_CASE("the additional interface has filters of its own", "[runtime-host]") {
-  RuntimeHost runtime = test::runtime_for(sample_image());
+  image::RuntimeHost runtime = test::runtime_for(sample_image());
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   std::array<double, 4> const step = {1, 1, 1, 1};
   std::array<double, 4> outputs{};

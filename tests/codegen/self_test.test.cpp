@@ -17,7 +17,7 @@ constexpr double ulp_of_largest_input = std::numeric_limits<double>::epsilon();
 
 /// Of a filter or a kernel.
 template <class Tested>
-double largest_error_in_ulp(RuntimeHost& runtime, Tested const& tested) {
+double largest_error_in_ulp(image::RuntimeHost& runtime, Tested const& tested) {
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   double largest = 0;
   for (std::size_t i = 0; i < tested.self_test_input.size(); ++i) {
@@ -44,7 +44,7 @@ TEST_CASE("the runtime passes self-tests with margin", "[self-test]") {
     CAPTURE(static_cast<int>(filter.type), static_cast<int>(filter.prototype), filter.order,
             filter.frequency.value, filter.quality, filter.time_constant.value, filter.share_percent);
     std::vector<std::byte> const image = write_image(test::machine_with({filter}, cycle_time), {});
-    RuntimeHost runtime = test::runtime_for(image);
+    image::RuntimeHost runtime = test::runtime_for(image);
     // Two are allowed; how the runtime's order of operations differs from the compiler's model takes a little.
     CHECK(largest_error_in_ulp(runtime, test::contents_of(image).axes[0].filters[0]) <= 1.25);
   }
@@ -63,7 +63,7 @@ TEST_CASE("the runtime passes self-tests of kernels with margin", "[self-test]")
     machine.axes[0].kernel = test::fir(kernel, true);
     CAPTURE(static_cast<int>(kernel.type), kernel.order, kernel.frequency.value, kernel.quality);
     std::vector<std::byte> const image = write_image(machine, {});
-    RuntimeHost runtime = test::runtime_for(image);
+    image::RuntimeHost runtime = test::runtime_for(image);
     CHECK(largest_error_in_ulp(runtime, test::contents_of(image).kernels.at(0)) <= 1.25);
   }
 }

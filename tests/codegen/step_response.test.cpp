@@ -14,7 +14,7 @@
 namespace axisc::codegen {
 namespace {
 
-std::vector<double> impulse_response(RuntimeHost& runtime, std::size_t cycles) {
+std::vector<double> impulse_response(image::RuntimeHost& runtime, std::size_t cycles) {
   CHECK(runtime.reset_all(0) == AXISRT_OK);
   std::vector<double> response;
   for (std::size_t n = 0; n < cycles; ++n) {
@@ -45,7 +45,7 @@ TEST_CASE("the runtime has the designed frequency response", "[image][runtime]")
     CAPTURE(static_cast<int>(filter.type), static_cast<int>(filter.prototype), filter.order,
             filter.frequency.value, filter.quality, filter.time_constant.value, filter.share_percent);
     design::FilterDesign const design = design::design_filter(filter, cycle_time, design::Precision::exact);
-    RuntimeHost runtime = test::runtime_for(write_image(test::machine_with({filter}, cycle_time), {}));
+    image::RuntimeHost runtime = test::runtime_for(write_image(test::machine_with({filter}, cycle_time), {}));
     std::vector<double> const impulse = impulse_response(runtime, 16'000);
     for (double const hertz : {0.0, 1.0, 12.0, 50.0, 333.3, 500.0}) {
       std::complex<double> const expected = design::response(design, {hertz}, cycle_time);
@@ -62,8 +62,8 @@ TEST_CASE("the step settles at the DC gain and overshoots as the proof says", "[
     CAPTURE(static_cast<int>(filter.type), static_cast<int>(filter.prototype), filter.order,
             filter.frequency.value, filter.quality, filter.time_constant.value, filter.share_percent);
     std::vector<std::byte> const image = write_image(test::machine_with({filter}, cycle_time), {});
-    ImageFilter const proof = test::contents_of(image).axes[0].filters[0];
-    RuntimeHost runtime = test::runtime_for(image);
+    image::ImageFilter const proof = test::contents_of(image).axes[0].filters[0];
+    image::RuntimeHost runtime = test::runtime_for(image);
     CHECK(runtime.reset_all(0) == AXISRT_OK);
 
     double highest = 0;

@@ -22,7 +22,7 @@ double increments_for_1000(DriveScaling const& scaling, design::CycleTime cycle_
   stage.filters = {{.type = design::FilterType::time_delay, .time_constant = {0}}};  // passes
   machine.axes[0].position_control = {.stages = {stage}, .limit_factor = 1000};
   machine.axes[0].drive_scaling = scaling;
-  RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
+  image::RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
   CHECK(runtime.reset_velocity(0, -1000, 0, 0) == AXISRT_OK);
   std::array<double, 1> const set = {-1000};
   std::array<double, 1> const motor = {0};

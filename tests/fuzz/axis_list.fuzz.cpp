@@ -40,11 +40,11 @@ void check_short_number(Assignment const& assignment, std::string_view bytes) {
   char const* const end = token.data() + token.size();
   double number = 0;
   if (assignment.kind == ValueKind::integer && validator::read_short_integer(token.data(), end, number)) {
-    require(schema::read_integer(token, axisc::schema::DataType::sgn64).number == number);
+    require(axisc::schema::read_integer(token, axisc::schema::DataType::sgn64).number == number);
   }
   if (assignment.kind == ValueKind::real && validator::read_short_real(token.data(), end, number)) {
-    schema::NumberReading const reading = schema::read_real(token);
-    require(reading.status == schema::NumberStatus::good && reading.number == number);
+    axisc::schema::NumberReading const reading = axisc::schema::read_real(token);
+    require(reading.status == axisc::schema::NumberStatus::good && reading.number == number);
   }
 }
 

@@ -63,6 +63,7 @@ class Checker final : public ProgramListener {
 };
 
 void check_meaning(NcCommand const& command, std::string_view bytes) {
+  using namespace axisc;
   using namespace axisc::validator;
   if (command.kind == CommandKind::axis_exchange) return;
   for (bool const time_delay : {false, true}) {
@@ -70,7 +71,7 @@ void check_meaning(NcCommand const& command, std::string_view bytes) {
     CheckedCommand const checked = check_command(command, bytes, limits, Variables::accepted);
     for (CommandMistake const& mistake : checked.mistakes) require(mistake.span.end <= bytes.size());
     if (!checked.command) continue;
-    FilterParameters const& parameters = checked.command->parameters;
+    machine::FilterParameters const& parameters = checked.command->parameters;
     require(!parameters.order || *parameters.order <= limits.longest_order());
     require(!parameters.share_percent ||
             (*parameters.share_percent >= 0 && *parameters.share_percent <= 100));

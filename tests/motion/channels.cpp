@@ -95,11 +95,8 @@ double per_cycle(double feed_mm_per_min, design::CycleTime cycle_time) {
   return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
 }
 
-Recorded simulated(machine::Machine machine, std::string const& program, bool constant_velocity) {
-  motion::ProgramChannel channel;
-  channel.cycle_time = machine.cycle_time;
-  channel.read_filter_command = [cycle_time = machine.cycle_time](grammar::NcCommand const& command,
-                                                                  std::string_view text) {
+motion::FilterCommandReader filter_command_reader(design::CycleTime cycle_time) {
+  return [cycle_time](grammar::NcCommand const& command, std::string_view text) {
     validator::CommandLimits const limits{.cycle_time = cycle_time};
     auto const checked = validator::check_command(command, text, limits, validator::Variables::refused);
     motion::FilterCommandReading reading{.command = checked.command, .mistakes = {}};
@@ -108,6 +105,12 @@ Recorded simulated(machine::Machine machine, std::string const& program, bool co
     }
     return reading;
   };
+}
+
+Recorded simulated(machine::Machine machine, std::string const& program, bool constant_velocity) {
+  motion::ProgramChannel channel;
+  channel.cycle_time = machine.cycle_time;
+  channel.read_filter_command = filter_command_reader(machine.cycle_time);
   std::vector<motion::AxisLimits> limits;
   double const T = machine.cycle_time.seconds();
   for (auto const& axis : machine.axes) {

@@ -3,6 +3,7 @@
 
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
+#include "motion/program_interpreter.hpp"
 #include "motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
 #include "machine/machine.hpp"
@@ -40,6 +41,9 @@ struct Recorded final : motion::SimulationListener {
   void block(motion::BlockSummary const& summary) override { blocks.push_back(summary); }
   void pass(motion::PassSummary const& summary) override { passes.push_back(summary); }
 };
+
+/// Reads #FILTER commands as the program does.
+[[nodiscard]] motion::FilterCommandReader filter_command_reader(design::CycleTime cycle_time);
 
 /// Runs a program; fails the test where it has a problem.
 [[nodiscard]] Recorded simulated(machine::Machine machine, std::string const& program,

@@ -1,5 +1,6 @@
 #include "motion/program_interpreter.hpp"
 
+#include "channels.hpp"
 #include "support/catch.hpp"
 
 #include <sstream>
@@ -31,7 +32,8 @@ struct Interpreted {
 Interpreted interpret(std::string const& program, bool inch = false) {
   Script script;
   Interpreted result;
-  ProgramChannel const channel{.axes = {"X", "Y1"}, .rotary = {false, false}, .inch = inch, .limits = {}};
+  ProgramChannel const channel{.axes = {"X", "Y1"}, .rotary = {false, false}, .inch = inch, .cycle_time = {},
+                               .read_filter_command = test::filter_command_reader({})};
   ProgramInterpreter interpreter(channel, script, [&](ProgramProblem const& problem) {
     result.problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,
                                           code_text(problem.finding.code),

@@ -31,7 +31,7 @@ std::string result(std::string_view text, CommandLimits const& limits = ::limits
   return to_text(checked.command->parameters);
 }
 
-FilterCommand command(std::string_view text) {
+machine::FilterCommand command(std::string_view text) {
   CheckedCommand const checked = parse_filter_command(text, limits());
   REQUIRE(checked.mistakes.empty());
   REQUIRE(checked.command.has_value());
@@ -54,9 +54,9 @@ std::string guard(std::string_view text) {
 }  // namespace
 
 TEST_CASE("the switch of a command") {
-  CHECK(command("#FILTER ON").filter_switch == FilterSwitch::on);
-  CHECK(command("#FILTER OFF").filter_switch == FilterSwitch::off);
-  CHECK(command("#FILTER [ORDER=2]").filter_switch == FilterSwitch::unchanged);
+  CHECK(command("#FILTER ON").filter_switch == machine::FilterSwitch::on);
+  CHECK(command("#FILTER OFF").filter_switch == machine::FilterSwitch::off);
+  CHECK(command("#FILTER [ORDER=2]").filter_switch == machine::FilterSwitch::unchanged);
   CHECK(command("#FILTER ON[HSC]").hsc);
   CHECK_FALSE(command("#FILTER ON").hsc);
 }
@@ -86,7 +86,7 @@ TEST_CASE("a time below one cycle is a mistake and switches the filter off") {
 }
 
 TEST_CASE("what does not touch the kernel stands beside the parameters") {
-  FilterCommand const monitored = command("#FILTER ON [AX_DEV=0.001 ACC_FACT=2.5]");
+  machine::FilterCommand const monitored = command("#FILTER ON [AX_DEV=0.001 ACC_FACT=2.5]");
   CHECK(monitored.parameters.empty());
   CHECK(monitored.tolerance == 0.001);
   CHECK(monitored.acceleration_factor == 2.5);

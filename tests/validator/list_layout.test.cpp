@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/random_lists.hpp"
 #include "validator/values/reading.hpp"
+#include "validator/values/list_reader.hpp"
 
 #include <cstddef>
 #include <cstdint>

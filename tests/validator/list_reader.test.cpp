@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "validator/values/reading.hpp"
 #include "validator/same_lists.hpp"
+#include "validator/values/list_reader.hpp"
 
 #include <cstddef>
 #include <string>

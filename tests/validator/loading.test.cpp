@@ -20,7 +20,7 @@ validator::LoadedMachine loaded(std::map<std::string, std::string> contents, std
 }
 
 /// Four axes X, Y, X2 and a spindle S; `more` are keys of the machine file.
-validator::LoadedMachine machine(std::string const& more, std::string const& x = "kopf.achs_nr 1\n",
+validator::LoadedMachine machine_text(std::string const& more, std::string const& x = "kopf.achs_nr 1\n",
                                  std::string const& x2 = "kopf.achs_nr 3\n") {
   std::string const text = R"({"axes": [{"name": "X", "list": "x.lis", "drive": "sercos",
       "position_control": "cnc"}, {"name": "Y", "list": "y.lis", "position_control": "drive"},
@@ -37,7 +37,7 @@ validator::LoadedMachine machine(std::string const& more, std::string const& x =
 }  // namespace
 
 TEST_CASE("without groups all axes but spindles form one") {
-  validator::LoadedMachine const three = machine("");
+  validator::LoadedMachine const three = machine_text("");
   REQUIRE(three.groups.size() == 1);
   CHECK(three.groups[0].axes == Indices{0, 1, 2});
   REQUIRE(loaded({{"x.lis", ""}}, "x.lis").groups.size() == 1);
@@ -66,7 +66,7 @@ TEST_CASE("texts of every encoding outlive the reading") {
 
 TEST_CASE("groups name their axes") {
   validator::LoadedMachine const two =
-      machine(R"(, "groups": [{"name": "mill", "axes": ["Y", "X", "Y"]}, {"axes": ["S"]}])");
+      machine_text(R"(, "groups": [{"name": "mill", "axes": ["Y", "X", "Y"]}, {"axes": ["S"]}])");
   REQUIRE(two.groups.size() == 2);
   CHECK(two.groups[0].name == "mill");
   CHECK(two.groups[0].axes == Indices{0, 1});
@@ -75,7 +75,7 @@ TEST_CASE("groups name their axes") {
 }
 
 TEST_CASE("what the machine file says about drives") {
-  validator::LoadedMachine const mill = machine(R"(, "inch": true)");
+  validator::LoadedMachine const mill = machine_text(R"(, "inch": true)");
   REQUIRE(mill.axes[0].drive);
   CHECK(mill.axes[0].drive->text == "SERCOS");
   CHECK(mill.axes[0].position_control == machine::PositionController::cnc);
@@ -90,9 +90,9 @@ TEST_CASE("a gantry of the lists, of the machine file, and of both") {
   std::string const master = "kopf.achs_nr 1\nkenngr.achs_mode 0x10001\n";
   std::string const slave = "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n";
   std::string const key = R"(, "gantries": [{"master": "X", "slaves": ["X2"]}])";
-  for (auto const& one : {machine("", master, slave), machine(key), machine(key, master, slave),
-                          machine(key, master, "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\n"),
-                          machine(key, "kopf.achs_nr 1\nkenngr.achs_mode 1\n", "kopf.achs_nr 3\n")}) {
+  for (auto const& one : {machine_text("", master, slave), machine_text(key), machine_text(key, master, slave),
+                          machine_text(key, master, "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\n"),
+                          machine_text(key, "kopf.achs_nr 1\nkenngr.achs_mode 1\n", "kopf.achs_nr 3\n")}) {
     REQUIRE(one.gantries.size() == 1);
     CHECK(one.gantries[0].master == 0);
     CHECK(one.gantries[0].slaves == Indices{2});
@@ -102,10 +102,10 @@ TEST_CASE("a gantry of the lists, of the machine file, and of both") {
 TEST_CASE("the lists are the truth about gantries") {
   std::string const of_y = R"(, "gantries": [{"master": "Y", "slaves": ["X2"]}])";
   validator::LoadedMachine const differing =
-      machine(of_y, "kopf.achs_nr 1\nkenngr.achs_mode 0x10001\n",
+      machine_text(of_y, "kopf.achs_nr 1\nkenngr.achs_mode 0x10001\n",
               "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n");
   REQUIRE(differing.gantries.size() == 1);
   CHECK(differing.gantries[0].master == 0);
-  CHECK(machine(of_y, "", "kopf.achs_nr 3\nkenngr.achs_mode 0x4\n").gantries.empty());
-  CHECK(machine("", "", "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 9\n").gantries.empty());
+  CHECK(machine_text(of_y, "", "kopf.achs_nr 3\nkenngr.achs_mode 0x4\n").gantries.empty());
+  CHECK(machine_text("", "", "kenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 9\n").gantries.empty());
 }

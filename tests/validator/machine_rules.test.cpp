@@ -17,7 +17,7 @@ struct Axis {
 };
 
 /// A machine at 1 ms whose axes have the lists x.lis, y.lis, … and the numbers 1, 2, …
-Checked machine(std::vector<Axis> const& axes, std::string const& keys = "", bool pedantic = false) {
+Checked machine_text(std::vector<Axis> const& axes, std::string const& keys = "", bool pedantic = false) {
   std::map<std::string, std::string> files;
   std::string named;
   int number = 0;
@@ -33,7 +33,7 @@ Checked machine(std::vector<Axis> const& axes, std::string const& keys = "", boo
 }
 
 Lines found(std::vector<Axis> const& axes, std::string const& keys = "", bool pedantic = false) {
-  return machine(axes, keys, pedantic).found();
+  return machine_text(axes, keys, pedantic).found();
 }
 
 std::string fir(int type, int order) {
@@ -98,7 +98,7 @@ TEST_CASE("AX4011: spindles, other channels and the group of the machine file") 
 }
 
 TEST_CASE("AX4011 says how far the axes are apart, and writes the time delay that repairs it") {
-  Checked const checked = machine({{"x", fir(1, 21), ""},
+  Checked const checked = machine_text({{"x", fir(1, 21), ""},
                                    {"y", "Ende\n", ""},
                                    {"z", "filter_fir.enable 0\nfilter_fir.type 0\nEnde\n", ""}});
   REQUIRE(checked.found() == Lines{"x.lis:4:18 AX4011"});
@@ -115,11 +115,11 @@ TEST_CASE("AX4011 says how far the axes are apart, and writes the time delay tha
 }
 
 TEST_CASE("AX4011 offers no fix where an axis has a linear-phase filter already") {
-  Checked const two = machine({{"x", fir(1, 20), ""}, {"y", fir(1, 40), ""}});
+  Checked const two = machine_text({{"x", fir(1, 20), ""}, {"y", fir(1, 40), ""}});
   REQUIRE(two.result.findings.size() == 1);
   CHECK_FALSE(two.result.findings.front().fix);
   CHECK(two.result.findings.front().related.size() == 1);
-  Checked const guarded = machine({{"x", fir(1, 20), ""}, {"y", "vib_guard.active 1\n", ""}});
+  Checked const guarded = machine_text({{"x", fir(1, 20), ""}, {"y", "vib_guard.active 1\n", ""}});
   REQUIRE(guarded.result.findings.size() == 1);
   CHECK_FALSE(guarded.result.findings.front().fix);
 }
@@ -197,7 +197,7 @@ TEST_CASE("AX4015: numbers of axes and of the default list") {
 TEST_CASE("AX3038 and AX4016: the machine file's drive wins over the list's") {
   std::string const scaled = "antr.v_reso_num 100\n" + ipc;
   CHECK(found({{"x", "kenngr.antr_typ 4\n" + scaled, R"(, "drive": "CANopen")"}}).empty());
-  Checked const simulated = machine({{"x", "kenngr.antr_typ 2\n" + scaled, R"(, "drive": "simulation")"}});
+  Checked const simulated = machine_text({{"x", "kenngr.antr_typ 2\n" + scaled, R"(, "drive": "simulation")"}});
   CHECK(simulated.found() == Lines{"1:74 AX3038"});
   CHECK(simulated.result.findings.front().axis == "x");
   CHECK(found({{"x", ipc, R"(, "drive": "SERCOS")"}}) == Lines{"x.lis:2:43 AX4016"});

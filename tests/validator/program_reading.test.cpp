@@ -17,14 +17,14 @@ using namespace axisc::tests;
 namespace {
 
 /// A text in pieces of `size` bytes.
-class PiecewiseFiles final : public Files {
+class PiecewiseFiles final : public configuration::Files {
  public:
   PiecewiseFiles(std::string text, std::size_t size) : text_(std::move(text)), size_(size) {}
-  [[nodiscard]] std::variant<std::string, FileError> read(std::string const& /*path*/) override {
-    return FileError::not_readable;
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
+    return configuration::FileError::not_readable;
   }
-  [[nodiscard]] std::optional<FileError> read_pieces(std::string const& /*path*/,
-                                                     PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(std::string const& /*path*/,
+                                                     configuration::PieceReceiver const& receive) override {
     for (std::size_t at = 0; at < text_.size(); at += size_) {
       if (!receive(std::string_view(text_).substr(at, size_))) break;
     }
@@ -37,13 +37,13 @@ class PiecewiseFiles final : public Files {
 };
 
 /// A program of many gigabytes that nobody could hold: one block, again and again, and a mistake in the middle.
-class EndlessFiles final : public Files {
+class EndlessFiles final : public configuration::Files {
  public:
-  [[nodiscard]] std::variant<std::string, FileError> read(std::string const& /*path*/) override {
-    return FileError::too_large;
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
+    return configuration::FileError::too_large;
   }
-  [[nodiscard]] std::optional<FileError> read_pieces(std::string const& /*path*/,
-                                                     PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(std::string const& /*path*/,
+                                                     configuration::PieceReceiver const& receive) override {
     std::string block;
     while (block.size() < 60000) block += "N10 G01 X1.5 Y-2.25 (#FILTER ON [ORDER=999])\n";
     for (std::size_t i = 0; i < 3000 && receive(block); ++i) {
@@ -53,7 +53,7 @@ class EndlessFiles final : public Files {
   }
 };
 
-std::string report_of(Files& files) {
+std::string report_of(configuration::Files& files) {
   SourceSet sources;
   CheckOptions options;
   options.cycle_time = design::CycleTime{1'000'000};
@@ -120,9 +120,9 @@ TEST_CASE("a program that changes between check and image is no source") {
   read_program_again(before, "part.nc", mark, keep);
   CHECK(bytes == "#FILTER ON [ORDER=20]\nM30\n");
   MapFiles after(Contents{{"part.nc", "#FILTER ON [ORDER=21]\nM30\n"}});
-  CHECK_THROWS_AS(read_program_again(after, "part.nc", mark, keep), SourceChanged);
+  CHECK_THROWS_AS(read_program_again(after, "part.nc", mark, keep), configuration::SourceChanged);
   MapFiles gone(Contents{});
-  CHECK_THROWS_AS(read_program_again(gone, "part.nc", mark, keep), SourceChanged);
+  CHECK_THROWS_AS(read_program_again(gone, "part.nc", mark, keep), configuration::SourceChanged);
 }
 
 TEST_CASE("an excerpt shows the lines that it holds and is not edited") {

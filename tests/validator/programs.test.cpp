@@ -13,7 +13,7 @@ using Indices = std::vector<std::size_t>;
 constexpr char const* moving_average = "filter_fir.type 1\nfilter_fir.order 20\n";
 
 /// Axes X and Y; `more` are keys of the machine file.
-std::map<std::string, std::string> machine(std::string const& more,
+std::map<std::string, std::string> machine_text(std::string const& more,
                                            std::map<std::string, std::string> programs = {}) {
   programs["m.json"] = R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
       {"name": "Y", "list": "y.lis"}])" +
@@ -29,7 +29,7 @@ Lines sets_of(Checked const& checked, std::size_t group = 0) {
   REQUIRE(checked.result.machine->groups.size() > group);
   Lines sets;
   for (auto const& parameters : checked.result.machine->groups[group].filter_sets) {
-    sets.push_back(validator::to_text(parameters));
+    sets.push_back(machine::to_text(parameters));
   }
   return sets;
 }
@@ -43,7 +43,7 @@ validator::LoadedMachine loaded(std::map<std::string, std::string> contents) {
 }  // namespace
 
 TEST_CASE("distinct parameter sets in the order of their first use") {
-  Checked const checked(machine(R"(, "programs": ["a.nc", "b.nc"],
+  Checked const checked(machine_text(R"(, "programs": ["a.nc", "b.nc"],
                                      "filter_sets": ["#FILTER ON [ORDER=60]", "#FILTER ON [ORDER=30]"])",
                                 {{"a.nc",
                                   "#FILTER ON [SHARE=80 ORDER=40]\n#FILTER ON\n#FILTER OFF [ORDER=5]\n"
@@ -58,7 +58,7 @@ TEST_CASE("distinct parameter sets in the order of their first use") {
 }
 
 TEST_CASE("each channel has the sets of its own programs and of those of all") {
-  Checked const checked(machine(R"(, "groups": [{"axes": ["X"], "programs": ["x.nc"]}, {"axes": ["Y"]}],
+  Checked const checked(machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["x.nc"]}, {"axes": ["Y"]}],
                    "programs": ["all.nc"], "filter_sets": ["#FILTER ON [ORDER=3]"])",
                                 {{"x.nc", "#FILTER ON [ORDER=1]\n"}, {"all.nc", "#FILTER ON [ORDER=2]\n"}}),
                         "m.json");
@@ -67,13 +67,13 @@ TEST_CASE("each channel has the sets of its own programs and of those of all") {
 }
 
 TEST_CASE("a variable asks for no set, a silenced mistake is not left out without a word") {
-  Checked const variable(machine(R"(, "programs": ["a.nc"])", {{"a.nc", "#FILTER ON [ORDER=P1]\n"}}),
+  Checked const variable(machine_text(R"(, "programs": ["a.nc"])", {{"a.nc", "#FILTER ON [ORDER=P1]\n"}}),
                          "m.json");
   CHECK(sets_of(variable).empty());
   CHECK(variable.result.not_compiled.empty());
 
   Checked const silenced(
-      machine(R"(, "programs": ["a.nc"])", {{"a.nc",
+      machine_text(R"(, "programs": ["a.nc"])", {{"a.nc",
                                              "#FILTER ON [ORDER=201] (axisc: allow AX5002)\n"
                                              "#FILTER ON [ORDER_TIME=10] (axisc: allow AX5002)\n"}}),
       "m.json");
@@ -85,7 +85,7 @@ TEST_CASE("a variable asks for no set, a silenced mistake is not left out withou
 }
 
 TEST_CASE("every file that was read is named, programs once") {
-  Checked const checked(machine(R"(, "programs": ["a.nc", "a.nc"],
+  Checked const checked(machine_text(R"(, "programs": ["a.nc", "a.nc"],
                                      "groups": [{"axes": ["X"], "programs": ["b.nc", "./a.nc"]}])",
                                 {{"./a.nc", ""}, {"b.nc", ""}}),
                         "m.json");
@@ -114,13 +114,13 @@ TEST_CASE("the assumed cycle time is named where a keyword needs it") {
 }
 
 TEST_CASE("whether a program gives the order of an axis") {
-  auto const one = loaded(machine(R"(, "groups": [{"axes": ["X"], "programs": ["a.nc"]}, {"axes": ["Y"]}])",
+  auto const one = loaded(machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["a.nc"]}, {"axes": ["Y"]}])",
                                   {{"a.nc", "#FILTER ON [ORDER=20]\n"}}));
   CHECK(validator::program_gives_order(one, 0));
   CHECK_FALSE(validator::program_gives_order(one, 1));
-  CHECK_FALSE(validator::program_gives_order(loaded(machine("")), 0));
-  CHECK(validator::program_gives_order(loaded(machine(R"(, "filter_sets": ["#FILTER ON [ORDER=20]"])")), 1));
-  CHECK_FALSE(validator::program_gives_order(loaded(machine(R"(, "filter_sets": ["ORDER=20"])")), 0));
+  CHECK_FALSE(validator::program_gives_order(loaded(machine_text("")), 0));
+  CHECK(validator::program_gives_order(loaded(machine_text(R"(, "filter_sets": ["#FILTER ON [ORDER=20]"])")), 1));
+  CHECK_FALSE(validator::program_gives_order(loaded(machine_text(R"(, "filter_sets": ["ORDER=20"])")), 0));
 }
 
 TEST_CASE("commands of filter_sets must be known to the control's build too") {

@@ -1,4 +1,6 @@
 #include "validator/same_lists.hpp"
+#include "validator/values/list_reader.hpp"
+#include "validator/values/readings.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -3,6 +3,7 @@
 
 #include "schema/catalogue.hpp"
 #include "validator/values/reading.hpp"
+#include "validator/values/list_reader.hpp"
 
 namespace axisc::tests {
 

@@ -5,9 +5,10 @@
 #include "grammar/axis_list.hpp"
 #include "schema/catalogue.hpp"
 #include "support/catch.hpp"
-#include "validator/values/judgement.hpp"
+#include "validator/values/reading.hpp"
 #include "validator/values/reading.hpp"
 #include "schema/value.hpp"
+#include "validator/values/list_reader.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -17,6 +18,7 @@
 #include <string>
 #include <string_view>
 
+using namespace axisc;
 using namespace axisc::validator;
 using axisc::schema::DataType;
 
@@ -88,7 +90,7 @@ TEST_CASE("short integers are the same numbers") {
     REQUIRE(quick.has_value() == (digits <= 8));
     if (!quick) continue;
     ++read;
-    REQUIRE(same(*quick, read_integer(value, DataType::sgn64).number));
+    REQUIRE(same(*quick, schema::read_integer(value, DataType::sgn64).number));
   }
   CHECK(read > 50000);
 }
@@ -102,8 +104,8 @@ TEST_CASE("short reals are the same numbers, correctly rounded") {
     if (!quick) continue;
     ++read;
     CAPTURE(value);
-    NumberReading const reading = read_real(value);
-    REQUIRE(reading.status == NumberStatus::good);
+    schema::NumberReading const reading = schema::read_real(value);
+    REQUIRE(reading.status == schema::NumberStatus::good);
     REQUIRE(same(*quick, reading.number));
   }
   CHECK(read > 50000);

@@ -1,6 +1,6 @@
 #include "validator/building/machine_build.hpp"
 
-#include "validator/commands/channel.hpp"
+#include "validator/views/channel.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"

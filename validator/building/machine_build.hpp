@@ -2,7 +2,8 @@
 #pragma once
 
 #include "validator/views/axis_views.hpp"
-#include "validator/check.hpp"
+#include "configuration/files.hpp"
+#include "validator/not_compiled.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <deque>

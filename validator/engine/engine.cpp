@@ -1,6 +1,6 @@
 #include "validator/engine/engine.hpp"
 
-#include "validator/commands/channel.hpp"
+#include "validator/views/channel.hpp"
 #include "validator/engine/policy.hpp"
 #include "validator/engine/precedence.hpp"
 #include "validator/engine/suppression.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "validator/views/axis_views.hpp"
-#include "validator/check.hpp"
+#include "validator/options.hpp"
 #include "validator/loading/loading.hpp"
 #include "validator/engine/rule.hpp"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
-#include "validator/check.hpp"
+#include "validator/options.hpp"
 
 #include <optional>
 #include <string>

@@ -3,6 +3,8 @@
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/commands/command_check.hpp"
+#include "validator/values/list_reader.hpp"
+#include "validator/values/merge_lists.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "grammar/nc_program.hpp"
-#include "validator/check.hpp"
+#include "validator/options.hpp"
 #include "validator/values/effective_values.hpp"
 #include "configuration/machine_file.hpp"
 #include "validator/loading/program_reading.hpp"
+#include "validator/values/merge_lists.hpp"
 
 #include <deque>
 #include <optional>

@@ -3,11 +3,10 @@
 #pragma once
 
 #include "diagnostics/source_text.hpp"
-#include "grammar/axis_list.hpp"
 #include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
-#include "validator/values/reading.hpp"
 #include "schema/value.hpp"
+#include "validator/values/loaded_list.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,16 +17,6 @@
 #include <vector>
 
 namespace axisc::validator {
-
-/// A list that was read: its source, its tree, its role, and what each assignment means.
-struct LoadedList {
-  SourceId source{};
-  schema::Catalogue catalogue;
-  grammar::AxisList tree;
-  bool is_default_list = false;
-  Readings readings;  ///< one per assignment of the tree
-  std::vector<LostAssignment> lost;
-};
 
 enum class Origin : std::uint8_t { internal_default, default_list, axis_list };
 
@@ -144,39 +133,5 @@ class EffectiveValues {
 /// Row of a pattern of the built-in catalogue, `filter[].order`. Schema files move no slot of the families that are
 /// compiled.
 [[nodiscard]] schema::Parameter const& row_at(std::string_view pattern);
-
-/// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
-enum class ReferenceTrouble : std::uint8_t {
-  unresolvable,
-  circular,
-  wrong_type,
-  wrong_index,
-  other_unit,  ///< the only one that leaves the value usable
-  out_of_data_range,
-};
-
-struct ReferenceProblem {
-  ReferenceTrouble trouble{};
-  schema::Slot slot{};       ///< the parameter whose value is the reference
-  std::uint32_t p_axis = 0;  ///< what it names
-  std::uint32_t index = 0;
-  std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
-  double number = 0;                   ///< out_of_data_range: the value there
-  std::vector<schema::Slot> circle;    ///< the other members of a circle
-};
-
-struct MergedValues {
-  EffectiveValues values;
-  std::vector<ReferenceProblem> reference_problems;
-};
-
-/// What the lists say: P-AXIS-00018.
-[[nodiscard]] machine::AxisType axis_type_of(EffectiveValues const& values);
-
-/// Internal defaults, default list (may be null), axis list; then the references. `rotary` chooses the units that
-/// AX2014 compares; where it is not given, the lists' own axis type does. The catalogue is that of the lists. The values look
-/// into the lists and their sources, which live longer. Cost: linear in the assignments.
-[[nodiscard]] MergedValues merge_lists(LoadedList const* default_list, LoadedList const& axis_list,
-                                       std::optional<bool> rotary);
 
 }  // namespace axisc::validator

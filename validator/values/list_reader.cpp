@@ -3,9 +3,10 @@
 #include "grammar/lexical.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/plain_lines.hpp"
-#include "validator/values/judgement.hpp"
+#include "validator/values/reading.hpp"
 #include "validator/values/plain_value.hpp"
 #include "validator/values/reading.hpp"
+#include "validator/values/list_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
-#include "validator/values/reading.hpp"
+#include "validator/values/lost_assignment.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "validator/values/effective_values.hpp"
 #include "machine/machine.hpp"
 #include "validator/values/references.hpp"
+#include "validator/values/merge_lists.hpp"
 
 #include <array>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "grammar/lexical.hpp"
 #include "schema/plain_values.hpp"
 #include "schema/words.hpp"
-#include "validator/values/reading.hpp"
+#include "validator/values/readings.hpp"
 #include "validator/values/short_number.hpp"
 
 #include <cstddef>

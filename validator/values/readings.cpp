@@ -1,4 +1,4 @@
-#include "validator/values/reading.hpp"
+#include "validator/values/readings.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -8,6 +8,26 @@
 
 namespace axisc::validator {
 
+/// What is wrong with a reference (AX2010..AX2014; a value that does not fit the data type is AX2004).
+enum class ReferenceTrouble : std::uint8_t {
+  unresolvable,
+  circular,
+  wrong_type,
+  wrong_index,
+  other_unit,  ///< the only one that leaves the value usable
+  out_of_data_range,
+};
+
+struct ReferenceProblem {
+  ReferenceTrouble trouble{};
+  schema::Slot slot{};       ///< the parameter whose value is the reference
+  std::uint32_t p_axis = 0;  ///< what it names
+  std::uint32_t index = 0;
+  std::optional<schema::Slot> target;  ///< the parameter it means, where there is one
+  double number = 0;                   ///< out_of_data_range: the value there
+  std::vector<schema::Slot> circle;    ///< the other members of a circle
+};
+
 /// Parameters whose value is a reference that still has to be looked up.
 using PendingReferences = std::unordered_map<schema::Slot, Reference>;
 

@@ -3,6 +3,7 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 #include "validator/sentences.hpp"
+#include "validator/values/lost_assignment.hpp"
 
 namespace axisc::validator::says {
 

@@ -1,6 +1,7 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/values/readings.hpp"
 
 #include <cstdint>
 #include <utility>

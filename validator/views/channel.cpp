@@ -1,4 +1,4 @@
-#include "validator/commands/channel.hpp"
+#include "validator/views/channel.hpp"
 
 #include "validator/commands/command_check.hpp"
 #include "validator/views/fir_view.hpp"

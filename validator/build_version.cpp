@@ -1,4 +1,4 @@
-#include "validator/loading/build_version.hpp"
+#include "validator/build_version.hpp"
 
 #include <array>
 #include <charconv>

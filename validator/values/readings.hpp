@@ -1,0 +1,99 @@
+// What the assignments of one list mean, line by line.
+#pragma once
+
+#include "validator/values/reading.hpp"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <forward_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::validator {
+
+/// What nearly all lines say: they give a known parameter a value and are beyond doubt.
+struct BriefReading {
+  /// For `text`, which else is the number of a symbol of the row, counted from 1: none, the value as the list writes it.
+  static constexpr std::uint8_t no_text = 0;
+  static constexpr std::uint8_t own_text = 255;
+
+  double number = 0;
+  std::uint32_t other =
+      0;  ///< 0, or where more has to be said: its number among the other readings, from 1, which say all
+  schema::Slot slot{};
+  std::uint8_t text = no_text;
+};
+static_assert(sizeof(BriefReading) == 16);
+
+/// The readings of one list, one for each assignment and in the same order. They look into the source, the assignments and the
+/// catalogue, which live longer.
+class Readings {
+ public:
+  Readings() = default;
+  Readings(Readings const&) = delete;
+  Readings(Readings&&) = default;
+  Readings& operator=(Readings const&) = delete;
+  Readings& operator=(Readings&&) = default;
+  ~Readings() = default;
+
+  [[nodiscard]] std::size_t size() const { return brief_.size(); }
+  [[nodiscard]] Reading operator[](std::size_t assignment) const;
+  /// The same of an assignment that was looked at more closely, as all doubtful ones were.
+  [[nodiscard]] Reading const& closer(std::size_t assignment) const {
+    assert(brief_[assignment].other != 0);
+    return others_[brief_[assignment].other - 1];
+  }
+  /// The parameter of an assignment, where it is known.
+  [[nodiscard]] std::optional<schema::Slot> slot(std::size_t assignment) const;
+
+  /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
+  [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
+    assert(static_cast<std::size_t>(slot) < last_of_slot_.size());
+    return last_of_slot_[static_cast<std::size_t>(slot)];
+  }
+
+  /// The readings that a check of single lines may object to: everything but a value (or a reference) of a known name,
+  /// spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of nearly
+  /// all lists are beyond doubt, and no check looks at them again.
+  [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
+
+  /// Assignments of known parameters whose value does not stand in their line: references, and what cannot be used.
+  [[nodiscard]] std::span<std::uint32_t const> without_value() const { return without_value_; }
+
+  /// Several lines name the same parameter.
+  [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
+
+  /// "P-" stands in the list, so that a line may name the number of a parameter.
+  [[nodiscard]] bool may_name_numbers() const { return may_name_numbers_; }
+
+  /// What may be meant by the unknown name of an assignment, best first.
+  [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
+
+ private:
+  friend class ListReader;
+
+  struct Suggested {
+    std::uint32_t assignment = 0;
+    std::vector<std::string> names;
+  };
+
+  std::string_view bytes_;  ///< of the source
+  std::span<grammar::Assignment const> assignments_;
+  schema::Catalogue catalogue_;
+  std::vector<BriefReading> brief_;
+  std::vector<Reading> others_;
+  std::vector<std::uint32_t> last_of_slot_;
+  std::vector<std::uint32_t> doubtful_;
+  std::vector<std::uint32_t> without_value_;
+  std::vector<Suggested> suggested_;  ///< in the order of the assignments
+  std::forward_list<std::string>
+      transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+  bool has_repetitions_ = false;
+  bool may_name_numbers_ = false;
+};
+
+}  // namespace axisc::validator
