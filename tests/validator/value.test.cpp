@@ -10,7 +10,6 @@
 #include <string>
 
 using namespace axisc;
-using namespace axisc::validator;
 using axisc::schema::DataType;
 
 namespace {
