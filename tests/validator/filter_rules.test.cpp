@@ -252,7 +252,7 @@ TEST_CASE("AX3005 says how long the delay is in cycles, and what delays longer")
   Run const run(filter("TIME_DELAY", "1", "filter[0].time_constant 12000\n"));
   Finding const& finding = run.only();
   CHECK(english(finding.message) == "the delay must be shorter than 6 NC cycles");
-  CHECK(render(finding.message, Language::german) == "die Verzögerung muss kürzer als 6 NC-Takte sein");
+  CHECK(render(finding.message, Language::german) == "die Verzögerung muss kürzer als 6 NC-Zyklen sein");
   REQUIRE(finding.label);
   CHECK(english(*finding.label) == "12000 µs (12 ms) are 12 cycles of 1000 µs");
   REQUIRE_FALSE(finding.notes.empty());

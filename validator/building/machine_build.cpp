@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence not_compiled_filter{
     "the filter `{filter}` of axis \"{axis}\", whose values cannot be used",
-    "der Filter `{filter}` der Achse \"{axis}\", dessen Werte nicht verwendbar sind"};
+    "der Filter `{filter}` der Achse „{axis}“, dessen Werte nicht verwendbar sind"};
 
 }  // namespace axisc::validator::says
 

@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the NC cycle time is not known; 1 ms was assumed",
                             "die NC-Zykluszeit ist nicht bekannt; angenommen wurde 1 ms"};
-constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, states it",
+constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, sets it",
                         "`--cycle-time 2ms` oder \"cycle_time_us\" in einer Maschinendatei gibt sie an"};
 
 }  // namespace axisc::validator::says

@@ -8,12 +8,12 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"nothing is silenced: there is no {code} on this line",
+constexpr Sentence headline{"nothing to silence: there is no {code} on this line",
                             "hier wird nichts unterdrückt: zu dieser Zeile gibt es kein {code}"};
-constexpr Sentence next_line{"nothing is silenced: there is no {code} on the next line",
+constexpr Sentence next_line{"nothing to silence: there is no {code} on the next line",
                              "hier wird nichts unterdrückt: zur nächsten Zeile gibt es kein {code}"};
 constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gibt es nicht"};
-constexpr Sentence empty{"`axisc: allow` names no code", "`axisc: allow` nennt keinen Code"};
+constexpr Sentence empty{"`axisc: allow` does not name a code", "`axisc: allow` nennt keinen Code"};
 constexpr Sentence fix{"remove {what}", "{what} entfernen"};
 
 }  // namespace axisc::validator::says

@@ -5,7 +5,7 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence here_too{"the same holds here", "dasselbe gilt hier"};
+constexpr Sentence here_too{"the same applies here", "dasselbe gilt hier"};
 
 }  // namespace axisc::validator::says
 

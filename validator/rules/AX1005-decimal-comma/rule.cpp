@@ -7,7 +7,7 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{value}` has a decimal comma", "`{value}` hat ein Dezimalkomma"};
-constexpr Sentence reaction{"it expects a decimal point and would read another number",
+constexpr Sentence reaction{"it expects a decimal point and would read a different number",
                             "sie erwartet einen Dezimalpunkt und würde eine andere Zahl lesen"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 

@@ -8,8 +8,8 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{text}` looks like a second value", "`{text}` sieht wie ein zweiter Wert aus"};
-constexpr Sentence reaction{"it reads over the rest of the line", "sie überliest den Rest der Zeile"};
-constexpr Sentence help{"if it is a comment, open it with `(`", "ein Kommentar sollte mit `(` beginnen"};
+constexpr Sentence reaction{"it ignores the rest of the line", "sie übergeht den Rest der Zeile"};
+constexpr Sentence help{"start a comment with `(`", "einen Kommentar mit `(` beginnen"};
 constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
 
 }  // namespace axisc::validator::says

@@ -7,7 +7,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{written}` differs from `{expected}` in letter case",
                             "`{written}` weicht in der Groß- und Kleinschreibung von `{expected}` ab"};
-constexpr Sentence reaction{"what it does with another letter case is not documented",
+constexpr Sentence reaction{"how it treats a different letter case is not documented",
                             "ihr Verhalten bei anderer Groß- und Kleinschreibung ist nicht dokumentiert"};
 constexpr Sentence fix{"write `{expected}`", "`{expected}` schreiben"};
 

@@ -7,7 +7,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the quotation mark is not closed on this line",
                             "das Anführungszeichen wird in dieser Zeile nicht geschlossen"};
-constexpr Sentence fix{"close the quotation at the end of the line",
+constexpr Sentence fix{"close the quotation mark at the end of the line",
                        "das Anführungszeichen am Zeilenende schließen"};
 
 }  // namespace axisc::validator::says

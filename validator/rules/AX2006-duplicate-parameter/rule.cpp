@@ -8,9 +8,9 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{parameter}` is set again in line {line}, and the last value counts",
+constexpr Sentence headline{"`{parameter}` is set again in line {line}; the last value applies",
                             "`{parameter}` wird in Zeile {line} erneut gesetzt, es gilt der letzte Wert"};
-constexpr Sentence related{"this value counts", "dieser Wert gilt"};
+constexpr Sentence related{"this value applies", "dieser Wert gilt"};
 constexpr Sentence fix{"make the earlier one a comment", "die frühere Zuweisung zum Kommentar machen"};
 
 }  // namespace axisc::validator::says

@@ -13,8 +13,8 @@ constexpr Sentence default_list{"the default list must have axis number 0 or non
                                 "die Standardliste muss die Achsnummer 0 oder keine haben, nicht {number}"};
 constexpr Sentence twice{"the axes {axes} have the same number {number}",
                          "die Achsen {axes} haben dieselbe Nummer {number}"};
-constexpr Sentence also_here{"axis \"{axis}\" has it here", "Achse \"{axis}\" hat sie hier"};
-constexpr Sentence reaction_aborts{"it aborts the start-up", "sie bricht den Hochlauf ab"};
+constexpr Sentence also_here{"axis \"{axis}\" has it here", "Achse „{axis}“ hat sie hier"};
+constexpr Sentence reaction_aborts{"it aborts start-up", "sie bricht den Hochlauf ab"};
 constexpr Sentence reaction_zero{"it reports the number as wrong", "sie meldet die Nummer als falsch"};
 constexpr Sentence reaction_twice{"it reports the number as used twice",
                                   "sie meldet die Nummer als doppelt vergeben"};

@@ -5,13 +5,13 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{command}` switches the FIR filters off that #FILTER ON switched on",
+constexpr Sentence headline{"`{command}` switches off the FIR filters that #FILTER ON switched on",
                             "`{command}` schaltet die FIR-Filter ab, die #FILTER ON eingeschaltet hat"};
 constexpr Sentence on_here{"switched on here", "hier eingeschaltet"};
 constexpr Sentence reaction{"from here on the FIR filters are off", "ab hier sind die FIR-Filter aus"};
 constexpr Sentence help{
-    "write `#FILTER ON` behind it once more; filters that the lists enable stay on",
-    "dahinter noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
+    "write `#FILTER ON` again after it; filters that the lists enable stay on",
+    "danach noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
 
 }  // namespace axisc::validator::says
 

@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"the filters of this axis need more than 10 s to settle",
                             "die Filter dieser Achse brauchen mehr als 10 s, um einzuschwingen"};
 constexpr Sentence measured{"a step stays within 0.01 % after {seconds} s",
-                            "ein Sprung bleibt nach {seconds} s innerhalb von 0.01 %"};
+                            "ein Sprung bleibt nach {seconds} s innerhalb von 0,01 %"};
 constexpr Sentence beyond{"a step is not settled after {seconds} s",
                           "ein Sprung ist nach {seconds} s nicht eingeschwungen"};
 constexpr Sentence slowest{"`{filter}` is the slowest filter of the chain",
