@@ -365,7 +365,7 @@ TEST_CASE("AX3017: high-pass and band-pass on absolute positions") {
   CHECK(lines(interface("HIGHPASS", "1")).empty());
   CHECK(lines("filter[0].type HIGHPASS").empty());
   Run const run(filter("HIGHPASS", "1", "filter[0].share_percent 25\n"));
-  CHECK(english(*run.only().label) == "with a share of 25 %, 75 % of a constant position is left");
+  CHECK(english(*run.only().label) == "with a share of 25 %, 75 % of a constant position remains");
 }
 
 TEST_CASE("AX3040 replaces AX3004 for the interface filter with its defaults") {
