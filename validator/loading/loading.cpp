@@ -48,7 +48,7 @@ bool is_absolute(std::string_view path) {
   return drive || (!path.empty() && separators.find(path.front()) != std::string_view::npos);
 }
 
-/// `name` as seen from the folder of `path`.
+/// `name` relative to the folder of `path`.
 std::string beside(std::string const& path, std::string const& name) {
   if (is_absolute(name)) return name;
   return path.substr(0, path.size() - file_name(path).size()) + name;
