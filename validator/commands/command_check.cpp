@@ -99,7 +99,7 @@ std::string_view proper_name(CommandKind kind) {
   return kind == CommandKind::filter ? "#FILTER" : "#VIB GUARD";
 }
 
-/// The number of an integer or real token. A value that no double holds is infinite, and so out of every range.
+/// The number of an integer or real token. A value too large for a double is infinite, and so out of every range.
 double number_of(std::string_view token) {
   return grammar::real_value(token).value_or(token.front() == '-' ? -HUGE_VAL : HUGE_VAL);
 }
@@ -283,7 +283,7 @@ class CommandCheck {
     return result_;
   }
 
-  /// `[ORDER 20]` is one mistake: the keyword without value says it.
+  /// `[ORDER 20]` is one mistake: reported as the keyword without value.
   [[nodiscard]] bool follows_keyword_without_value() const {
     if (command_.keywords.empty() || command_.problem->kind == CommandProblemKind::letter_case) return false;
     Keyword const& last = command_.keywords.back();

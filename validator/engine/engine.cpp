@@ -101,7 +101,7 @@ class Engine {
       finding.subject = subject;
       finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
       if (!finding.said) continue;
-      // The findings of this check, with and without text.
+      // The check may have set these itself.
       Finding const& said = *reported_.said[*finding.said];
       finding.axis = said.axis;
       finding.severity = said.severity;
@@ -171,7 +171,8 @@ class Engine {
     }
   }
 
-  /// The channels that run a program; null for a program that no channel runs, or if the values of its axes are unknown.
+  /// The channels that run a program; null for a program that no channel runs, or if the values of its axes are
+  /// unknown.
   [[nodiscard]] std::vector<LoadedGroup const*> groups_of(std::size_t program) const {
     std::vector<LoadedGroup const*> groups;
     for (LoadedGroup const& group : machine_.groups) {

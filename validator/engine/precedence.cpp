@@ -68,7 +68,8 @@ struct Key {
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Nearly every rule reports in the order of the list, so the findings of all rules are a few sorted runs one after the other.
+/// Nearly every rule reports in the order of the list, so the findings of all rules are a few sorted runs one after the
+/// other.
 void sort_runs(std::vector<Key>& keys) {
   std::vector<std::vector<Key>::iterator> bounds{keys.begin()};
   while (bounds.back() != keys.end()) bounds.push_back(std::is_sorted_until(bounds.back(), keys.end()));

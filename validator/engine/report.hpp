@@ -31,8 +31,8 @@ struct Subject {
 };
 
 /// Makes the text of a finding whose place, code, severity and axis are set. What it refers to must live until all
-/// findings are output: ListContext, AxisContext and what they lead to. Other contexts and local variables of a check do not live that
-/// long. Captures of sixteen bytes are kept without an allocation.
+/// findings are output: ListContext, AxisContext and what they lead to. Other contexts and local variables of a check
+/// do not live that long. Captures of sixteen bytes are kept without an allocation.
 using Words = std::function<void(Finding&)>;
 
 /// A finding as its rule reported it, with all that decides whether it is kept.
@@ -69,8 +69,8 @@ class Report {
   Report(ReportedFindings& reported, Rule const& its_rule, std::string_view its_axis = {})
       : axis(its_axis), reported_(reported), rule_(its_rule) {}
 
-  /// The caller fills and may change the finding; code, name, severity, control message number and axis are set already. At
-  /// the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
+  /// The caller fills and may change the finding; code, name, severity, control message number and axis are set
+  /// already. At the value of `at` (or its name where it has no value); sets parameter and P-AXIS number from it.
   Finding& add(EffectiveValue const& at, Message message);
   Finding& add(Place place, Message message);
   /// At `place`, about the parameter of `row` in `slot`.

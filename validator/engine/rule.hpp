@@ -1,12 +1,12 @@
 // The table of rules. A rule checks and reports; the engine decides what is shown.
 //
-// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the build
-// finds the folders and makes the table of their rows.
+// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the
+// build finds the folders and makes the table of their rows.
 //
-// Rules that are switched off do not run. From the findings of the others the engine removes, in this order:
-// what the options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
-// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one mistake
-// gives one message. Findings of a default list that several axes share are merged.
+// Rules that are switched off do not run. From the findings of the others the engine removes, in this order: what the
+// options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
+// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one
+// mistake gives one message. Findings of a default list that several axes share are merged.
 #pragma once
 
 #include "design/units.hpp"
@@ -60,7 +60,8 @@ struct ProgramContext {
   LoadedGroup const* group;  ///< null for a program that no channel runs: a program that is checked alone
 };
 
-/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's filter_sets.
+/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's
+/// filter_sets.
 struct CommandContext {
   MachineContext const& whole;
   CheckedCommand const& checked;
@@ -112,8 +113,8 @@ using CommandCheck = void (*)(CommandContext const&, Report&);
 using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck,
                            ProgramCheck, CommandCheck>;
 
-/// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4, AX3, AX2, any
-/// other; then the lower code. A row may move its rule within that.
+/// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4, AX3, AX2,
+/// any other; then the lower code. A row may move its rule within that.
 enum class Precedence : std::uint8_t {
   of_family,      ///< with the other rules of its family
   before_family,  ///< before its family: it names the mistake more precisely

@@ -12,7 +12,7 @@ constexpr Sentence here_too{"the same applies here", "dasselbe gilt hier"};
 namespace axisc::validator {
 namespace {
 
-/// A finding with more related places than these helps nobody.
+/// More related places than these do not help.
 constexpr std::size_t most_related = 20;
 
 }  // namespace

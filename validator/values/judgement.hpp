@@ -1,4 +1,4 @@
-// One assignment on its way to a reading, for who reads a list.
+// Judges one assignment while a list is read.
 #pragma once
 
 #include "validator/values/reading.hpp"
@@ -8,8 +8,8 @@
 
 namespace axisc::validator {
 
-/// Fills what `reading` says of the value; its name is looked up already, `text` is the value as it stands. Texts that are not
-/// UTF-8 as they stand are kept in `transcoded`.
+/// Fills the value part of `reading`, whose name is already looked up; `text` is the value as written. Texts that are
+/// not UTF-8 are stored in `transcoded`.
 void judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
            std::forward_list<std::string>& transcoded);
 

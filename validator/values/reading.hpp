@@ -1,5 +1,4 @@
-// What the assignments of one list mean, judged line by line with the catalogue: before any other line is
-// looked at.
+// What the assignments of one list mean, judged line by line with the catalogue, each line on its own.
 #pragma once
 
 #include "diagnostics/source_text.hpp"
@@ -31,7 +30,7 @@ enum class ReadingStatus : std::uint8_t {
   unknown_symbol,     ///< AX2007
 };
 
-/// A reference as it stands in a list: P-AXIS-00212.1.
+/// A reference as written in a list: P-AXIS-00212.1.
 struct Reference {
   std::uint32_t p_axis = 0;
   std::uint32_t index = 0;
@@ -45,14 +44,14 @@ struct Reading {
   schema::Value value;
   Reference reference;  ///< for ReadingStatus::reference
   Span text;            ///< the value as the control reads it: the token, or the whole of a free string
-  Span trouble;         ///< text behind a symbol or in a string that was meant as a comment (AX1009)
+  Span trouble;         ///< text after a symbol or in a string that was meant as a comment (AX1009)
   schema::Slot slot{};  ///< where known()
   NameStatus name_status = NameStatus::unknown;
   ReadingStatus status = ReadingStatus::not_judged;
   schema::NumberStatus number = schema::NumberStatus::good;
   bool name_folded = false;    ///< the name fits only after case folding (AX1010)
-  bool symbol_folded = false;  ///< the same of a symbol
-  bool quoted = false;         ///< the text stands in quotes
+  bool symbol_folded = false;  ///< the symbol fits only after case folding (AX1010)
+  bool quoted = false;         ///< the text is in quotes
 
   [[nodiscard]] bool known() const { return name_status == NameStatus::found; }
   /// The line gives its parameter a value, directly or by reference.
@@ -63,22 +62,21 @@ struct Reading {
   [[nodiscard]] bool row_known() const { return row != nullptr; }
 };
 
-/// What nearly all lines say: they give a known parameter a value and are beyond doubt.
+/// The compact reading of nearly all lines: those that plainly give a known parameter a value.
 struct BriefReading {
-  /// For `text`, which else is the number of a symbol of the row, counted from 1: none, the value as the list writes it.
-  static constexpr std::uint8_t no_text = 0;
-  static constexpr std::uint8_t own_text = 255;
+  /// Special values of `text`, otherwise the number of a symbol of the row, counted from 1.
+  static constexpr std::uint8_t no_text = 0;     ///< no text
+  static constexpr std::uint8_t own_text = 255;  ///< the value as written in the list
 
   double number = 0;
-  std::uint32_t other =
-      0;  ///< 0, or where more has to be said: its number among the other readings, from 1, which say all
+  std::uint32_t other = 0;  ///< 0, or the number (from 1) of the full Reading if this one does not suffice
   schema::Slot slot{};
   std::uint8_t text = no_text;
 };
 static_assert(sizeof(BriefReading) == 16);
 
-/// The readings of one list, one for each assignment and in the same order. They look into the source, the assignments and the
-/// catalogue, which live longer.
+/// The readings of one list, one for each assignment and in the same order. They refer to the source, the assignments
+/// and the catalogue, which must outlive them.
 class Readings {
  public:
   Readings() = default;
@@ -90,35 +88,36 @@ class Readings {
 
   [[nodiscard]] std::size_t size() const { return brief_.size(); }
   [[nodiscard]] Reading operator[](std::size_t assignment) const;
-  /// The same of an assignment that was looked at more closely, as all doubtful ones were.
+  /// The full reading of an assignment that was judged closely, as all doubtful ones are.
   [[nodiscard]] Reading const& closer(std::size_t assignment) const {
     assert(brief_[assignment].other != 0);
     return others_[brief_[assignment].other - 1];
   }
-  /// The parameter of an assignment, where it is known.
+  /// The parameter of an assignment, if it is known.
   [[nodiscard]] std::optional<schema::Slot> slot(std::size_t assignment) const;
 
-  /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
+  /// The last assignment of a parameter, counted from 1; 0 if there is none. Only available for a list that was read
+  /// with read_list().
   [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
     assert(static_cast<std::size_t>(slot) < last_of_slot_.size());
     return last_of_slot_[static_cast<std::size_t>(slot)];
   }
 
-  /// The readings that a check of single lines may object to: everything but a value (or a reference) of a known name,
-  /// spelled right, within the parameter's own numbers, with nothing but a comment behind it. Nearly all lines of nearly
-  /// all lists are beyond doubt, and no check looks at them again.
+  /// The readings that a check of single lines may report: all except a value (or reference) of a known name, spelled
+  /// correctly, within the range of the parameter, followed by nothing but a comment. Nearly all lines are beyond
+  /// doubt, and no check reads them again.
   [[nodiscard]] std::span<std::uint32_t const> doubtful() const { return doubtful_; }
 
-  /// Assignments of known parameters whose value does not stand in their line: references, and what cannot be used.
+  /// Assignments of known parameters without a value of their own: references, and unusable values.
   [[nodiscard]] std::span<std::uint32_t const> without_value() const { return without_value_; }
 
   /// Several lines name the same parameter.
   [[nodiscard]] bool has_repetitions() const { return has_repetitions_; }
 
-  /// "P-" stands in the list, so that a line may name the number of a parameter.
+  /// The list contains "P-", so a line may name the number of a parameter.
   [[nodiscard]] bool may_name_numbers() const { return may_name_numbers_; }
 
-  /// What may be meant by the unknown name of an assignment, best first.
+  /// Suggestions for the unknown name of an assignment, best first.
   [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
 
  private:
@@ -137,39 +136,37 @@ class Readings {
   std::vector<std::uint32_t> last_of_slot_;
   std::vector<std::uint32_t> doubtful_;
   std::vector<std::uint32_t> without_value_;
-  std::vector<Suggested> suggested_;  ///< in the order of the assignments
-  std::forward_list<std::string>
-      transcoded_;  ///< texts with characters that the source writes otherwise than UTF-8
+  std::vector<Suggested> suggested_;           ///< in the order of the assignments
+  std::forward_list<std::string> transcoded_;  ///< texts whose source encoding is not UTF-8
   bool has_repetitions_ = false;
   bool may_name_numbers_ = false;
 };
 
-/// A list as it is written, and what each of its assignments means. The readings look into the tree: it may be moved, and
-/// a copy of it is no substitute.
+/// A list as written, and what each of its assignments means. The readings refer to the tree, which may be moved but
+/// not replaced by a copy.
 struct ReadList {
   grammar::AxisList tree;
   Readings readings;
 };
 
-/// Reads a list. Lines that give a parameter of the catalogue a plain value, or another one that looks simple, are read without
-/// the grammar; the result is that of judge_list(). Cost: one look-up and one conversion per line; suggestions are made for
-/// the first thousand unknown names only.
+/// Reads a list. Lines that give a parameter of the catalogue a plain value, or another one that looks simple, are read
+/// without the grammar; the result is that of judge_list(). Cost: one look-up and one conversion per line; suggestions
+/// are made for the first thousand unknown names only.
 [[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {});
 
 /// The list as the grammar reads it, line by line, whatever it means.
 [[nodiscard]] grammar::AxisList parse_list(SourceText const& source);
-/// What the assignments of a list mean that parse_list() has read. Cost: twice to three times that of read_list(), together.
+/// The readings of a list that parse_list() has read. Cost: twice to three times that of read_list(), together.
 [[nodiscard]] ReadList judge_list(SourceText const& source, grammar::AxisList tree,
                                   schema::Catalogue const& catalogue = {});
 
-/// A line that was meant for a parameter and does not set it: a broken line, a mistyped name. What the
-/// parameter is meant to be is unknown then, so rules that need it have to stay silent.
+/// A line that was meant for a parameter but does not set it: a broken line, a mistyped name. The
+/// intended value is unknown, so rules that need it report nothing.
 struct LostAssignment {
   schema::Slot slot{};
   Span name;
   std::uint32_t line = 0;
-  bool guessed =
-      false;  ///< the name had to be guessed: counts only where the list does not set the parameter
+  bool guessed = false;  ///< the name had to be guessed: used only if the list does not set the parameter
 };
 [[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
                                                            grammar::AxisList const& list,
@@ -177,7 +174,7 @@ struct LostAssignment {
                                                            schema::Catalogue const& catalogue = {});
 
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,
-/// `lr_param.improved_position_control`. `name` may be misspelt behind its family.
+/// `lr_param.improved_position_control`. `name` may be misspelt after its family.
 [[nodiscard]] bool is_compiled_family(std::string_view name);
 
 }  // namespace axisc::validator

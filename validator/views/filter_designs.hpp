@@ -19,8 +19,8 @@ struct ChainLink {
   design::FilterDesign const* design;
 };
 
-/// Specifications and designs of the filters that a list touches, each computed once, on first access: several rules use
-/// the same one, and the machine is built from them. One FilterDesigns serves one thread at a time.
+/// Specifications and designs of the filters that a list touches, each computed once, on first access: several rules
+/// use the same one, and the machine is built from them. One FilterDesigns serves one thread at a time.
 class FilterDesigns {
  public:
   /// `filters` must outlive this object and must not move.
