@@ -43,7 +43,7 @@ struct Reported {
   bool cycle_time_assumed = false;  ///< the rule needs T, which is not known
   Subject const* subject =
       nullptr;            ///< none for rules that check neither a single filter nor a single program
-  std::string_view axis;  ///< its name, where one is concerned
+  std::string_view axis;  ///< name of the axis concerned; empty if there is none
   std::optional<std::size_t> said = {};  ///< the text exists already: index into ReportedFindings::said
   Words words;                           ///< otherwise makes the text
 };

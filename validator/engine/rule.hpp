@@ -88,7 +88,7 @@ struct AxisContext {
   LoadedList const& axis_list;
   std::vector<ReferenceProblem> const& reference_problems;
   std::span<FilterView const> filters;  ///< those that a list touches: see touched_filters()
-  FilterDesigns const& designs;         ///< of these
+  FilterDesigns const& designs;         ///< of `filters`
   FirView const& fir;
   PositionControlView const& position_control;
 };
@@ -114,7 +114,7 @@ using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, Gr
                            ProgramCheck, CommandCheck>;
 
 /// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4, AX3, AX2,
-/// any other; then the lower code. A row may move its rule within that.
+/// any other; then the lower code. A row may move its rule within this order.
 enum class Precedence : std::uint8_t {
   of_family,      ///< with the other rules of its family
   before_family,  ///< before its family: it names the mistake more precisely
@@ -132,7 +132,7 @@ struct Rule {
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
   Precedence precedence = Precedence::of_family;
-  /// Findings of these rules about one filter or program silence this rule there.
+  /// Findings of `filters` rules about one filter or program silence this rule there.
   std::span<Code const> silenced_by = {};
   Check check = {};
   ProgramCheck program_check = nullptr;  ///< for a rule that also checks NC programs

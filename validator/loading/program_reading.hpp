@@ -20,7 +20,7 @@ struct ContentMark {
 
 struct ReadProgram {
   SourceText text;          ///< an excerpt: the lines that findings can point at
-  grammar::NcProgram tree;  ///< its spans count in the text
+  grammar::NcProgram tree;  ///< its spans refer to `text`
   ContentMark mark;
 };
 

@@ -198,7 +198,7 @@ class ListReader {
     reading.name_folded = lookup.case_folded;
   }
 
-  /// Of an assignment, counted from 1.
+  /// Notes the slot of an assignment, counted from 1.
   void note_slot(schema::Slot slot, std::uint32_t assignment) {
     std::uint32_t& last = result_.last_of_slot_[static_cast<std::size_t>(slot)];
     repetitions_ |= last;

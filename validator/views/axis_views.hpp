@@ -13,7 +13,7 @@ namespace axisc::validator {
 /// Not movable, because its parts refer to each other. The EffectiveValues must outlive it.
 struct AxisViews {
   std::vector<FilterView> filters;  ///< those that a list touches: see touched_filters()
-  FilterDesigns designs;            ///< of these
+  FilterDesigns designs;            ///< of `filters`
   FirView fir;
   PositionControlView position_control;
 

@@ -16,7 +16,7 @@ constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 namespace axisc::validator::checks {
 namespace {
 
-/// The number that was meant; empty where that is not obvious: an integer has no decimals.
+/// The intended number; empty if it is not obvious: an integer has no decimals.
 std::string repaired(std::string value, Reading const& reading) {
   std::replace(value.begin(), value.end(), ',', '.');
   if (!schema::is_complete_number(value)) return {};

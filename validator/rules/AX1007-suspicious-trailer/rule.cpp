@@ -35,7 +35,7 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
           catalogue.is_symbol_of_any_parameter(word));
 }
 
-/// Behind numbers, booleans and references the control reads over everything; behind words AX1009 looks.
+/// After numbers, booleans and references the control ignores everything; text after symbols is left to AX1009.
 bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
   using grammar::ValueKind;
   if (reading.status == ReadingStatus::reference) return true;
@@ -51,7 +51,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
          assignment.kind == ValueKind::real || assignment.kind == ValueKind::reference;
 }
 
-/// The first word behind the value.
+/// The first word after the value.
 Span first_word(Line const& line) {
   Span const trailer = line.assignment().trailer;
   std::string_view const text = line.context.source.slice(trailer);

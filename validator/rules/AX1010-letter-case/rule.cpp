@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view end_marker = "Ende";
 
-/// `finding` stands at what is written.
+/// The place of `finding` is the text as written.
 void describe(Finding& finding, std::string written, std::string const& expected) {
   finding.message =
       message_of(says::headline, Argument{"written", std::move(written)}, Argument{"expected", expected});

@@ -34,7 +34,7 @@ void describe(Finding& finding, Line const& line) {
                               {{"parameter", pattern}});
   }
   set_reaction(finding, says::reaction);
-  // A scalar's name is the whole repair; where other indices remain, nobody knows which one was meant.
+  // For a scalar the name alone is the repair; if other indices are possible, the intended one is unknown.
   if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
   finding.fix =
       replace_by(line.place(written), pattern, message(says::parameter_fix, {{"replacement", pattern}}));

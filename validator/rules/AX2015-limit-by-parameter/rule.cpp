@@ -76,7 +76,7 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   return Violation{.limit = *other, .side = side, .open = limit.open};
 }
 
-/// Two parameters may limit each other: the finding then stands at the later one.
+/// If two parameters limit each other, the finding is at the later one.
 bool is_reported_at_limit(EffectiveValues const& values, Slot slot, Violation const& violation) {
   EffectiveValue const& value = values[slot];
   EffectiveValue const& limit = values[violation.limit];

@@ -21,7 +21,7 @@ constexpr Sentence limit{
 namespace axisc::validator::checks {
 namespace {
 
-/// What a stage damps.
+/// The band that a stage damps.
 struct Band {
   StageView stage;
   EffectiveValue const& frequency;

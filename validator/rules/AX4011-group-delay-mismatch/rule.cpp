@@ -87,7 +87,7 @@ class DelayWriter {
   SourceSet const& sources_;
 };
 
-/// The time delays that make all axes alike; none where they cannot.
+/// The time delays that make all delays equal; none if that is impossible.
 std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
   double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
   DelayWriter const writer(context.whole.machine, context.whole.sources);

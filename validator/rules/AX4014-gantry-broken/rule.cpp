@@ -1,4 +1,4 @@
-// AX4014: lists and machine file must agree on who follows whom.
+// AX4014: lists and machine file must agree on masters and slaves.
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/control_numbers.hpp"
@@ -82,7 +82,7 @@ class GantryJudge {
     return report_.add(at, {text, std::move(arguments)});
   }
 
-  /// Where the lists say something that the machine file contradicts.
+  /// Reports a contradiction between lists and machine file.
   void disagree(std::size_t axis, EffectiveValue const& at, SentenceRef text, GantryClaim const& claim) {
     Finding& finding = add(axis, at, text);
     finding.related.push_back({claim.place, {says::claim_here, {}}});
@@ -97,7 +97,7 @@ class GantryJudge {
       if (claim == nullptr && !view.master_number.unusable) without_master(axis, view);
       return;
     }
-    // What the axes beside a single list are is not known.
+    // For a single list the other axes are unknown.
     if (!machine_.machine_file) return;
     auto const master = axis_numbered(machine_, *number);
     if (!master || *master == axis) {

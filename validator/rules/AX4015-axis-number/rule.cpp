@@ -45,7 +45,7 @@ std::vector<Numbered> numbered_axes(LoadedMachine const& machine) {
   return found;
 }
 
-/// The default list counts for every axis that says nothing else, so its number is seen in none of them alone.
+/// The default list applies to every axis without a value of its own, so its number is checked separately.
 void check_default_list(LoadedMachine const& machine, Report& report) {
   LoadedList const* const list = machine.list_of_defaults();
   if (list == nullptr) return;

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view weight = "getriebe[].dynamik.a_trans_weight";
 constexpr double largest_weight = 1000;
 
-/// The values of the command's ACC_FACT, or the keyword where it has none.
+/// The values of the command's ACC_FACT, or the keyword if it has none.
 std::vector<Span> acceleration_factors(ProgramContext const& context) {
   std::vector<Span> spans;
   for (grammar::NcCommand const& command : context.program.tree.commands) {

@@ -19,7 +19,7 @@ namespace axisc::validator::checks {
 namespace {
 
 void axis_exchange_disables(ProgramContext const& context, Report& report) {
-  // The last #FILTER ON with the exchanges behind it; any #FILTER behind them answers them.
+  // The last #FILTER ON with the exchanges after it; a later #FILTER makes them harmless.
   std::vector<Span> spans;
   for (grammar::NcCommand const& command : context.program.tree.commands) {
     if (is_fir_filter(context, command)) {

@@ -40,7 +40,7 @@ enum class Settling : std::uint8_t { in_time, late };
 
 struct Result {
   Settling settling = Settling::in_time;
-  std::optional<double> seconds;  ///< none where it was not measured
+  std::optional<double> seconds;  ///< none if it was not measured
 };
 
 // Cycles until radius^n falls below the tolerance.
