@@ -132,7 +132,7 @@ struct Rule {
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
   Precedence precedence = Precedence::of_family;
-  /// Findings of `filters` rules about one filter or program silence this rule there.
+  /// Findings of these rules about one filter or program silence this rule there.
   std::span<Code const> silenced_by = {};
   Check check = {};
   ProgramCheck program_check = nullptr;  ///< for a rule that also checks NC programs
