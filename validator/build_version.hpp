@@ -1,4 +1,4 @@
-// The build of the control, `V3.1.3075.04`: what a parameter may need.
+// The build of the control, `V3.1.3075.04`. Some parameters need a minimum build.
 #pragma once
 
 #include <compare>
@@ -34,7 +34,7 @@ inline constexpr BuildVersion position_control{.major = 3, .minor = 1, .build = 
 inline constexpr BuildVersion quotes{.major = 3, .minor = 1, .build = 3081, .patch = 0};
 inline constexpr BuildVersion spindle_filters{.major = 3, .minor = 0, .build = 0, .patch = 0};
 
-/// The branches have it since V2.11.2013, V2.11.2803 and V3.00.3013.
+/// TIME_DELAY exists from V2.11.2013, V2.11.2803 and V3.00.3013, depending on the branch.
 [[nodiscard]] bool has_time_delay(BuildVersion const& version);
 
 }  // namespace builds

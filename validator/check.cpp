@@ -1,9 +1,9 @@
 #include "validator/check.hpp"
 
-#include "validator/views/axis_views.hpp"
+#include "validator/building/machine_build.hpp"
 #include "validator/engine/engine.hpp"
 #include "validator/loading/loading.hpp"
-#include "validator/building/machine_build.hpp"
+#include "validator/views/axis_views.hpp"
 #include "validator/views/gantry.hpp"
 
 #include <deque>
@@ -12,7 +12,7 @@
 namespace axisc::validator {
 namespace {
 
-/// None where a default list is missing: effective values are not known.
+/// Empty if a default list is missing: effective values are unknown.
 std::deque<AxisViews> views_of(LoadedMachine const& machine) {
   std::deque<AxisViews> views;
   if (machine.default_list_missing) return views;
@@ -23,8 +23,8 @@ std::deque<AxisViews> views_of(LoadedMachine const& machine) {
 
 }  // namespace
 
-CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources,
-                  FindingSink const& sink) {
+CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
+                  SourceSet& sources, FindingSink const& sink) {
   CheckResult result;
   std::variant<LoadedMachine, configuration::FileError> loaded = load(files, path, options, sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
@@ -33,7 +33,7 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
   }
   auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
-  // Silenced or not: what cannot be understood in a machine file is not in the machine.
+  // Whether silenced or not: the machine lacks what cannot be understood in a machine file.
   bool const is_understood = machine.complete && machine.findings.empty();
 
   machine.gantries = gantries_of(machine);
@@ -49,7 +49,8 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
   return result;
 }
 
-CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options, SourceSet& sources) {
+CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
+                  SourceSet& sources) {
   std::vector<Finding> findings;
   CheckResult result = check(files, path, options, sources,
                              [&findings](Finding& finding) { findings.push_back(std::move(finding)); });

@@ -15,25 +15,25 @@
 namespace axisc::validator {
 
 struct CheckResult {
-  std::vector<Finding> findings;  ///< in output order; empty where a sink takes them
-  /// Only where it is wanted, without errors, not of an NC program, and not of a machine file in which something cannot be
-  /// understood, even where AX4020 is silenced.
+  std::vector<Finding> findings;  ///< in output order; empty if a sink takes them
+  /// Present only if wanted, without errors, not for an NC program, and not for a machine file that is only partly
+  /// understood, even if AX4020 is silenced.
   std::optional<machine::Machine> machine;
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
-  bool cycle_time_known = false;          ///< the options or the machine file give it
+  bool cycle_time_known = false;          ///< the options or the machine file set it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it
-  std::optional<configuration::FileError> unreadable;    ///< the input itself could not be read: exit status 2
-  std::vector<std::string> files;         ///< every file that was read, in order (for dependency files)
+  std::optional<configuration::FileError> unreadable;  ///< the input itself could not be read: exit status 2
+  std::vector<std::string> files;  ///< every file that was read, in order (for dependency files)
 };
 
-/// `path` ends in .json and holds an object: a machine file; in .nc: an NC program alone, of which no machine comes;
-/// else one axis list. `sources` receives every
-/// text read, of NC programs only the lines that findings can point at (see whole_programs). The machine may read programs again, so `files` must
-/// live as long as it. Never throws for bad input.
-[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
-                                SourceSet& sources);
-/// The same for who needs one finding at a time: nothing holds them together in memory.
-[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
-                                SourceSet& sources, FindingSink const& sink);
+/// Checks a machine file if `path` ends in .json and the file contains an object, an NC program (without a machine) if
+/// it ends in .nc, else one axis list. `sources` receives every text read; of NC programs only the lines that findings
+/// can point to (see whole_programs). The machine may read programs again, so `files` must outlive it. Never throws for
+/// bad input.
+[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path,
+                                CheckOptions const& options, SourceSet& sources);
+/// As check() above, but passes one finding at a time to `sink` instead of collecting them in memory.
+[[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path,
+                                CheckOptions const& options, SourceSet& sources, FindingSink const& sink);
 
 }  // namespace axisc::validator

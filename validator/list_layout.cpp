@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t gap = 2;
 constexpr std::size_t tab_width = 8;
-/// A longer value does not push the comments of its neighbours away.
+/// Longer values do not move the comments of neighbouring lines.
 constexpr std::size_t widest_value = 32;
-/// A longer line stays as it is: its neighbours would grow with it, in the end beyond what can be read.
+/// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond readability.
 constexpr std::size_t longest_aligned_line = 1024;
 
 /// An assignment in three parts; `comment` may be empty.
@@ -34,7 +34,7 @@ std::string_view without_blanks_behind(std::string_view text) {
   return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
 }
 
-/// Behind these the control takes any text for a comment.
+/// After these values the control treats any text as a comment.
 bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
   using grammar::ValueKind;
   if (!reading.usable()) return false;
@@ -97,7 +97,7 @@ class Layout {
         std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
   }
 
-  /// Columns before the value: the indentation stays as it is written.
+  /// Columns before the value: the indentation is preserved.
   [[nodiscard]] std::size_t name_end(Row const& row) const {
     std::size_t column = 0;
     for (char const blank : row.indent) {

@@ -51,7 +51,7 @@ TEST_CASE("parameters of a schema file are known, and what they must not be is r
   CHECK(findings(folder, {"x.lis"}).find("7 AX2005") == std::string::npos);
   auto const text =
       run_axisc({"lint", "x.lis", "--schema", "extra.json", "--lang", "en"}, in_folder(folder.path()));
-  CHECK_THAT(text.out, Contains("0 % ≤ share_percent ≤ 90 %") && Contains("= extra.json says so"));
+  CHECK_THAT(text.out, Contains("0 % ≤ share_percent ≤ 90 %") && Contains("= limit from extra.json"));
 }
 
 TEST_CASE("fixes and the layout know the names of a schema file") {

@@ -252,7 +252,7 @@ TEST_CASE("AX3005 says how long the delay is in cycles, and what delays longer")
   Run const run(filter("TIME_DELAY", "1", "filter[0].time_constant 12000\n"));
   Finding const& finding = run.only();
   CHECK(english(finding.message) == "the delay must be shorter than 6 NC cycles");
-  CHECK(render(finding.message, Language::german) == "die Verzögerung muss kürzer als 6 NC-Takte sein");
+  CHECK(render(finding.message, Language::german) == "die Verzögerung muss kürzer als 6 NC-Zyklen sein");
   REQUIRE(finding.label);
   CHECK(english(*finding.label) == "12000 µs (12 ms) are 12 cycles of 1000 µs");
   REQUIRE_FALSE(finding.notes.empty());
@@ -365,7 +365,7 @@ TEST_CASE("AX3017: high-pass and band-pass on absolute positions") {
   CHECK(lines(interface("HIGHPASS", "1")).empty());
   CHECK(lines("filter[0].type HIGHPASS").empty());
   Run const run(filter("HIGHPASS", "1", "filter[0].share_percent 25\n"));
-  CHECK(english(*run.only().label) == "with a share of 25 %, 75 % of a constant position is left");
+  CHECK(english(*run.only().label) == "with a share of 25 %, 75 % of a constant position remains");
 }
 
 TEST_CASE("AX3040 replaces AX3004 for the interface filter with its defaults") {

@@ -104,7 +104,7 @@ TEST_CASE("AX4011 says how far the axes are apart, and writes the time delay tha
   REQUIRE(checked.found() == Lines{"x.lis:4:18 AX4011"});
   Finding const& finding = checked.result.findings.front();
   CHECK(render(finding.message, Language::english) ==
-        "the axes of the channel run apart: their filters delay differently, by 11 cycles (11 ms)");
+        "the axes of the channel are out of step: their filter delays differ by 11 cycles (11 ms)");
   CHECK(finding.axis == "x");
   REQUIRE(finding.fix);
   CHECK(finding.fix->safety == FixSafety::changes_behaviour);

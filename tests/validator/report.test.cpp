@@ -14,7 +14,7 @@ constexpr Sentence out_of_data_range{"{value} does not fit {type}", "{value} pas
 constexpr Sentence out_of_range{"`{parameter}` is out of range: {range}",
                                 "`{parameter}` liegt außerhalb des Bereichs: {range}"};
 constexpr Sentence delay_too_long{"the delay must be shorter than 6 NC cycles",
-                                  "die Verzögerung muss kürzer als 6 NC-Takte sein"};
+                                  "die Verzögerung muss kürzer als 6 NC-Zyklen sein"};
 
 constexpr Place place{.source = SourceId{0}, .span = {.begin = 3, .end = 7}};
 

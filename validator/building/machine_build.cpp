@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence not_compiled_filter{
     "the filter `{filter}` of axis \"{axis}\", whose values cannot be used",
-    "der Filter `{filter}` der Achse \"{axis}\", dessen Werte nicht verwendbar sind"};
+    "der Filter `{filter}` der Achse „{axis}“, dessen Werte nicht verwendbar sind"};
 
 }  // namespace axisc::validator::says
 
@@ -62,7 +62,7 @@ class AxisBuilder {
         {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
   }
 
-  /// An error about it was silenced; it must not be left out without a word.
+  /// An error about it was silenced; it must not be left out silently.
   void leave_out_filter(EffectiveValue const& value, std::string name) {
     leave_out(value, says::not_compiled_filter, {{.name = "filter", .value = std::move(name)}});
   }
@@ -101,7 +101,7 @@ class AxisBuilder {
   }
 
   void add_hsc(FilterView const& filter, machine::AxisConfiguration& result) {
-    // NoVib without an order never works, and has been warned of.
+    // NoVib without an order is never active, and has been reported.
     if (hsc_type(filter) == HscType::novib && resulting_hsc_order(filter, cycle_time_) == 0) return;
     auto const specification = hsc_kernel(filter, cycle_time_);
     if (specification && filter.index == 0) {
@@ -136,7 +136,7 @@ class AxisBuilder {
     if (!control.stages.empty()) result.position_control = std::move(control);
   }
 
-  /// None where a value is out of its range.
+  /// None if a value is out of its range.
   [[nodiscard]] std::optional<machine::PositionControlStage> build_stage(StageView const& stage) const {
     if (!stage.active_mode()) return std::nullopt;
     machine::PositionControlStage built;

@@ -1,10 +1,11 @@
-// From checked lists to the typed machine.
+// Builds the typed machine from checked lists.
 #pragma once
 
 #include "validator/views/axis_views.hpp"
 #include "configuration/files.hpp"
 #include "validator/not_compiled.hpp"
 #include "validator/loading/loading.hpp"
+#include "validator/views/axis_views.hpp"
 
 #include <deque>
 #include <vector>
@@ -16,8 +17,8 @@ struct BuiltMachine {
   std::vector<NotCompiled> not_compiled;
 };
 
-/// Call it only where no error was found and every file was read. `views` has one entry per axis. The machine reads programs again from `files` when
-/// their bytes are asked for.
+/// Call it only if no error was found and every file was read. `views` has one entry per axis. The machine reads
+/// programs again from `files` when their bytes are asked for.
 [[nodiscard]] BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> const& views,
                                          SourceSet const& sources, configuration::Files& files);
 

@@ -14,43 +14,43 @@ namespace axisc::validator::says {
 
 constexpr Sentence filter_syntax_letter_case{"`{text}` is written in capitals: `{command}`",
                                              "`{text}` wird groß geschrieben: `{command}`"};
-constexpr Sentence filter_syntax_unexpected{"`{text}` does not belong into the command `{command}`",
+constexpr Sentence filter_syntax_unexpected{"`{text}` does not belong in the command `{command}`",
                                             "`{text}` gehört nicht in den Befehl `{command}`"};
 constexpr Sentence filter_syntax_expected_keyword{
-    "a keyword or `]` must stand here, not `{text}`",
-    "hier muss ein Schlüsselwort oder `]` stehen, nicht `{text}`"};
+    "expected a keyword or `]`, not `{text}`",
+    "hier wird ein Schlüsselwort oder `]` erwartet, nicht `{text}`"};
 constexpr Sentence filter_syntax_unclosed{"this bracket of `{command}` is not closed",
                                           "diese Klammer von `{command}` ist nicht geschlossen"};
 constexpr Sentence filter_syntax_no_value{"the keyword `{keyword}` has no value",
                                           "das Schlüsselwort `{keyword}` hat keinen Wert"};
-constexpr Sentence filter_syntax_no_number{"`{value}` is no number for `{keyword}`",
-                                           "`{value}` ist keine Zahl für `{keyword}`"};
+constexpr Sentence filter_syntax_no_number{"`{value}` is not a number, as `{keyword}` needs",
+                                           "`{value}` ist keine Zahl, wie `{keyword}` sie braucht"};
 constexpr Sentence filter_syntax_no_value_allowed{"the keyword `{keyword}` takes no value",
                                                   "das Schlüsselwort `{keyword}` nimmt keinen Wert an"};
-constexpr Sentence filter_syntax_no_filter_command{"this is no #FILTER command",
+constexpr Sentence filter_syntax_no_filter_command{"this is not a #FILTER command",
                                                    "das ist kein #FILTER-Befehl"};
 constexpr Sentence filter_syntax_syntax_filter{
-    "the form is `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
+    "the syntax is `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
     "QUALITY=..]` or `#FILTER ON [HSC]`",
-    "die Form ist `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
+    "die Schreibweise ist `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
     "QUALITY=..]` oder `#FILTER ON [HSC]`"};
 constexpr Sentence filter_syntax_syntax_guard{
-    "the form is `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`",
-    "die Form ist `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`"};
+    "the syntax is `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`",
+    "die Schreibweise ist `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`"};
 
 constexpr Sentence filter_keyword_unknown{"`{command}` has no keyword `{keyword}`",
                                           "`{command}` hat kein Schlüsselwort `{keyword}`"};
 constexpr Sentence filter_keyword_known{"keywords: {keywords}", "Schlüsselwörter: {keywords}"};
-constexpr Sentence filter_keyword_repeated{"the keyword `{keyword}` stands in one command twice",
+constexpr Sentence filter_keyword_repeated{"the keyword `{keyword}` occurs twice in one command",
                                            "das Schlüsselwort `{keyword}` steht in einem Befehl zweimal"};
-constexpr Sentence filter_keyword_beside_hsc{"`{keyword}` beside `HSC` is not supported",
-                                             "`{keyword}` neben `HSC` wird nicht unterstützt"};
+constexpr Sentence filter_keyword_beside_hsc{"`{keyword}` together with `HSC` is not supported",
+                                             "`{keyword}` zusammen mit `HSC` wird nicht unterstützt"};
 constexpr Sentence filter_keyword_range{"`{keyword}={value}` is out of range",
                                         "`{keyword}={value}` liegt außerhalb des Bereichs"};
 constexpr Sentence filter_keyword_range_whole{"{text}, a whole number", "{text}, ganzzahlig"};
 constexpr Sentence filter_keyword_delay{
     "an axis of the channel has the time delay, which takes at most 100 cycles",
-    "eine Achse des Kanals hat die Zeitverzögerung, die höchstens 100 Takte annimmt"};
+    "eine Achse des Kanals hat die Zeitverzögerung, die höchstens 100 Zyklen annimmt"};
 constexpr Sentence filter_keyword_variable{
     "the value of `{keyword}` must be a number, not the variable `{value}`",
     "der Wert von `{keyword}` muss eine Zahl sein, nicht die Variable `{value}`"};
@@ -99,7 +99,7 @@ std::string_view proper_name(CommandKind kind) {
   return kind == CommandKind::filter ? "#FILTER" : "#VIB GUARD";
 }
 
-/// The number of an integer or real token. A value that no double holds is infinite, and so out of every range.
+/// The number of an integer or real token. A value too large for a double is infinite, and so out of every range.
 double number_of(std::string_view token) {
   return grammar::real_value(token).value_or(token.front() == '-' ? -HUGE_VAL : HUGE_VAL);
 }
@@ -283,7 +283,7 @@ class CommandCheck {
     return result_;
   }
 
-  /// `[ORDER 20]` is one mistake: the keyword without value says it.
+  /// `[ORDER 20]` is one mistake: reported as the keyword without value.
   [[nodiscard]] bool follows_keyword_without_value() const {
     if (command_.keywords.empty() || command_.problem->kind == CommandProblemKind::letter_case) return false;
     Keyword const& last = command_.keywords.back();

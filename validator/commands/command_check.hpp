@@ -16,7 +16,7 @@
 
 namespace axisc::validator {
 
-/// How far the keywords of a channel's commands may go.
+/// Limits for the keywords of a channel's commands.
 struct CommandLimits {
   design::CycleTime cycle_time;
   bool time_delay = false;  ///< an axis of the channel has the FIR time delay, which ends at order 100
@@ -26,7 +26,8 @@ struct CommandLimits {
   }
 };
 
-/// Whether a value may be a variable of the running program. Where it is, nobody knows its value before.
+/// Whether a value may be a variable of the running program. The value of a variable is unknown before the program
+/// runs.
 enum class Variables : std::uint8_t { accepted, refused };
 
 /// Something wrong with a command: AX5001, or AX5002 for its keywords. Spans count like those of the command.
@@ -37,17 +38,17 @@ struct CommandMistake {
   std::optional<Message> label;
   std::vector<Message> notes;
   std::vector<Message> help;
-  std::optional<Span> first;          ///< where a repeated keyword stands first
+  std::optional<Span> first;          ///< first occurrence of a repeated keyword
   std::optional<std::string> better;  ///< what to write in `span` instead
   std::string control;                ///< the control's message numbers; empty where none is known
   std::optional<SentenceRef> reaction = says::program_reaction_aborted;  ///< none where it is not documented
-  std::string value;  ///< what the control runs with instead; empty where none is known
+  std::string value;  ///< what the control uses instead; empty if unknown
   bool depends_on_cycle_time = false;
 };
 
 struct CheckedCommand {
-  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and where a value cannot be used: unreadable, out
-  /// of range, or a variable. An ORDER_TIME below one cycle is order 0 beside its mistake.
+  /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and if a value cannot be used: unreadable, out
+  /// of range, or a variable. An ORDER_TIME below one cycle is a mistake and gives order 0.
   std::optional<machine::FilterCommand> command;
   std::vector<CommandMistake> mistakes;
 };
@@ -59,14 +60,14 @@ struct CheckedCommand {
 /// The text of one #FILTER command: "#FILTER ON [ORDER=20 SHARE=80]". Without mistakes there is a command.
 [[nodiscard]] CheckedCommand parse_filter_command(std::string_view text, CommandLimits const& limits);
 
-/// It switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0, or ORDER_TIME. A value that
-/// is reported as a mistake counts too.
+/// True if the command switches FIR filters on, or leaves them on, with an order of its own: ORDER above 0, or
+/// ORDER_TIME. This includes values that are reported as mistakes.
 [[nodiscard]] bool gives_order(grammar::NcCommand const& command, std::string_view text);
 
-/// It has the keyword HSC: the HSC filters are meant, not the FIR filters.
+/// True if the command has the keyword HSC: it applies to the HSC filters, not to the FIR filters.
 [[nodiscard]] bool means_hsc(grammar::NcCommand const& command, std::string_view text);
 
-/// The keyword of that name; null where the command has none.
+/// The keyword of that name; null if the command does not have it.
 [[nodiscard]] grammar::Keyword const* find_keyword(grammar::NcCommand const& command, std::string_view text,
                                                    std::string_view name);
 

@@ -11,7 +11,7 @@
 
 namespace axisc::validator {
 
-// Message numbers of the control about keywords: one that stands there twice, and values out of range.
+// Message numbers of the control about keywords: repeated keywords, and values out of range.
 inline constexpr std::string_view keyword_repeated = "21411";
 inline constexpr std::string_view mode_refused = "22062";
 inline constexpr std::string_view damping_refused = "22066";

@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the NC cycle time is not known; 1 ms was assumed",
                             "die NC-Zykluszeit ist nicht bekannt; angenommen wurde 1 ms"};
-constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, states it",
+constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine file, sets it",
                         "`--cycle-time 2ms` oder \"cycle_time_us\" in einer Maschinendatei gibt sie an"};
 
 }  // namespace axisc::validator::says
@@ -23,7 +23,7 @@ constexpr Sentence help{"`--cycle-time 2ms`, or \"cycle_time_us\" in a machine f
 namespace axisc::validator {
 namespace {
 
-/// Whether a rule that needs T has anything to look at: an active standard filter, a configured FIR or HSC filter, an
+/// Whether a rule that needs T has anything to check: an active standard filter, a configured FIR or HSC filter, an
 /// enabled Improved Position Control.
 bool uses_cycle_time(AxisContext const& axis) {
   for (FilterView const& filter : axis.filters) {
@@ -63,7 +63,7 @@ class Engine {
         sources_(sources),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
     list_contexts_.reserve(machine.lists.size());
-    // What lines are guilty of may come in thousands: in one go, without the copies that growing makes.
+    // A bad list yields thousands of findings: reserve once instead of growing.
     std::size_t expected = machine.findings.size();
     for (NamedList const& named : machine.lists) {
       expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
@@ -101,7 +101,7 @@ class Engine {
       finding.subject = subject;
       finding.cycle_time_assumed = rule.needs == Needs::cycle_time && !machine_.cycle_time;
       if (!finding.said) continue;
-      // What a check said of its own, whichever way.
+      // The check may have set these itself.
       Finding const& said = *reported_.said[*finding.said];
       finding.axis = said.axis;
       finding.severity = said.severity;
@@ -171,7 +171,8 @@ class Engine {
     }
   }
 
-  /// The channels that run a program; null for one that none runs, or whose axes have no known values.
+  /// The channels that run a program; null for a program that no channel runs, or if the values of its axes are
+  /// unknown.
   [[nodiscard]] std::vector<LoadedGroup const*> groups_of(std::size_t program) const {
     std::vector<LoadedGroup const*> groups;
     for (LoadedGroup const& group : machine_.groups) {
@@ -237,7 +238,7 @@ class Engine {
     }
   }
 
-  /// Rules that look at NC programs beside lists see a command of the machine file as a program of one line.
+  /// Rules that check NC programs together with lists see a command of the machine file as a program of one line.
   void run_program_checks_of_set(configuration::LocatedText const& set, LoadedGroup const* group,
                                  std::uint32_t offset, std::optional<Span> instead) {
     auto const command = grammar::parse_nc_command(set.text);
@@ -273,7 +274,7 @@ class Engine {
     cycle_time_needed_ = cycle_time_needed_ || uses;
   }
 
-  /// The findings that stand, in output order.
+  /// The findings that are kept, in output order.
   [[nodiscard]] Standing decide() {
     Suppressions suppressions;
     for (NamedList const& list : machine_.lists) {
@@ -296,7 +297,7 @@ class Engine {
     return standing;
   }
 
-  /// Of what was reported from `first` on, what the options and then `wanted` let through, with its severity.
+  /// Keeps those findings from `first` on that the options and then `wanted` accept, and sets their severity.
   template <typename Wanted>
   void admit(std::size_t first, Standing& standing, Wanted wanted) {
     for (std::size_t number = first; number < reported_.findings.size(); ++number) {
@@ -316,7 +317,7 @@ class Engine {
     admit(before, standing, [](Reported const&) { return true; });
   }
 
-  /// Said whether notes are wanted or not: it tells what all others rest on.
+  /// Reported even without `pedantic`: all other findings depend on it.
   [[nodiscard]] Finding assumed_cycle_time() const {
     Finding finding = new_finding(*find_rule(cycle_time_assumed));
     finding.severity = policy_.severity(finding.code, finding.severity);
@@ -349,7 +350,7 @@ class Engine {
   SourceSet const& sources_;
   design::CycleTime cycle_time_;
   bool cycle_time_needed_ = false;
-  // What findings refer to until they are told.
+  // What findings refer to until they are output.
   std::vector<ListContext> list_contexts_;  ///< one per list
   std::deque<AxisContext> axis_contexts_;
   std::deque<Subject> subjects_;

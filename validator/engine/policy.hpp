@@ -1,5 +1,5 @@
 // What the options of a check decide about findings: which rules report nothing, everywhere or in some files, and how
-// severe the others are. The engine asks before it decides which findings stand.
+// severe the others are. The engine applies them before it decides which findings are kept.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -18,15 +18,15 @@ class Policy {
  public:
   Policy(CheckOptions const& options, SourceSet const& sources);
 
-  /// False for a rule that nobody wants to hear from in this check: it is disabled, or it has only notes, without
+  /// False for a rule that reports nothing in this check: it is disabled, or it has only notes, without
   /// `pedantic` and without a higher severity in the options.
   [[nodiscard]] bool enabled(Rule const& rule) const;
-  /// False where the rule is not enabled at all, or not in this source. Cost: patterns are compared once per source.
+  /// False if the rule is disabled everywhere, or in this source. Cost: patterns are compared once per source.
   [[nodiscard]] bool enabled(Rule const& rule, SourceId source);
-  /// The options disable the code everywhere or in the file of that name. Whether notes are wanted does not matter.
+  /// The options disable the code everywhere or in the file of that name. Independent of `pedantic`.
   [[nodiscard]] bool disables(Code code, std::string const& file) const;
 
-  /// What the options say about the code; `natural` where they say nothing.
+  /// The severity that the options give the code; `natural` if they give none.
   [[nodiscard]] Severity severity(Code code, Severity natural) const;
 
  private:
@@ -37,7 +37,7 @@ class Policy {
   CheckOptions const& options_;
   SourceSet const& sources_;
   std::vector<char> enabled_;                   ///< of each rule of the table, as bools
-  std::vector<std::optional<Codes>> disabled_;  ///< by source; none until somebody asks
+  std::vector<std::optional<Codes>> disabled_;  ///< by source; none until first used
 };
 
 }  // namespace axisc::validator

@@ -49,8 +49,8 @@ auto order(Reported const& finding) {
   return std::make_tuple(finding.severity, place_among_rules(*finding.rule), finding.rule->code);
 }
 
-/// What decides about the order, side by side, because the findings themselves lie far apart, and in numbers that are
-/// compared at once.
+/// Sort key. Held separately because the findings themselves are far apart in memory, and packed into numbers that
+/// are compared at once.
 struct Key {
   std::uint64_t begin = 0;  ///< source and offset
   std::uint64_t end = 0;    ///< offset and code
@@ -68,12 +68,13 @@ struct Key {
   friend auto operator<=>(Key const&, Key const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
-/// Nearly every rule reports in the order of the list, so that what all of them report is a few sorted runs one after the other.
+/// Nearly every rule reports in the order of the list, so the findings of all rules are a few sorted runs one after the
+/// other.
 void sort_runs(std::vector<Key>& keys) {
   std::vector<std::vector<Key>::iterator> bounds{keys.begin()};
   while (bounds.back() != keys.end()) bounds.push_back(std::is_sorted_until(bounds.back(), keys.end()));
   while (bounds.size() > 2) {
-    // Neighbours become one: every second bound between two runs is gone afterwards.
+    // Merges neighbouring runs, which removes every second boundary.
     std::size_t kept = 1;
     for (std::size_t i = 2; i < bounds.size(); i += 2) {
       std::inplace_merge(bounds[i - 2], bounds[i - 1], bounds[i]);
@@ -84,7 +85,7 @@ void sort_runs(std::vector<Key>& keys) {
   }
 }
 
-/// What sorts the output: within one source the offset orders like line and column.
+/// Sort key of the output: within one source the offset orders like line and column.
 auto output_key(Reported const& finding) {
   return std::make_tuple(finding.place.source, finding.place.span.begin, finding.rule->code);
 }
@@ -124,7 +125,7 @@ void merge_shared(ReportedFindings& reported, Standing& standing) {
       first = &finding;
       return false;
     }
-    // It belongs to the list then, not to one of its axes.
+    // The merged finding belongs to the list, not to one of its axes.
     if (first->axis != finding.axis) first->axis = {};
     return true;
   });

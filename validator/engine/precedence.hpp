@@ -1,4 +1,4 @@
-// One mistake, one message: which of several findings stands.
+// One mistake, one message: decides which of several findings is kept.
 #pragma once
 
 #include "validator/engine/report.hpp"
@@ -8,20 +8,21 @@
 
 namespace axisc::validator {
 
-/// The findings that stand, by their number.
+/// The findings that are kept, by their number.
 using Standing = std::vector<std::uint32_t>;
 
 /// Drops findings of rules that another finding on the same filter replaces (`silenced_by`).
 void drop_replaced(ReportedFindings const& reported, Standing& standing);
 
-/// By place and code, else as they were reported: what the next two need.
+/// Sorts by place and code, else in the order of reporting; merge_shared() and keep_highest_per_token() need this
+/// order.
 void put_in_order(ReportedFindings const& reported, Standing& standing);
 
 /// Findings of one rule at one place, seen from several axes that share a list, become one.
 void merge_shared(ReportedFindings& reported, Standing& standing);
 
-/// Of findings whose places overlap only one stays: errors before warnings before notes, then by the rule's Precedence,
-/// then the one of the lower code.
+/// Of findings whose places overlap only one is kept: errors before warnings before notes, then by the rule's
+/// Precedence, then the one of the lower code.
 void keep_highest_per_token(ReportedFindings const& reported, Standing& standing);
 
 /// The order of every output: by source in input order, then line, then column, then code; equal ones keep their order.

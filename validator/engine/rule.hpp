@@ -1,26 +1,26 @@
-// One table of rules. A rule looks and reports; the engine decides what is shown.
+// The table of rules. A rule checks and reports; the engine decides what is shown.
 //
-// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the build
-// finds the folders and makes the table of their rows.
+// Each has a folder rules/AXNNNN-name with its row and its check, its pages in both languages and its samples; the
+// build finds the folders and makes the table of their rows.
 //
-// Rules that are switched off are not asked. The engine takes out of what the others report, in this order: what
-// the options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
-// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one mistake
-// gives one message. Findings of a default list that several axes share are merged.
+// Rules that are switched off do not run. From the findings of the others the engine removes, in this order: what the
+// options disable in the finding's file (see policy.hpp); what `axisc: allow` comments silence; what another finding on
+// the same subject silences (`silenced_by`); and for each token all findings but one (`Precedence`), so that one
+// mistake gives one message. Findings of a default list that several axes share are merged.
 #pragma once
 
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "diagnostics/page.hpp"
+#include "machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
+#include "validator/engine/report.hpp"
+#include "validator/loading/loading.hpp"
 #include "validator/values/effective_values.hpp"
 #include "validator/views/filter_designs.hpp"
 #include "validator/views/filter_view.hpp"
 #include "validator/views/fir_view.hpp"
-#include "validator/loading/loading.hpp"
-#include "machine/machine.hpp"
 #include "validator/views/position_control_view.hpp"
-#include "validator/engine/report.hpp"
 
 #include <array>
 #include <cstddef>
@@ -57,16 +57,17 @@ struct ProgramContext {
   MachineContext const& whole;
   LoadedProgram const& program;
   std::string_view text;     ///< the program's bytes, from which its spans count
-  LoadedGroup const* group;  ///< null for a program that no channel runs: one that is checked alone
+  LoadedGroup const* group;  ///< null for a program that no channel runs: a program that is checked alone
 };
 
-/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's filter_sets.
+/// What a rule about one command sees: #FILTER or #VIB GUARD of an NC program, or one of the machine file's
+/// filter_sets.
 struct CommandContext {
   MachineContext const& whole;
   CheckedCommand const& checked;
   SourceId source;
   std::uint32_t offset;         ///< of the command's text in its source
-  std::optional<Span> instead;  ///< stands for every span, where the source spells the text with escapes
+  std::optional<Span> instead;  ///< used for every span if the source writes the text with escapes
 
   [[nodiscard]] Place place(Span span) const {
     Span const shifted{.begin = span.begin + offset, .end = span.end + offset};
@@ -87,7 +88,7 @@ struct AxisContext {
   LoadedList const& axis_list;
   std::vector<ReferenceProblem> const& reference_problems;
   std::span<FilterView const> filters;  ///< those that a list touches: see touched_filters()
-  FilterDesigns const& designs;         ///< of these
+  FilterDesigns const& designs;         ///< of `filters`
   FirView const& fir;
   PositionControlView const& position_control;
 };
@@ -98,7 +99,7 @@ struct FilterContext {
   FilterView const& filter;  ///< one of axis.filters
 };
 
-/// What a filter rule may need beside the values.
+/// What a filter rule may need in addition to the values.
 enum class Needs : std::uint8_t { nothing = 0, cycle_time = 1 };
 
 using ListCheck = void (*)(ListContext const&, Report&);
@@ -108,16 +109,16 @@ using GroupCheck = void (*)(GroupContext const&, Report&);
 using MachineCheck = void (*)(MachineContext const&, Report&);
 using ProgramCheck = void (*)(ProgramContext const&, Report&);
 using CommandCheck = void (*)(CommandContext const&, Report&);
-/// monostate: reported by the reading of machine files or by the program itself, not by a check.
+/// monostate: reported when machine files are read or by the program itself, not by a check.
 using Check = std::variant<std::monostate, ListCheck, AxisCheck, FilterCheck, GroupCheck, MachineCheck,
                            ProgramCheck, CommandCheck>;
 
-/// Which of several findings on one token stands: an error before a warning before a note; then AX1, AX4, AX3, AX2, any
-/// other; then the lower code. A row may move its rule within that.
+/// Which of several findings on one token is kept: an error before a warning before a note; then AX1, AX4, AX3, AX2,
+/// any other; then the lower code. A row may move its rule within this order.
 enum class Precedence : std::uint8_t {
-  of_family,      ///< with the others of its thousand
-  before_family,  ///< before them: it names the mistake more closely
-  after_family,   ///< after them: it speaks only where nothing else is wrong
+  of_family,      ///< with the other rules of its family
+  before_family,  ///< before its family: it names the mistake more precisely
+  after_family,   ///< after its family: kept only if nothing else is wrong
   after_text,     ///< directly after AX1
 };
 
@@ -131,17 +132,17 @@ struct Rule {
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;
   Precedence precedence = Precedence::of_family;
-  /// For the same filter or program: when one of these was reported, this rule says nothing.
+  /// Findings of these rules about one filter or program silence this rule there.
   std::span<Code const> silenced_by = {};
   Check check = {};
-  ProgramCheck program_check = nullptr;  ///< for a rule that looks at NC programs as well
+  ProgramCheck program_check = nullptr;  ///< for a rule that also checks NC programs
 };
 
 /// codes<3001, 3040>: for the column `silenced_by`.
 template <std::uint16_t... numbers>
 inline constexpr std::array<Code, sizeof...(numbers)> codes{static_cast<Code>(numbers)...};
 
-/// Rules by rising code: all, or those with a check of certain kinds.
+/// Rules in ascending order of codes: all, or those with a check of certain kinds.
 class RuleRange {
  public:
   /// One bit for each alternative of Check.
@@ -178,7 +179,7 @@ class RuleRange {
   [[nodiscard]] Iterator begin() const { return {table_.data(), last(), kinds_}; }
   [[nodiscard]] Iterator end() const { return {last(), last(), kinds_}; }
   [[nodiscard]] RuleRange with(Kinds kinds) const { return {table_, kinds_ & kinds}; }
-  /// Of the whole table.
+  /// The rules of the whole table.
   [[nodiscard]] std::size_t table_size() const { return table_.size(); }
 
  private:
@@ -190,16 +191,16 @@ class RuleRange {
 
 /// All rules.
 [[nodiscard]] RuleRange rules();
-/// Those with a check of one of the given kinds. Cost: a look at every row.
+/// The rules with a check of one of the given kinds. Cost: linear in the table.
 template <typename... Checks>
 [[nodiscard]] RuleRange rules_with() {
   return rules().with((RuleRange::kind<Checks> | ...));
 }
-/// The row of a code; null when there is none. Cost: one look into a table.
+/// The row of a code; null if there is none. Cost: one table access.
 [[nodiscard]] Rule const* find_rule(Code code);
-/// Of a rule of the table: its place there, counted from 0.
+/// The index of a rule in the table.
 [[nodiscard]] std::size_t number_of(Rule const& rule);
-/// What `axisc explain` prints about it. Cost: as find_rule().
+/// The page that `axisc explain` prints about a rule. Cost: one table access.
 [[nodiscard]] Page const& page(Rule const& rule);
 
 }  // namespace axisc::validator

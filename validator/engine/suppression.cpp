@@ -8,12 +8,12 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"nothing is silenced: there is no {code} on this line",
+constexpr Sentence headline{"nothing to silence: there is no {code} on this line",
                             "hier wird nichts unterdrückt: zu dieser Zeile gibt es kein {code}"};
-constexpr Sentence next_line{"nothing is silenced: there is no {code} on the next line",
+constexpr Sentence next_line{"nothing to silence: there is no {code} on the next line",
                              "hier wird nichts unterdrückt: zur nächsten Zeile gibt es kein {code}"};
 constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gibt es nicht"};
-constexpr Sentence empty{"`axisc: allow` names no code", "`axisc: allow` nennt keinen Code"};
+constexpr Sentence empty{"`axisc: allow` does not name a code", "`axisc: allow` nennt keinen Code"};
 constexpr Sentence fix{"remove {what}", "{what} entfernen"};
 
 }  // namespace axisc::validator::says
@@ -32,7 +32,7 @@ bool is_code_character(char c) {
   return ascii::is_letter(c) || ascii::is_digit(c);
 }
 
-/// Offset behind `axisc: allow`; npos where the comment says something else.
+/// Offset after `axisc: allow`; npos if the comment does not contain it.
 std::size_t behind_allow(std::string_view comment) {
   constexpr std::string_view mark = "axisc:";
   constexpr std::string_view allow = "allow";
@@ -46,7 +46,7 @@ std::size_t behind_allow(std::string_view comment) {
   return end == comment.size() || !is_code_character(comment[end]) ? end : std::string_view::npos;
 }
 
-/// The words of `AX3005, AX2005 because …`: the first one, and each one behind a comma.
+/// The words of `AX3005, AX2005 because …`: the first one, and each one after a comma.
 std::vector<Word> words_of(std::string_view comment, std::size_t from) {
   std::vector<Word> words;
   std::size_t at = from;
@@ -63,14 +63,14 @@ std::vector<Word> words_of(std::string_view comment, std::size_t from) {
   return words;
 }
 
-/// Without the comma and blanks around it.
+/// Removes the comma and the blanks around a word.
 std::string trimmed_entry(std::string_view text) {
   constexpr std::string_view around = " \t,";
   std::size_t const begin = std::min(text.find_first_not_of(around), text.size());
   return std::string(text.substr(begin, text.find_last_not_of(around) + 1 - begin));
 }
 
-/// What a repair takes out of the comment, so that the codes before and behind are still read.
+/// What a fix removes from the comment, so that the codes before and after it are still read.
 Word removed_with(std::vector<Word> const& words, std::size_t which, std::string_view comment) {
   if (words.size() == 1) {
     std::size_t begin = comment.find("axisc:");

@@ -1,4 +1,4 @@
-// Comments that silence: `axisc: allow AX3005, AX2005`.
+// Comments that silence findings: `axisc: allow AX3005, AX2005`.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -16,10 +16,10 @@ namespace axisc::validator {
 struct Allowance {
   Code code{};
   bool known = false;      ///< there is such a rule
-  bool next_line = false;  ///< the comment stands alone and speaks for the line below
+  bool next_line = false;  ///< the comment is alone on its line and applies to the line below
   std::uint32_t line = 0;  ///< the line that it silences
   Place place;             ///< of the code within the comment
-  Place removed;  ///< what goes when the code is taken out: with its comma, the last one with `axisc: allow`
+  Place removed;           ///< what a fix removes: the code with its comma; the last code with `axisc: allow`
   bool used = false;
 };
 

@@ -13,21 +13,20 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence not_found{"the file \"{file}\" does not exist", "die Datei \"{file}\" gibt es nicht"};
-constexpr Sentence is_folder{"\"{file}\" is a folder", "\"{file}\" ist ein Ordner"};
-constexpr Sentence no_permission{"the file \"{file}\" may not be read",
-                                 "die Datei \"{file}\" darf nicht gelesen werden"};
-constexpr Sentence not_readable{"the file \"{file}\" cannot be read",
-                                "die Datei \"{file}\" ist nicht lesbar"};
+constexpr Sentence not_found{"the file \"{file}\" does not exist", "die Datei „{file}“ gibt es nicht"};
+constexpr Sentence is_folder{"\"{file}\" is a folder", "„{file}“ ist ein Ordner"};
+constexpr Sentence no_permission{"access to the file \"{file}\" is denied",
+                                 "der Zugriff auf die Datei „{file}“ ist verweigert"};
+constexpr Sentence not_readable{"the file \"{file}\" cannot be read", "die Datei „{file}“ ist nicht lesbar"};
 constexpr Sentence too_large{"the file \"{file}\" is larger than 1 GiB",
-                             "die Datei \"{file}\" ist größer als 1 GiB"};
+                             "die Datei „{file}“ ist größer als 1 GiB"};
 constexpr Sentence line_too_long{"the file \"{file}\" has a line of more than 1 MiB",
-                                 "die Datei \"{file}\" hat eine Zeile von mehr als 1 MiB"};
-constexpr Sentence binary{"the file \"{file}\" is no text", "die Datei \"{file}\" ist kein Text"};
+                                 "die Datei „{file}“ hat eine Zeile von mehr als 1 MiB"};
+constexpr Sentence binary{"the file \"{file}\" is not a text file", "die Datei „{file}“ ist keine Textdatei"};
 constexpr Sentence utf16{"the file \"{file}\" is UTF-16; lists are UTF-8 or windows-1252",
-                         "die Datei \"{file}\" ist UTF-16; Listen sind UTF-8 oder windows-1252"};
+                         "die Datei „{file}“ ist UTF-16; Listen sind UTF-8 oder windows-1252"};
 constexpr Sentence image{"the file \"{file}\" is a coefficient image, not a list",
-                         "die Datei \"{file}\" ist ein Koeffizientenabbild, keine Liste"};
+                         "die Datei „{file}“ ist ein Koeffizientenabbild, keine Liste"};
 
 }  // namespace axisc::validator::says
 
@@ -51,7 +50,7 @@ bool is_absolute(std::string_view path) {
   return drive || (!path.empty() && separators.find(path.front()) != std::string_view::npos);
 }
 
-/// `name` as seen from the folder of `path`.
+/// `name` relative to the folder of `path`.
 std::string beside(std::string const& path, std::string const& name) {
   if (is_absolute(name)) return name;
   return path.substr(0, path.size() - file_name(path).size()) + name;

@@ -1,6 +1,7 @@
-// From a path to lists that were read and merged: what the rules look at.
+// Reads and merges the lists of an input: the data that the rules check.
 #pragma once
 
+#include "configuration/machine_file.hpp"
 #include "grammar/nc_program.hpp"
 #include "validator/options.hpp"
 #include "validator/values/effective_values.hpp"
@@ -23,10 +24,10 @@ struct NamedList {
 struct LoadedAxis {
   std::string name;
   machine::AxisType type = machine::AxisType::translatory;
-  std::size_t list = 0;              ///< index into LoadedMachine::lists
-  std::optional<configuration::LocatedText> drive;  ///< of the machine file; wins over kenngr.antr_typ
+  std::size_t list = 0;                             ///< index into LoadedMachine::lists
+  std::optional<configuration::LocatedText> drive;  ///< from the machine file; overrides kenngr.antr_typ
   machine::PositionController position_control =
-      machine::PositionController::unknown;  ///< of the machine file; wins over antr.operation_mode
+      machine::PositionController::unknown;  ///< from the machine file; overrides antr.operation_mode
   MergedValues merged;
 };
 
@@ -48,31 +49,32 @@ struct LoadedGroup {
       programs;  ///< indices into LoadedMachine::programs: its own and those of every group
 };
 
-/// Gantry as lists and machine file together say it.
+/// A gantry, from the lists and the machine file together.
 struct LoadedGantry {
   std::size_t master = 0;
   std::vector<std::size_t> slaves;
 };
 
-/// A part that the machine file gives an axis in a gantry.
+/// The role that the machine file gives an axis in a gantry.
 struct GantryClaim {
   std::size_t axis = 0;
   std::optional<std::size_t> master;  ///< none: the axis is a master itself
-  Place place;                        ///< the axis' name there
+  Place place;                        ///< position of the axis name in the machine file
 };
 
 struct LoadedMachine {
   std::string name;
   std::string path;  ///< the input
   std::optional<design::CycleTime> cycle_time;
-  std::deque<NamedList> lists;  ///< each file once, in the order in which they were read; none is moved
+  std::deque<NamedList> lists;  ///< each file once, in the order of reading; addresses stay valid
   std::optional<std::size_t> default_list;
-  bool default_list_missing = false;  ///< one is named and could not be read: effective values are not known
-  bool complete = true;               ///< every file that is named was read
+  bool default_list_missing = false;  ///< it is named but could not be read: effective values are unknown
+  bool complete = true;               ///< every file that the input names was read
   std::vector<LoadedAxis> axes;
-  std::vector<LoadedProgram> programs;   ///< each file once
-  std::vector<configuration::LocatedText> filter_sets;  ///< of the machine file: commands beside those of the programs
-  std::vector<LoadedGroup> groups;       ///< without any in the machine file: all axes but spindles
+  std::vector<LoadedProgram> programs;  ///< each file once
+  std::vector<configuration::LocatedText>
+      filter_sets;                  ///< from the machine file: commands in addition to those of the programs
+  std::vector<LoadedGroup> groups;  ///< if the machine file has none: one of all axes except spindles
   std::vector<LoadedGantry> gantries;
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list
@@ -86,12 +88,14 @@ struct LoadedMachine {
   }
 };
 
-/// A #FILTER command of an NC program or of `filter_sets` gives the axis' FIR filter an order.
+/// True if a #FILTER command of an NC program or of `filter_sets` gives the FIR filter of the axis an order.
 [[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 
-/// Reads the input and every file that it names. An error only where the input itself cannot be read. The machine looks
-/// into `sources`, which live longer.
-[[nodiscard]] std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files, std::string const& path,
-                                                          CheckOptions const& options, SourceSet& sources);
+/// Reads the input and every file that it names. An error only if the input itself cannot be read. The machine refers
+/// to `sources`, which must outlive it.
+[[nodiscard]] std::variant<LoadedMachine, configuration::FileError> load(configuration::Files& files,
+                                                                         std::string const& path,
+                                                                         CheckOptions const& options,
+                                                                         SourceSet& sources);
 
 }  // namespace axisc::validator

@@ -47,7 +47,7 @@ class LineAssembler {
     return true;
   }
 
-  std::string begun_;  ///< the line that the next piece goes on with
+  std::string begun_;  ///< the line that the next piece continues
 };
 
 class MarkedContent {
@@ -70,7 +70,8 @@ class ProgramReading {
   bool piece(std::string_view bytes) {
     content_.add(bytes);
     if (kept_ == ProgramText::whole) whole_ += bytes;
-    if (content_.mark().bytes > configuration::largest_file) return refuse(configuration::FileError::too_large);
+    if (content_.mark().bytes > configuration::largest_file)
+      return refuse(configuration::FileError::too_large);
     if (beginning_is_judged_) return lines(bytes);
     beginning_ += bytes;
     return beginning_.size() < configuration::judged_beginning || judge_beginning();
@@ -116,7 +117,7 @@ class ProgramReading {
 
   void add_line(std::string_view line) {
     content_.add_line(line);
-    // No character reaches over a line end, so each line tells by itself.
+    // No character crosses a line end, so each line can be checked on its own.
     is_utf8_ = is_utf8_ && valid_utf8_prefix(line) == line.size();
     if (reader_.program().lines == 0 && line.starts_with(byte_order_mark)) {
       has_mark_ = true;
@@ -139,7 +140,8 @@ class ProgramReading {
 
 }  // namespace
 
-std::variant<ReadProgram, configuration::FileError> read_program(configuration::Files& files, std::string const& path, ProgramText kept) {
+std::variant<ReadProgram, configuration::FileError> read_program(configuration::Files& files,
+                                                                 std::string const& path, ProgramText kept) {
   ProgramReading reading(kept);
   auto const error = files.read_pieces(path, [&](std::string_view piece) { return reading.piece(piece); });
   if (error) return *error;

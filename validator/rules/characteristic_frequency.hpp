@@ -1,4 +1,4 @@
-// Every characteristic frequency that something of an axis is designed with.
+// The characteristic frequencies of the filters of an axis.
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -9,19 +9,19 @@
 
 namespace axisc::validator::checks {
 
-/// The part of the control that designs a filter, and that speaks of it.
+/// The part of the control that designs a filter and reports about it.
 enum class Filtering : std::uint8_t { setpoint, position_controller };
 
 /// References stay valid while the EffectiveValues live.
 struct CharacteristicFrequency {
   EffectiveValue const& frequency;
-  EffectiveValue const& anchor;  ///< where a finding about it stands
+  EffectiveValue const& anchor;  ///< the place of a finding about it
   std::string user;              ///< what uses it, as a list writes it: "LOWPASS", "filter_fir.type 3"
   Filtering filtering;
 };
 
-/// Of the active standard filters, a configured HSC NoVib or windowed sinc, and the active stages of the
-/// Improved Position Control, where a list or a meaningful default gives one.
+/// The frequencies of the active standard filters, of a configured HSC NoVib or windowed sinc, and of
+/// the active stages of Improved Position Control, if a list or a meaningful default sets one.
 [[nodiscard]] std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext const& axis);
 
 }  // namespace axisc::validator::checks

@@ -12,11 +12,11 @@ namespace axisc::validator::says {
 
 constexpr Sentence type_here{"the type is set here", "hier wird der Typ gesetzt"};
 constexpr Sentence type_default{"no list sets `{parameter}`: the type is `{type}` by default",
-                                "keine Liste setzt `{parameter}`: ohne Angabe ist der Typ `{type}`"};
-constexpr Sentence filter_default{"no list sets `{parameter}`: the default {value} counts",
+                                "keine Liste setzt `{parameter}`: der Typ ist dann `{type}`"};
+constexpr Sentence filter_default{"no list sets `{parameter}`: the default {value} applies",
                                   "keine Liste setzt `{parameter}`: es gilt der Standardwert {value}"};
 constexpr Sentence time_in_cycles{"{time} ({milliseconds}) are {cycles} cycles of {cycle}",
-                                  "{time} ({milliseconds}) sind {cycles} Takte zu {cycle}"};
+                                  "{time} ({milliseconds}) sind {cycles} Zyklen zu {cycle}"};
 
 }  // namespace axisc::validator::says
 

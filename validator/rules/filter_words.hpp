@@ -2,8 +2,8 @@
 #pragma once
 
 #include "diagnostics/finding.hpp"
-#include "validator/views/filter_view.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/views/filter_view.hpp"
 
 #include <string>
 #include <string_view>
@@ -12,10 +12,10 @@ namespace axisc::validator::checks {
 
 /// "filter[0]", "lr_param.add_interface.filter[0]".
 [[nodiscard]] std::string filter_name(FilterView const& filter);
-/// The word of a symbol, also where its number or the internal default counts: "BUTTERWORTH".
+/// The symbol of a value, also if the list has its number or the internal default applies: "BUTTERWORTH".
 [[nodiscard]] std::string symbol_word(EffectiveValue const& value);
 
-/// A value for a person: six significant digits, integers in full.
+/// A value for display: six significant digits, integers in full.
 [[nodiscard]] std::string number(double value);
 /// "10.9" for a share of 0.109: one decimal, two significant digits below a tenth of a percent.
 [[nodiscard]] std::string percent(double share);
@@ -24,27 +24,28 @@ namespace axisc::validator::checks {
 /// "12 ms".
 [[nodiscard]] std::string milliseconds(double value);
 
-/// "12000 µs (12 ms) are 12 cycles of 1000 µs", of a time in microseconds.
+/// A time in microseconds: "12000 µs (12 ms) are 12 cycles of 1000 µs".
 [[nodiscard]] Message time_in_cycles(double time, design::CycleTime cycle_time);
 
-/// What the control does; `value` is what it goes on with.
+/// Sets the reaction of the control; `value` is what it continues with.
 void react(Finding& finding, Message reaction, std::string value = {});
-/// Where only one or some of the row's message numbers fit: `control` is these.
+/// Sets the reaction with `control`, those of the row's message numbers that fit.
 void react(Finding& finding, std::string_view control, Message reaction, std::string value = {});
 
-/// Says which default counts where no list sets `value`.
+/// Adds which default applies if no list sets `value`.
 void note_default(Finding& finding, EffectiveValue const& value);
 
-/// Points at a type where a list sets it.
+/// Points to a type if a list sets it.
 void relate_set_type(Finding& finding, EffectiveValue const& type);
-/// Points at the type where a list sets it; else notes which type counts by default.
+/// Points to the type if a list sets it; else notes which type applies by default.
 void relate_type(Finding& finding, FilterView const& filter);
 
-/// What the control says of a time constant that it refuses: on a path axis, on a spindle, in the position controller.
+/// Message numbers of the control for a time constant that it rejects: on a path axis, on a spindle, in the position
+/// controller.
 inline constexpr std::string_view path_refuses_time = "50663";
 inline constexpr std::string_view spindle_refuses_time = "60311";
 inline constexpr std::string_view position_controller_refuses_time = "70451";
-/// The one of them that fits.
+/// The message number that fits the filter.
 [[nodiscard]] std::string_view time_constant_message(FilterContext const& context);
 
 }  // namespace axisc::validator::checks

@@ -1,8 +1,8 @@
-// How long each axis of a channel is delayed: where that differs, the contour is bent.
+// The delay of each axis of a channel. Different delays distort the contour.
 #pragma once
 
-#include "validator/views/axis_delay.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/views/axis_delay.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace axisc::validator::checks {
 
-/// In cycles: axes whose delays differ by less are delayed alike.
+/// In cycles: delays that differ by less count as equal.
 inline constexpr double noticeable_delay = 0.5;
 
 struct DelayedAxis {
@@ -32,13 +32,13 @@ using Delays = std::vector<DelayedAxis>;
 /// Index of the axis whose cause is last in the lists; none where no list delays anything.
 [[nodiscard]] std::optional<std::size_t> last_cause(Delays const& delays);
 
-/// Cycles as a person reads them.
+/// Cycles for display.
 [[nodiscard]] std::string cycles_text(double cycles);
 
-/// How long an axis is delayed.
+/// States the delay of an axis.
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);
 
-/// Points at what delays the axes other than `reported`.
+/// Points to what delays the axes other than `reported`.
 void relate_others(Finding& finding, Delays const& delays, std::size_t reported);
 
 }  // namespace axisc::validator::checks

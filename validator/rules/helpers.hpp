@@ -16,7 +16,7 @@ namespace axisc::validator {
   return {.sentence = text, .arguments = std::move(arguments)};
 }
 
-/// The same of values that are moved, for checks that many lines of one list may fail.
+/// A message from arguments that are moved, for checks that many lines of one list may fail.
 template <typename... Arguments>
 [[nodiscard]] Message message_of(SentenceRef text, Arguments... arguments) {
   Message result{.sentence = text, .arguments = {}};
@@ -29,7 +29,7 @@ template <typename... Arguments>
   return {.source = context.list.source, .span = span};
 }
 
-/// One assignment of a list, for checks of single lines and for the words of their findings.
+/// One assignment of a list, for checks of single lines and for the text of their findings.
 struct Line {
   ListContext const& context;
   std::uint32_t number;
@@ -37,19 +37,19 @@ struct Line {
   [[nodiscard]] grammar::Assignment const& assignment() const {
     return context.list.tree.assignments[number];
   }
-  /// Of a line that may be wrong by itself; context.list.readings has those of all lines.
+  /// The full reading of a doubtful line; context.list.readings has those of all lines.
   [[nodiscard]] Reading const& reading() const { return context.list.readings.closer(number); }
   [[nodiscard]] Place place(Span span) const { return place_of(context, span); }
-  /// As the list writes it.
+  /// The name as written in the list.
   [[nodiscard]] std::string name() const { return context.source.utf8(assignment().name); }
   [[nodiscard]] std::string text(Span span) const { return context.source.utf8(span); }
 };
 
-/// What every finding about a line says of its parameter.
+/// Sets what every finding about a line states about its parameter.
 void name_parameter(Finding& finding, Line const& line);
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot);
 
-/// A finding at `span` of a line, about its parameter where that is known; `describe(finding, line)` makes its words.
+/// A finding at `span` of a line, about its parameter if that is known; `describe(finding, line)` makes its text.
 template <auto describe>
 Reported& report_line(Report& report, Line const& line, Span span) {
   return report.later(line.place(span), [line](Finding& finding) {
@@ -60,25 +60,25 @@ Reported& report_line(Report& report, Line const& line, Span span) {
 
 void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments = {},
                   std::string value = {});
-/// Says beside the control's value, which is the raw number `value`, what that is for a person.
+/// Adds the control's value, the raw number `value`, in its usual unit.
 void add_physical(Finding& finding, schema::Parameter const& row, machine::AxisType type, double value);
 
 /// A fix of one edit.
 [[nodiscard]] Fix replace_by(Place place, std::string text, Message title,
                              FixSafety safety = FixSafety::changes_behaviour);
 
-/// The lists of an axis in the order in which they count; the first may be null.
+/// The lists of an axis, default list first; the default list may be null.
 [[nodiscard]] inline std::array<LoadedList const*, 2> lists_of(AxisContext const& context) {
   return {context.default_list, &context.axis_list};
 }
 
-/// Calls `visit(line)` for the assignments that alone may be wrong by themselves.
+/// Calls `visit(line)` for the assignments that may be wrong on their own.
 template <typename Visit>
 void for_each_doubtful(ListContext const& context, Visit visit) {
   for (std::uint32_t const number : context.list.readings.doubtful()) visit(Line{context, number});
 }
 
-/// One assignment of a list as an axis sees it, for checks that depend on the axis' type.
+/// One assignment of a list as an axis sees it, for checks that depend on the axis type.
 struct AxisLine {
   AxisContext const& context;
   std::uint32_t number;
@@ -88,7 +88,7 @@ struct AxisLine {
     return in_default_list ? *context.default_list : context.axis_list;
   }
   [[nodiscard]] grammar::Assignment const& assignment() const { return list().tree.assignments[number]; }
-  /// Of a line that may be wrong by itself.
+  /// The full reading of a doubtful line.
   [[nodiscard]] Reading const& reading() const { return list().readings.closer(number); }
   [[nodiscard]] Place place() const { return {.source = list().source, .span = assignment().value}; }
 };

@@ -1,4 +1,4 @@
-// What the rules about HSC filters point at.
+// What the rules about HSC filters point to.
 #pragma once
 
 #include "diagnostics/finding.hpp"

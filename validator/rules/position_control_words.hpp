@@ -1,8 +1,8 @@
 // What the rules about Improved Position Control share.
 #pragma once
 
-#include "validator/views/position_control_view.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/views/position_control_view.hpp"
 
 #include <vector>
 
@@ -12,14 +12,14 @@ namespace axisc::validator::checks {
   return axis.machine.axes[axis.index];
 }
 
-/// Points at where a list enables the function.
+/// Points to where a list enables the function.
 void relate_enable(Finding& finding, PositionControlView const& view);
-/// Points at where a list sets the stage's mode.
+/// Points to where a list sets the stage's mode.
 void relate_mode(Finding& finding, StageView const& stage);
 
 /// Values that a list sets.
 using SetValues = std::vector<EffectiveValue const*>;
-/// The one whose line counts last; null where there are none.
+/// The value whose line comes last; null if there are none.
 [[nodiscard]] EffectiveValue const* last_of(SetValues const& values);
 
 /// Calls `visit(stage, damping)` for the damping of each vibration that a stage simulates, in INDIRECT and SET_POINT; a

@@ -5,14 +5,14 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence here_too{"the same holds here", "dasselbe gilt hier"};
+constexpr Sentence here_too{"the same applies here", "dasselbe gilt hier"};
 
 }  // namespace axisc::validator::says
 
 namespace axisc::validator {
 namespace {
 
-/// A finding with more related places than these helps nobody.
+/// More related places than these do not help.
 constexpr std::size_t most_related = 20;
 
 }  // namespace

@@ -8,11 +8,12 @@
 
 namespace axisc::validator {
 
-/// `#FILTER` as it switches FIR filters: without [HSC]. On: `#FILTER ON` alone.
+/// True for a `#FILTER` that applies to FIR filters: one without [HSC].
 [[nodiscard]] bool is_fir_filter(ProgramContext const& context, grammar::NcCommand const& command);
+/// True for a `#FILTER ON` that applies to FIR filters.
 [[nodiscard]] bool is_fir_filter_on(ProgramContext const& context, grammar::NcCommand const& command);
 
-/// The names of the program's commands that `wanted` chooses.
+/// The names of the program's commands that `wanted` selects.
 template <typename Wanted>
 [[nodiscard]] std::vector<Span> commands_where(ProgramContext const& context, Wanted wanted) {
   std::vector<Span> spans;
@@ -22,12 +23,12 @@ template <typename Wanted>
   return spans;
 }
 
-/// One finding at the last of `spans`; the others are related, of a great many the last ones. `spans` is not empty and
-/// in the order of the text.
+/// One finding at the last of `spans`; the others are related places, limited to the last ones. `spans` is not empty
+/// and in the order of the text.
 Finding& report_at_last(ProgramContext const& context, Report& report, std::vector<Span> const& spans,
                         Message message);
 
-/// The axes of the channel that `wanted` chooses; none for a program that no channel runs.
+/// The axes of the channel that `wanted` selects; none for a program that no channel runs.
 template <typename Wanted>
 [[nodiscard]] std::vector<LoadedAxis const*> axes_where(ProgramContext const& context, Wanted wanted) {
   std::vector<LoadedAxis const*> axes;
@@ -42,7 +43,7 @@ template <typename Wanted>
 /// "X, Y".
 [[nodiscard]] std::string names_of(std::vector<LoadedAxis const*> const& axes);
 
-/// Sets the finding's axis where it is a single one.
+/// Sets the finding's axis if there is only one.
 void set_axis(Finding& finding, std::vector<LoadedAxis const*> const& axes);
 
 /// Relates the places where the axes' lists set a parameter.

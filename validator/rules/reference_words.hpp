@@ -1,4 +1,4 @@
-// What the rules about references say: a value that names another parameter, "P-AXIS-00212.0".
+// Helpers of the rules about references: values that name another parameter, "P-AXIS-00212.0".
 #pragma once
 
 #include "validator/engine/rule.hpp"
@@ -15,17 +15,17 @@ void for_each_problem(AxisContext const& context, ReferenceTrouble trouble, Visi
   }
 }
 
-/// "P-AXIS-00212" as the reference names it, also where no such number exists.
+/// "P-AXIS-00212" as the reference names it, even if no such number exists.
 [[nodiscard]] std::string named(ReferenceProblem const& problem);
 
 /// The parameter in `slot`, with its index.
 [[nodiscard]] std::string name_of(AxisContext const& context, schema::Slot slot);
 
-/// The control goes on with the value of the default list, or with the documented default; which one is not said where
-/// that is not known either.
+/// The control continues with the value of the default list, or with the documented default; the value is omitted if
+/// it is unknown.
 void keep_earlier(AxisContext const& context, Finding& finding, EffectiveValue const& value);
 
-/// Names the parameter that the reference leads to, and points at its value where a list sets it.
+/// Names the parameter that the reference leads to, and points to its value if a list sets it.
 void add_target(AxisContext const& context, Finding& finding, ReferenceProblem const& problem);
 
 }  // namespace axisc::validator::checks

@@ -12,7 +12,7 @@ constinit Sentence const filter_value_ignored{"the value is ignored", "der Wert 
 constinit Sentence const kernel_reaction_not_active{"the filter is not active", "der Filter ist nicht aktiv"};
 
 constinit Sentence const group_axis_delay{"axis \"{axis}\": {cycles} cycles",
-                                          "Achse \"{axis}\": {cycles} Takte"};
+                                          "Achse „{axis}“: {cycles} Zyklen"};
 constinit Sentence const group_help_same{"configure the filters of all axes of a channel alike",
                                          "die Filter aller Achsen eines Kanals gleich konfigurieren"};
 

@@ -6,7 +6,7 @@
 
 namespace axisc::validator::checks {
 
-/// A finding for each problem of a kind; `describe(finding, context, problem)` makes its words.
+/// A finding for each problem of a kind; `describe(finding, context, problem)` makes its text.
 template <auto describe>
 void report_problems(ListContext const& context, grammar::ProblemKind kind, Report& report) {
   for (grammar::Problem const& problem : context.list.tree.problems) {

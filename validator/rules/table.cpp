@@ -1,4 +1,4 @@
-// The table of all rules, of the folders beside this file.
+// The table of all rules, from the folders next to this file.
 #include "rule_folders.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/rules/page_table.hpp"
@@ -20,7 +20,7 @@ constexpr std::size_t possible_codes = 10000;
 constexpr std::uint8_t no_rule = 255;
 static_assert(table.size() < no_rule);
 
-/// The number of a code's rule in the table.
+/// The index of a code's rule in the table.
 constexpr auto number_of_code = [] {
   std::array<std::uint8_t, possible_codes> numbers{};
   numbers.fill(no_rule);

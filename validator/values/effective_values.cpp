@@ -47,7 +47,7 @@ bool configured(EffectiveValue const& value) {
   if (!value.set() || value.unusable) return false;
   auto const standard = schema::default_value(*value.row);
   if (!standard || standard->number != value.value.number) return true;
-  // Some words have no number.
+  // Some symbols have no number.
   return !standard->text.empty() && !value.value.text.empty() && standard->text != value.value.text;
 }
 
@@ -118,7 +118,7 @@ std::vector<EffectiveValue const*> EffectiveValues::set_values() const {
       if (counts) values.push_back(&value);
     }
   }
-  // Lines that were meant for a parameter and are no assignments.
+  // Lines that were meant for a parameter but are not assignments.
   std::size_t const assigned = values.size();
   for (std::vector<EffectiveValue> const& block : blocks_) {
     for (EffectiveValue const& value : block) {

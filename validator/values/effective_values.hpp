@@ -1,5 +1,5 @@
-// Internal defaults, then the default list, then the axis' own list: what the control would run with, and
-// why.
+// Internal defaults, then the default list, then the axis' own list: what the control uses, and where it
+// comes from.
 #pragma once
 
 #include "diagnostics/source_text.hpp"
@@ -30,19 +30,19 @@ struct EffectiveValue {
   std::uint32_t line = 0;
   schema::Slot slot{};
   Origin origin = Origin::internal_default;
-  bool has_value = false;  ///< the line that counts could be read as name and value: `value_span` is one
+  bool has_value = false;  ///< the line that applies was read as name and value: `value_span` is valid
   /// A list sets the parameter, but the line cannot be used (it has a finding of its own). Rules that need
-  /// the value stay silent: one mistake, one message. `value` is then that of the earlier stage.
+  /// the value stay silent: one mistake, one message. `value` is then the last usable one before that line.
   bool unusable = false;
   bool referenced = false;  ///< the value came through a reference to another parameter
 
   [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
-  /// The token in the list that counts; none for the internal default.
+  /// The value token in the list that applies; none for the internal default.
   [[nodiscard]] std::optional<Place> value_place() const {
     if (!has_value) return std::nullopt;
     return Place{.source = source, .span = value_span};
   }
-  /// The same of the name.
+  /// The name token in the list that applies; none for the internal default.
   [[nodiscard]] std::optional<Place> name_place() const {
     if (!set()) return std::nullopt;
     return Place{.source = source, .span = name_span};
@@ -53,15 +53,15 @@ struct EffectiveValue {
 /// means "not configured".
 [[nodiscard]] bool configured(EffectiveValue const& value);
 
-/// All parameters of one axis that a list sets, and the documented defaults of the others. Of both, most nobody asks for, so
-/// a value is made when it is first looked at, and stays where it is: one EffectiveValues serves one thread at a time.
+/// All parameters of one axis that a list sets, and the documented defaults of the others. Values are created on first
+/// access and never move: one EffectiveValues serves one thread at a time.
 class EffectiveValues {
  public:
   explicit EffectiveValues(schema::Catalogue catalogue = {});
-  /// What the lines of the lists say, of which the first may be null; they live longer. Lines without a value of their own
-  /// are for who calls edit().
+  /// Values from the lines of the lists; the first list may be null, and both must outlive this object. Lines without a
+  /// value of their own are left to the caller, through edit().
   EffectiveValues(LoadedList const* default_list, LoadedList const& axis_list);
-  /// Moving leaves the values where they are.
+  /// Moving keeps the addresses of the values.
   EffectiveValues(EffectiveValues&&) noexcept = default;
   EffectiveValues& operator=(EffectiveValues&&) noexcept = default;
   EffectiveValues(EffectiveValues const&) = delete;
@@ -90,15 +90,15 @@ class EffectiveValues {
     };
     return sets(lists_[0]) || sets(lists_[1]);
   }
-  /// What lists set in the order in which the lines that count stand, default list first. Cost: all of them are made and
-  /// sorted.
+  /// The values that lists set, in the order of the lines that apply, default list first. Cost: all of them are created
+  /// and sorted.
   [[nodiscard]] std::vector<EffectiveValue const*> set_values() const;
-  /// Those whose value came through a reference.
+  /// The values that came through a reference.
   [[nodiscard]] std::vector<schema::Slot> const& referenced_slots() const { return referenced_slots_; }
 
   /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
   EffectiveValue& edit(schema::Slot slot);
-  /// The value of a reference, which was looked up.
+  /// Sets the value of a reference that was looked up.
   void refer(schema::Slot slot, schema::Value value);
 
  private:
@@ -106,24 +106,24 @@ class EffectiveValues {
   static constexpr std::size_t block_size = 64;
 
   EffectiveValue const& look_up(schema::Slot slot) const;
-  /// Makes the entry of a slot that has none.
+  /// Creates the entry of a slot that has none.
   EffectiveValue& add(EffectiveValue value) const;
   [[nodiscard]] EffectiveValue& value_at(std::size_t index) const {
     return blocks_[index / block_size][index % block_size];
   }
 
   schema::Catalogue catalogue_;
-  std::array<LoadedList const*, 2> lists_{};  ///< the one that counts first; null where there is none
+  std::array<LoadedList const*, 2> lists_{};  ///< default list first; null if there is none
   /// 0: not yet looked at; else index + 1. There are at most schema::most_slots.
   mutable std::vector<std::uint16_t> entry_of_slot_;
   mutable std::vector<std::vector<EffectiveValue>> blocks_;
   std::vector<schema::Slot> referenced_slots_;
 };
 
-/// What a line of a list gives its parameter, which is known.
+/// The value that a line of a list gives its parameter, which must be known.
 [[nodiscard]] EffectiveValue value_of_line(LoadedList const& list, std::size_t assignment);
 
-/// Whether the line that counts for `a` stands before that for `b`: by list, the default list first, and line.
+/// Whether the line that applies to `a` comes before that for `b`: by list, the default list first, then by line.
 [[nodiscard]] bool stands_before(EffectiveValue const& a, EffectiveValue const& b);
 
 /// `filter[2].order`, and "P-AXIS-00140" or empty.

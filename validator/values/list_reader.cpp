@@ -30,7 +30,8 @@ bool is_doubtful(grammar::Assignment const& assignment, Reading const& reading) 
   }
   if (reading.status == ReadingStatus::reference) return false;
   std::size_t const most = reading.row->max_length;
-  return schema::is_outside(*reading.row, reading.value.number) || (most != 0 && reading.value.text.size() > most);
+  return schema::is_outside(*reading.row, reading.value.number) ||
+         (most != 0 && reading.value.text.size() > most);
 }
 
 bool may_name_numbers(std::string_view text) {
@@ -54,7 +55,7 @@ class ListReader {
     std::string_view line;
     do {
       read_plain_lines(splitter);
-      // Near the text's end, and where a line is too long to be plain.
+      // Near the end of the text, and for lines too long to be plain.
       if (splitter.next(line)) read_by_grammar(line, splitter.number());
     } while (!splitter.at_end());
     return finish(std::move(lines_).finish(splitter.number()));
@@ -122,7 +123,7 @@ class ListReader {
     keep(kept, count);
   }
 
-  /// False for a line that is left to the grammar.
+  /// False if the line is left to the grammar.
   bool read_plain(std::size_t i) {
     schema::PlainParameter const& parameter = parameters_[i];
     PlainValue value;
@@ -134,7 +135,8 @@ class ListReader {
     return true;
   }
 
-  /// One that is no plain one. What the grammar would make of it can be told where its name is known and its value looks simple.
+  /// A line that is not plain. If its name is known and its value looks simple, the result of the grammar is known
+  /// without parsing.
   void read_closer(grammar::PlainLines const& lines, std::size_t i) {
     grammar::Assignment& assignment = batch_[i];
     auto const kind = grammar::lexical::simple_kind(source_.slice(assignment.value));
@@ -147,7 +149,7 @@ class ListReader {
     look_closer(assignment, parameters_[i]);
   }
 
-  /// Those that were read without the grammar.
+  /// Adds the assignments that were read without the grammar.
   void keep(std::size_t begin, std::size_t end) {
     auto number = static_cast<std::uint32_t>(result_.brief_.size());
     for (std::size_t i = begin; i < end; ++i) note_slot(parameters_[i].slot, ++number);
@@ -155,11 +157,11 @@ class ListReader {
     result_.brief_.insert(result_.brief_.end(), readings_.data() + begin, readings_.data() + end);
   }
 
-  /// `parameter` is that of the name, where it was looked up already.
+  /// `parameter` is that of the name, if it was looked up already.
   void read_by_grammar(std::string_view line, std::uint32_t number, schema::PlainParameter parameter = {}) {
     std::size_t const before = lines_.list().assignments.size();
     result_.may_name_numbers_ |= may_name_numbers(line);
-    // Most texts nobody has to ask for their encoding.
+    // The encoding is determined only for non-ASCII text.
     bool const is_ascii = ascii_prefix(line) == line.size();
     lines_.read(line, number, !is_ascii && source_.encoding() == Encoding::windows_1252);
     if (lines_.list().assignments.size() != before) look_closer(lines_.list().assignments.back(), parameter);
@@ -167,7 +169,7 @@ class ListReader {
 
   void look_closer(grammar::Assignment const& assignment, schema::PlainParameter parameter) {
     auto const number = static_cast<std::uint32_t>(result_.brief_.size());
-    // In one go: where one line is wrong, many may be.
+    // Reserve at once: if one line is wrong, many may be.
     if (result_.others_.empty()) result_.others_.reserve(result_.brief_.capacity());
     Reading& reading = result_.others_.emplace_back();
     reading.text = assignment.value;
@@ -197,7 +199,7 @@ class ListReader {
     reading.name_folded = lookup.case_folded;
   }
 
-  /// Of an assignment, counted from 1.
+  /// Notes the slot of an assignment, counted from 1.
   void note_slot(schema::Slot slot, std::uint32_t assignment) {
     std::uint32_t& last = result_.last_of_slot_[static_cast<std::size_t>(slot)];
     repetitions_ |= last;
@@ -216,7 +218,7 @@ class ListReader {
   schema::Catalogue const& catalogue_;
   grammar::AxisListReader lines_;
   Readings result_;
-  // Of the lines that are read at once.
+  // Buffers for the lines of one batch.
   std::array<grammar::Assignment, schema::names_at_once> batch_;
   std::array<std::string_view, schema::names_at_once> names_;
   std::array<schema::PlainParameter, schema::names_at_once> parameters_;
@@ -230,7 +232,7 @@ ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue)
 }
 
 grammar::AxisList parse_list(SourceText const& source) {
-  // The encoding is asked for only where a byte depends on it.
+  // The encoding is determined only if a byte depends on it.
   bool const is_ascii = ascii_prefix(source.bytes()) == source.bytes().size();
   return grammar::parse_axis_list(source.bytes(), source.text_begin(),
                                   !is_ascii && source.encoding() == Encoding::windows_1252);

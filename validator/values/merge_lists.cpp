@@ -1,5 +1,5 @@
-#include "validator/values/effective_values.hpp"
 #include "machine/machine.hpp"
+#include "validator/values/effective_values.hpp"
 #include "validator/values/references.hpp"
 #include "validator/values/merge_lists.hpp"
 
@@ -12,8 +12,8 @@
 namespace axisc::validator {
 namespace {
 
-/// For most parameters the last line of the last list counts. Where a line cannot be used, or gives no value of its own, it
-/// matters what stands before it: then all lines of its parameter are gone through in their order.
+/// For most parameters the last line of the last list applies. If a line cannot be used, or has no value of its own,
+/// the lines before it matter: then all lines of its parameter are processed in order.
 class Merger {
  public:
   Merger(LoadedList const* default_list, LoadedList const& axis_list)

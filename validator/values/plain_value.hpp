@@ -1,5 +1,5 @@
-// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is compared with what
-// its parameter plainly takes (schema/plain_values.hpp). What is read here, the grammar and the closer look
+// Values that are beyond doubt, read without the grammar: the token of a line that was cut at its blanks is compared
+// with what its parameter plainly takes (schema/plain_values.hpp). What is read here, the grammar and the closer look
 // (validator/values/judgement.hpp) read the same.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace axisc::validator {
 
-/// What a plain value says.
+/// The result of reading a plain value.
 struct PlainValue {
   double number = 0;
   std::uint8_t text = BriefReading::no_text;
@@ -34,7 +34,7 @@ class PlainValueReader {
         trailer_(assignment.trailer_kind),
         has_room_(assignment.value.end >= room_before_number_end) {}
 
-  /// False for what has to be looked at more closely.
+  /// False if the value has to be judged closely.
   [[nodiscard, gnu::always_inline]] bool read(schema::PlainValues const& values, PlainValue& out) const {
     using schema::PlainKind;
     if (!has_room_ || trailer_ == grammar::TrailerKind::text) return false;
@@ -58,7 +58,7 @@ class PlainValueReader {
  private:
   using ValueKind = grammar::ValueKind;
 
-  /// FALSE and TRUE are the first words of a boolean; behind them everything is a comment.
+  /// FALSE and TRUE are the first words of a boolean; everything after them is a comment.
   static constexpr std::uint8_t truth_values = 2;
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
@@ -68,7 +68,7 @@ class PlainValueReader {
                              static_cast<unsigned>(number <= values.highest));
   }
 
-  /// Behind a word only `(` opens a comment.
+  /// After a word only `(` opens a comment.
   [[nodiscard]] bool comment_may_follow_word() const {
     return trailer_ == grammar::TrailerKind::none || trailer_ == grammar::TrailerKind::parenthesis;
   }
@@ -88,7 +88,7 @@ class PlainValueReader {
     return read_short_real(begin_, end_, out.number) && !has_leading_zero();
   }
 
-  /// Of at most thirteen digits, which a double holds exactly.
+  /// A hexadecimal number of at most thirteen digits, which a double holds exactly.
   bool hexadecimal(PlainValue& out) const {
     constexpr std::size_t prefix = grammar::lexical::hexadecimal_prefix.size();
     if (size() - prefix - 1 >= 13 || !grammar::lexical::begins_hexadecimal({begin_, end_})) return false;
@@ -126,7 +126,7 @@ class PlainValueReader {
     return false;
   }
 
-  /// Letters, digits and what may stand between them; no reference.
+  /// Letters, digits and the characters allowed between them; not a reference.
   bool text(schema::PlainValues const& values, PlainValue& out) const {
     using namespace grammar;
     bool const may_be_reference =

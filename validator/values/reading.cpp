@@ -22,14 +22,14 @@ bool was_meant_for_comment(std::string_view text) {
   return text.starts_with(grammar::lexical::hash) || text.starts_with(grammar::lexical::slash_star);
 }
 
-/// The place of the first `#` or `/*`; the end where there is none. Texts are short, too short for a search to pay.
+/// The place of the first `#` or `/*`; the end where there is none. Texts are too short for a faster search to pay off.
 std::size_t comment_opener(std::string_view text) {
   std::size_t place = 0;
   while (place < text.size() && !was_meant_for_comment(text.substr(place))) ++place;
   return place;
 }
 
-/// One assignment on its way to a reading.
+/// Judges one assignment.
 class Judge {
  public:
   Judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
@@ -66,7 +66,7 @@ class Judge {
   [[nodiscard]] Span free_text() const { return grammar::free_text(source_.bytes(), assignment_); }
   [[nodiscard]] std::string_view token() const { return source_.slice(assignment_.value); }
 
-  /// The bytes themselves where they are UTF-8 as they stand.
+  /// The bytes themselves if they are UTF-8.
   std::string_view utf8(Span span) {
     std::string_view const bytes = source_.slice(span);
     auto const is_ascii = [](char byte) { return (static_cast<unsigned char>(byte) & 0x80U) == 0; };
@@ -99,7 +99,7 @@ class Judge {
     }
   }
 
-  /// True for what is no number although one was meant; the reading says so then.
+  /// True for a malformed number, which is then noted in the reading.
   bool broken_number() {
     if (assignment_.kind == ValueKind::decimal_comma) {
       fail(ReadingStatus::decimal_comma);
@@ -174,7 +174,8 @@ class Judge {
     std::string_view rest = source_.slice(free_text());
     while (true) {
       std::size_t const bar = rest.find('|');
-      schema::SymbolReading const symbol = schema::read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
+      schema::SymbolReading const symbol =
+          schema::read_symbol(parameter, ascii::trimmed(rest.substr(0, bar)));
       if (symbol.symbol == nullptr) return fail(ReadingStatus::unknown_symbol);
       reading_.symbol_folded = reading_.symbol_folded || symbol.folded;
       if (bar == std::string_view::npos) break;
@@ -199,7 +200,7 @@ class Judge {
     reading_.value = value;
   }
 
-  /// What stands behind a symbol or a closing quote before a `(` opens a comment.
+  /// Text after a symbol or a closing quote, before a `(` opens a comment.
   [[nodiscard]] Span text_behind(std::uint32_t symbol_end) const {
     std::uint32_t const begin = reading_.quoted ? assignment_.trailer.begin : symbol_end;
     std::uint32_t const end = reading_.quoted ? assignment_.trailer.end : free_text().end;
@@ -212,13 +213,13 @@ class Judge {
     return {.begin = first, .end = first + static_cast<std::uint32_t>(content.size())};
   }
 
-  /// Everything there belongs to the string for the control.
+  /// For the control, all this text belongs to the string.
   void text_behind_symbol(std::uint32_t symbol_end) {
     reading_.trouble = text_behind(symbol_end);
     if (!reading_.trouble.empty()) fail(ReadingStatus::comment_in_string);
   }
 
-  /// An unknown word with a comment behind it has two mistakes.
+  /// An unknown word followed by a comment contains two mistakes.
   void unknown_symbol(std::uint32_t symbol_end) {
     fail(ReadingStatus::unknown_symbol);
     Span const text = text_behind(symbol_end);
@@ -249,7 +250,7 @@ Reference read_reference(std::string_view text) {
   char const* const end = text.data() + text.size();
   auto const number = std::from_chars(text.data() + std::min(prefix, text.size()), end, reference.p_axis);
   if (number.ptr != end && *number.ptr == '.') {
-    // An index that fits no number is out of every range.
+    // An index too large for a number is out of every range.
     auto const index = std::from_chars(number.ptr + 1, end, reference.index);
     if (index.ec == std::errc::result_out_of_range) reference.index = UINT32_MAX;
   }

@@ -25,7 +25,7 @@ enum class ReadingStatus : std::uint8_t {
   unknown_symbol,     ///< AX2007
 };
 
-/// A reference as it stands in a list: P-AXIS-00212.1.
+/// A reference as written in a list: P-AXIS-00212.1.
 struct Reference {
   std::uint32_t p_axis = 0;
   std::uint32_t index = 0;
@@ -39,14 +39,14 @@ struct Reading {
   schema::Value value;
   Reference reference;  ///< for ReadingStatus::reference
   Span text;            ///< the value as the control reads it: the token, or the whole of a free string
-  Span trouble;         ///< text behind a symbol or in a string that was meant as a comment (AX1009)
+  Span trouble;         ///< text after a symbol or in a string that was meant as a comment (AX1009)
   schema::Slot slot{};  ///< where known()
   NameStatus name_status = NameStatus::unknown;
   ReadingStatus status = ReadingStatus::not_judged;
   schema::NumberStatus number = schema::NumberStatus::good;
   bool name_folded = false;    ///< the name fits only after case folding (AX1010)
-  bool symbol_folded = false;  ///< the same of a symbol
-  bool quoted = false;         ///< the text stands in quotes
+  bool symbol_folded = false;  ///< the symbol fits only after case folding (AX1010)
+  bool quoted = false;         ///< the text is in quotes
 
   [[nodiscard]] bool known() const { return name_status == NameStatus::found; }
   /// The line gives its parameter a value, directly or by reference.

@@ -11,10 +11,10 @@ using schema::Slot;
 
 struct Target {
   std::optional<Slot> slot;
-  ReferenceTrouble trouble = ReferenceTrouble::unresolvable;  ///< where there is no slot
+  ReferenceTrouble trouble = ReferenceTrouble::unresolvable;  ///< if there is no slot
 };
 
-/// Several names may share one number: the one that a list sets is meant, else the first.
+/// Several names may share one number: the one that a list sets is used, else the first.
 Target find_target(Reference const& reference, EffectiveValues const& values) {
   Target target;
   if (reference.p_axis == 0 || reference.p_axis > UINT16_MAX) return target;

@@ -1,8 +1,8 @@
 // Decimal numbers of a few digits, as nearly all numbers of a list are, eight digits at a time.
 //
-// How many digits a number has differs from line to line, so a loop over them ends where no processor expects it. What is read
-// here reads the same in schema/value.hpp, which reads everything else too. The texts may be any tokens; what no
-// number may have, a leading zero, is for the caller to find.
+// How many digits a number has differs from line to line, so the end of a loop over them is mispredicted. What is read
+// here reads the same in schema/value.hpp, which reads everything else too. The texts may be any tokens; the
+// caller must reject leading zeros, which no number may have.
 #pragma once
 
 #include <array>
@@ -27,7 +27,8 @@ constexpr std::uint64_t eight_times(unsigned char byte) {
   return 0x0101010101010101U * byte;
 }
 
-/// What the last `count` bytes before `end` are as digits, 1 to 8 of them; `wrong` is no longer zero where one is no digit.
+/// The number that the last `count` bytes (1 to 8) before `end` form as digits; `wrong` becomes non-zero if one is not
+/// a digit.
 inline std::uint64_t digits_before(char const* end, std::size_t count, std::uint64_t& wrong) {
   std::size_t const others = 64 - 8 * count;
   std::uint64_t const values = ((eight_bytes_before(end) ^ eight_times('0')) >> others) << others;
@@ -40,7 +41,7 @@ inline std::uint64_t digits_before(char const* end, std::size_t count, std::uint
   return ((pairs & every_fourth) * high + ((pairs >> 16U) & every_fourth) * low) >> 32U;
 }
 
-/// How many bytes before `end` stand behind the last point among the last eight; 8 where there is none.
+/// Number of bytes between the last point and `end`, within the last eight bytes; 8 if there is no point.
 inline std::size_t bytes_behind_point(char const* end) {
   std::uint64_t const others = eight_bytes_before(end) ^ eight_times('.');
   constexpr std::uint64_t low_bits = eight_times(0x7F);
@@ -63,7 +64,7 @@ inline constexpr std::array<std::uint64_t, 8> whole_powers_of_ten = {1,     10, 
 
 }  // namespace digits
 
-/// So many bytes that may be read stand before the end of a number that is read here, its own included.
+/// Number of bytes that must be readable before the end of a number, its own included.
 inline constexpr std::size_t room_before_number_end = 24;
 
 /// The decimal integer in [begin, end): a sign or none, one to eight digits. False for every other text. (An
@@ -79,9 +80,10 @@ inline bool read_short_integer(char const* begin, char const* end, double& numbe
   return wrong == 0;
 }
 
-/// The real in [begin, end): a sign or none, one to eight digits, a point, one to seven digits, an exponent
-/// like `e+03` or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one
-/// multiplication or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately", 1990).
+/// The real in [begin, end): a sign or none, one to eight digits, a point, one to seven digits, an exponent like `e+03`
+/// or `e+003`, or none. False for every other text. The digits and the power of ten are exact as doubles, so one
+/// multiplication or division rounds as it should (W. D. Clinger, "How to read floating point numbers accurately",
+/// 1990).
 inline bool read_short_real(char const* begin, char const* end, double& number) {
   bool const is_negative = *begin == '-';
   char const* const first = begin + (digits::is_sign(*begin) ? 1 : 0);

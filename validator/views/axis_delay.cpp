@@ -27,7 +27,7 @@ class Sum {
     result_.cause = &cause;
   }
 
-  /// False, like the others, where something cannot be designed.
+  /// False if something cannot be designed.
   bool add_filters() {
     for (FilterView const& filter : touched_filters(values_)) {
       if (filter.port != FilterPort::setpoint || is_configured_hsc(filter)) continue;
@@ -60,9 +60,9 @@ class Sum {
     auto const kernel = fir.specification(cycle_time_);
     if (!kernel) return false;
     result_.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
-                                      .index = 0,
-                                      .specification = *kernel,
-                                      .on_at_start = fir.enable.value.flag()};
+                                               .index = 0,
+                                               .specification = *kernel,
+                                               .on_at_start = fir.enable.value.flag()};
     EffectiveValue const& cause = fir.order.value.number > 0 ? fir.order : fir.order_time;
     add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : fir.type);
     return true;

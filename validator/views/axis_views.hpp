@@ -1,4 +1,4 @@
-// The filters of one axis as its lists configure them, each looked at once: for the rules, and for building the machine.
+// The filters of one axis as its lists configure them, each evaluated once, for the rules and for building the machine.
 #pragma once
 
 #include "validator/views/filter_designs.hpp"
@@ -10,10 +10,10 @@
 
 namespace axisc::validator {
 
-/// Stays where it is, because its parts refer to each other; the EffectiveValues live longer.
+/// Not movable, because its parts refer to each other. The EffectiveValues must outlive it.
 struct AxisViews {
   std::vector<FilterView> filters;  ///< those that a list touches: see touched_filters()
-  FilterDesigns designs;            ///< of these
+  FilterDesigns designs;            ///< of `filters`
   FirView fir;
   PositionControlView position_control;
 

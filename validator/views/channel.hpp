@@ -3,6 +3,7 @@
 
 #include "validator/options.hpp"
 #include "machine/filter_command.hpp"
+#include "validator/check.hpp"
 #include "validator/loading/loading.hpp"
 #include "validator/not_compiled.hpp"
 
@@ -14,10 +15,11 @@ namespace axisc::validator {
 [[nodiscard]] bool has_time_delay(LoadedMachine const& machine, LoadedGroup const& group);
 
 /// MachineGroup::filter_sets: the distinct parameter sets that the commands of the group's programs and the machine's
-/// filter_sets ask for, in the order of their first use. A command with a variable asks for none, because nobody knows
-/// its value; one whose mistake was silenced is added to `not_compiled`.
+/// filter_sets ask for, in the order of their first use. A command with a variable asks for none, because its value is
+/// unknown; a command whose mistake was silenced is added to `not_compiled`.
 [[nodiscard]] std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machine,
-                                                           LoadedGroup const& group, SourceSet const& sources,
-                                                           std::vector<NotCompiled>& not_compiled);
+                                                                    LoadedGroup const& group,
+                                                                    SourceSet const& sources,
+                                                                    std::vector<NotCompiled>& not_compiled);
 
 }  // namespace axisc::validator

@@ -40,9 +40,9 @@ std::vector<ChainLink> FilterDesigns::setpoint_chain() const {
   std::vector<ChainLink> chain;
   for (FilterView const& filter : filters_) {
     if (filter.port != FilterPort::setpoint) continue;
-    // Whether such a filter belongs to the chain is not known.
+    // It is unknown whether such a filter belongs to the chain.
     if (filter.unusable()) return {};
-    // With share 0 the signal passes by the filter.
+    // With share 0 the signal bypasses the filter.
     if (!filter.active() || filter.share.value.number == 0) continue;
     design::FilterDesign const* const design = of(filter);
     if (design == nullptr) return {};

@@ -1,4 +1,4 @@
-// The standard filters of one axis, designed in double for whoever looks at what they do.
+// The standard filters of one axis, designed in double precision for analysis.
 #pragma once
 
 #include "design/filter_design.hpp"
@@ -12,26 +12,26 @@
 
 namespace axisc::validator {
 
-/// An active filter[i] of an axis, through which some of the signal passes, with its design. Both live as long as the
+/// An active filter[i] of an axis with a share above 0, and its design. Both live as long as the
 /// FilterDesigns.
 struct ChainLink {
   FilterView const* filter;
   design::FilterDesign const* design;
 };
 
-/// Specifications and designs of the filters that a list touches, each made when it is first asked for and once: several
-/// rules look at the same one, and the machine is built of them. One FilterDesigns serves one thread at a time.
+/// Specifications and designs of the filters that a list touches, each computed once, on first access: several rules
+/// use the same one, and the machine is built from them. One FilterDesigns serves one thread at a time.
 class FilterDesigns {
  public:
-  /// `filters` live longer and stay where they are.
+  /// `filters` must outlive this object and must not move.
   FilterDesigns(std::span<FilterView const> filters, design::CycleTime cycle_time);
 
-  /// Of one of the filters: FilterView::specification().
+  /// FilterView::specification() of one of the filters.
   [[nodiscard]] std::optional<design::FilterSpecification> const& specification(
       FilterView const& filter) const;
-  /// Of one of the filters; null where it is not active or a value is out of range.
+  /// The design of one of the filters; null if it is not active or a value is out of range.
   [[nodiscard]] design::FilterDesign const* of(FilterView const& filter) const;
-  /// The chain that the setpoint passes; empty where no filter is active, or where one of them cannot be
+  /// The chain that the setpoint passes; empty if no filter is active, or if one of them cannot be
   /// designed, so that nothing is said about a chain that is not the real one.
   [[nodiscard]] std::vector<ChainLink> setpoint_chain() const;
 
@@ -42,7 +42,7 @@ class FilterDesigns {
     std::unique_ptr<design::FilterDesign const> design;
   };
 
-  /// With its specification.
+  /// The entry of a filter, with its specification filled in.
   [[nodiscard]] Entry& entry_of(FilterView const& filter) const;
 
   std::span<FilterView const> filters_;

@@ -35,18 +35,18 @@ struct FilterView {
     return {&enable, &order, &prototype, &type, &frequency, &quality, &share, &time_constant};
   }
   [[nodiscard]] bool is_hsc() const;  ///< prototype HSC
-  /// Number of P-AXIS-00204: the configured type; where none is set, its default (8 with prototype HSC, else
+  /// Number of P-AXIS-00204: the configured type; if none is set, its default (8 with prototype HSC, else
   /// 1; PT2 for the additional interface).
   [[nodiscard]] int type_number() const;
-  /// The type's word, "LOWPASS".
+  /// The symbol of the type, "LOWPASS".
   [[nodiscard]] std::string_view type_word() const;
-  /// enable = 1 and order > 0, a standard type, and nothing that decides it unusable.
+  /// enable = 1 and order > 0, a standard type, and every value that decides this is usable.
   [[nodiscard]] bool active() const;
-  /// The type cannot be told: it is unusable, or its default depends on a prototype that is.
+  /// The type is unknown: it is unusable, or its default depends on an unusable prototype.
   [[nodiscard]] bool type_unusable() const;
   /// Some parameter that decides type or activation could not be used.
   [[nodiscard]] bool unusable() const;
-  /// Where a finding about `wanted` stands: at its value where a list sets it, else at `enable`, else at the
+  /// The place of a finding about `wanted`: its value if a list sets it, else `enable`, else the
   /// first parameter of the filter that is set.
   [[nodiscard]] EffectiveValue const& anchor(EffectiveValue const& wanted) const;
   /// The specification of an active filter whose values are all in the ranges that design_filter() expects;
@@ -55,7 +55,8 @@ struct FilterView {
   [[nodiscard]] std::optional<design::FilterSpecification> specification(design::CycleTime cycle_time) const;
 };
 
-/// Every standard filter of whose parameters a list sets at least one: filter[0..2], then those of the additional interface.
+/// Every standard filter with at least one parameter that a list sets: filter[0..2], then those of the additional
+/// interface.
 [[nodiscard]] std::vector<FilterView> touched_filters(EffectiveValues const& values);
 
 }  // namespace axisc::validator

@@ -30,19 +30,19 @@ struct FirView {
 
   explicit FirView(EffectiveValues const& values);
 
-  /// none as well where the type cannot be used or is out of range.
+  /// also none if the type cannot be used or is out of range.
   [[nodiscard]] FirType configured_type() const;
   /// Type 1 to 4, enabled or not: #FILTER may switch it on.
   [[nodiscard]] bool configured() const { return configured_type() != FirType::none; }
   /// 200, for the time delay 100.
   [[nodiscard]] std::uint32_t longest_order() const;
-  /// order, where it is 0 what order_time gives; 0 where neither gives one. May lie above longest_order().
+  /// order or, if that is 0, the order that order_time gives; 0 if neither gives one. May exceed longest_order().
   [[nodiscard]] double resulting_order(design::CycleTime cycle_time) const;
-  /// The kernel of a configured filter with the lists' values, order 0 where none results; none where a value is out
+  /// The kernel of a configured filter with the lists' values, of order 0 if there is no order; none if a value is out
   /// of range. Values that the type ignores keep the specification's own defaults, so that equal filters have equal
   /// specifications.
   [[nodiscard]] std::optional<design::KernelSpecification> specification(design::CycleTime cycle_time) const;
-  /// Where a finding about `wanted` stands, as for FilterView.
+  /// The place of a finding about `wanted`, as in FilterView.
   [[nodiscard]] EffectiveValue const& anchor(EffectiveValue const& wanted) const;
 };
 

@@ -1,4 +1,4 @@
-// The part of an axis in a gantry: its lists say it in kenngr.achs_mode and kenngr.gantry_ax_nr, the machine file adds
+// The role of an axis in a gantry. Its lists set it in kenngr.achs_mode and kenngr.gantry_ax_nr; the machine file adds
 // what they leave open. A mode that is the documented default leaves it open.
 #pragma once
 
@@ -20,21 +20,21 @@ struct GantryView {
   [[nodiscard]] bool open() const;  ///< neither master nor slave nor something else
   [[nodiscard]] bool is_master() const;
   [[nodiscard]] bool is_slave() const;
-  /// Logical number of the master that is named; none for 0 and where it cannot be used.
+  /// Logical number of the named master; none for 0 and if it cannot be used.
   [[nodiscard]] std::optional<std::uint32_t> named_master() const;
 };
 
 /// The axis with this logical number.
 [[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
 
-/// What the machine file says about the axis as a slave, or as a master; null where it says nothing.
+/// What the machine file says about the axis as a slave, or as a master; null if it says nothing.
 [[nodiscard]] GantryClaim const* slave_claim(LoadedMachine const& machine, std::size_t axis);
 [[nodiscard]] GantryClaim const* master_claim(LoadedMachine const& machine, std::size_t axis);
 
 /// The master of an axis that lists and machine file together make a slave; none for every other axis.
 [[nodiscard]] std::optional<std::size_t> master_of(LoadedMachine const& machine, std::size_t axis);
 
-/// Every gantry, by rising master.
+/// Every gantry, in ascending order of masters.
 [[nodiscard]] std::vector<LoadedGantry> gantries_of(LoadedMachine const& machine);
 
 }  // namespace axisc::validator

@@ -19,18 +19,19 @@ enum class HscType : std::uint8_t { mean = 8, novib = 12 };
 
 /// Every configured HSC filter, in order of i; the control accepts one, in filter[0].
 [[nodiscard]] std::vector<FilterView> configured_hsc(EffectiveValues const& values);
-/// The same of touched_filters().
+/// The configured HSC filters among the result of touched_filters().
 [[nodiscard]] std::vector<FilterView> configured_hsc(std::span<FilterView const> filters);
 
-/// Its type; none where it cannot be used or is no HSC type, and for everything that is no configured HSC filter.
+/// The HSC type of a filter; none if it cannot be used or is not an HSC type, and for everything that is not a
+/// configured HSC filter.
 [[nodiscard]] std::optional<HscType> hsc_type(FilterView const& filter);
 
-/// Its order; for the mean, where order is 0, what time_constant gives (by default 10000 µs); 0 where there is none:
-/// time_constant < T, and NoVib without an order.
+/// The order of an HSC filter; for the mean, if order is 0, the order that time_constant gives (by default 10000 µs); 0
+/// if there is none: time_constant < T, and NoVib without an order.
 [[nodiscard]] double resulting_hsc_order(FilterView const& filter, design::CycleTime cycle_time);
 
-/// Its kernel, NoVib with the default order, because it computes its own. None where a value is out of range or NoVib
-/// has no order, without which it never works.
+/// The kernel of an HSC filter; NoVib has the default order, because it computes its own. None if a value is out of
+/// range, or if NoVib has no order and is therefore never active.
 [[nodiscard]] std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
                                                                     design::CycleTime cycle_time);
 

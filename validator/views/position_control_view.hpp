@@ -2,8 +2,8 @@
 // `filter.damping`, and from V3.1.3132.0 `filter[k].order` with `osc_damping`.
 #pragma once
 
-#include "validator/values/effective_values.hpp"
 #include "machine/machine.hpp"
+#include "validator/values/effective_values.hpp"
 
 #include <array>
 #include <cstdint>
@@ -38,13 +38,13 @@ struct StageView {
 
   StageView(EffectiveValues const& values, std::uint32_t index);
 
-  /// none for NOT_ACTIVE, and where the mode cannot be used.
+  /// none for NOT_ACTIVE, and if the mode cannot be used.
   [[nodiscard]] std::optional<machine::StageMode> active_mode() const;
   /// INDIRECT and SET_POINT simulate the vibration with an oscillator.
   [[nodiscard]] bool simulates() const;
   /// A list configures filter[k].x of this stage.
   [[nodiscard]] bool uses_newer_filters() const;
-  /// The filters that work in series, NO_FILTER left out.
+  /// The filters in series, without NO_FILTER.
   [[nodiscard]] std::vector<StageFilterView> filters() const;
   /// The first band-pass: its frequency is the one that the stage damps.
   [[nodiscard]] std::optional<StageFilterView> bandpass() const;
@@ -55,7 +55,7 @@ struct StageView {
 struct PositionControlView {
   EffectiveValue const& enable;
   EffectiveValue const& limit;  ///< v_add_max_fact
-  /// All; none where the function is off by default and no list sets `enable` or a parameter of a stage.
+  /// All stages; none if the function is off by default and no list sets `enable` or a parameter of a stage.
   std::vector<StageView> stages;
 
   explicit PositionControlView(EffectiveValues const& values);

@@ -10,7 +10,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the character {character} is not allowed in a list",
                             "das Zeichen {character} ist in einer Liste nicht erlaubt"};
-constexpr Sentence undefined{"the byte {character} is no character, neither in UTF-8 nor in windows-1252",
+constexpr Sentence undefined{"the byte {character} is not a character, neither in UTF-8 nor in windows-1252",
                              "das Byte {character} ist kein Zeichen, weder in UTF-8 noch in windows-1252"};
 
 }  // namespace axisc::validator::says

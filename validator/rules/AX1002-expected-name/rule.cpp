@@ -7,7 +7,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"a line begins with a parameter name, a comment or `Ende`",
                             "eine Zeile beginnt mit einem Parameternamen, einem Kommentar oder `Ende`"};
-constexpr Sentence reaction{"it ignores what it does not know", "sie übergeht, was sie nicht kennt"};
+constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
 constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
 
 }  // namespace axisc::validator::says

@@ -6,8 +6,8 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{name}` has no value", "`{name}` hat keinen Wert"};
-constexpr Sentence help{"write the value behind the name, separated by a blank",
-                        "den Wert durch ein Leerzeichen getrennt hinter den Namen schreiben"};
+constexpr Sentence help{"write the value after the name, separated by a blank",
+                        "den Wert nach dem Namen schreiben, durch ein Leerzeichen getrennt"};
 
 }  // namespace axisc::validator::says
 

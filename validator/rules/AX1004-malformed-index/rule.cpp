@@ -17,7 +17,7 @@ constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 namespace axisc::validator::checks {
 namespace {
 
-/// `[ 0 ]` and `[0` as `[0]`; empty where no number can be meant.
+/// `[ 0 ]` and `[0` as `[0]`; empty if no number can be intended.
 std::string repaired_index(std::string_view index) {
   std::string digits;
   for (char const character : index) {

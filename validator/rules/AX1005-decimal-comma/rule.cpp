@@ -7,7 +7,7 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{value}` has a decimal comma", "`{value}` hat ein Dezimalkomma"};
-constexpr Sentence reaction{"it expects a decimal point and would read another number",
+constexpr Sentence reaction{"it expects a decimal point and would read a different number",
                             "sie erwartet einen Dezimalpunkt und würde eine andere Zahl lesen"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 
@@ -16,7 +16,7 @@ constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 namespace axisc::validator::checks {
 namespace {
 
-/// The number that was meant; empty where that is not obvious: an integer has no decimals.
+/// The intended number; empty if it is not obvious: an integer has no decimals.
 std::string repaired(std::string value, Reading const& reading) {
   std::replace(value.begin(), value.end(), ',', '.');
   if (!schema::is_complete_number(value)) return {};

@@ -4,9 +4,9 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{value}` is no number", "`{value}` ist keine Zahl"};
+constexpr Sentence headline{"`{value}` is not a number", "`{value}` ist keine Zahl"};
 constexpr Sentence leading_zero{"`{value}` begins with a zero", "`{value}` beginnt mit einer Null"};
-constexpr Sentence exponent{"`{value}` is too big for a number", "`{value}` ist zu groß für eine Zahl"};
+constexpr Sentence exponent{"`{value}` is too large for a number", "`{value}` ist zu groß für eine Zahl"};
 constexpr Sentence reaction{"it finds no number", "sie findet keine Zahl"};
 constexpr Sentence leading_zero_reaction{"it rejects numbers with a leading zero",
                                          "sie weist Zahlen mit führender Null zurück"};

@@ -8,8 +8,8 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{text}` looks like a second value", "`{text}` sieht wie ein zweiter Wert aus"};
-constexpr Sentence reaction{"it reads over the rest of the line", "sie überliest den Rest der Zeile"};
-constexpr Sentence help{"if it is a comment, open it with `(`", "ein Kommentar sollte mit `(` beginnen"};
+constexpr Sentence reaction{"it ignores the rest of the line", "sie übergeht den Rest der Zeile"};
+constexpr Sentence help{"start a comment with `(`", "einen Kommentar mit `(` beginnen"};
 constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
 
 }  // namespace axisc::validator::says
@@ -35,7 +35,7 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
           catalogue.is_symbol_of_any_parameter(word));
 }
 
-/// Behind numbers, booleans and references the control reads over everything; behind words AX1009 looks.
+/// After numbers, booleans and references the control ignores everything; text after symbols is left to AX1009.
 bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
   using grammar::ValueKind;
   if (reading.status == ReadingStatus::reference) return true;
@@ -51,7 +51,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
          assignment.kind == ValueKind::real || assignment.kind == ValueKind::reference;
 }
 
-/// The first word behind the value.
+/// The first word after the value.
 Span first_word(Line const& line) {
   Span const trailer = line.assignment().trailer;
   std::string_view const text = line.context.source.slice(trailer);

@@ -5,7 +5,7 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"text behind `Ende` is ignored", "Text hinter `Ende` wird nicht mehr gelesen"};
+constexpr Sentence headline{"text after `Ende` is ignored", "Text nach `Ende` wird nicht mehr gelesen"};
 constexpr Sentence related{"the list ends here", "hier endet die Liste"};
 constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
 

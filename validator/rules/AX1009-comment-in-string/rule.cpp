@@ -4,8 +4,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"behind a symbol only `(` opens a comment",
-                            "hinter einem Symbol beginnt ein Kommentar nur mit `(`"};
+constexpr Sentence headline{"after a symbol only `(` opens a comment",
+                            "nach einem Symbol beginnt ein Kommentar nur mit `(`"};
 constexpr Sentence string{"in a string only `(` opens a comment",
                           "in einer Zeichenkette beginnt ein Kommentar nur mit `(`"};
 constexpr Sentence reaction{"it reads `{value}`", "sie liest `{value}`"};

@@ -7,7 +7,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{written}` differs from `{expected}` in letter case",
                             "`{written}` weicht in der Groß- und Kleinschreibung von `{expected}` ab"};
-constexpr Sentence reaction{"what it does with another letter case is not documented",
+constexpr Sentence reaction{"how it treats a different letter case is not documented",
                             "ihr Verhalten bei anderer Groß- und Kleinschreibung ist nicht dokumentiert"};
 constexpr Sentence fix{"write `{expected}`", "`{expected}` schreiben"};
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view end_marker = "Ende";
 
-/// `finding` stands at what is written.
+/// The place of `finding` is the text as written.
 void describe(Finding& finding, std::string written, std::string const& expected) {
   finding.message =
       message_of(says::headline, Argument{"written", std::move(written)}, Argument{"expected", expected});

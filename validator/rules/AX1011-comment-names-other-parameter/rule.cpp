@@ -37,7 +37,7 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
   return std::nullopt;
 }
 
-/// The first P-AXIS number in the comment of a line; none where its own is among them, or where it has none.
+/// The first P-AXIS number in the comment of a line; none if its own is among them, or if the comment has none.
 std::optional<Mention> other_parameter(Line const& line) {
   Span const trailer = line.assignment().trailer;
   if (trailer.empty()) return std::nullopt;

@@ -7,7 +7,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the quotation mark is not closed on this line",
                             "das Anführungszeichen wird in dieser Zeile nicht geschlossen"};
-constexpr Sentence fix{"close the quotation at the end of the line",
+constexpr Sentence fix{"close the quotation mark at the end of the line",
                        "das Anführungszeichen am Zeilenende schließen"};
 
 }  // namespace axisc::validator::says
@@ -17,7 +17,7 @@ namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
   finding.message = message(says::headline);
-  // With a comment on the line nobody knows where the string was meant to end.
+  // With a comment on the line the intended end of the string is unknown.
   if (context.source.slice(problem.span).find_first_of("(#*") != std::string_view::npos) return;
   Span const behind{.begin = problem.span.end, .end = problem.span.end};
   finding.fix = replace_by(place_of(context, behind), "\"", message(says::fix));

@@ -10,9 +10,9 @@ constexpr Sentence headline{
     "Index {index} liegt außerhalb des Bereichs: `{parameter}` hat die Einträge 0 bis {last}"};
 constexpr Sentence missing{"`{parameter}` is an array and needs an index",
                            "`{parameter}` ist ein Feld und braucht einen Index"};
-constexpr Sentence superfluous{"`{parameter}` is no array and takes no index",
+constexpr Sentence superfluous{"`{parameter}` is not an array and takes no index",
                                "`{parameter}` ist kein Feld und hat keinen Index"};
-constexpr Sentence reaction{"the entry is lost, start-up goes on",
+constexpr Sentence reaction{"the entry is lost, start-up continues",
                             "der Eintrag geht verloren, der Hochlauf geht weiter"};
 
 }  // namespace axisc::validator::says
@@ -34,7 +34,7 @@ void describe(Finding& finding, Line const& line) {
                               {{"parameter", pattern}});
   }
   set_reaction(finding, says::reaction);
-  // A scalar's name is the whole repair; where other indices remain, nobody knows which one was meant.
+  // For a scalar the name alone is the repair; if other indices are possible, the intended one is unknown.
   if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
   finding.fix =
       replace_by(line.place(written), pattern, message(says::parameter_fix, {{"replacement", pattern}}));

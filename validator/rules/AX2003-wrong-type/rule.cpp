@@ -10,15 +10,14 @@ namespace axisc::validator::says {
 
 constexpr Sentence parameter_no_number{"it finds no number", "sie findet keine Zahl"};
 
-constexpr Sentence integer{"`{parameter}` needs a whole number, `{value}` is none",
-                           "`{parameter}` braucht eine ganze Zahl, `{value}` ist keine"};
-constexpr Sentence real{"`{parameter}` needs a number, `{value}` is none",
-                        "`{parameter}` braucht eine Zahl, `{value}` ist keine"};
+constexpr Sentence integer{"`{parameter}` needs a whole number, not `{value}`",
+                           "`{parameter}` braucht eine ganze Zahl, nicht `{value}`"};
+constexpr Sentence real{"`{parameter}` needs a number, not `{value}`",
+                        "`{parameter}` braucht eine Zahl, nicht `{value}`"};
 constexpr Sentence boolean{"`{parameter}` is a switch: 0 or 1, not `{value}`",
                            "`{parameter}` ist ein Schalter: 0 oder 1, nicht `{value}`"};
-constexpr Sentence symbol{
-    "`{parameter}` needs a symbol or its number, `{value}` is none",
-    "`{parameter}` braucht ein Symbol oder dessen Nummer, `{value}` ist keines von beiden"};
+constexpr Sentence symbol{"`{parameter}` needs a symbol or its number, not `{value}`",
+                          "`{parameter}` braucht ein Symbol oder dessen Nummer, nicht `{value}`"};
 
 }  // namespace axisc::validator::says
 

@@ -9,8 +9,8 @@ constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"
 
 constexpr Sentence headline{"`{parameter}` is out of range: {range}",
                             "`{parameter}` liegt außerhalb des Bereichs: {range}"};
-constexpr Sentence raw{"in the list's numbers: {range}", "in Zahlen der Liste: {range}"};
-constexpr Sentence file{"{file} says so", "so steht es in {file}"};
+constexpr Sentence raw{"as written in the list: {range}", "in der Schreibweise der Liste: {range}"};
+constexpr Sentence file{"limit from {file}", "Grenze aus {file}"};
 
 }  // namespace axisc::validator::says
 

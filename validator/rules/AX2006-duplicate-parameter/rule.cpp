@@ -9,9 +9,9 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{parameter}` is set again in line {line}, and the last value counts",
+constexpr Sentence headline{"`{parameter}` is set again in line {line}; the last value applies",
                             "`{parameter}` wird in Zeile {line} erneut gesetzt, es gilt der letzte Wert"};
-constexpr Sentence related{"this value counts", "dieser Wert gilt"};
+constexpr Sentence related{"this value applies", "dieser Wert gilt"};
 constexpr Sentence fix{"make the earlier one a comment", "die frühere Zuweisung zum Kommentar machen"};
 
 }  // namespace axisc::validator::says
@@ -25,7 +25,8 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
   finding.message =
       message(says::headline, {{"parameter", line.name()}, {"line", std::to_string(later.line)}});
   finding.related.push_back({.place = line.place(later.value), .message = message(says::related)});
-  // The last one wins, so the earlier line is ignored. One that carries a directive would speak for the next line.
+  // The last line applies, so the earlier one is ignored. As a comment, a line with a directive would apply to the next
+  // line.
   grammar::Assignment const& assignment = line.assignment();
   SourceText const& source = line.context.source;
   if (source.slice(source.line_span(assignment.line)).find("axisc:") != std::string_view::npos) return;

@@ -6,8 +6,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{value}` is no value of `{parameter}`",
-                            "`{value}` ist kein Wert von `{parameter}`"};
+constexpr Sentence headline{"`{value}` is not a valid value for `{parameter}`",
+                            "`{value}` ist kein gültiger Wert für `{parameter}`"};
 constexpr Sentence allowed{"values: {values}", "Werte: {values}"};
 constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert nicht"};
 

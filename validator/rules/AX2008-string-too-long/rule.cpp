@@ -8,7 +8,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the text has {length} characters, `{parameter}` holds {limit}",
                             "der Text hat {length} Zeichen, `{parameter}` fasst {limit}"};
-constexpr Sentence reaction{"it reports the text as too long, start-up goes on",
+constexpr Sentence reaction{"it reports the text as too long, start-up continues",
                             "sie meldet den Text als zu lang, der Hochlauf geht weiter"};
 
 }  // namespace axisc::validator::says

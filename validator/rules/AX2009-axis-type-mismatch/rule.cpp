@@ -52,7 +52,7 @@ void check_row(AxisContext const& context, schema::Parameter const& row, Report&
     auto const slot = static_cast<schema::Slot>(static_cast<unsigned>(row.first_slot) + i);
     if (!context.values.is_set(slot)) continue;
     EffectiveValue const& value = context.values[slot];
-    // A default list serves axes of every type.
+    // A default list applies to axes of every type.
     if (value.origin != Origin::axis_list || !value.value_place()) continue;
     report.later(*value.value_place(),
                  [&context, &value](Finding& finding) { describe(finding, context, value); });

@@ -8,7 +8,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"there is no parameter {p_axis}", "einen Parameter {p_axis} gibt es nicht"};
 constexpr Sentence no_value{
     "`{name}` ({p_axis}) has no value: no list sets it, and it has no default",
-    "`{name}` ({p_axis}) hat keinen Wert: keine Liste setzt ihn, und er hat keinen Vorgabewert"};
+    "`{name}` ({p_axis}) hat keinen Wert: keine Liste setzt ihn, und er hat keinen Standardwert"};
 
 }  // namespace axisc::validator::says
 

@@ -7,8 +7,8 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{parameter}` is {type}, but {p_axis} is {other}",
                             "`{parameter}` ist {type}, {p_axis} aber {other}"};
-constexpr Sentence symbol{"`{parameter}` has no value `{value}`, which is that of {p_axis}",
-                          "`{parameter}` hat keinen Wert `{value}`, wie ihn {p_axis} hat"};
+constexpr Sentence symbol{"`{value}`, the value of {p_axis}, is not a valid value for `{parameter}`",
+                          "`{value}`, der Wert von {p_axis}, ist kein gültiger Wert für `{parameter}`"};
 
 }  // namespace axisc::validator::says
 

@@ -9,7 +9,7 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"{p_axis} has the entries 0 to {last}, not {index}",
                             "{p_axis} hat die Einträge 0 bis {last}, nicht {index}"};
-constexpr Sentence scalar{"{p_axis} is no array and has no entry {index}",
+constexpr Sentence scalar{"{p_axis} is not an array and has no entry {index}",
                           "{p_axis} ist kein Feld und hat keinen Eintrag {index}"};
 
 }  // namespace axisc::validator::says

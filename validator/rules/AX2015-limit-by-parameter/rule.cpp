@@ -16,8 +16,8 @@ constexpr Sentence label{"{value}, but it must be {relation} {limit}",
                          "{value}, muss aber {relation} {limit} sein"};
 constexpr Sentence related{"the limit is set here: {limit}", "hier wird die Grenze gesetzt: {limit}"};
 constexpr Sentence limit_by_parameter_default{
-    "no list sets `{limit}` ({p_axis}): its default {value} counts",
-    "keine Liste setzt `{limit}` ({p_axis}): es gilt der Vorgabewert {value}"};
+    "no list sets `{limit}` ({p_axis}): its default {value} applies",
+    "keine Liste setzt `{limit}` ({p_axis}): es gilt der Standardwert {value}"};
 
 }  // namespace axisc::validator::says
 
@@ -76,7 +76,7 @@ std::optional<Violation> violation_at(EffectiveValues const& values, Slot slot, 
   return Violation{.limit = *other, .side = side, .open = limit.open};
 }
 
-/// Two parameters may limit each other: the finding then stands at the later one.
+/// If two parameters limit each other, the finding is at the later one.
 bool is_reported_at_limit(EffectiveValues const& values, Slot slot, Violation const& violation) {
   EffectiveValue const& value = values[slot];
   EffectiveValue const& limit = values[violation.limit];

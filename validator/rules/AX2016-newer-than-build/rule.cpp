@@ -1,4 +1,4 @@
-// AX2016: what the control's build does not know yet.
+// AX2016: features newer than the build of the control.
 #include "validator/engine/rule.hpp"
 
 #include "validator/build_version.hpp"
@@ -30,7 +30,7 @@ struct Family {
   BuildVersion since;
 };
 
-// The first that fits counts.
+// The first matching row applies.
 constexpr std::array<Family, 4> families = {{
     {.prefix = "filter_fir.quality", .since = builds::fir_quality},
     {.prefix = "filter_fir.", .since = builds::fir},
@@ -53,7 +53,7 @@ bool is_time_delay(schema::Parameter const& parameter, Reading const& reading) {
   return is_type && reading.status == ReadingStatus::value && reading.value.number == time_delay;
 }
 
-/// What the line needs beyond the build, as text; empty where nothing.
+/// The build that the line needs, if it is newer than that of the control; else empty.
 std::string missing_build(schema::Parameter const& parameter, Reading const& reading,
                           BuildVersion const& build) {
   BuildVersion const needed = needed_for(parameter);
@@ -90,7 +90,7 @@ void check_spindle(AxisContext const& context, BuildVersion const& build, Report
   }
 }
 
-/// `#FILTER OFF` ends what the program switched on: the HSC filters alone where it switches no others on.
+/// `#FILTER OFF` switches off what the program switched on: only HSC filters if the program uses no FIR filters.
 bool meant_for_fir(ProgramContext const& context, grammar::NcCommand const& command) {
   if (!is_fir_filter(context, command)) return false;
   if (command.command_switch != grammar::CommandSwitch::off) return true;
@@ -138,7 +138,7 @@ void commands_newer_than_build(ProgramContext const& context, Report& report) {
       check_needed(context, command.name, builds::fir, report);
     } else if (meant_for_fir(context, command)) {
       check_needed(context, command.name, builds::fir_command, report);
-      // A build that does not know the command is told once.
+      // A command unknown to the build is reported once.
       grammar::Keyword const* const quality = find_keyword(command, context.text, "QUALITY");
       if (quality == nullptr || build < builds::fir_command) continue;
       check_needed(context, quality->name, builds::fir_quality, report);

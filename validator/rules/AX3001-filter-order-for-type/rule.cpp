@@ -43,7 +43,7 @@ struct AllowedOrder {
   }
 };
 
-// None where any order is good, or where the type is reported anyway.
+// None if any order is allowed, or if the type is reported anyway.
 std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
   bool const interface = filter.port == FilterPort::additional_interface;
   if (!filter.standard_type) {

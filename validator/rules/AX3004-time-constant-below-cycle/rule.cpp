@@ -10,7 +10,7 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the time constant of `{type}` must be at least one NC cycle",
-                            "die Zeitkonstante von `{type}` muss mindestens einen NC-Takt lang sein"};
+                            "die Zeitkonstante von `{type}` muss mindestens einen NC-Zyklus lang sein"};
 constexpr Sentence limit{"{p_axis}: time_constant ≥ T = {limit} ({milliseconds}) for `{type}`",
                          "{p_axis}: time_constant ≥ T = {limit} ({milliseconds}) für `{type}`"};
 constexpr Sentence help{"`{parameter} {shortest}` is the shortest; its cut-off frequency is {frequency} Hz",

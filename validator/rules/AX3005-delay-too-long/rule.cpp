@@ -9,13 +9,13 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the delay must be shorter than 6 NC cycles",
-                            "die Verzögerung muss kürzer als 6 NC-Takte sein"};
+                            "die Verzögerung muss kürzer als 6 NC-Zyklen sein"};
 constexpr Sentence limit{"{p_axis}: 0 ≤ time_constant < 6 T = {limit} ({milliseconds}) for `TIME_DELAY`",
                          "{p_axis}: 0 ≤ time_constant < 6 T = {limit} ({milliseconds}) für `TIME_DELAY`"};
 constexpr Sentence help_longest{"`{parameter} {longest}` is the longest here",
                                 "`{parameter} {longest}` ist hier die längste"};
 constexpr Sentence help_fir{"`filter_fir.type 4` delays by up to 100 cycles",
-                            "`filter_fir.type 4` verzögert um bis zu 100 Takte"};
+                            "`filter_fir.type 4` verzögert um bis zu 100 Zyklen"};
 
 }  // namespace axisc::validator::says
 

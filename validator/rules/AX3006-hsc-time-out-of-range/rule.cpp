@@ -11,7 +11,7 @@ constexpr Sentence headline{"`{filter}` has no order, and its time constant give
 constexpr Sentence limit{"{p_axis}: T = {shortest} < time_constant < 200 T = {longest} for HSC filters",
                          "{p_axis}: T = {shortest} < time_constant < 200 T = {longest} für HSC-Filter"};
 constexpr Sentence help{"`{parameter}` gives the order in cycles, 1 to 200",
-                        "`{parameter}` gibt die Ordnung in Takten an, 1 bis 200"};
+                        "`{parameter}` gibt die Ordnung in Zyklen an, 1 bis 200"};
 
 }  // namespace axisc::validator::says
 

@@ -32,7 +32,7 @@ namespace {
 constexpr int hsc_mean = 8;
 constexpr int hsc_novib = 12;
 
-/// What a type makes use of (manual "axis filters", table 3.1); every type uses order and share.
+/// The parameters that a type uses (manual "axis filters", table 3.1); every type uses order and share.
 struct Use {
   bool frequency = false;
   bool prototype = false;

@@ -6,7 +6,7 @@
 namespace axisc::validator::says {
 
 constexpr Sentence type{"`{type}` needs the prototype `HSC`", "`{type}` braucht den Prototyp `HSC`"};
-constexpr Sentence prototype{"the prototype `HSC` does not go with the type `{type}`",
+constexpr Sentence prototype{"the prototype `HSC` does not match the type `{type}`",
                              "der Prototyp `HSC` passt nicht zum Typ `{type}`"};
 constexpr Sentence label{"the prototype is `{prototype}`", "der Prototyp ist `{prototype}`"};
 constexpr Sentence limit{

@@ -11,8 +11,8 @@ constexpr Sentence undocumented_type_interface{
     "`{type}` gibt es nur in `filter[0]`, nicht in der Zusatzschnittstelle"};
 constexpr Sentence label{"cannot be compiled", "lässt sich nicht übersetzen"};
 constexpr Sentence limit{
-    "{p_axis}: some builds know the types 7, 9 and 13; what they compute is not stated",
-    "{p_axis}: manche Stände kennen die Typen 7, 9 und 13; was sie rechnen, ist nicht beschrieben"};
+    "{p_axis}: some builds know the types 7, 9 and 13; what they compute is not documented",
+    "{p_axis}: manche Stände kennen die Typen 7, 9 und 13; was sie rechnen, ist nicht dokumentiert"};
 constexpr Sentence limit_interface{"{p_axis}: HSC filters can be used as axis filters only",
                                    "{p_axis}: HSC-Filter sind nur als Achsfilter verwendbar"};
 

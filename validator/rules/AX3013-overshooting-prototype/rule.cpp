@@ -11,7 +11,7 @@ constexpr Sentence headline{
 constexpr Sentence butterworth{"{p_axis}: the overshoot of BUTTERWORTH grows with the order",
                                "{p_axis}: das Überschwingen von BUTTERWORTH wächst mit der Ordnung"};
 constexpr Sentence bessel{
-    "{p_axis}: BESSEL overshoots slightly above order 1; not advised for positions",
+    "{p_axis}: BESSEL overshoots slightly above order 1; not recommended for positions",
     "{p_axis}: BESSEL schwingt über Ordnung 1 leicht über; für Positionen nicht empfohlen"};
 constexpr Sentence help{"`CRIT_DAMPING` does not overshoot", "`CRIT_DAMPING` schwingt nicht über"};
 

@@ -14,8 +14,8 @@ constexpr Sentence label{"no part of the signal passes the filter",
                          "kein Teil des Signals läuft durch den Filter"};
 constexpr Sentence limit{"{p_axis}: 100 % is the whole signal, 0 % none of it",
                          "{p_axis}: 100 % ist das ganze Signal, 0 % nichts davon"};
-constexpr Sentence help{"to switch the filter off, `{enable} 0` says so",
-                        "um den Filter auszuschalten, sagt `{enable} 0` es deutlicher"};
+constexpr Sentence help{"`{enable} 0` is the clear way to switch the filter off",
+                        "`{enable} 0` schaltet den Filter eindeutig aus"};
 
 }  // namespace axisc::validator::says
 

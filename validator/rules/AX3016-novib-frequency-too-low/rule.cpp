@@ -8,8 +8,8 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"HSC NoVib cannot suppress {frequency} Hz at this cycle time",
                             "HSC NoVib kann {frequency} Hz bei dieser Zykluszeit nicht unterdrücken"};
-constexpr Sentence label{"this needs order {order}, at most {limit} is possible",
-                         "dafür braucht es die Ordnung {order}, möglich ist höchstens {limit}"};
+constexpr Sentence label{"this needs order {order}; at most {limit} is possible",
+                         "dafür ist die Ordnung {order} nötig, möglich ist höchstens {limit}"};
 constexpr Sentence limit{"{p_axis}: f ≥ 1/(101 T) = {lowest} Hz at T = {cycle}",
                          "{p_axis}: f ≥ 1/(101 T) = {lowest} Hz bei T = {cycle}"};
 

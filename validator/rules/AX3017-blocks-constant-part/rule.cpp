@@ -6,10 +6,10 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{type}` blocks the constant part of the position setpoint",
                             "`{type}` sperrt den Gleichanteil des Positionssollwerts"};
-constexpr Sentence label{"with a share of {share} %, {left} % of a constant position is left",
+constexpr Sentence label{"with a share of {share} %, {left} % of a constant position remains",
                          "bei {share} % Signalanteil bleiben {left} % einer konstanten Position übrig"};
 constexpr Sentence note{
-    "the filters act on absolute positions; with share s only 1 - s of the constant part is left",
+    "the filters act on absolute positions; with share s only 1 - s of the constant part remains",
     "die Filter wirken auf absolute Positionen; beim Anteil s bleibt nur 1 - s des Gleichanteils"};
 
 }  // namespace axisc::validator::says

@@ -6,11 +6,11 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"the HSC NoVib filter `{filter}` has order 0: it never works",
+constexpr Sentence headline{"the HSC NoVib filter `{filter}` has order 0: it is never active",
                             "der HSC-NoVib-Filter `{filter}` hat die Ordnung 0: er wirkt nie"};
 constexpr Sentence limit{"{p_axis}: NoVib computes its order itself, but is active only with order > 0",
                          "{p_axis}: NoVib berechnet seine Ordnung selbst, ist aber nur mit order > 0 aktiv"};
-constexpr Sentence help{"`{parameter} 1` makes it work", "`{parameter} 1` macht ihn wirksam"};
+constexpr Sentence help{"`{parameter} 1` activates it", "`{parameter} 1` aktiviert ihn"};
 
 }  // namespace axisc::validator::says
 

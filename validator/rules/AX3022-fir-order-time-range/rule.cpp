@@ -10,10 +10,10 @@
 namespace axisc::validator::says {
 
 constexpr Sentence fir_order_time_range_short{"the order given as time is shorter than one NC cycle",
-                                              "die als Zeit angegebene Ordnung ist kürzer als ein NC-Takt"};
+                                              "die als Zeit angegebene Ordnung ist kürzer als ein NC-Zyklus"};
 constexpr Sentence fir_order_time_range_long{
     "the order given as time is longer than {order} NC cycles",
-    "die als Zeit angegebene Ordnung ist länger als {order} NC-Takte"};
+    "die als Zeit angegebene Ordnung ist länger als {order} NC-Zyklen"};
 constexpr Sentence limit{"{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}",
                          "{p_axis}: T = {shortest} ≤ order_time ≤ {order} T = {longest}"};
 

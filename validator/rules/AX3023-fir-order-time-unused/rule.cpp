@@ -6,8 +6,9 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`filter_fir.order` {order} wins: `filter_fir.order_time` is not used",
-                            "`filter_fir.order` {order} gilt: `filter_fir.order_time` wird nicht verwendet"};
+constexpr Sentence headline{
+    "`filter_fir.order` {order} takes precedence: `filter_fir.order_time` is not used",
+    "`filter_fir.order` {order} hat Vorrang: `filter_fir.order_time` wird nicht verwendet"};
 constexpr Sentence label{"{time} have no effect", "{time} haben keine Wirkung"};
 constexpr Sentence order_here{"the order is set here", "hier wird die Ordnung gesetzt"};
 

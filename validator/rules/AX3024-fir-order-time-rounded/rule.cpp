@@ -9,11 +9,11 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{
-    "`filter_fir.order_time` is no whole number of cycles: order {order} results",
-    "`filter_fir.order_time` ist kein ganzes Vielfaches des Takts: es ergibt sich die Ordnung {order}"};
+    "`filter_fir.order_time` is not a whole number of cycles: the order becomes {order}",
+    "`filter_fir.order_time` ist kein ganzes Vielfaches der Zykluszeit: die Ordnung wird {order}"};
 constexpr Sentence formula{"{p_axis}: order = order_time / T, rounded",
                            "{p_axis}: order = order_time / T, gerundet"};
-constexpr Sentence reaction{"the time is rounded to whole cycles", "die Zeit wird auf ganze Takte gerundet"};
+constexpr Sentence reaction{"the time is rounded to whole cycles", "die Zeit wird auf ganze Zyklen gerundet"};
 
 }  // namespace axisc::validator::says
 

@@ -6,8 +6,8 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{
-    "a time delay with a share of {share} % adds the undelayed signal",
-    "eine Zeitverzögerung mit {share} % Signalanteil mischt das unverzögerte Signal bei"};
+    "a time delay with a share of {share} % mixes in the undelayed signal",
+    "eine Zeitverzögerung mit {share} % Signalanteil mischt unverzögertes Signal bei"};
 constexpr Sentence label{"{share} % delayed, {rest} % undelayed",
                          "{share} % verzögert, {rest} % unverzögert"};
 constexpr Sentence help{"100 delays the whole signal", "100 verzögert das ganze Signal"};

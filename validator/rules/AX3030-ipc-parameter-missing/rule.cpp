@@ -35,7 +35,7 @@ constexpr std::string_view no_order = "70593";
 constexpr std::string_view no_quality = "70594";
 constexpr std::string_view no_damping = "70599";
 
-/// `filter.order`: which stage it is stands in the headline.
+/// `filter.order`, without the stage, which the headline names.
 std::string name_in_stage(EffectiveValue const& value) {
   std::string const name = parameter_name(value);
   constexpr std::string_view behind_stage = "].";
@@ -45,7 +45,7 @@ std::string name_in_stage(EffectiveValue const& value) {
 /// Names of what is missing, and the control's numbers for it.
 class Missing {
  public:
-  /// A value that cannot be used has a finding of its own.
+  /// Unusable values have findings of their own.
   void look_at(EffectiveValue const& value, EffectiveValue const* other_spelling, std::string_view message) {
     bool const given =
         configured(value) || value.unusable || (other_spelling != nullptr && configured(*other_spelling));
@@ -72,7 +72,7 @@ class Missing {
 Missing missing_in(StageView const& stage) {
   Missing missing;
   for (StageFilterView const& filter : stage.filters()) {
-    // Where the spellings are mixed, AX3039 speaks: what the other one gives is not missing too.
+    // If the spellings are mixed, AX3039 reports it; a value given in the other spelling is not also missing.
     bool const is_newer = filter.type != nullptr;
     StageFilterView const* const other = is_newer ? &stage.older : nullptr;
     missing.look_at(filter.order, other != nullptr ? &other->order : nullptr, no_order);

@@ -6,8 +6,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"a damping of {damping} simulates no vibration",
-                            "eine Dämpfung von {damping} ergibt keine Schwingung"};
+constexpr Sentence headline{"with a damping of {damping} there is no vibration to simulate",
+                            "mit einer Dämpfung von {damping} gibt es keine Schwingung zu simulieren"};
 constexpr Sentence label{"must lie between 0 and 1", "muss zwischen 0 und 1 liegen"};
 constexpr Sentence limit{"{p_axis}: 0 < damping < 1 in INDIRECT and SET_POINT",
                          "{p_axis}: 0 < damping < 1 in INDIRECT und SET_POINT"};

@@ -10,7 +10,7 @@ constexpr Sentence headline{
     "die additive Geschwindigkeit ist auf 0 begrenzt: die optimierte Lageregelung hat keine Wirkung"};
 constexpr Sentence limit{"{p_axis}: |v_add| ≤ v_add_max_fact / 1000 · vb_max (P-AXIS-00212)",
                          "{p_axis}: |v_add| ≤ v_add_max_fact / 1000 · vb_max (P-AXIS-00212)"};
-constexpr Sentence help{"`{parameter} 100` allows a tenth of the axis' highest velocity",
+constexpr Sentence help{"`{parameter} 100` allows a tenth of the maximum velocity of the axis",
                         "`{parameter} 100` erlaubt ein Zehntel der Höchstgeschwindigkeit der Achse"};
 constexpr Sentence reaction{"it limits without a message", "sie begrenzt ohne Meldung"};
 

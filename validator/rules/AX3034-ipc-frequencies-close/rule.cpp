@@ -13,7 +13,7 @@ constexpr Sentence headline{
     "{frequency} Hz liegt in der Bandbreite von {others}: die Stufen beeinflussen sich gegenseitig"};
 constexpr Sentence other{"{frequency} Hz, bandwidth {width} Hz", "{frequency} Hz, Bandbreite {width} Hz"};
 constexpr Sentence limit{
-    "bandwidth = fg_f0 / q_factor; stages are apart where |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)",
+    "bandwidth = fg_f0 / q_factor; stages are separate where |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)",
     "Bandbreite = fg_f0 / q_factor; Stufen sind getrennt, wo |f1 - f2| ≥ f1 / (2 q1) + f2 / (2 q2)"};
 
 }  // namespace axisc::validator::says
@@ -21,7 +21,7 @@ constexpr Sentence limit{
 namespace axisc::validator::checks {
 namespace {
 
-/// What a stage damps.
+/// The band that a stage damps.
 struct Band {
   StageView stage;
   EffectiveValue const& frequency;

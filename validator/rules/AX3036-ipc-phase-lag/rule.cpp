@@ -7,16 +7,17 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"at {frequency} Hz the mode `{mode}` answers too late",
-                            "bei {frequency} Hz antwortet der Modus `{mode}` zu spät"};
-constexpr Sentence label{"the dead time turns the phase by {degrees}°: it may amplify instead of damping",
-                         "die Totzeit dreht die Phase um {degrees}°: das kann verstärken statt dämpfen"};
+constexpr Sentence headline{"at {frequency} Hz the mode `{mode}` responds too late",
+                            "bei {frequency} Hz reagiert der Modus `{mode}` zu spät"};
+constexpr Sentence label{
+    "the dead time shifts the phase by {degrees}°: the vibration may be amplified instead of damped",
+    "die Totzeit verschiebt die Phase um {degrees}°: die Schwingung kann verstärkt statt gedämpft werden"};
 constexpr Sentence limit_indirect{
     "{p_axis}: at most 45° of two cycles, f ≤ 1/(16 T) = {limit} Hz at T = {cycle}, for `INDIRECT`",
-    "{p_axis}: höchstens 45° durch zwei Takte, f ≤ 1/(16 T) = {limit} Hz bei T = {cycle}, für `INDIRECT`"};
+    "{p_axis}: höchstens 45° durch zwei Zyklen, f ≤ 1/(16 T) = {limit} Hz bei T = {cycle}, für `INDIRECT`"};
 constexpr Sentence limit_set_point{
     "{p_axis}: at most 45° of one cycle, f ≤ 1/(8 T) = {limit} Hz at T = {cycle}, for `SET_POINT`",
-    "{p_axis}: höchstens 45° durch einen Takt, f ≤ 1/(8 T) = {limit} Hz bei T = {cycle}, für `SET_POINT`"};
+    "{p_axis}: höchstens 45° durch einen Zyklus, f ≤ 1/(8 T) = {limit} Hz bei T = {cycle}, für `SET_POINT`"};
 constexpr Sentence help_indirect{"`SET_POINT` has half the dead time; `DIRECT` simulates nothing",
                                  "`SET_POINT` hat die halbe Totzeit; `DIRECT` simuliert nichts"};
 constexpr Sentence help_set_point{"`DIRECT` simulates nothing and has no such dead time",

@@ -6,9 +6,9 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"a damping of {damping} makes large additive velocities",
+constexpr Sentence headline{"a damping of {damping} causes large additive velocities",
                             "eine Dämpfung von {damping} ergibt große additive Geschwindigkeiten"};
-constexpr Sentence label{"the simulation amplifies its frequency {gain} times",
+constexpr Sentence label{"the simulation amplifies its frequency by a factor of {gain}",
                          "die Simulation verstärkt ihre Frequenz auf das {gain}fache"};
 constexpr Sentence limit{
     "{p_axis}: below {limit} the drive may start to oscillate; lower the damping in small steps",

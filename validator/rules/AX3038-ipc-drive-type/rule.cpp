@@ -7,10 +7,10 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"Improved Position Control does not exist for the drive type `{drive}`",
+constexpr Sentence headline{"Improved Position Control is not available for the drive type `{drive}`",
                             "die optimierte Lageregelung gibt es für den Antriebstyp `{drive}` nicht"};
-constexpr Sentence limit{"{p_axis}: SERCOS (2), PROFIDRIVE (3) and CANopen (8) have it",
-                         "{p_axis}: SERCOS (2), PROFIDRIVE (3) und CANopen (8) haben sie"};
+constexpr Sentence limit{"{p_axis}: available for SERCOS (2), PROFIDRIVE (3) and CANopen (8)",
+                         "{p_axis}: verfügbar für SERCOS (2), PROFIDRIVE (3) und CANopen (8)"};
 
 }  // namespace axisc::validator::says
 

@@ -8,7 +8,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{
     "the filter of the additional interface is enabled with its invalid defaults: `PT2` and 0 µs",
     "der Filter der Zusatzschnittstelle ist mit ungültigen Standardwerten eingeschaltet: `PT2` und 0 µs"};
-constexpr Sentence label{"0 µs is shorter than any NC cycle", "0 µs ist kürzer als jeder NC-Takt"};
+constexpr Sentence label{"0 µs is shorter than any NC cycle", "0 µs ist kürzer als jeder NC-Zyklus"};
 constexpr Sentence limit{"{p_axis}: time_constant ≥ T for `PT1` and `PT2`",
                          "{p_axis}: time_constant ≥ T für `PT1` und `PT2`"};
 constexpr Sentence help{"set `{time_constant}`, or choose another `{type}`",

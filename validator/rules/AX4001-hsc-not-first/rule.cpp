@@ -8,8 +8,8 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"the HSC filter `{filter}` must be `filter[0]`",
                             "der HSC-Filter `{filter}` muss `filter[0]` sein"};
-constexpr Sentence label{"HSC filters work in the first place only",
-                         "HSC-Filter wirken nur an erster Stelle"};
+constexpr Sentence label{"HSC filters work only as the first filter",
+                         "HSC-Filter wirken nur als erster Filter"};
 
 }  // namespace axisc::validator::says
 

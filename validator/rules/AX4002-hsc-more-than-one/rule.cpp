@@ -10,8 +10,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"{count} HSC filters in one axis, one is possible",
-                            "{count} HSC-Filter in einer Achse, einer ist möglich"};
+constexpr Sentence headline{"{count} HSC filters in one axis; only one is possible",
+                            "{count} HSC-Filter in einer Achse; nur einer ist möglich"};
 constexpr Sentence label{"one too many", "einer zu viel"};
 
 }  // namespace axisc::validator::says

@@ -5,8 +5,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"the HSC filter `{filter}` stands in a spindle",
-                            "der HSC-Filter `{filter}` steht in einer Spindel"};
+constexpr Sentence headline{"the HSC filter `{filter}` is configured for a spindle",
+                            "der HSC-Filter `{filter}` ist für eine Spindel konfiguriert"};
 constexpr Sentence limit{"spindles have standard filters only", "für Spindeln gibt es nur Standardfilter"};
 
 }  // namespace axisc::validator::says

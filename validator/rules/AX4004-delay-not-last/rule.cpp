@@ -6,13 +6,13 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"the time delay `{filter}` stands before the active filter `{next}`",
-                            "die Zeitverzögerung `{filter}` steht vor dem aktiven Filter `{next}`"};
+constexpr Sentence headline{"the time delay `{filter}` comes before the active filter `{next}`",
+                            "die Zeitverzögerung `{filter}` liegt vor dem aktiven Filter `{next}`"};
 constexpr Sentence limit{"only the last active filter of an axis may be a time delay",
                          "nur der letzte aktive Filter einer Achse darf eine Zeitverzögerung sein"};
 constexpr Sentence reaction{"it reports that only the last filter may be a time delay",
-                            "sie meldet, dass nur der letzte Filter ein Verzögerungsfilter sein darf"};
-constexpr Sentence next_here{"`{filter}` is active behind it", "`{filter}` ist dahinter aktiv"};
+                            "sie meldet, dass nur der letzte Filter eine Zeitverzögerung sein darf"};
+constexpr Sentence next_here{"`{filter}` is active after it", "`{filter}` ist danach aktiv"};
 
 }  // namespace axisc::validator::says
 

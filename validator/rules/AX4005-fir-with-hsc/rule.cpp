@@ -7,11 +7,11 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"one axis cannot have a FIR filter and an HSC filter",
-                            "eine Achse kann nicht einen FIR-Filter und einen HSC-Filter haben"};
-constexpr Sentence guard{"one axis cannot have the Vibration Guard and an HSC filter",
-                         "eine Achse kann nicht den Vibration Guard und einen HSC-Filter haben"};
-constexpr Sentence reaction{"it reports that both together are not permitted",
+constexpr Sentence headline{"an axis cannot have both a FIR filter and an HSC filter",
+                            "eine Achse kann nicht zugleich einen FIR-Filter und einen HSC-Filter haben"};
+constexpr Sentence guard{"an axis cannot have both the Vibration Guard and an HSC filter",
+                         "eine Achse kann nicht zugleich den Vibration Guard und einen HSC-Filter haben"};
+constexpr Sentence reaction{"it reports that the combination is not permitted",
                             "sie meldet, dass beides zusammen nicht zulässig ist"};
 constexpr Sentence help{"FIR filters replace HSC filters from build V3.1.3075.02",
                         "FIR-Filter ersetzen HSC-Filter ab Stand V3.1.3075.02"};

@@ -5,8 +5,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"one axis cannot have a FIR filter and the Vibration Guard",
-                            "eine Achse kann nicht einen FIR-Filter und den Vibration Guard haben"};
+constexpr Sentence headline{"an axis cannot have both a FIR filter and the Vibration Guard",
+                            "eine Achse kann nicht zugleich einen FIR-Filter und den Vibration Guard haben"};
 constexpr Sentence guard_here{"the Vibration Guard is switched on here",
                               "hier wird der Vibration Guard eingeschaltet"};
 constexpr Sentence reaction{"the Vibration Guard is not active", "der Vibration Guard ist nicht aktiv"};

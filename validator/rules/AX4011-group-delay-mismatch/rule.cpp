@@ -15,21 +15,22 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{
-    "the axes of the channel run apart: their filters delay differently, by {cycles} cycles ({milliseconds} "
+    "the axes of the channel are out of step: their filter delays differ by {cycles} cycles ({milliseconds} "
     "ms)",
-    "die Achsen des Kanals laufen auseinander: ihre Filter verzögern verschieden, um {cycles} Takte "
+    "die Achsen des Kanals laufen nicht synchron: ihre Filterverzögerungen unterscheiden sich um {cycles} "
+    "Zyklen "
     "({milliseconds} ms)"};
 constexpr Sentence missing{"axis \"{axis}\": {cycles} cycles, {missing} too few",
-                           "Achse \"{axis}\": {cycles} Takte, {missing} zu wenig"};
+                           "Achse „{axis}“: {cycles} Zyklen, {missing} zu wenig"};
 constexpr Sentence limit{
-    "filter[0] to filter[2] if active, filter_fir or HSC if configured, at 0 Hz; axes agree below half a "
-    "cycle",
-    "filter[0] bis filter[2], wo aktiv, filter_fir oder HSC, wo konfiguriert, bei 0 Hz; unter einem halben "
-    "Takt stimmen Achsen überein"};
+    "filter[0] to filter[2] if active, filter_fir or HSC if configured, at 0 Hz; differences below half a "
+    "cycle are ignored",
+    "filter[0] bis filter[2], wo aktiv, filter_fir oder HSC, wo konfiguriert, bei 0 Hz; Unterschiede unter "
+    "einem halben Zyklus zählen nicht"};
 constexpr Sentence help_delay{
-    "the same filter in all axes, or a time delay (`filter_fir.type 4`) in those that lack it",
-    "derselbe Filter in allen Achsen, oder eine Zeitverzögerung (`filter_fir.type 4`) in denen, die ihn "
-    "nicht haben"};
+    "use the same filter in all axes, or a time delay (`filter_fir.type 4`) in those that lack it",
+    "denselben Filter in allen Achsen verwenden, oder eine Zeitverzögerung (`filter_fir.type 4`) in denen "
+    "ohne ihn"};
 constexpr Sentence fix{"add time delays: {axes}", "Zeitverzögerungen ergänzen: {axes}"};
 
 }  // namespace axisc::validator::says
@@ -86,7 +87,7 @@ class DelayWriter {
   SourceSet const& sources_;
 };
 
-/// The time delays that make all axes alike; none where they cannot.
+/// The time delays that make all delays equal; none if that is impossible.
 std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
   double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
   DelayWriter const writer(context.whole.machine, context.whole.sources);

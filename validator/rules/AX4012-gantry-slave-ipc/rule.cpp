@@ -8,11 +8,11 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{
     "Improved Position Control is enabled in the gantry slave \"{axis}\"",
-    "die optimierte Lageregelung ist in der Gantry-Slaveachse \"{axis}\" eingeschaltet"};
+    "die optimierte Lageregelung ist in der Gantry-Slaveachse „{axis}“ eingeschaltet"};
 constexpr Sentence slave_here{"this makes it a slave", "das macht sie zur Slaveachse"};
 constexpr Sentence reaction{"it reports an error", "sie meldet einen Fehler"};
 constexpr Sentence help{
-    "enable it in the master alone; the slave gets the master's additive velocity",
+    "enable it only in the master; the slave gets the master's additive velocity",
     "nur in der Masterachse einschalten; die Slaveachse erhält deren additive Geschwindigkeit"};
 
 }  // namespace axisc::validator::says

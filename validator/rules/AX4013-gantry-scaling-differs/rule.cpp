@@ -11,11 +11,11 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{
     R"(the velocity scaling of the slave "{slave}" differs from that of its master "{master}")",
-    "die Geschwindigkeitsnormierung der Slaveachse \"{slave}\" weicht von der ihrer Masterachse \"{master}\" "
+    "die Geschwindigkeitsnormierung der Slaveachse „{slave}“ weicht von der ihrer Masterachse „{master}“ "
     "ab"};
 constexpr Sentence difference{
     R"({p_axis}: `{parameter}` is {slave_value} in "{slave}", {master_value} in "{master}")",
-    R"({p_axis}: `{parameter}` ist {slave_value} in "{slave}", {master_value} in "{master}")"};
+    R"({p_axis}: `{parameter}` ist {slave_value} in „{slave}“, {master_value} in „{master}“)"};
 constexpr Sentence also_here{"`{parameter}` is set here", "hier wird `{parameter}` gesetzt"};
 
 }  // namespace axisc::validator::says

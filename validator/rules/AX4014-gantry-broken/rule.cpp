@@ -1,4 +1,4 @@
-// AX4014: lists and machine file must agree on who follows whom.
+// AX4014: lists and machine file must agree on masters and slaves.
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/control_numbers.hpp"
@@ -9,42 +9,42 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence no_master{"the gantry slave \"{axis}\" names no master",
-                             "die Gantry-Slaveachse \"{axis}\" nennt keine Masterachse"};
-constexpr Sentence number_names{"{p_axis}: the logical number of the master; 0 is none",
-                                "{p_axis}: die logische Nummer der Masterachse; 0 ist keine"};
+constexpr Sentence no_master{"the gantry slave \"{axis}\" does not name a master",
+                             "die Gantry-Slaveachse „{axis}“ nennt keine Masterachse"};
+constexpr Sentence number_names{"{p_axis}: the logical number of the master; 0 means none",
+                                "{p_axis}: die logische Nummer der Masterachse; 0 bedeutet keine"};
 constexpr Sentence no_such_axis{
     "the gantry slave \"{axis}\" names axis {number} as its master, which this machine does not have",
-    "die Gantry-Slaveachse \"{axis}\" nennt Achse {number} als Masterachse, die es in dieser Maschine nicht "
+    "die Gantry-Slaveachse „{axis}“ nennt Achse {number} als Masterachse, die es in dieser Maschine nicht "
     "gibt"};
 constexpr Sentence itself{
     "the gantry slave \"{axis}\" names itself, axis {number}, as its master",
-    "die Gantry-Slaveachse \"{axis}\" nennt sich selbst, Achse {number}, als Masterachse"};
+    "die Gantry-Slaveachse „{axis}“ nennt sich selbst, Achse {number}, als Masterachse"};
 constexpr Sentence no_master_bit{
-    "axis \"{axis}\" is the master of a gantry, but its mode lacks the master bit",
-    "Achse \"{axis}\" ist Masterachse eines Gantryverbunds, aber ihrer Betriebsart fehlt das Masterbit"};
+    "axis \"{axis}\" is the master of a gantry, but its mode does not have the master bit",
+    "Achse „{axis}“ ist Masterachse eines Gantryverbunds, aber ihrer Betriebsart fehlt das Masterbit"};
 constexpr Sentence names_no_master{
-    R"(the gantry slave "{axis}" names "{master}" as its master, whose mode lacks the master bit)",
-    "die Gantry-Slaveachse \"{axis}\" nennt \"{master}\" als Masterachse, deren Betriebsart das Masterbit "
+    R"(the gantry slave "{axis}" names "{master}" as its master, whose mode does not have the master bit)",
+    "die Gantry-Slaveachse „{axis}“ nennt „{master}“ als Masterachse, deren Betriebsart das Masterbit "
     "fehlt"};
-constexpr Sentence named_here{"\"{axis}\" names it as its master", "\"{axis}\" nennt sie als Masterachse"};
-constexpr Sentence mode_here{"the mode of \"{axis}\"", "die Betriebsart von \"{axis}\""};
-constexpr Sentence bits{"{p_axis}: 0x10000 is a gantry master, 0x20000 a gantry slave",
-                        "{p_axis}: 0x10000 ist Gantry-Masterachse, 0x20000 Gantry-Slaveachse"};
-constexpr Sentence reaction_no_number{"it reports that the slave names no master",
+constexpr Sentence named_here{"\"{axis}\" names it as its master", "„{axis}“ nennt sie als Masterachse"};
+constexpr Sentence mode_here{"the mode of \"{axis}\"", "die Betriebsart von „{axis}“"};
+constexpr Sentence bits{"{p_axis}: 0x10000 means gantry master, 0x20000 gantry slave",
+                        "{p_axis}: 0x10000 bedeutet Gantry-Masterachse, 0x20000 Gantry-Slaveachse"};
+constexpr Sentence reaction_no_number{"it reports that the slave does not name a master",
                                       "sie meldet, dass die Slaveachse keine Masterachse nennt"};
 constexpr Sentence reaction_no_master{
     "it warns that the named axis is not configured as master",
     "sie warnt, dass die genannte Achse nicht als Masterachse konfiguriert ist"};
 constexpr Sentence no_slave_bit{
-    "the machine file calls \"{axis}\" a gantry slave, its mode does not",
-    "die Maschinendatei nennt \"{axis}\" eine Gantry-Slaveachse, ihre Betriebsart nicht"};
+    "the machine file calls \"{axis}\" a gantry slave, but its mode does not",
+    "die Maschinendatei nennt „{axis}“ eine Gantry-Slaveachse, ihre Betriebsart aber nicht"};
 constexpr Sentence other_master{
     "list and machine file give the gantry slave \"{axis}\" different masters",
-    "Liste und Maschinendatei geben der Gantry-Slaveachse \"{axis}\" verschiedene Masterachsen"};
-constexpr Sentence claim_here{"the machine file says it here", "hier sagt es die Maschinendatei"};
-constexpr Sentence lists_count{"the control knows the lists alone; they count",
-                               "die Steuerung kennt nur die Listen; sie gelten"};
+    "Liste und Maschinendatei geben der Gantry-Slaveachse „{axis}“ verschiedene Masterachsen"};
+constexpr Sentence claim_here{"the machine file says so here", "hier sagt es die Maschinendatei"};
+constexpr Sentence lists_count{"the control knows only the lists; they apply",
+                               "die Steuerung kennt nur die Listen, also gelten sie"};
 
 }  // namespace axisc::validator::says
 
@@ -82,7 +82,7 @@ class GantryJudge {
     return report_.add(at, {text, std::move(arguments)});
   }
 
-  /// Where the lists say something that the machine file contradicts.
+  /// Reports a contradiction between lists and machine file.
   void disagree(std::size_t axis, EffectiveValue const& at, SentenceRef text, GantryClaim const& claim) {
     Finding& finding = add(axis, at, text);
     finding.related.push_back({claim.place, {says::claim_here, {}}});
@@ -97,7 +97,7 @@ class GantryJudge {
       if (claim == nullptr && !view.master_number.unusable) without_master(axis, view);
       return;
     }
-    // What the axes beside a single list are is not known.
+    // For a single list the other axes are unknown.
     if (!machine_.machine_file) return;
     auto const master = axis_numbered(machine_, *number);
     if (!master || *master == axis) {

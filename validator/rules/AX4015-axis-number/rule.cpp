@@ -13,8 +13,8 @@ constexpr Sentence default_list{"the default list must have axis number 0 or non
                                 "die Standardliste muss die Achsnummer 0 oder keine haben, nicht {number}"};
 constexpr Sentence twice{"the axes {axes} have the same number {number}",
                          "die Achsen {axes} haben dieselbe Nummer {number}"};
-constexpr Sentence also_here{"axis \"{axis}\" has it here", "Achse \"{axis}\" hat sie hier"};
-constexpr Sentence reaction_aborts{"it aborts the start-up", "sie bricht den Hochlauf ab"};
+constexpr Sentence also_here{"axis \"{axis}\" has it here", "Achse „{axis}“ hat sie hier"};
+constexpr Sentence reaction_aborts{"it aborts start-up", "sie bricht den Hochlauf ab"};
 constexpr Sentence reaction_zero{"it reports the number as wrong", "sie meldet die Nummer als falsch"};
 constexpr Sentence reaction_twice{"it reports the number as used twice",
                                   "sie meldet die Nummer als doppelt vergeben"};
@@ -45,7 +45,7 @@ std::vector<Numbered> numbered_axes(LoadedMachine const& machine) {
   return found;
 }
 
-/// The default list counts for every axis that says nothing else, so its number is seen in none of them alone.
+/// The default list applies to every axis without a value of its own, so its number is checked separately.
 void check_default_list(LoadedMachine const& machine, Report& report) {
   LoadedList const* const list = machine.list_of_defaults();
   if (list == nullptr) return;

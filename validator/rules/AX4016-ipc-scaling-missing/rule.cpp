@@ -11,12 +11,13 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{
-    "the additive velocity goes to the drive, but its scaling is at its defaults",
-    "die additive Geschwindigkeit geht an den Antrieb, aber ihre Skalierung steht auf den Standardwerten"};
+    "the additive velocity is sent to the drive, but its scaling has its default values",
+    "die additive Geschwindigkeit geht an den Antrieb, aber ihre Skalierung hat die Standardwerte"};
 constexpr Sentence defaults{
     "P-AXIS-00205 to 00207: by default {denominator} µm per minute (0.001° per minute) are {numerator} "
     "increment",
-    "P-AXIS-00205 bis 00207: ohne Angabe sind {denominator} µm je Minute (0,001° je Minute) {numerator} "
+    "P-AXIS-00205 bis 00207: mit den Standardwerten sind {denominator} µm je Minute (0,001° je Minute) "
+    "{numerator} "
     "Inkrement"};
 constexpr Sentence mapping{"the process data must contain the additive velocity",
                            "die Prozessdaten müssen die additive Geschwindigkeit enthalten"};

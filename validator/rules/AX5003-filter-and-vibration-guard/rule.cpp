@@ -8,8 +8,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"#FILTER and #VIB GUARD must not stand in one NC program",
-                            "#FILTER und #VIB GUARD dürfen nicht in einem NC-Programm stehen"};
+constexpr Sentence headline{"#FILTER and #VIB GUARD must not be used in the same NC program",
+                            "#FILTER und #VIB GUARD dürfen nicht im selben NC-Programm vorkommen"};
 constexpr Sentence help{
     "both smooth the setpoints: FIR filters over a wide band, the Vibration Guard at one frequency; keep one "
     "of them",

@@ -11,7 +11,7 @@ constexpr Sentence headline{
 constexpr Sentence active_here{"activated here for axis {axis}", "hier für die Achse {axis} aktiviert"};
 constexpr Sentence reaction{"the Vibration Guard is switched off", "der Vibration Guard wird abgeschaltet"};
 constexpr Sentence help{
-    "set `vib_guard.active 0`, or enable the FIR filters in the lists and leave #FILTER out",
+    "set `vib_guard.active 0`, or enable the FIR filters in the lists and remove #FILTER",
     "`vib_guard.active 0` setzen, oder die FIR-Filter in den Listen einschalten und auf #FILTER verzichten"};
 
 }  // namespace axisc::validator::says

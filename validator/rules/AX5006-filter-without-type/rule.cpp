@@ -14,7 +14,8 @@ constexpr Sentence reaction{"the filter of these axes stays inactive",
                             "der Filter dieser Achsen bleibt inaktiv"};
 constexpr Sentence help{
     "set `filter_fir.type` in their lists: 1 moving average, 2 Gaussian, 3 windowed sinc, 4 time delay",
-    "`filter_fir.type` in ihren Listen setzen: 1 Mittelwert, 2 Gauß, 3 Windowed-Sinc, 4 Zeitverzögerung"};
+    "`filter_fir.type` in ihren Listen setzen: 1 gleitender Mittelwert, 2 Gauß, 3 Windowed Sinc, 4 "
+    "Zeitverzögerung"};
 
 }  // namespace axisc::validator::says
 

@@ -11,8 +11,8 @@ constexpr Sentence headline{
     "`ACC_FACT` braucht in jeder Achse ein gültiges P-AXIS-00013 (`getriebe[0].dynamik.a_trans_weight`): "
     "{axes}"};
 constexpr Sentence limit{
-    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 and unset are not valid",
-    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 und nicht gesetzt sind ungültig"};
+    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0.1 %); 0 or unset is not valid",
+    "P-AXIS-00013: 1 ≤ a_trans_weight ≤ 1000 (0,1 %); 0 oder nicht gesetzt ist ungültig"};
 constexpr Sentence value_here{"axis {axis} has {value} here", "die Achse {axis} hat hier {value}"};
 
 }  // namespace axisc::validator::says
@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view weight = "getriebe[].dynamik.a_trans_weight";
 constexpr double largest_weight = 1000;
 
-/// The values of the command's ACC_FACT, or the keyword where it has none.
+/// The values of the command's ACC_FACT, or the keyword if it has none.
 std::vector<Span> acceleration_factors(ProgramContext const& context) {
   std::vector<Span> spans;
   for (grammar::NcCommand const& command : context.program.tree.commands) {

@@ -5,13 +5,13 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"`{command}` switches the FIR filters off that #FILTER ON switched on",
+constexpr Sentence headline{"`{command}` switches off the FIR filters that #FILTER ON switched on",
                             "`{command}` schaltet die FIR-Filter ab, die #FILTER ON eingeschaltet hat"};
 constexpr Sentence on_here{"switched on here", "hier eingeschaltet"};
 constexpr Sentence reaction{"from here on the FIR filters are off", "ab hier sind die FIR-Filter aus"};
 constexpr Sentence help{
-    "write `#FILTER ON` behind it once more; filters that the lists enable stay on",
-    "dahinter noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
+    "write `#FILTER ON` again after it; filters that the lists enable stay on",
+    "danach noch einmal `#FILTER ON` schreiben; Filter, die die Listen einschalten, bleiben an"};
 
 }  // namespace axisc::validator::says
 
@@ -19,7 +19,7 @@ namespace axisc::validator::checks {
 namespace {
 
 void axis_exchange_disables(ProgramContext const& context, Report& report) {
-  // The last #FILTER ON with the exchanges behind it; any #FILTER behind them answers them.
+  // The last #FILTER ON with the exchanges after it; a later #FILTER makes them harmless.
   std::vector<Span> spans;
   for (grammar::NcCommand const& command : context.program.tree.commands) {
     if (is_fir_filter(context, command)) {

@@ -10,8 +10,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"#FILTER ON [HSC] has no HSC filter to switch on",
                             "#FILTER ON [HSC] findet keinen HSC-Filter zum Einschalten"};
 constexpr Sentence help{
-    "preconfigure `filter[0].prototype HSC` in the axes of the channel, alike in all of them",
-    "`filter[0].prototype HSC` in den Achsen des Kanals vorkonfigurieren, in allen gleich"};
+    "preconfigure `filter[0].prototype HSC` in all axes of the channel, with the same values",
+    "`filter[0].prototype HSC` in allen Achsen des Kanals gleich vorkonfigurieren"};
 
 }  // namespace axisc::validator::says
 

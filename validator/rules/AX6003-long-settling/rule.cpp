@@ -15,7 +15,7 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"the filters of this axis need more than 10 s to settle",
                             "die Filter dieser Achse brauchen mehr als 10 s, um einzuschwingen"};
 constexpr Sentence measured{"a step stays within 0.01 % after {seconds} s",
-                            "ein Sprung bleibt nach {seconds} s innerhalb von 0.01 %"};
+                            "ein Sprung bleibt nach {seconds} s innerhalb von 0,01 %"};
 constexpr Sentence beyond{"a step is not settled after {seconds} s",
                           "ein Sprung ist nach {seconds} s nicht eingeschwungen"};
 constexpr Sentence slowest{"`{filter}` is the slowest filter of the chain",
@@ -40,7 +40,7 @@ enum class Settling : std::uint8_t { in_time, late };
 
 struct Result {
   Settling settling = Settling::in_time;
-  std::optional<double> seconds;  ///< none where it was not measured
+  std::optional<double> seconds;  ///< none if it was not measured
 };
 
 // Cycles until radius^n falls below the tolerance.

@@ -10,7 +10,7 @@ constexpr Sentence headline{"the band-stop `{filter}` overshoots by {overshoot} 
 constexpr Sentence monitoring{
     "{p_axis}: `{parameter}` lets the velocity exceed its limit by {limit} % before it responds",
     "{p_axis}: `{parameter}` lässt {limit} % Überschreitung der Geschwindigkeit zu, bevor sie anspricht"};
-constexpr Sentence help{"reduce the axis' dynamics, or allow slightly more with {p_axis}",
+constexpr Sentence help{"reduce the dynamics of the axis, or allow slightly more with {p_axis}",
                         "die Achsdynamik verringern, oder mit {p_axis} geringfügig mehr zulassen"};
 
 }  // namespace axisc::validator::says

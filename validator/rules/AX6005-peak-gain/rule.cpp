@@ -8,12 +8,13 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"the filters of this axis may amplify peaks {gain} times",
-                            "die Filter dieser Achse können Spitzen auf das {gain}-fache verstärken"};
+constexpr Sentence headline{"the filters of this axis may amplify peaks by a factor of {gain}",
+                            "die Filter dieser Achse können Spitzen auf das {gain}fache verstärken"};
 constexpr Sentence label{"peak gain Σ|h| = {gain}", "Spitzenverstärkung Σ|h| = {gain}"};
 constexpr Sentence note{
-    "peaks of velocity and acceleration may grow that much; every notch and all-pass does this",
-    "Spitzen von Geschwindigkeit und Beschleunigung können so weit wachsen; jede Bandsperre und jeder "
+    "peaks of velocity and acceleration may grow by this factor; every band-stop and all-pass does this",
+    "Spitzen von Geschwindigkeit und Beschleunigung können um diesen Faktor wachsen; jede Bandsperre und "
+    "jeder "
     "Allpass tut das"};
 constexpr Sentence filter_here{"`{filter}` is part of the chain", "`{filter}` gehört zur Kette"};
 
