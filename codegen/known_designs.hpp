@@ -54,7 +54,7 @@ class KnownDesigns {
   [[nodiscard]] Filter filter(design::FilterSpecification const& specification, design::CycleTime cycle_time);
   [[nodiscard]] Filter oscillator(design::OscillatorSpecification const& specification,
                                   design::CycleTime cycle_time);
-  /// Of a kernel that changes the signal. What its type ignores stands at its default, or equal kernels are designed twice.
+  /// Of a kernel that changes the signal. What its type ignores must have its default, otherwise equal kernels are designed twice.
   [[nodiscard]] Kernel kernel(design::KernelSpecification const& specification, design::CycleTime cycle_time);
   /// Figures of filters in series, at least one.
   [[nodiscard]] ChainProof chain(std::span<design::FilterSpecification const> specifications,

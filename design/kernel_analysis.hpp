@@ -16,7 +16,7 @@ namespace axisc::design {
 [[nodiscard]] std::complex<double> response(KernelDesign const& kernel, Hertz frequency,
                                             CycleTime cycle_time);
 
-/// The same as magnitude, phase and group delay. The group delay of a linear-phase kernel is h cycles at every
+/// The response as magnitude, phase and group delay. The group delay of a linear-phase kernel is h cycles at every
 /// frequency, also on its zeros, where the phase jumps; that of a blended time delay is NaN on its zeros.
 [[nodiscard]] ResponsePoint kernel_response(KernelDesign const& kernel, Hertz frequency,
                                             CycleTime cycle_time);

@@ -47,7 +47,7 @@ struct KernelDesign {
   double group_delay_cycles = 0;   ///< at 0 Hz: delay_cycles, or s·N where a time delay blends
   std::vector<double> tail_sums{};  ///< S_0, S_1, …: 2h or N of them; empty where the signal passes unchanged
   std::vector<double> taps{1.0};    ///< causal taps b_0, b_1, …, share included, for display and analysis
-  double kernel_sum = 1;            ///< of the taps that the tail sums stand for: telescopes to exactly 1
+  double kernel_sum = 1;            ///< of the taps that the tail sums represent: telescopes to exactly 1
 };
 
 /// Kernel in 50 decimal digits, each number rounded once (below 2^-1022 it is 0); identical on every host.

@@ -1,5 +1,5 @@
 // Shapes of the symmetrical kernels. Each function gives the taps of one half, c_0 (the centre) to c_h, in any
-// scale: whoever uses them divides by  c_0 + 2 Σ_{k=1..h} c_k.
+// scale: to be divided by  c_0 + 2 Σ_{k=1..h} c_k.
 #pragma once
 
 #include "design/phasor_def.hpp"

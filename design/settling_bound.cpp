@@ -32,7 +32,7 @@ double least_denominator(IncrementSection const& section, Circle circle) {
 /// for narrow filters, through which most passes unchanged.
 double most_of_section(IncrementSection const& section, bool blocks_constant, Circle circle) {
   double const denominator = least_denominator(section, circle);
-  // Rounding may part a double pole, so that one of the two lies outside.
+  // Rounding may split a double pole, so that one of the two is outside.
   if (!(denominator > 0)) return std::numeric_limits<double>::infinity();
   double const w = circle.inverse;
   double const increment = (std::abs(section.p) + std::abs(section.q) * w) * (1 + w) / denominator;
@@ -69,7 +69,7 @@ double bound_on(Circle circle, std::span<FilterDesign const> chain, double toler
   }
   double const error = (std::abs(final_value) + most) / (circle.inverse - 1);
   double const cycles = std::log(tolerance / error) / std::log(circle.radius);
-  return cycles < 0 ? 0 : cycles;  // what is no number stays none
+  return cycles < 0 ? 0 : cycles;  // NaN stays NaN
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ constexpr bool is_end_marker(std::string_view word) {
 inline constexpr CharacterClasses begins_name = character::letter;
 inline constexpr CharacterClasses continues_name = character::letter | character::digit;
 
-// Words go on to the next blank or parenthesis, with whatever stands before it.
+// Words go on to the next blank or parenthesis, with whatever precedes it.
 inline constexpr CharacterClasses begins_word = character::letter | character::high;
 inline constexpr CharacterClasses ends_word = character::blank | character::parenthesis;
 

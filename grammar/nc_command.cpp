@@ -20,7 +20,7 @@ class CommandReader {
  public:
   CommandReader(std::string_view text, std::uint32_t offset) : text_(text), offset_(offset) {}
 
-  /// Stands behind what belongs to the command then.
+  /// Is then after what belongs to the command.
   NcCommand read(char const*& position) {
     char const* const end = text_.data() + text_.size();
     block_syntax::CommandName name;

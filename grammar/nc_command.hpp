@@ -22,8 +22,8 @@ enum class CommandKind : std::uint8_t {
 enum class CommandSwitch : std::uint8_t { none, on, off };
 
 enum class KeywordValue : std::uint8_t {
-  none,       ///< no `=` behind the name: HSC
-  missing,    ///< nothing behind `=`
+  none,       ///< no `=` after the name: HSC
+  missing,    ///< nothing after `=`
   integer,    ///< 20, +5, -5, 020
   real,       ///< 0.5, .5, 5., 1e3
   variable,   ///< P10, V.P.ORDER, V.L.TABLE[2]: known only while the program runs
@@ -38,8 +38,8 @@ struct Keyword {
 
 enum class CommandProblemKind : std::uint8_t {
   letter_case,       ///< the command's name is not written in upper case; span is the name
-  unexpected_text,   ///< neither ON, OFF nor `[`, or text behind the command
-  expected_keyword,  ///< inside the brackets stands something else
+  unexpected_text,   ///< neither ON, OFF nor `[`, or text after the command
+  expected_keyword,  ///< something else inside the brackets
   unclosed_bracket,  ///< span is the `[`
 };
 

@@ -24,7 +24,7 @@ inline constexpr std::size_t lines_at_once = 256;
 /// Bytes that lines are searched in at once.
 inline constexpr std::size_t bytes_at_once = 32768;
 
-/// Some lines of a text, one behind the other.
+/// Consecutive lines of a text.
 struct PlainLines {
   static constexpr std::size_t room = lines_at_once + room_behind_line;
 
@@ -37,7 +37,7 @@ struct PlainLines {
   std::array<std::uint64_t, bytes_at_once / 64 + 1> content;
   std::size_t count = 0;
   std::uint32_t lines_before = 0;  ///< in the text
-  /// "P-" stands in these lines or in those that were found before, as in the number of a parameter.
+  /// "P-" is in these lines or in those that were found before, as in the number of a parameter.
   bool may_name_numbers = false;
 
   /// Without its line end.

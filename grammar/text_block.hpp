@@ -30,7 +30,7 @@ class TextBlock {
 
   struct Layout {
     Bits line_feeds = 0;
-    Bits content = 0;  ///< neither blanks nor line ends, where no unusual byte stands
+    Bits content = 0;  ///< neither blanks nor line ends, outside of unusual bytes
   };
   [[nodiscard]] Layout layout() const {
     Words const line_feeds = gathered([this](unsigned i) { return equal(bytes_[i], lexical::line_feed); });

@@ -13,7 +13,7 @@ namespace axisc::runtime {
 namespace {
 
 constexpr uint32_t longest_fade = 4096;
-/// Cycles in which both runtimes must have given the same, with standing setpoints.
+/// Cycles in which both runtimes must have had equal outputs, with constant setpoints.
 constexpr uint32_t standstill_cycles = 64;
 
 Block memory_of_recorder(axisrt const& runtime) {
@@ -37,7 +37,7 @@ uint32_t fade_cycles(double distance, double velocity, double acceleration) {
   return 0;
 }
 
-/// How long the change must take, and how long the new runtime must have run beside the old one before.
+/// How long the change must take, and how long the new runtime must have run along with the old one before.
 void plan(axisrt const& active, axisrt const& prepared, Change& change) {
   change.length = 1;
   change.warm_up = 0;

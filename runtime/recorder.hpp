@@ -1,6 +1,6 @@
 // The ring of a recorder: what every call was given and gave, and a second runtime that has executed what fell out of the
 // ring. So the recording always begins with a known state, no cycle copies one, and each costs the same: its own entry,
-// and another cycle of the runtime that follows behind.
+// and another cycle of the runtime that lags behind.
 #pragma once
 
 #include "axisrt.h"
@@ -65,7 +65,7 @@ class Entry {
 /// An entry of a call between the cycles.
 void record_call(axisrt const& runtime, EntryHead const& head, double const* values, uint32_t count);
 
-/// Executes entry `head` on a runtime; `values` are its words behind the head, and what the runtime gives is written over
+/// Executes entry `head` on a runtime; `values` are its words after the head, and the runtime's outputs are written over
 /// those that it gave.
 axisrt_status execute(axisrt& runtime, EntryHead const& head, double* values);
 

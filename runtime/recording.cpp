@@ -69,7 +69,7 @@ RecorderLayout lay_out_recorder(axisrt const& runtime, uint32_t cycles, uint64_t
   return layout;
 }
 
-/// The configuration of the runtime behind the ring.
+/// The configuration of the runtime that follows the ring.
 axisrt_config config_of_past(axisrt const& runtime, axisrt_config const& config) {
   axisrt_config past = config;
   past.level = axisrt_level_of(&runtime);

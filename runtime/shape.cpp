@@ -3,7 +3,7 @@
 namespace axisc::runtime {
 namespace {
 
-/// Slots stand in ascending order of their axes.
+/// Slots are in ascending order of their axes.
 uint32_t slot_of_axis(ImageView const& view, uint32_t axis) {
   uint32_t begin = 0;
   uint32_t end = view.slots.count;

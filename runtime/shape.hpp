@@ -64,7 +64,7 @@ struct Group {
 [[nodiscard]] bool same_layout(Group const& a, Group const& b);
 
 /// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own: lines of the first
-/// `most_shapes` shapes are grouped, those of any further shape stand alone. Costs at most a pass over the lines for each of
+/// `most_shapes` shapes are grouped, those of any further shape are alone. Costs at most a pass over the lines for each of
 /// these shapes, whatever the image is.
 class Grouping {
  public:
@@ -74,7 +74,7 @@ class Grouping {
 
  private:
   struct Key {
-    uint64_t steps;     ///< kinds, delays, blocking sections: only equal ones stand in one group
+    uint64_t steps;     ///< kinds, delays, blocking sections: only equal ones are in one group
     uint64_t sections;  ///< long chains first
   };
   struct Kind {
@@ -86,7 +86,7 @@ class Grouping {
 
   [[nodiscard]] Key key_of(uint32_t line) const;
   [[nodiscard]] static bool less(Key const& a, Key const& b);
-  /// Where a key stands among the kinds, or would stand.
+  /// The place of a key among the kinds, or where it would be.
   [[nodiscard]] uint32_t place_of(Key const& key) const;
   [[nodiscard]] bool is_kind(uint32_t place, Key const& key) const;
   void count_line(uint32_t line);

@@ -1,4 +1,4 @@
-// The signature behind an image.
+// The signature after an image.
 #pragma once
 
 #include "axisrt.h"

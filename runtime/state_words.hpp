@@ -95,7 +95,7 @@ class StateWalk {
     return good;
   }
 
-  /// Kernels by their number, none as the one behind the last; they must fit into a history of `blocks`.
+  /// Kernels by their number, none as the one after the last; they must fit into a history of `blocks`.
   bool kernel(Kernel const* from, Kernel const*& to, uint32_t blocks) {
     uint32_t const none = from_.kernel_count + 1;
     uint32_t number = from == nullptr ? none : static_cast<uint32_t>(from - from_.kernels);

@@ -1,8 +1,8 @@
 // The catalogue of all axis parameters: what exists, of which type, in which range.
 //
-// The facts stand in axis-parameters.json; a generator turns them at build time into constant tables with a perfect
+// The facts are in axis-parameters.json; a generator turns them at build time into constant tables with a perfect
 // hash over all concrete names, so that nothing is parsed or allocated when the program starts. Schema files of the user
-// add to them or say them anew: class Catalogue.
+// add to them or replace them: class Catalogue.
 #pragma once
 
 #include "schema/data_type.hpp"
@@ -50,7 +50,7 @@ struct alignas(64) Parameter {
   std::uint16_t max_length = 0;  ///< of a string, in characters; 0 where none is documented
   Slot first_slot{};
   std::uint16_t slots = 1;
-  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
+  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 for a missing index
   std::string_view name;                 ///< pattern: `filter[].order`
   std::string_view default_text;         ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
   std::string_view
@@ -74,7 +74,7 @@ struct alignas(64) Parameter {
   return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
 }
 
-/// All slots of a row; gives the place behind them.
+/// All slots of a row; gives the place after them.
 template <typename Output>
 constexpr Output write_slots(Parameter const& parameter, Output out) {
   for (std::uint16_t i = 0; i < parameter.slots; ++i) {
@@ -116,7 +116,7 @@ struct NameLookup {
 /// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
 /// `name` is syntactically right: identifiers joined by dots, each with at most one index.
 [[nodiscard]] NameLookup find(std::string_view name);
-/// The same without folding the case.
+/// Like find(), without folding the case.
 [[nodiscard]] NameLookup find_as_written(std::string_view name);
 
 /// All rows with that number (several names may share one); empty when there is none.
@@ -134,7 +134,7 @@ struct NameLookup {
 
 /// Known names that a mistyped one may have meant, best first, at most three; the indices of `name` are kept.
 [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name);
-/// The same among the words of one enumeration.
+/// Words of one enumeration that a mistyped one may have meant, best first, at most three.
 [[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
                                                             std::string_view word);
 
@@ -149,7 +149,7 @@ struct ConcreteParameter {
 [[nodiscard]] ConcreteParameter find_exact(std::string_view name);
 
 struct PlainValues;
-/// A concrete parameter and those of its values that are beyond doubt; null for a name that is no parameter's.
+/// A concrete parameter and those of its values that are beyond doubt; null for a name that is not a parameter's.
 struct PlainParameter {
   PlainValues const* values = nullptr;
   Slot slot{};

@@ -53,7 +53,7 @@ constexpr std::size_t word_bits = 64;
 /// (2003), which knows swaps. `rise` and `fall` say where the column goes up and down by one, `diagonal` where it repeats
 /// the value up and left of it.
 std::size_t distance_in_words(std::string_view a, std::string_view b, std::size_t limit) {
-  // Most words are short beside the alphabet: only the letters that occur get a place.
+  // Most words are short compared with the alphabet: only the letters that occur get a place.
   std::array<std::uint64_t, 256> places;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (char const byte : a) places[static_cast<unsigned char>(byte)] = 0;
   for (char const byte : b) places[static_cast<unsigned char>(byte)] = 0;

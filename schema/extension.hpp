@@ -53,7 +53,7 @@ class Extension {
   std::map<std::string, std::vector<ParameterId>, std::less<>> own_by_bare_name_;
   std::set<ParameterId> own_ids_;
   std::map<std::uint16_t, std::vector<ParameterId>> by_number_;
-  std::vector<ParameterId> own_slots_;  ///< of the slots behind those that were built in
+  std::vector<ParameterId> own_slots_;  ///< of the slots after the built-in ones
   std::set<std::string, std::less<>> words_;
   mutable std::once_flag taken_apart_;
   mutable std::unique_ptr<VocabularyTables> vocabulary_;  ///< made when the first name is mistyped

@@ -23,7 +23,7 @@ using Letters = std::uint64_t;
   return (only_a | only_b) != 0;
 }
 
-/// False if neither of two texts with these letters stands in the other: what stands in a text brings no letter that it has not.
+/// False if neither of two texts with these letters can contain the other: a part has no letter that the whole lacks.
 [[nodiscard]] inline bool may_contain_one_another(Letters a, Letters b) {
   return (a & ~b) == 0 || (b & ~a) == 0;
 }

@@ -22,7 +22,7 @@ struct Candidate {
 
 /// Candidates that are more than this worse than the best are left out.
 inline constexpr std::size_t tolerance_to_best = 1;
-/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may stand for an underscore.
+/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may replace an underscore.
 inline constexpr std::size_t few_slips = 2;
 
 /// Those that are not much worse than the best, in no order. `bare` is `name` without indices. Where a name with one

@@ -1,4 +1,4 @@
-// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or says anew.
+// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or replaces.
 #pragma once
 
 #include "schema/catalogue.hpp"

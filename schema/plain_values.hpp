@@ -21,7 +21,7 @@ enum class PlainKind : std::uint8_t {
   text,     ///< a word of at most `longest` bytes
 };
 
-/// Of one row of the catalogue. Half a cache line, so that what look-ups need lies together.
+/// Of one row of the catalogue. Half a cache line, so that what look-ups need is contiguous.
 struct PlainValues {
   double lowest = 0;
   double highest = 0;
@@ -54,7 +54,7 @@ constexpr DataRange plain_range_of(DataType type) {
 
 // What follows says less than the closer look does (schema/value.hpp): where it is in doubt, there is nothing plain.
 
-/// Words that mean the numbers beside them, or none; there are not too many.
+/// Words with the numbers that they mean, or none; there are not too many.
 constexpr bool has_plain_symbols(Parameter const& parameter) {
   bool const any_too_long =
       std::any_of(parameter.symbols.begin(), parameter.symbols.end(), [&parameter](Symbol const& symbol) {

@@ -19,7 +19,7 @@ enum class RowContradiction : std::uint8_t {
   minimum_above_maximum,
   symbols_of_numbers,   ///< symbols of a type that has no words
   symbol_twice,         ///< FALSE or TRUE of a boolean
-  length_of_numbers,    ///< max_length of a type that is no string
+  length_of_numbers,    ///< max_length of a type that is not a string
   default_not_a_value,  ///< of the type, or of the symbols
 };
 
@@ -41,7 +41,7 @@ struct RowReading {
   std::vector<RowProblem> problems;
 };
 
-/// What `entry` makes of `known`, the row of its name, or of nothing. It says anew what it names and leaves the rest; with
+/// What `entry` makes of `known`, the row of its name, or of nothing. It replaces what it names and keeps the rest; with
 /// another type, limits, default and words of the old one are dropped. `entry` is as docs/schemas/schema-file.schema.json
 /// says; everything else throws what nlohmann throws.
 [[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known);

@@ -37,7 +37,7 @@ struct NumberReading {
 [[nodiscard]] NumberReading read_integer(std::string_view text, schema::DataType type);
 /// A real, correctly rounded: the nearest double. Integers, decimal or hexadecimal, are reals too.
 [[nodiscard]] NumberReading read_real(std::string_view text);
-/// True where the whole of `text` is one integer or real, as a second value behind the first would be.
+/// True where the whole of `text` is one integer or real, as a second value after the first would be.
 [[nodiscard]] bool is_complete_number(std::string_view text);
 
 /// `open`: the limit itself is not allowed.
@@ -77,7 +77,7 @@ struct SymbolReading {
 
 /// The documented default; none where the catalogue has none, or where it is not a plain value.
 [[nodiscard]] std::optional<Value> default_value(schema::Parameter const& parameter);
-/// The number behind a default of the form `P-AXIS-00008`; 0 for every other default.
+/// The number in a default of the form `P-AXIS-00008`; 0 for every other default.
 [[nodiscard]] std::uint16_t default_reference(schema::Parameter const& parameter);
 
 }  // namespace axisc::schema

@@ -15,7 +15,7 @@
 
 namespace axisc::schema {
 
-/// Numbers of names and parts that belong to one thing each: those of thing i stand from starts[i] to starts[i + 1].
+/// Numbers of names and parts that belong to one thing each: those of thing i are from starts[i] to starts[i + 1].
 struct Groups {
   std::span<std::uint32_t const> starts;
   std::span<std::uint32_t const> numbers;
@@ -26,7 +26,7 @@ struct Groups {
   [[nodiscard]] std::size_t size() const { return starts.size() - 1; }
 };
 
-/// The index of a name is that of its row. A part is what stands between two dots; a family is what stands before the last
+/// The index of a name is that of its row. A part is the text between two dots; a family is the text before the last
 /// part, with its dot.
 struct Vocabulary {
   std::span<Parameter const> rows;

@@ -29,7 +29,7 @@ constexpr std::uint64_t word_at(char const* bytes) {
   return word;
 }
 
-/// The same of at most eight bytes, as if zeros stood behind them.
+/// The same of at most eight bytes, as if zeros followed them.
 constexpr std::uint64_t word_of(std::string_view text) {
   std::array<char, sizeof(std::uint64_t)> bytes{};
   std::copy(text.begin(), text.end(), bytes.begin());

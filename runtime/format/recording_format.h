@@ -6,7 +6,7 @@
  *   word 3   words of the state before the first entry
  *   word 4   words of the entries
  *   word 5   number of entries
- *   word 6   CRC-32C of everything behind word 7; CRC-32C of words 0 to 7 with this half 0 << 32
+ *   word 6   CRC-32C of everything after word 7; CRC-32C of words 0 to 7 with this half 0 << 32
  *   word 7   0
  *   state    as the runtime of this level orders it
  *   entries  oldest first

@@ -7,9 +7,9 @@
 // passing    H(1) = 1.  The base stays, sum grows by what the sections add. At rest sum is zero and the output
 //            is the setpoint, exactly. With a share s:
 //            sum' = s sum_f + (1 - s) sum,  d' = s d_f + (1 - s) d
-// blocking   H(1) = 0.  The sections' output e replaces the signal. Of the part beside the filter the base is
+// blocking   H(1) = 0.  The sections' output e replaces the signal. Of the part that bypasses the filter, the base is
 //            scaled:  base' + low = (1 - s) base in twice the precision,  sum' = s e + (1 - s) sum + low
-// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part beside it is
+// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part that bypasses it is
 //            added as a distance from there:
 //            base' = base_D,  sum' = s sum_D + (1 - s) ((base - base_D) + sum)
 //

@@ -24,7 +24,7 @@ namespace axisc::runtime::AXISRT_LEVEL {
 template <uint32_t Width>
 struct Lanes;
 
-// One lane stands in a vector too where the processor has them: masks and numbers then stay in the same registers.
+// One lane is in a vector too where the processor has them: masks and numbers then stay in the same registers.
 #if defined(__SSE2__)
 #define AXISRT_ONE_LANE_IN_VECTOR 1
 #else
@@ -116,7 +116,7 @@ AXISRT_INLINE void store(void* to, Real<Width> value) {
   }
 }
 
-/// The same number in every lane.
+/// One number in every lane.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> all(double value) {
   if constexpr (Width == 1) {
@@ -136,7 +136,7 @@ AXISRT_INLINE Real<Width> real_of(Bits<Width> bits) {
   return __builtin_bit_cast(Real<Width>, bits);
 }
 
-/// The same mask, of which a compiler knows nothing: else it turns selections between two numbers back into branches.
+/// The mask unchanged, but opaque to the compiler, which otherwise turns selections between two numbers back into branches.
 AXISRT_INLINE uint64_t opaque(uint64_t mask) {
 #if defined(__GNUC__)
   __asm__("" : "+r"(mask));
@@ -175,7 +175,7 @@ AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
   return real_of<Width>(mask & bits_of<Width>(value));
 }
 
-/// The same value, of which a compiler knows nothing: keeps it from merging a rounded product with a following sum where
+/// The value unchanged, but opaque to the compiler: keeps it from merging a rounded product with a following sum where
 /// an error term depends on the rounding.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> rounded(Real<Width> value) {

@@ -19,7 +19,7 @@
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// The increment that stands `age` cycles before the present one.
+/// The increment of `age` cycles before the present one.
 template <uint32_t Width>
 AXISRT_INLINE double const* increment_of_age(SlotGroup const& slot, double const* history, uint32_t age) {
   uint32_t const length = slot.block_count * block_cycles;

@@ -13,7 +13,7 @@
 // whose first and second derivatives begin and end at zero: |w'| <= 15/(8 F), |w''| <= 10/(sqrt(3) F^2).
 //
 // Meanwhile both kernels are applied to the whole history (SlotMode::direct). Afterwards, from the beginning of a block
-// on, the next block's outputs are prepared, and from the block behind it they are used. Which of this happens depends
+// on, the next block's outputs are prepared, and from the block after it they are used. Which of this happens depends
 // on commands and on time, never on values.
 #pragma once
 

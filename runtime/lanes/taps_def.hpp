@@ -4,7 +4,7 @@
 //
 // The history is a ring of blocks of eight cycles. With phase f in the present block b, the increment at place i of block
 // b - c is f + 8 c - i cycles old, so that a block contributes  sum over i of S_(f + 8 c - i) d_(b - c, i). Tails with a
-// negative index are zero: what stands behind the phase in the present block does not count.
+// negative index are zero: what comes after the phase in the present block does not count.
 #pragma once
 
 #include "runtime/lanes/lanes_def.hpp"
@@ -69,7 +69,7 @@ AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup
   return sum_of_lanes<lanes>(sums.total());
 }
 
-/// E of kernels that stand side by side in `zero`, over the whole history.
+/// E of kernels that are adjacent in `zero`, over the whole history.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> apply_directly(double const* zero, SlotGroup const& slot, double const* history) {
   if constexpr (Width == 1) {

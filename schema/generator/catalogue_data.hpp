@@ -9,7 +9,7 @@
 
 namespace axisc::schema::generator {
 
-/// What is wrong with the data, in words for whoever edits it.
+/// What is wrong with the data, in words for the person who edits it.
 class DataError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
