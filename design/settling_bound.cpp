@@ -16,8 +16,8 @@ struct Circle {
   double inverse = 1;
 };
 
-/// min |(1 - p1 w)(1 - p2 w)| on the circle. For p = ρ a exp(±jθ) the square is a parabola in the cosine of the circle's
-/// angle, whose vertex is at (1 + a²) cos θ / 2a.
+/// min |(1 - p1 w)(1 - p2 w)| on the circle. For p = ρ a exp(±jθ) the square is a parabola in the cosine of
+/// the circle's angle, whose vertex is at (1 + a²) cos θ / 2a.
 double least_denominator(IncrementSection const& section, Circle circle) {
   auto const [first, second] = poles(section);
   double const a = std::abs(first) * circle.inverse;
@@ -28,8 +28,8 @@ double least_denominator(IncrementSection const& section, Circle circle) {
   return 1 + a * a - 2 * a * std::abs(cosine);
 }
 
-/// |H| on the circle is at most this. The textbook's numerator is the smaller one for low-passes, that of the increment form
-/// for narrow filters, through which most passes unchanged.
+/// |H| on the circle is at most this. The textbook's numerator is the smaller one for low-passes, that of the
+/// increment form for narrow filters, through which most passes unchanged.
 double most_of_section(IncrementSection const& section, bool blocks_constant, Circle circle) {
   double const denominator = least_denominator(section, circle);
   // Rounding may split a double pole, so that one of the two is outside.
@@ -60,7 +60,8 @@ double most_of_filter(FilterDesign const& filter, Circle circle) {
   return std::abs(filter.share.direct) + std::abs(filter.share.filtered) * most;
 }
 
-/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of what is missing to the final value: |e[n]| ≤ ρ^n max |E(ρ exp(jφ))|.
+/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of what is missing to the final value: |e[n]| ≤ ρ^n max
+/// |E(ρ exp(jφ))|.
 double bound_on(Circle circle, std::span<FilterDesign const> chain, double tolerance) {
   double most = 1, final_value = 1;
   for (FilterDesign const& filter : chain) {

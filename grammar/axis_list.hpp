@@ -45,8 +45,8 @@ struct Assignment {
   friend bool operator==(Assignment const&, Assignment const&) = default;
 };
 
-/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a parameter is given
-/// that takes any text. Cost: a search through the rest of the line.
+/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a
+/// parameter is given that takes any text. Cost: a search through the rest of the line.
 [[nodiscard]] Span free_text(std::string_view bytes, Assignment const& assignment);
 
 enum class ProblemKind : std::uint8_t {

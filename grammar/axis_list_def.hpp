@@ -1,5 +1,6 @@
-// The grammar of one line of an axis list, in Spirit X3, over the lexical facts of lexical.hpp. Comment lines and blank lines never reach it, blanks
-// around the line are cut off, and which character is allowed at all has been checked.
+// The grammar of one line of an axis list, in Spirit X3, over the lexical facts of lexical.hpp. Comment lines
+// and blank lines never reach it, blanks around the line are cut off, and which character is allowed at all
+// has been checked.
 //
 //   line       = end | assignment
 //   end        = "Ende" in any letter case, as a whole word

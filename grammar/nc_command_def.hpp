@@ -107,8 +107,8 @@ inline constexpr auto integer = sign >> digits;
 inline constexpr auto real = sign >> ((fraction >> -exponent) | (digits >> exponent));
 inline constexpr auto coordinate = sign >> (fraction | digits);
 
-// The head of a command. The control wants capitals; in another letter case the two filter commands are recognised, so
-// that a finding can be reported.
+// The head of a command. The control wants capitals; in another letter case the two filter commands are
+// recognised, so that a finding can be reported.
 inline constexpr auto filter_name = '#' >> AnyCase("FILTER") >> word_end;
 inline constexpr auto guard_name = '#' >> AnyCase("VIB") >> inner_blanks >> AnyCase("GUARD") >> word_end;
 inline constexpr auto exchange_name = '#' >> (lit("CALL") | "PUT" | "SET") >> inner_blanks >> "AX" >> word_end

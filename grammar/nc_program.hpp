@@ -1,8 +1,9 @@
 // An NC program as its commands with spans, or as its words for those who follow them.
 //
 // A program is read line by line, whatever its length: a line knows of the one before only through an open
-// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never hides another
-// line. A comment, `( … )` or `; …`, may be in every gap; text in a comment or in a string is not a command.
+// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never
+// hides another line. A comment, `( … )` or `; …`, may be in every gap; text in a comment or in a string is
+// not a command.
 #pragma once
 
 #include "diagnostics/span.hpp"
@@ -58,8 +59,8 @@ class ProgramReader {
  public:
   ProgramReader(ProgramListener& listener, ProgramDetail detail) : listener_(listener), detail_(detail) {}
 
-  /// The next line without its line end; `offset` is its place in the program, from which all spans count. `text` may
-  /// change afterwards.
+  /// The next line without its line end; `offset` is its place in the program, from which all spans count.
+  /// `text` may change afterwards.
   void line(std::string_view text, std::uint32_t offset);
   /// Behind the last line.
   void finish();

@@ -1,5 +1,5 @@
-// The grammar of one block of an NC program, in Spirit X3. A block reaches it as one text, however many lines it has;
-// words and commands are parsed one by one, so a block of any length needs no memory.
+// The grammar of one block of an NC program, in Spirit X3. A block reaches it as one text, however many lines
+// it has; words and commands are parsed one by one, so a block of any length needs no memory.
 //
 //   block = [skip] [block number] { word | command }
 //

@@ -1,7 +1,7 @@
 // A line is cut by calculating with one bit for each of its bytes.
 //
-// What differs from line to line (comment or none, one blank or many) is computed and not decided: a branch that the
-// processor guesses wrong costs as much as a third of a line.
+// What differs from line to line (comment or none, one blank or many) is computed and not decided: a branch
+// that the processor guesses wrong costs as much as a third of a line.
 #include "grammar/plain_lines.hpp"
 
 #include "grammar/text_block.hpp"
@@ -48,7 +48,8 @@ Bits first_of(Bits bits, std::uint32_t count) {
   }
 }
 
-/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, a blank or the line's end is there.
+/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, a blank or the
+/// line's end is there.
 constexpr std::array<TrailerKind, 256> trailer_kinds = [] {
   std::array<TrailerKind, 256> kinds{};
   kinds.fill(TrailerKind::text);
@@ -70,8 +71,8 @@ TrailerKind trailer_kind(char const* trailer) {
 
 enum class Shape : std::uint8_t { irregular, silent, assignment };
 
-/// The line at `origin` has `size` bytes before its line feed; `window` are its first bytes that are content, and those of the
-/// lines after it.
+/// The line at `origin` has `size` bytes before its line feed; `window` are its first bytes that are content,
+/// and those of the lines after it.
 [[gnu::always_inline]] inline Shape split_line(char const* text, std::uint32_t origin, std::uint32_t size,
                                                Bits window, Assignment& out) {
   char const* const line = text + origin;

@@ -1,7 +1,8 @@
 // Comments of NC programs, and the gaps between tokens in which they are allowed.
 //
-// `(` opens a comment that its `)` closes, or the line's end; comments nest. `;` opens one up to the line's end. They are
-// followed by counting, not by a rule that calls itself: no input may drive the depth of our stack.
+// `(` opens a comment that its `)` closes, or the line's end; comments nest. `;` opens one up to the line's
+// end. They are followed by counting, not by a rule that calls itself: no input may drive the depth of our
+// stack.
 #pragma once
 
 #include "grammar/character_class.hpp"

@@ -1,5 +1,5 @@
-// An NC program that is read as its lines come and of which only the lines stay that the checks can point at: programs of
-// a hundred megabytes hold a handful of commands.
+// An NC program that is read as its lines come and of which only the lines stay that the checks can point at:
+// programs of a hundred megabytes hold a handful of commands.
 #pragma once
 
 #include "grammar/nc_program.hpp"

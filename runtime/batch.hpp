@@ -1,9 +1,10 @@
 // How axes are executed side by side.
 //
-// A *line* is one signal with its chain of filters: an axis' setpoint, its additional interface, or a stage of Improved
-// Position Control. Lines whose chains do the same things one after the other form a *group*, each in a *lane* of it;
-// groups of the same shape and width are a *batch*. Everything of a group is stored lane by lane, so that one vector
-// instruction serves all of them. How many lanes a group has is decided by the processor that executes it.
+// A *line* is one signal with its chain of filters: an axis' setpoint, its additional interface, or a stage
+// of Improved Position Control. Lines whose chains do the same things one after the other form a *group*,
+// each in a *lane* of it; groups of the same shape and width are a *batch*. Everything of a group is stored
+// lane by lane, so that one vector instruction serves all of them. How many lanes a group has is decided by
+// the processor that executes it.
 //
 // These are plain structures without functions: code for several instruction sets includes them.
 #pragma once
@@ -28,8 +29,8 @@ enum class OperationKind : uint32_t {
   slot  ///< a linear-phase kernel, or none at present
 };
 
-/// A linear-phase kernel as tail sums. S_j = zero[-j]; zeros precede S_0 and follow the last one, as many as are
-/// needed to apply whole blocks.
+/// A linear-phase kernel as tail sums. S_j = zero[-j]; zeros precede S_0 and follow the last one, as many as
+/// are needed to apply whole blocks.
 struct Kernel {
   double const* zero;
   uint32_t tail_count;
@@ -85,7 +86,8 @@ struct OperationState {
 /// Its piece of a group's state, one double per lane each:
 ///   sections  e, r of each          delay  delay_cycles + 1 times base, sum, d          slot  see SlotParts
 /// Its piece of a group's constants:
-///   passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then the sections
+/// passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then
+/// the sections
 struct Operation {
   OperationKind kind;
   uint32_t section_count;  ///< of the longest lane; the others have sections in between that change nothing

@@ -25,8 +25,9 @@ double smaller(double a, double b) {
   return a < b ? a : b;
 }
 
-/// The fewest cycles F with  15/(8 F) L v <= v/4  and  10/(sqrt(3) F^2) L v + 15/(4 F) L a <= a/4 ; 0 if there are none
-/// up to longest_fade. L v is the largest distance of the two outputs, L a its largest change in a cycle.
+/// The fewest cycles F with  15/(8 F) L v <= v/4  and  10/(sqrt(3) F^2) L v + 15/(4 F) L a <= a/4 ; 0 if
+/// there are none up to longest_fade. L v is the largest distance of the two outputs, L a its largest change
+/// in a cycle.
 uint32_t fade_cycles(double distance, double velocity, double acceleration) {
   if (!(velocity > 0) || !(acceleration > 0)) return 0;
   constexpr double factor = 23.094010767585031;  // 40 / sqrt(3)

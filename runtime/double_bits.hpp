@@ -11,8 +11,8 @@ using Mask = uint64_t;
 
 inline constexpr Mask all_set = ~Mask{0};
 
-/// The mask unchanged, but opaque to the compiler, which otherwise turns selections back into branches where it thinks that
-/// one side is the usual one. Costs no instruction.
+/// The mask unchanged, but opaque to the compiler, which otherwise turns selections back into branches where
+/// it thinks that one side is the usual one. Costs no instruction.
 [[nodiscard]] inline Mask opaque(Mask mask) {
 #if defined(__GNUC__)
   __asm__("" : "+r"(mask));

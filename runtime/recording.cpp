@@ -133,8 +133,8 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, content | uint64_t{header} << 32U);
 }
 
-/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were made to have the
-/// same ones.
+/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were
+/// made to have the same ones.
 bool same_image(axisrt const& a, axisrt const& b) {
   return a.payload_checksum == b.payload_checksum && a.header_checksum == b.header_checksum &&
          a.axis_count == b.axis_count && a.control_count == b.control_count &&

@@ -47,8 +47,8 @@ struct Shape {
 [[nodiscard]] uint32_t state_size(Shape::Step const& step);
 [[nodiscard]] uint32_t constants_size(Shape::Step const& step);
 
-/// Blocks of a history that holds so many increments and the block that is being filled; at least the two that are applied
-/// in every cycle.
+/// Blocks of a history that holds so many increments and the block that is being filled; at least the two
+/// that are applied in every cycle.
 [[nodiscard]] constexpr uint32_t blocks_of(uint32_t tail_count) {
   return tail_count < 2 ? 2 : (tail_count + block_cycles - 2) / block_cycles + 1;
 }
@@ -63,9 +63,9 @@ struct Group {
 
 [[nodiscard]] bool same_layout(Group const& a, Group const& b);
 
-/// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own: lines of the first
-/// `most_shapes` shapes are grouped, those of any further shape are alone. Costs at most a pass over the lines for each of
-/// these shapes, whatever the image is.
+/// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own:
+/// lines of the first `most_shapes` shapes are grouped, those of any further shape are alone. Costs at most a
+/// pass over the lines for each of these shapes, whatever the image is.
 class Grouping {
  public:
   Grouping(ImageView const& view, PortKind port, uint32_t lanes);

@@ -37,7 +37,8 @@ template <class RecordType, class Check>
   return AXISRT_OK;
 }
 
-/// Record of an axis in a table that is sorted by its field `axis`; the number of records where the axis has none.
+/// Record of an axis in a table that is sorted by its field `axis`; the number of records where the axis has
+/// none.
 template <class RecordType, size_t Offset>
 [[nodiscard]] uint32_t find_axis(Table<RecordType> const& table, Field<RecordType, uint32_t, Offset> field,
                                  uint32_t axis) {

@@ -1,5 +1,5 @@
-// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the built-in
-// tables find is still found there.
+// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the
+// built-in tables find is still found there.
 #pragma once
 
 #include "schema/parameter_row.hpp"
@@ -22,8 +22,8 @@ namespace axisc::schema {
 
 class Extension {
  public:
-  /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots, unless its
-  /// array sizes differ.
+  /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots,
+  /// unless its array sizes differ.
   explicit Extension(std::vector<ParameterRow> rows);
   Extension(Extension const&) = delete;
   Extension& operator=(Extension const&) = delete;

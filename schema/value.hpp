@@ -13,8 +13,8 @@ namespace axisc::schema {
 /// well. Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
 struct Value {
   double number = 0;
-  /// String, or the word of a symbol (also when the list wrote its number): UTF-8 that the catalogue, the source or the
-  /// readings of the list own.
+  /// String, or the word of a symbol (also when the list wrote its number): UTF-8 that the catalogue, the
+  /// source or the readings of the list own.
   std::string_view text;
 
   [[nodiscard]] bool flag() const { return number != 0; }
@@ -47,8 +47,8 @@ struct NumberReading {
 [[nodiscard]] inline bool violates_maximum(double value, double limit, bool open) {
   return open ? value >= limit : value > limit;
 }
-/// Below the minimum or above the maximum where those are numbers, also where the value is allowed nevertheless, as the
-/// default is.
+/// Below the minimum or above the maximum where those are numbers, also where the value is allowed
+/// nevertheless, as the default is.
 [[nodiscard]] inline bool is_outside(schema::Parameter const& parameter, double value) {
   using Kind = schema::Limit::Kind;
   schema::Limit const& low = parameter.minimum;

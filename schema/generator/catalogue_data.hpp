@@ -15,8 +15,9 @@ class DataError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads `data_text` and checks it: against the JSON schema `schema_text`, then row by row and across rows (repeated names,
-/// limits and defaults that name unknown parameters). Throws DataError with one line per mistake.
+/// Reads `data_text` and checks it: against the JSON schema `schema_text`, then row by row and across rows
+/// (repeated names, limits and defaults that name unknown parameters). Throws DataError with one line per
+/// mistake.
 [[nodiscard]] std::vector<ParameterRow> read_catalogue(std::string const& data_text,
                                                        std::string const& schema_text);
 
