@@ -12,7 +12,7 @@ namespace axisc::codegen {
 inline constexpr std::uint32_t no_kernel = 0xFFFFFFFF;
 
 struct MachineKernel {
-  design::KernelSpecification specification;  ///< what its type ignores stands at its default
+  design::KernelSpecification specification;  ///< what its type ignores has its default
   KnownDesigns::Kernel compiled;              ///< never null
 };
 

@@ -41,7 +41,7 @@ inline constexpr std::uint32_t critical = 0;
 inline constexpr std::uint32_t optional = axim_flag_optional;
 }  // namespace format_types
 
-// Names are tokens that cannot stand in parentheses.
+// Names are tokens that cannot be parenthesised.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 
 /// records::axis, records::filter, ...: names of the kinds of records.

@@ -1,4 +1,4 @@
-// Where the sections of an image stand, and the checksums over them.
+// Where the sections of an image are, and the checksums over them.
 #pragma once
 
 #include "codegen/image_fields.hpp"
@@ -65,7 +65,7 @@ class TextPool {
   std::unordered_map<std::string, TextRange> ranges_;
 };
 
-/// What the header says beside sizes and checksums.
+/// What the header contains besides sizes and checksums.
 struct ImageHeader {
   std::uint32_t cycle_time_ns = 0;
   std::uint32_t axis_count = 0;

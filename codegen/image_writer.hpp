@@ -18,7 +18,7 @@ struct ImageOptions {
 /// Byte-identical for equal machines and options, on every host and at every optimisation level.
 [[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
                                                  ImageOptions const& options);
-/// The same for one of many machines: what another one has already had designed is taken from there.
+/// The image of one of many machines; filters that were designed for another one are reused.
 [[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
                                                  ImageOptions const& options, KnownDesigns& designs);
 

@@ -159,7 +159,7 @@ SelfTest make_self_test(design::KernelDesign const& kernel) {
   std::vector<double> const& tails = kernel.tail_sums;
   SelfTest test{.input = test_input(tails.size(), amplitude), .output = {}};
   std::vector<Number> exact_tails(tails.begin(), tails.end());
-  // The input stands still nearly always: d is 0 there, and its products would change nothing.
+  // The input is nearly always constant: d is 0 then, and its products would change nothing.
   struct Increment {
     std::size_t cycle;
     Number d;

@@ -25,7 +25,7 @@ struct SelfTest {
 /// is taken. Cost: about 0.2 ms.
 [[nodiscard]] SelfTest make_self_test(design::FilterDesign const& filter);
 
-/// The same for a linear-phase kernel that does not let the signal pass.
+/// Samples of a linear-phase kernel that changes the signal.
 [[nodiscard]] SelfTest make_self_test(design::KernelDesign const& kernel);
 
 }  // namespace axisc::codegen

@@ -1,4 +1,4 @@
-// SHA-256 over what an image was made from: names and bytes of its lists, never where they lie.
+// SHA-256 over what an image was made from: names and bytes of its lists, never their location.
 #pragma once
 
 #include "machine/machine.hpp"

@@ -26,7 +26,7 @@ struct IncrementSection {
   friend constexpr bool operator==(IncrementSection const&, IncrementSection const&) = default;
 };
 
-/// The same section as the textbook writes it, in double, for display only.
+/// The section in textbook form, in double, for display only.
 struct DirectSection {
   double b0 = 1, b1 = 0, b2 = 0, a1 = 0, a2 = 0;
 };

@@ -1,7 +1,8 @@
 // Linear-phase FIR kernels: `filter_fir` and the HSC filters (spec "filter mathematics", section 2).
 //
-// A kernel b_k, k = -h..h, sums to 1 and is handed on as tail sums  S_j = Σ_{k>j} b_k  of the causal taps, each
-// rounded once, so that  y[n] = x[n] - Σ_j S_j d[n-j],  d[n] = x[n] - x[n-1],  has DC gain 1 by construction.
+// A kernel b_k, k = -h..h, sums to 1 and is handed on as tail sums  S_j = Σ_{k>j} b_k  of the causal taps,
+// each rounded once, so that  y[n] = x[n] - Σ_j S_j d[n-j],  d[n] = x[n] - x[n-1],  has DC gain 1 by
+// construction.
 //
 //   moving average  constant (HSC mean is the same)
 //   Gaussian        exp(-½ (k/σ)²), σ = quality·h/2.5
@@ -9,8 +10,9 @@
 //   time delay      δ(k - N), not symmetrical
 //   NoVib           a box of one period of f0, convolved with itself: a double zero on f0
 //
-// Order N means h = ceil(N/2), 2h + 1 taps and a delay of h cycles. The share s blends through the centre tap,
-// b'_k = s b_k + (1 - s) δ_k, which keeps the phase linear; the time delay blends with the undelayed signal.
+// Order N means h = ceil(N/2), 2h + 1 taps and a delay of h cycles. The share s blends through the centre
+// tap, b'_k = s b_k + (1 - s) δ_k, which keeps the phase linear; the time delay blends with the undelayed
+// signal.
 #pragma once
 
 #include "design/units.hpp"
@@ -28,9 +30,9 @@ inline constexpr std::uint32_t longest_kernel_order = 200;
 /// Largest order of the time delay.
 inline constexpr std::uint32_t longest_kernel_delay = 100;
 
-/// Ranges: order 1..200 (time_delay 1..100), 0 is off; frequency: cut-off of the windowed sinc, or the frequency that
-/// NoVib suppresses (see lowest_novib_frequency), 0 < f < 0.5/T, ignored by the others; quality: Gaussian only,
-/// 0 < q ≤ 1; share_percent 0..100 (0 passes the signal on undelayed).
+/// Ranges: order 1..200 (time_delay 1..100), 0 is off; frequency: cut-off of the windowed sinc, or the
+/// frequency that NoVib suppresses (see lowest_novib_frequency), 0 < f < 0.5/T, ignored by the others;
+/// quality: Gaussian only, 0 < q ≤ 1; share_percent 0..100 (0 passes the signal on undelayed).
 struct KernelSpecification {
   KernelType type = KernelType::moving_average;
   std::uint32_t order = 1;  ///< computed by NoVib itself
@@ -47,7 +49,7 @@ struct KernelDesign {
   double group_delay_cycles = 0;   ///< at 0 Hz: delay_cycles, or s·N where a time delay blends
   std::vector<double> tail_sums{};  ///< S_0, S_1, …: 2h or N of them; empty where the signal passes unchanged
   std::vector<double> taps{1.0};    ///< causal taps b_0, b_1, …, share included, for display and analysis
-  double kernel_sum = 1;            ///< of the taps that the tail sums stand for: telescopes to exactly 1
+  double kernel_sum = 1;            ///< of the taps that the tail sums represent: telescopes to exactly 1
 };
 
 /// Kernel in 50 decimal digits, each number rounded once (below 2^-1022 it is 0); identical on every host.
@@ -61,12 +63,14 @@ struct KernelDesign {
 /// Delay at 0 Hz in cycles, without designing the kernel; a whole number for every linear-phase kernel.
 [[nodiscard]] double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time);
 
-/// N = floor(time / T + 0.5), without rounding errors for whole nanoseconds; none where time < T (the filter is off).
+/// N = floor(time / T + 0.5), without rounding errors for whole nanoseconds; none where time < T (the filter
+/// is off).
 [[nodiscard]] std::optional<std::uint32_t> order_of_time(Microseconds time, CycleTime cycle_time);
 
-/// 4 (m + 1) = 4 ceil((fs/f0 - 1)/2), at least 4; above longest_kernel_order the frequency is too low for this
-/// cycle time. fs/f0 counts as the odd number 2n + 1 where f0 is the double nearest to fs/(2n + 1), so that what
-/// lowest_novib_frequency names works. Saturates at 4e6, also for frequencies that are not positive.
+/// 4 (m + 1) = 4 ceil((fs/f0 - 1)/2), at least 4; above longest_kernel_order the frequency is too low for
+/// this cycle time. fs/f0 counts as the odd number 2n + 1 where f0 is the double nearest to fs/(2n + 1), so
+/// that what lowest_novib_frequency names works. Saturates at 4e6, also for frequencies that are not
+/// positive.
 [[nodiscard]] std::uint32_t novib_order(Hertz frequency, CycleTime cycle_time);
 /// fs/101.
 [[nodiscard]] Hertz lowest_novib_frequency(CycleTime cycle_time);

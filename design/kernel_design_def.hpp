@@ -67,7 +67,7 @@ void store_kernel(HalfKernel<Number> const& c, Number const& share, KernelDesign
   }
 }
 
-/// s at z^-N beside 1 - s undelayed: S_0 to S_(N-1) are s.
+/// s at z^-N plus 1 - s undelayed: S_0 to S_(N-1) are s.
 template <typename Number>
 void store_delay(std::uint32_t cycles, Number const& share, KernelDesign& design) {
   design.tail_sums.assign(cycles, rounded(share));

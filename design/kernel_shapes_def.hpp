@@ -1,5 +1,5 @@
-// Shapes of the symmetrical kernels. Each function gives the taps of one half, c_0 (the centre) to c_h, in any
-// scale: whoever uses them divides by  c_0 + 2 Σ_{k=1..h} c_k.
+// Shapes of the symmetrical kernels. Each function gives the taps of one half, c_0 (the centre) to c_h, in
+// any scale: to be divided by  c_0 + 2 Σ_{k=1..h} c_k.
 #pragma once
 
 #include "design/phasor_def.hpp"
@@ -35,7 +35,8 @@ template <typename Number>
   return c;
 }
 
-/// c_k = sin(kθ)/k · (54 + 46 cos(πk/h)), c_0 = 100 θ, θ = 2π fcut T: the sinc in Hamming's window, times 100 θ.
+/// c_k = sin(kθ)/k · (54 + 46 cos(πk/h)), c_0 = 100 θ, θ = 2π fcut T: the sinc in Hamming's window, times 100
+/// θ.
 template <typename Number>
 [[nodiscard]] HalfKernel<Number> windowed_sinc(std::uint32_t h, Number const& theta) {
   Phasor<Number> carrier(theta, theta);

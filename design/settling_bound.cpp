@@ -16,8 +16,8 @@ struct Circle {
   double inverse = 1;
 };
 
-/// min |(1 - p1 w)(1 - p2 w)| on the circle. For p = ρ a exp(±jθ) the square is a parabola in the cosine of the circle's
-/// angle, whose vertex is at (1 + a²) cos θ / 2a.
+/// min |(1 - p1 w)(1 - p2 w)| on the circle. For p = ρ a exp(±jθ) the square is a parabola in the cosine of
+/// the circle's angle, whose vertex is at (1 + a²) cos θ / 2a.
 double least_denominator(IncrementSection const& section, Circle circle) {
   auto const [first, second] = poles(section);
   double const a = std::abs(first) * circle.inverse;
@@ -28,11 +28,11 @@ double least_denominator(IncrementSection const& section, Circle circle) {
   return 1 + a * a - 2 * a * std::abs(cosine);
 }
 
-/// |H| on the circle is at most this. The textbook's numerator is the smaller one for low-passes, that of the increment form
-/// for narrow filters, through which most passes unchanged.
+/// |H| on the circle is at most this. The textbook's numerator is the smaller one for low-passes, that of the
+/// increment form for narrow filters, through which most passes unchanged.
 double most_of_section(IncrementSection const& section, bool blocks_constant, Circle circle) {
   double const denominator = least_denominator(section, circle);
-  // Rounding may part a double pole, so that one of the two lies outside.
+  // Rounding may split a double pole, so that one of the two is outside.
   if (!(denominator > 0)) return std::numeric_limits<double>::infinity();
   double const w = circle.inverse;
   double const increment = (std::abs(section.p) + std::abs(section.q) * w) * (1 + w) / denominator;
@@ -60,7 +60,8 @@ double most_of_filter(FilterDesign const& filter, Circle circle) {
   return std::abs(filter.share.direct) + std::abs(filter.share.filtered) * most;
 }
 
-/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of what is missing to the final value: |e[n]| ≤ ρ^n max |E(ρ exp(jφ))|.
+/// E(z) = (H(1) - H(z))/(1 - z^-1) is the z-transform of what is missing to the final value: |e[n]| ≤ ρ^n max
+/// |E(ρ exp(jφ))|.
 double bound_on(Circle circle, std::span<FilterDesign const> chain, double tolerance) {
   double most = 1, final_value = 1;
   for (FilterDesign const& filter : chain) {
@@ -69,7 +70,7 @@ double bound_on(Circle circle, std::span<FilterDesign const> chain, double toler
   }
   double const error = (std::abs(final_value) + most) / (circle.inverse - 1);
   double const cycles = std::log(tolerance / error) / std::log(circle.radius);
-  return cycles < 0 ? 0 : cycles;  // what is no number stays none
+  return cycles < 0 ? 0 : cycles;  // NaN stays NaN
 }
 
 }  // namespace

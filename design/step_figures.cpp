@@ -24,7 +24,8 @@ struct Rest {
   double path = 0;   ///< to the sum of the output's |increments|
 };
 
-/// By square root, which rounds alike on every host; hypot, behind std::abs, does not, and images hold peak gains.
+/// By square root, which rounds alike on every host; hypot, which std::abs uses, does not, and images hold
+/// peak gains.
 double largest_radius(std::pair<std::complex<double>, std::complex<double>> const& poles) {
   return std::sqrt(std::max(std::norm(poles.first), std::norm(poles.second)));
 }
@@ -128,12 +129,13 @@ Rest rest_of(std::vector<FilterState> const& filters) {
 
 /// Rest below which nothing that is reported changes any more.
 constexpr double settled_rest = 1e-13;
-/// Where only one figure counts, as a share of what would change it: the filters behind may amplify what is left, by far less
-/// than a hundred thousand.
+/// Where only one figure counts, as a share of what would change it: later filters may amplify what is left,
+/// by far less than a hundred thousand.
 constexpr double negligible_rest = 1e-5;
 constexpr std::uint64_t cycles_between_checks = 32;
 
-/// Looks at the step response until `is_enough(rest, excess)`, of which the latter is the largest above the final value so far.
+/// Looks at the step response until `is_enough(rest, excess)`, of which the latter is the largest above the
+/// final value so far.
 template <typename IsEnough>
 StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance,
                         IsEnough is_enough) {

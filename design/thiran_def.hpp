@@ -12,7 +12,7 @@
 
 namespace axisc::design {
 
-/// n = max(1, floor(D + 0.5)): the order for which the delay is the most even and the poles lie well inside.
+/// n = max(1, floor(D + 0.5)): the order for which the delay is most even and the poles are well inside.
 template <typename Number>
 [[nodiscard]] std::uint32_t thiran_order(Number const& D) {
   using std::floor;

@@ -1,4 +1,4 @@
-// Units of filter design as types of their own; conversions stand here and nowhere else.
+// Units of filter design as types of their own; all conversions are here.
 #pragma once
 
 #include <compare>

@@ -24,7 +24,7 @@ typedef struct task {
   axisrt* runtime;
   histogram latency; /* from the planned to the real beginning of a cycle */
   histogram cost;    /* of axisrt_step */
-  uint64_t overruns; /* cycles that ended behind the next one's beginning */
+  uint64_t overruns; /* cycles that ended after the next one began */
   axisrt_status worst;
 } task;
 

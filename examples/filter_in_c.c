@@ -39,7 +39,7 @@ static int execute(axisrt* runtime, int cycles) {
   int cycle = 0;
   if (axes > most_axes) return 0;
   for (axis = 0; axis < axes; ++axis) {
-    if (axisrt_reset(runtime, axis, 0.0) != AXISRT_OK) return 0; /* where the axis stands */
+    if (axisrt_reset(runtime, axis, 0.0) != AXISRT_OK) return 0; /* where the axis is */
     in[axis] = 1000.0;
   }
   for (cycle = 0; cycle < cycles; ++cycle) {

@@ -13,7 +13,7 @@ typedef struct histogram {
 } histogram;
 
 void histogram_add(histogram* h, int64_t duration_ns);
-/* Smallest power of two in ns below which `share` (0 to 1) of all durations lie. */
+/* Smallest power of two in ns below which `share` (0 to 1) of all durations are. */
 int64_t histogram_quantile(const histogram* h, double share);
 void histogram_print(const histogram* h, const char* name);
 

@@ -3,7 +3,7 @@
 //
 // Reading never stops: every line is judged by itself, and a line with a problem contributes no assignment.
 // What only the catalogue can decide stays open here: whether a word is a symbol or a free string, and
-// therefore where a comment behind it may begin. For that an assignment carries the token and the rest of the
+// therefore where a comment after it may begin. For that an assignment carries the token and the rest of the
 // line.
 #pragma once
 
@@ -29,7 +29,7 @@ enum class ValueKind : std::uint8_t {
   other,             ///< anything else that does not begin a comment: /path, %x
 };
 
-/// How the text behind the value token begins (meaningful behind numbers, booleans and references).
+/// How the text after the value token begins (meaningful after numbers, booleans and references).
 enum class TrailerKind : std::uint8_t { none, parenthesis, hash, slash_star, text };
 
 /// `name value [trailer]`. All spans are byte offsets into the parsed bytes.
@@ -37,7 +37,7 @@ struct Assignment {
   Span name;   ///< as written: `filter[0].order`
   Span value;  ///< the value token
   Span
-      trailer;  ///< text behind the value token, without surrounding blanks; empty at the line's end if there is none
+      trailer;  ///< text after the value token, without surrounding blanks; empty at the line's end if there is none
   std::uint32_t line = 0;  ///< from 1
   ValueKind kind = ValueKind::word;
   TrailerKind trailer_kind = TrailerKind::none;
@@ -45,8 +45,8 @@ struct Assignment {
   friend bool operator==(Assignment const&, Assignment const&) = default;
 };
 
-/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a parameter is given
-/// that takes any text. Cost: a search through the rest of the line.
+/// From the value token to the first `(` outside quotes or the line's end, without trailing blanks: what a
+/// parameter is given that takes any text. Cost: a search through the rest of the line.
 [[nodiscard]] Span free_text(std::string_view bytes, Assignment const& assignment);
 
 enum class ProblemKind : std::uint8_t {
@@ -55,7 +55,7 @@ enum class ProblemKind : std::uint8_t {
   expected_name,        ///< AX1002
   expected_value,       ///< AX1003: span is the name
   malformed_index,      ///< AX1004: span is from `[` to the end of the broken index
-  text_after_end,       ///< AX1008: first non-blank line behind `Ende`; reported once
+  text_after_end,       ///< AX1008: first non-blank line after `Ende`; reported once
   unterminated_string,  ///< AX1012: span is from the quote to the line's end
 };
 

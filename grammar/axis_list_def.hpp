@@ -1,12 +1,13 @@
-// The grammar of one line of an axis list, in Spirit X3, over the lexical facts of lexical.hpp. Comment lines and blank lines never reach it, blanks
-// around the line are cut off, and which character is allowed at all has been checked.
+// The grammar of one line of an axis list, in Spirit X3, over the lexical facts of lexical.hpp. Comment lines
+// and blank lines never reach it, blanks around the line are cut off, and which character is allowed at all
+// has been checked.
 //
 //   line       = end | assignment
 //   end        = "Ende" in any letter case, as a whole word
 //   assignment = name blanks value [trailer]
 //   name       = segment { "." segment }         segment = identifier [ "[" digits "]" ]
 //   value      = number | reference | word | quoted | other
-//   trailer    = everything behind the value
+//   trailer    = everything after the value
 #pragma once
 
 #include "grammar/axis_list.hpp"
@@ -90,8 +91,8 @@ inline constexpr auto reference = exactly(lexical::reference_prefix) >>
                                   x3::repeat(lexical::reference_digits)[one_of<character::digit>] >>
                                   -('.' >> digits);
 
-// Words end at a parenthesis also without a blank: behind them only `(` opens a comment. Quotes protect
-// blanks and parentheses, and a quotation with text directly behind it is no string.
+// Words end at a parenthesis also without a blank: after them only `(` opens a comment. Quotes protect
+// blanks and parentheses, and a quotation followed directly by text is not a string.
 inline constexpr auto word = one_of<lexical::begins_word> >> any_until<lexical::ends_word>;
 inline constexpr auto quotation = '"' >> any_until<character::quote> >> '"';
 inline constexpr auto quoted = quotation >> word_end;

@@ -18,10 +18,10 @@ class AxisListReader {
   /// `bytes` live longer than the reader.
   explicit AxisListReader(std::string_view bytes);
 
-  /// One line without its line end, a piece of the text, by the grammar. `number` grows from line to line, counted from 1.
-  /// `windows_1252` counts for a line with bytes above 0x7F only.
+  /// One line without its line end, a piece of the text, by the grammar. `number` grows from line to line,
+  /// counted from 1. `windows_1252` counts for a line with bytes above 0x7F only.
   void read(std::string_view line, std::uint32_t number, bool windows_1252);
-  /// What stands in the next lines, which the grammar has not to look at. The list has not ended.
+  /// The content of the next lines, which the grammar need not read. The list has not ended.
   void add(std::span<Assignment const> assignments) {
     list_.assignments.insert(list_.assignments.end(), assignments.begin(), assignments.end());
   }

@@ -110,7 +110,7 @@ inline constexpr RunOf<classes, true, 1> some_of{};
 /// Everything up to the first byte of the classes, at least one byte.
 template <CharacterClasses classes>
 inline constexpr RunOf<classes, false, 1> some_until{};
-/// The same, also when there is none.
+/// Like the one above, but succeeds also without a match.
 template <CharacterClasses classes>
 inline constexpr RunOf<classes, false, 0> any_until{};
 inline constexpr Rest rest{};

@@ -11,8 +11,8 @@ namespace axisc::grammar {
 /// What such a comment contains.
 inline constexpr std::string_view directive_introducer = "axisc:";
 
-/// A comment that may carry `axisc: allow CODE[,CODE]`: only those that contain "axisc:" are kept. Lines with a problem
-/// may have one too; comments behind the `Ende` of a list are not read.
+/// A comment that may carry `axisc: allow CODE[,CODE]`: only those that contain "axisc:" are kept. Lines with
+/// a problem may have one too; comments after the `Ende` of a list are not read.
 struct Directive {
   Span comment;
   bool whole_line = false;  ///< the line holds nothing else, so it speaks for the next line

@@ -17,8 +17,8 @@ class LineSplitter {
  public:
   explicit LineSplitter(std::string_view text) : position_(text.data()), end_(text.data() + text.size()) {}
 
-  /// The next line without its line end; false behind the last one. A text that ends with a line end has no
-  /// empty line behind it.
+  /// The next line without its line end; false after the last one. A text that ends with a line end has no
+  /// empty line after it.
   [[nodiscard]] bool next(std::string_view& line) {
     if (position_ == end_) return false;
     auto const remaining = static_cast<std::size_t>(end_ - position_);

@@ -1,5 +1,5 @@
-// The commands of NC programs, `#NAME …`, with a span for each token. The grammar knows how a command is written, not
-// which keywords it has or what they mean.
+// The commands of NC programs, `#NAME …`, with a span for each token. The grammar knows how a command is
+// written, not which keywords it has or what they mean.
 #pragma once
 
 #include "diagnostics/span.hpp"
@@ -22,8 +22,8 @@ enum class CommandKind : std::uint8_t {
 enum class CommandSwitch : std::uint8_t { none, on, off };
 
 enum class KeywordValue : std::uint8_t {
-  none,       ///< no `=` behind the name: HSC
-  missing,    ///< nothing behind `=`
+  none,       ///< no `=` after the name: HSC
+  missing,    ///< nothing after `=`
   integer,    ///< 20, +5, -5, 020
   real,       ///< 0.5, .5, 5., 1e3
   variable,   ///< P10, V.P.ORDER, V.L.TABLE[2]: known only while the program runs
@@ -38,8 +38,8 @@ struct Keyword {
 
 enum class CommandProblemKind : std::uint8_t {
   letter_case,       ///< the command's name is not written in upper case; span is the name
-  unexpected_text,   ///< neither ON, OFF nor `[`, or text behind the command
-  expected_keyword,  ///< inside the brackets stands something else
+  unexpected_text,   ///< neither ON, OFF nor `[`, or text after the command
+  expected_keyword,  ///< something else inside the brackets
   unclosed_bracket,  ///< span is the `[`
 };
 
@@ -49,7 +49,8 @@ struct CommandProblem {
   Span span;
 };
 
-/// #FILTER and #VIB GUARD with everything that could be read, also where there is a problem; of other commands the name.
+/// #FILTER and #VIB GUARD with everything that could be read, also where there is a problem; of other
+/// commands the name.
 struct NcCommand {
   CommandKind kind = CommandKind::other;
   Span name;  ///< `#FILTER`, `#VIB GUARD`, `#CALL AX`
@@ -59,12 +60,12 @@ struct NcCommand {
   std::uint32_t line = 0;  ///< of the name, from 1
 };
 
-/// The text of one command, "#FILTER ON [ORDER=20]", with nothing but blanks and comments around it; none where the text
-/// begins with anything else. Spans count from the start of `text`.
+/// The text of one command, "#FILTER ON [ORDER=20]", with nothing but blanks and comments around it; none
+/// where the text begins with anything else. Spans count from the start of `text`.
 [[nodiscard]] std::optional<NcCommand> parse_nc_command(std::string_view text);
 
-/// The command whose `#` stands at `position` of a block; its spans count from `offset` more. `position` stands behind
-/// what belongs to it then, or where it is not written as it should be.
+/// The command whose `#` stands at `position` of a block; its spans count from `offset` more. `position`
+/// stands behind what belongs to it then, or where it is not written as it should be.
 [[nodiscard]] NcCommand read_nc_command(std::string_view block, std::size_t& position, std::uint32_t offset);
 
 }  // namespace axisc::grammar

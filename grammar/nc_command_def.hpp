@@ -2,7 +2,7 @@
 //
 //   command  = name [ "ON" | "OFF" ] [ "[" { keyword } "]" ]       (#FILTER and #VIB GUARD)
 //   keyword  = identifier [ "=" value ]
-//   value    = number | variable | whatever else stands there
+//   value    = number | variable | any other text
 //
 // Between any two of them is a gap: blanks and comments.
 #pragma once
@@ -107,8 +107,8 @@ inline constexpr auto integer = sign >> digits;
 inline constexpr auto real = sign >> ((fraction >> -exponent) | (digits >> exponent));
 inline constexpr auto coordinate = sign >> (fraction | digits);
 
-// The head of a command. The control wants capitals; in another letter case the two filter commands are recognised, so
-// that somebody says so.
+// The head of a command. The control wants capitals; in another letter case the two filter commands are
+// recognised, so that a finding can be reported.
 inline constexpr auto filter_name = '#' >> AnyCase("FILTER") >> word_end;
 inline constexpr auto guard_name = '#' >> AnyCase("VIB") >> inner_blanks >> AnyCase("GUARD") >> word_end;
 inline constexpr auto exchange_name = '#' >> (lit("CALL") | "PUT" | "SET") >> inner_blanks >> "AX" >> word_end
@@ -121,7 +121,7 @@ inline constexpr auto command_name = x3::rule<struct CommandNameRule, CommandNam
     | attr(CommandKind::axis_exchange) >> raw[exchange_name]  //
     | attr(CommandKind::other) >> raw[other_name];
 
-// Values. What runs into something else is no number; a keyword that follows directly is no value.
+// Values. Text directly after a number makes it invalid; a keyword that follows directly is not a value.
 inline constexpr auto index = '[' >> digits >> ']';
 inline constexpr auto variable = ('P' >> digits) | ('V' >> +('.' >> identifier >> *index));
 inline constexpr auto value = x3::rule<struct ValueRule, ValueToken>{"value"} =

@@ -10,10 +10,11 @@
 namespace axisc::grammar {
 namespace {
 
-/// A block that goes on for longer than this ends at the line that reached it; what a line may have, a block may have.
+/// A block that goes on for longer than this ends at the line that reached it; what a line may have, a block
+/// may have.
 constexpr std::size_t longest_block = 1U << 20U;
 
-/// Runs one parser from `first` on; `first` stands behind what matched.
+/// Runs one parser from `first` on; `first` is then after what matched.
 template <typename Parser, typename Attribute>
 bool parse(Parser const& parser, char const*& first, char const* last, Attribute& attribute) {
   return parser.parse(first, last, x3::unused, x3::unused, attribute);
@@ -101,7 +102,8 @@ void ProgramReader::continue_block(std::string_view text, std::uint32_t offset, 
     open_offset_ = offset;
     open_line_ = number_;
   } else {
-    // Offsets stay those of the program: blanks stand for `\` and CR, and the line's end is the last byte before `text`.
+    // Offsets stay those of the program: blanks replace `\` and CR, and the line's end is the last byte
+    // before `text`.
     open_block_.resize(offset - open_offset_ - 1, ' ');
     open_block_ += '\n';
   }

@@ -1,8 +1,9 @@
 // An NC program as its commands with spans, or as its words for those who follow them.
 //
 // A program is read line by line, whatever its length: a line knows of the one before only through an open
-// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never hides another
-// line. A comment, `( … )` or `; …`, may stand in every gap; what stands in a comment or in a string is no command.
+// `#COMMENT BEGIN`, or through a `\` at its end, which lets its block go on. A mistake in a command never
+// hides another line. A comment, `( … )` or `; …`, may be in every gap; text in a comment or in a string is
+// not a command.
 #pragma once
 
 #include "diagnostics/span.hpp"
@@ -18,7 +19,7 @@ namespace axisc::grammar {
 
 enum class WordKind : std::uint8_t {
   skip,          ///< `/` or `/3` at the start of a block
-  block_number,  ///< N10, at the start of a block or behind `/`
+  block_number,  ///< N10, at the start of a block or after `/`
   program,       ///< %MAIN, %L UP1: a program or a local subprogram begins
   control,       ///< $IF
   address,       ///< G01, X-10.5, F4000, P10
@@ -58,8 +59,8 @@ class ProgramReader {
  public:
   ProgramReader(ProgramListener& listener, ProgramDetail detail) : listener_(listener), detail_(detail) {}
 
-  /// The next line without its line end; `offset` is its place in the program, from which all spans count. `text` may
-  /// change afterwards.
+  /// The next line without its line end; `offset` is its place in the program, from which all spans count.
+  /// `text` may change afterwards.
   void line(std::string_view text, std::uint32_t offset);
   /// Behind the last line.
   void finish();
@@ -74,7 +75,7 @@ class ProgramReader {
   ProgramListener& listener_;
   ProgramDetail detail_;
   std::uint32_t number_ = 0;  ///< of the line read last
-  bool in_comment_ = false;   ///< behind #COMMENT BEGIN
+  bool in_comment_ = false;   ///< after #COMMENT BEGIN
   std::string open_block_;    ///< the lines of a block that goes on, as blanks what does not belong to it
   std::uint32_t open_offset_ = 0;
   std::uint32_t open_line_ = 0;

@@ -1,5 +1,5 @@
-// The grammar of one block of an NC program, in Spirit X3. A block reaches it as one text, however many lines it has;
-// words and commands are parsed one by one, so a block of any length needs no memory.
+// The grammar of one block of an NC program, in Spirit X3. A block reaches it as one text, however many lines
+// it has; words and commands are parsed one by one, so a block of any length needs no memory.
 //
 //   block = [skip] [block number] { word | command }
 //
@@ -22,7 +22,7 @@ BOOST_FUSION_ADAPT_STRUCT(axisc::grammar::block_syntax::WordToken, kind, text)
 
 namespace axisc::grammar::block_syntax {
 
-// A comment over several lines: nothing but a block number may stand before its commands.
+// A comment over several lines: only a block number may precede its commands.
 inline constexpr auto block_number = 'N' >> digits;
 inline constexpr auto comment_begin =
     gap >> -block_number >> gap >> "#COMMENT" >> inner_blanks >> "BEGIN" >> word_end;

@@ -1,7 +1,7 @@
 // A line is cut by calculating with one bit for each of its bytes.
 //
-// What differs from line to line (comment or none, one blank or many) is computed and not decided: a branch that the
-// processor guesses wrong costs as much as a third of a line.
+// What differs from line to line (comment or none, one blank or many) is computed and not decided: a branch
+// that the processor guesses wrong costs as much as a third of a line.
 #include "grammar/plain_lines.hpp"
 
 #include "grammar/text_block.hpp"
@@ -25,7 +25,7 @@ static_assert(room_behind_line == block_size && bytes_at_once % block_size == 0)
 std::uint32_t first_or_last_of(Bits bits) {
   return static_cast<std::uint32_t>(__builtin_ctzll(bits | Bits{1} << 63U));
 }
-/// The place behind the highest bit; there is one.
+/// The place after the highest bit; there is one.
 std::uint32_t end_of(Bits bits) {
   return 64U - static_cast<std::uint32_t>(__builtin_clzll(bits));
 }
@@ -41,14 +41,15 @@ Bits first_of(Bits bits, std::uint32_t count) {
   return count < block_size ? bits & ((Bits{1} << count) - 1) : bits;
 }
 
-/// Notes the lines that the unusual bytes of a block stand in; `line` is the one that reaches into the block.
+/// Notes the lines that contain unusual bytes of a block; `line` is the one that reaches into the block.
 [[gnu::noinline]] void note_unusual(TextBlock const& block, Bits line_feeds, bool* line) {
   for (Bits unusual = block.unusual(); unusual != 0; unusual &= unusual - 1) {
     line[std::popcount(line_feeds & (lowest(unusual) - 1))] = true;
   }
 }
 
-/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, a blank or the line's end is there.
+/// What a trailer's first byte says; a slash needs a second look. Where there is no trailer, a blank or the
+/// line's end is there.
 constexpr std::array<TrailerKind, 256> trailer_kinds = [] {
   std::array<TrailerKind, 256> kinds{};
   kinds.fill(TrailerKind::text);
@@ -70,8 +71,8 @@ TrailerKind trailer_kind(char const* trailer) {
 
 enum class Shape : std::uint8_t { irregular, silent, assignment };
 
-/// The line at `origin` has `size` bytes before its line feed; `window` are its first bytes that are content, and those of the
-/// lines behind it.
+/// The line at `origin` has `size` bytes before its line feed; `window` are its first bytes that are content,
+/// and those of the lines after it.
 [[gnu::always_inline]] inline Shape split_line(char const* text, std::uint32_t origin, std::uint32_t size,
                                                Bits window, Assignment& out) {
   char const* const line = text + origin;
@@ -87,7 +88,7 @@ enum class Shape : std::uint8_t { irregular, silent, assignment };
   Bits const name = first_run(content);
   Bits const value = first_run(content ^ name);
   Bits const trailer = content ^ name ^ value;
-  // A value that reaches the end of the block may go on behind it.
+  // A value that reaches the end of the block may continue after it.
   if (value == 0 || (value >> 63U) != 0) return Shape::irregular;
   std::uint32_t const name_begin = first_or_last_of(name);
   std::uint32_t const name_end = end_of(name);

@@ -1,7 +1,8 @@
-// Comments of NC programs, and the gaps between tokens in which they may stand.
+// Comments of NC programs, and the gaps between tokens in which they are allowed.
 //
-// `(` opens a comment that its `)` closes, or the line's end; comments nest. `;` opens one up to the line's end. They are
-// followed by counting, not by a rule that calls itself: no input may drive the depth of our stack.
+// `(` opens a comment that its `)` closes, or the line's end; comments nest. `;` opens one up to the line's
+// end. They are followed by counting, not by a rule that calls itself: no input may drive the depth of our
+// stack.
 #pragma once
 
 #include "grammar/character_class.hpp"
@@ -15,7 +16,7 @@ namespace axisc::grammar {
   return is(character::parenthesis | character::semicolon, byte);
 }
 
-/// Behind the comment whose opener stands at `first`; a line's end does not belong to it.
+/// The place after the comment that opens at `first`; a line's end does not belong to it.
 [[nodiscard]] constexpr char const* behind_comment(char const* first, char const* last) {
   bool const to_line_end = *first == ';';
   int depth = 0;

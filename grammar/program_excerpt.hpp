@@ -1,5 +1,5 @@
-// An NC program that is read as its lines come and of which only the lines stay that the checks can point at: programs of
-// a hundred megabytes hold a handful of commands.
+// An NC program that is read as its lines come and of which only the lines stay that the checks can point at:
+// programs of a hundred megabytes hold a handful of commands.
 #pragma once
 
 #include "grammar/nc_program.hpp"
@@ -26,7 +26,7 @@ class ProgramExcerptReader {
 
   /// Its spans count in bytes(), its lines in the whole program.
   [[nodiscard]] NcProgram& program() { return collector_.program; }
-  /// The lines that were kept, each with LF behind it.
+  /// The lines that were kept, each followed by LF.
   [[nodiscard]] std::string& bytes() { return bytes_; }
   /// Which lines these are, from 1.
   [[nodiscard]] std::vector<std::uint32_t>& numbers() { return numbers_; }
@@ -38,7 +38,7 @@ class ProgramExcerptReader {
   ProgramReader reader_;
   std::string bytes_;
   std::vector<std::uint32_t> numbers_;
-  // Lines behind these belong to an open block and go when nothing is found in it.
+  // Lines after these belong to an open block and go when nothing is found in it.
   std::size_t kept_bytes_ = 0;
   std::size_t kept_lines_ = 0;
 };

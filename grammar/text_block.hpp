@@ -1,5 +1,5 @@
-// 64 bytes of a list at a glance: which of them belong to a class, as one bit each, bit 0 for the first. A token's end is then
-// found by counting zeros instead of looking at one byte after the other.
+// 64 bytes of a list at a glance: which of them belong to a class, as one bit each, bit 0 for the first. A
+// token's end is then found by counting zeros instead of looking at one byte after the other.
 //
 // Bytes are compared sixteen at a time, in vectors that compilers make of whatever a processor has.
 #pragma once
@@ -30,7 +30,7 @@ class TextBlock {
 
   struct Layout {
     Bits line_feeds = 0;
-    Bits content = 0;  ///< neither blanks nor line ends, where no unusual byte stands
+    Bits content = 0;  ///< neither blanks nor line ends, outside of unusual bytes
   };
   [[nodiscard]] Layout layout() const {
     Words const line_feeds = gathered([this](unsigned i) { return equal(bytes_[i], lexical::line_feed); });
@@ -39,8 +39,8 @@ class TextBlock {
     return {.line_feeds = both[0], .content = both[1]};
   }
 
-  /// The bytes that the grammar has to look at: control characters but tabs and line ends, everything above 0x7E, and the mark
-  /// of a directive.
+  /// The bytes that the grammar has to look at: control characters but tabs and line ends, everything above
+  /// 0x7E, and the mark of a directive.
   [[nodiscard]] Bits unusual() const {
     Words const all = gathered([this](unsigned i) { return unusual(i); });
     return transposed(Words{all[0], 0} | Words{all[1], 0} << 1U)[0];

@@ -1,9 +1,10 @@
 // How axes are executed side by side.
 //
-// A *line* is one signal with its chain of filters: an axis' setpoint, its additional interface, or a stage of Improved
-// Position Control. Lines whose chains do the same things one after the other stand in a *group*, each in a *lane* of it;
-// groups of the same shape and width are a *batch*. Everything of a group is stored lane beside lane, so that one vector
-// instruction serves all of them. How many lanes a group has is decided by the processor that executes it.
+// A *line* is one signal with its chain of filters: an axis' setpoint, its additional interface, or a stage
+// of Improved Position Control. Lines whose chains do the same things one after the other form a *group*,
+// each in a *lane* of it; groups of the same shape and width are a *batch*. Everything of a group is stored
+// lane by lane, so that one vector instruction serves all of them. How many lanes a group has is decided by
+// the processor that executes it.
 //
 // These are plain structures without functions: code for several instruction sets includes them.
 #pragma once
@@ -22,14 +23,14 @@ inline constexpr uint32_t widest_by_one = 2;
 
 enum class OperationKind : uint32_t {
   passing,   ///< sections with H(1) = 1, all of the signal goes through them
-  shared,    ///< the same with a part beside it
+  shared,    ///< sections with H(1) = 1, and a part that bypasses them
   blocking,  ///< sections with H(1) = 0
   delay,
   slot  ///< a linear-phase kernel, or none at present
 };
 
-/// A linear-phase kernel as tail sums. S_j = zero[-j]; zeros stand before S_0 and behind the last one, as many as are
-/// needed to apply whole blocks.
+/// A linear-phase kernel as tail sums. S_j = zero[-j]; zeros precede S_0 and follow the last one, as many as
+/// are needed to apply whole blocks.
 struct Kernel {
   double const* zero;
   uint32_t tail_count;
@@ -43,7 +44,7 @@ enum class SlotMode : uint32_t {
   ramp      ///< all lanes have the same moving average
 };
 
-/// Linear-phase filters of the lanes of a group, besides what stands in the group's state.
+/// Linear-phase filters of the lanes of a group, except what is in the group's state.
 struct SlotGroup {
   SlotMode mode;
   uint32_t gathers;      ///< 1: `ahead` of the next block is being summed up
@@ -64,7 +65,7 @@ struct SlotGroup {
   uint32_t fade_length[most_lanes];
 };
 
-/// Where the parts of a slot stand in its piece of the group's state, in units of one double per lane.
+/// Where the parts of a slot are in its piece of the group's state, in units of one double per lane.
 struct SlotParts {
   static constexpr uint32_t removed = 0;  ///< what the filter took from the signal in the latest cycle
   static constexpr uint32_t ramp = 1;     ///< C, P, G, Q
@@ -85,7 +86,8 @@ struct OperationState {
 /// Its piece of a group's state, one double per lane each:
 ///   sections  e, r of each          delay  delay_cycles + 1 times base, sum, d          slot  see SlotParts
 /// Its piece of a group's constants:
-///   passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then the sections
+/// passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then
+/// the sections
 struct Operation {
   OperationKind kind;
   uint32_t section_count;  ///< of the longest lane; the others have sections in between that change nothing

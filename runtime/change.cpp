@@ -13,7 +13,7 @@ namespace axisc::runtime {
 namespace {
 
 constexpr uint32_t longest_fade = 4096;
-/// Cycles in which both runtimes must have given the same, with standing setpoints.
+/// Cycles in which both runtimes must have had equal outputs, with constant setpoints.
 constexpr uint32_t standstill_cycles = 64;
 
 Block memory_of_recorder(axisrt const& runtime) {
@@ -25,8 +25,9 @@ double smaller(double a, double b) {
   return a < b ? a : b;
 }
 
-/// The fewest cycles F with  15/(8 F) L v <= v/4  and  10/(sqrt(3) F^2) L v + 15/(4 F) L a <= a/4 ; 0 if there are none
-/// up to longest_fade. L v is the largest distance of the two outputs, L a its largest change in a cycle.
+/// The fewest cycles F with  15/(8 F) L v <= v/4  and  10/(sqrt(3) F^2) L v + 15/(4 F) L a <= a/4 ; 0 if
+/// there are none up to longest_fade. L v is the largest distance of the two outputs, L a its largest change
+/// in a cycle.
 uint32_t fade_cycles(double distance, double velocity, double acceleration) {
   if (!(velocity > 0) || !(acceleration > 0)) return 0;
   constexpr double factor = 23.094010767585031;  // 40 / sqrt(3)
@@ -37,7 +38,7 @@ uint32_t fade_cycles(double distance, double velocity, double acceleration) {
   return 0;
 }
 
-/// How long the change must take, and how long the new runtime must have run beside the old one before.
+/// How long the change must take, and how long the new runtime must have run along with the old one before.
 void plan(axisrt const& active, axisrt const& prepared, Change& change) {
   change.length = 1;
   change.warm_up = 0;

@@ -11,8 +11,8 @@ using Mask = uint64_t;
 
 inline constexpr Mask all_set = ~Mask{0};
 
-/// The same mask, of which a compiler knows nothing: else it turns selections back into branches where it thinks that
-/// one side is the usual one. Costs no instruction.
+/// The mask unchanged, but opaque to the compiler, which otherwise turns selections back into branches where
+/// it thinks that one side is the usual one. Costs no instruction.
 [[nodiscard]] inline Mask opaque(Mask mask) {
 #if defined(__GNUC__)
   __asm__("" : "+r"(mask));
@@ -38,7 +38,7 @@ inline constexpr Mask all_set = ~Mask{0};
   return std::bit_cast<double>(mask & std::bit_cast<uint64_t>(value));
 }
 
-/// Bits of |value|: ordered like |value|, infinity behind every number and NaN behind infinity.
+/// Bits of |value|: ordered like |value|, infinity after every number and NaN after infinity.
 [[nodiscard]] constexpr uint64_t magnitude_bits(double value) {
   return std::bit_cast<uint64_t>(value) & 0x7FFF'FFFF'FFFF'FFFFU;
 }

@@ -127,7 +127,7 @@ Value latest_output(Lane const& lane, Filter const& filter, Value const& in) {
     case FilterKind::blocking:
       return join_blocking(lane, filter, in, lane.e(filter, filter.section_count - 1));
     case FilterKind::delay: {
-      // The signal that came out stands where the next one goes.
+      // The output is where the next input goes.
       uint32_t const place = 3 * lane.operation(filter).state->position;
       return join_delay(lane, filter, in,
                         {.base = lane.state(filter, place), .sum = lane.state(filter, place + 1)});

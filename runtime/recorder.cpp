@@ -36,7 +36,7 @@ uint64_t place(axisrt_recorder const& recorder, uint64_t behind_first) {
   return at >= recorder.capacity ? at - recorder.capacity : at;
 }
 
-/// How many of `count` words stand between `place` and the end of the ring.
+/// How many of `count` words are between `place` and the end of the ring.
 uint64_t before_end(axisrt_recorder const& recorder, uint64_t place, uint64_t count) {
   uint64_t const left = recorder.capacity - place;
   return count < left ? count : left;
@@ -47,7 +47,7 @@ void copy_words(void* to, void const* from, uint64_t count) {
   __builtin_memcpy(to, from, static_cast<size_t>(count * sizeof(uint64_t)));
 }
 
-/// The oldest entry leaves the ring and is executed by the runtime behind it.
+/// The oldest entry leaves the ring and is executed by the runtime that lags behind.
 void forget_oldest(axisrt_recorder& recorder) {
   EntryHead const head = unpacked(recorder.words[recorder.first]);
   uint64_t const size = size_of(*recorder.past, head.kind);

@@ -69,7 +69,7 @@ RecorderLayout lay_out_recorder(axisrt const& runtime, uint32_t cycles, uint64_t
   return layout;
 }
 
-/// The configuration of the runtime behind the ring.
+/// The configuration of the runtime that follows the ring.
 axisrt_config config_of_past(axisrt const& runtime, axisrt_config const& config) {
   axisrt_config past = config;
   past.level = axisrt_level_of(&runtime);
@@ -133,8 +133,8 @@ void write_dump(axisrt_recorder const& recorder, uint64_t state_words, uint8_t* 
   store_word(to, content | uint64_t{header} << 32U);
 }
 
-/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were made to have the
-/// same ones.
+/// Checksums guard against a mistake; the counts, with those that a walk compares, against images that were
+/// made to have the same ones.
 bool same_image(axisrt const& a, axisrt const& b) {
   return a.payload_checksum == b.payload_checksum && a.header_checksum == b.header_checksum &&
          a.axis_count == b.axis_count && a.control_count == b.control_count &&

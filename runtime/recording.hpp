@@ -13,7 +13,7 @@ inline constexpr uint64_t header_size = axrd_header_words * word_size;
 inline constexpr uint64_t content_checksum_place = 6 * word_size;
 inline constexpr uint64_t header_checksum_place = content_checksum_place + 4;
 
-/// Of everything behind the header.
+/// Of everything after the header.
 [[nodiscard]] uint32_t content_checksum(uint8_t const* dump, uint64_t size);
 /// Of the header, with its own place as zero.
 [[nodiscard]] uint32_t header_checksum(uint8_t const* dump);

@@ -1,4 +1,4 @@
-// What stands in the caller's memory behind the handle. Everything that is fixed after create stands apart
+// What the handle points to in the caller's memory. Everything that is fixed after create is kept apart
 // from what changes in a cycle.
 #pragma once
 
@@ -23,11 +23,11 @@ struct Axis {
 
 enum class FilterKind : uint32_t { pass_through, passing, shared, blocking, delay };
 
-/// Where a filter of the image stands in the operations of its batch.
+/// The place of a filter of the image in the operations of its batch.
 struct Filter {
   FilterKind kind;
   uint32_t operation;
-  uint32_t first_section;  ///< in the operation: before it stand those of other filters
+  uint32_t first_section;  ///< in the operation: those before it belong to other filters
   uint32_t section_count;
   uint32_t delay_cycles;
 };
@@ -50,7 +50,7 @@ struct Slot {
   uint32_t reserved;
 };
 
-/// Where a line stands, and its chain.
+/// The place of a line, and its chain.
 struct LineChain {
   uint32_t batch;
   uint32_t group;
@@ -117,7 +117,7 @@ struct StageSignals {
 struct Change {
   axisrt* predecessor;     ///< the runtime before, until the change is done
   uint32_t begun;          ///< 1: this runtime is the one that is stepped
-  uint32_t cycles;         ///< in which it ran beside its predecessor
+  uint32_t cycles;         ///< in which it ran along with its predecessor
   uint32_t standstill;     ///< cycles without a motion or a difference, lately
   uint32_t warm_up;        ///< cycles after which it gives what it would give if it had always run
   uint32_t length;         ///< cycles of the fade; 0: at standstill only

@@ -1,5 +1,6 @@
-// Everything that cycles, commands and resets change in a runtime, number by number in one order, so that it can be copied,
-// written and read. What follows from it (tails side by side) and what the next cycle overwrites is left out.
+// Everything that cycles, commands and resets change in a runtime, number by number in one order, so that it
+// can be copied, written and read. What follows from it (tails side by side) and what the next cycle
+// overwrites is left out.
 #pragma once
 
 #include "runtime/lane.hpp"
@@ -9,8 +10,8 @@
 
 namespace axisc::runtime {
 
-/// Pairs the state of `from` with that of `to`, two runtimes of one image and level, or one and the same. Two that are laid out
-/// differently are refused before anything is read where they differ. The visitor has
+/// Pairs the state of `from` with that of `to`, two runtimes of one image and level, or one and the same. Two
+/// that are laid out differently are refused before anything is read where they differ. The visitor has
 ///     bool number(uint32_t from, uint32_t& to, uint32_t largest);   false: refused, as larger than `largest`
 ///     bool states(Batch const& from, Batch const& to);              all groups' states; false: refused
 template <class Visitor>
@@ -95,7 +96,7 @@ class StateWalk {
     return good;
   }
 
-  /// Kernels by their number, none as the one behind the last; they must fit into a history of `blocks`.
+  /// Kernels by their number, none as the one after the last; they must fit into a history of `blocks`.
   bool kernel(Kernel const* from, Kernel const*& to, uint32_t blocks) {
     uint32_t const none = from_.kernel_count + 1;
     uint32_t number = from == nullptr ? none : static_cast<uint32_t>(from - from_.kernels);

@@ -11,7 +11,7 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_WRONG_VERSION:
       return "The image has another major version of the format.";
     case AXISRT_WRONG_SIZE:
-      return "Bytes stand behind the image that are no whole signature.";
+      return "Bytes follow the image that are not a whole signature.";
     case AXISRT_WRONG_CHECKSUM:
       return "The image was changed or damaged after it was written.";
     case AXISRT_OUT_OF_BOUNDS:
@@ -45,13 +45,13 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_BAD_ARGUMENT:
       return "An argument is null, out of range, of unknown size, or memory that is in use.";
     case AXISRT_OTHER_AXES:
-      return "The image is of another machine: its axes differ.";
+      return "The image is for another machine: its axes differ.";
     case AXISRT_OLDER_IMAGE:
-      return "The image is older than the one that works.";
+      return "The image is older than the active one.";
     case AXISRT_OTHER_IMAGE:
       return "The image is not the one that was recorded.";
     case AXISRT_BAD_RECORDING:
-      return "This is no recording, one of another version, or a damaged one.";
+      return "This is not a recording, or it has another version or is damaged.";
     case AXISRT_BAD_INPUT:
       return "A position is not finite or beyond 2^53.";
     case AXISRT_NOT_RESET:
@@ -65,7 +65,7 @@ const char* axisrt_status_text(axisrt_status status) {
     case AXISRT_NOT_WARM:
       return "The new filters have not followed the motion for long enough.";
     case AXISRT_NEEDS_STANDSTILL:
-      return "These filters can only be changed while the axes stand.";
+      return "These filters can only be changed at standstill.";
   }
   return "Unknown status.";
 }

@@ -25,8 +25,9 @@
 namespace axisc::schema {
 namespace {
 
-/// What a slot number stands for. Eight bytes, and lists name their parameters more or less in the order of the catalogue, so
-/// what look-ups need lies together. A longer name does not compile: the tables are written with braces, which narrow nothing.
+/// The parameter of a slot number. Eight bytes, and lists name their parameters more or less in the order of
+/// the catalogue, so what look-ups need is contiguous. A longer name does not compile: the tables are written
+/// with braces, which narrow nothing.
 struct SlotRow {
   std::uint32_t name_begin : 24;  ///< in name_bytes
   std::uint32_t name_size : 8;
@@ -136,7 +137,8 @@ ConcreteParameter find_exact(std::string_view name) {
 
 void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) {
   assert(names.size() <= names_at_once && names.size() <= found.size());
-  // Names lie too far apart for the nearest cache, so all of them are on their way before the first is compared.
+  // Names are too far apart for the nearest cache, so all of them are prefetched before the first is
+  // compared.
   for (std::size_t i = 0; i < names.size(); ++i) {
     found[i].slot = candidate(names[i]);
     SlotRow const& known = row(found[i].slot);

@@ -1,8 +1,8 @@
 // The catalogue of all axis parameters: what exists, of which type, in which range.
 //
-// The facts stand in axis-parameters.json; a generator turns them at build time into constant tables with a perfect
-// hash over all concrete names, so that nothing is parsed or allocated when the program starts. Schema files of the user
-// add to them or say them anew: class Catalogue.
+// The facts are in axis-parameters.json; a generator turns them at build time into constant tables with a
+// perfect hash over all concrete names, so that nothing is parsed or allocated when the program starts.
+// Schema files of the user add to them or replace them: class Catalogue.
 #pragma once
 
 #include "schema/data_type.hpp"
@@ -50,7 +50,7 @@ struct alignas(64) Parameter {
   std::uint16_t max_length = 0;  ///< of a string, in characters; 0 where none is documented
   Slot first_slot{};
   std::uint16_t slots = 1;
-  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 where there is no such index
+  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 for a missing index
   std::string_view name;                 ///< pattern: `filter[].order`
   std::string_view default_text;         ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
   std::string_view
@@ -74,7 +74,7 @@ struct alignas(64) Parameter {
   return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
 }
 
-/// All slots of a row; gives the place behind them.
+/// All slots of a row; gives the place after them.
 template <typename Output>
 constexpr Output write_slots(Parameter const& parameter, Output out) {
   for (std::uint16_t i = 0; i < parameter.slots; ++i) {
@@ -87,7 +87,8 @@ constexpr Output write_slots(Parameter const& parameter, Output out) {
 [[nodiscard]] Parameter const& parameter(ParameterId id);
 [[nodiscard]] std::size_t slot_count();
 
-/// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in range.
+/// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in
+/// range.
 [[nodiscard]] std::string slot_name(Parameter const& parameter, Slot slot);
 [[nodiscard]] std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot);
 [[nodiscard]] Slot slot_of(Parameter const& parameter, std::uint32_t first_index = 0,
@@ -116,7 +117,7 @@ struct NameLookup {
 /// Cost: one hash and one comparison for a name as it should be; more only for names that miss.
 /// `name` is syntactically right: identifiers joined by dots, each with at most one index.
 [[nodiscard]] NameLookup find(std::string_view name);
-/// The same without folding the case.
+/// Like find(), without folding the case.
 [[nodiscard]] NameLookup find_as_written(std::string_view name);
 
 /// All rows with that number (several names may share one); empty when there is none.
@@ -134,7 +135,7 @@ struct NameLookup {
 
 /// Known names that a mistyped one may have meant, best first, at most three; the indices of `name` are kept.
 [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name);
-/// The same among the words of one enumeration.
+/// Words of one enumeration that a mistyped one may have meant, best first, at most three.
 [[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
                                                             std::string_view word);
 
@@ -149,13 +150,14 @@ struct ConcreteParameter {
 [[nodiscard]] ConcreteParameter find_exact(std::string_view name);
 
 struct PlainValues;
-/// A concrete parameter and those of its values that are beyond doubt; null for a name that is no parameter's.
+/// A concrete parameter and those of its values that are beyond doubt; null for a name that is not a
+/// parameter's.
 struct PlainParameter {
   PlainValues const* values = nullptr;
   Slot slot{};
 };
-/// The same as find_exact() of up to names_at_once names, in less time than one after the other; `found` has room for as
-/// many. What a name looks like need not be known.
+/// The same as find_exact() of up to names_at_once names, in less time than one after the other; `found` has
+/// room for as many. What a name looks like need not be known.
 inline constexpr std::size_t names_at_once = 32;
 void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found);
 
@@ -165,8 +167,8 @@ void find_plain(std::span<std::string_view const> names, std::span<PlainParamete
 class Extension;
 struct ParameterRow;
 
-/// The catalogue that a check works with: the built-in one, which the functions above look into, or that with the rows of
-/// schema files. Copies share one; rows live as long as any of them.
+/// The catalogue that a check works with: the built-in one, which the functions above look into, or that with
+/// the rows of schema files. Copies share one; rows live as long as any of them.
 class Catalogue {
  public:
   /// The built-in one. Cost: none.
@@ -183,9 +185,11 @@ class Catalogue {
   [[nodiscard]] std::size_t slot_count() const;
   /// Cost: as of the function; with schema files that of an ordered map in addition.
   [[nodiscard]] NameLookup find(std::string_view name) const;
-  /// With schema files also names whose indices are written otherwise, at the cost of find(). `name` is syntactically right.
+  /// With schema files also names whose indices are written otherwise, at the cost of find(). `name` is
+  /// syntactically right.
   [[nodiscard]] ConcreteParameter find_exact(std::string_view name) const;
-  /// Up to names_at_once of them, of which nothing is known; only those whose indices are written as the catalogue does.
+  /// Up to names_at_once of them, of which nothing is known; only those whose indices are written as the
+  /// catalogue does.
   void find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) const;
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] std::span<Slot const> slots_limited_by_others() const;

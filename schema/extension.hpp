@@ -1,5 +1,5 @@
-// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the built-in
-// tables find is still found there.
+// The catalogue with the rows of schema files: its own tables, made once when such files are read. What the
+// built-in tables find is still found there.
 #pragma once
 
 #include "schema/parameter_row.hpp"
@@ -22,8 +22,8 @@ namespace axisc::schema {
 
 class Extension {
  public:
-  /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots, unless its
-  /// array sizes differ.
+  /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots,
+  /// unless its array sizes differ.
   explicit Extension(std::vector<ParameterRow> rows);
   Extension(Extension const&) = delete;
   Extension& operator=(Extension const&) = delete;
@@ -53,7 +53,7 @@ class Extension {
   std::map<std::string, std::vector<ParameterId>, std::less<>> own_by_bare_name_;
   std::set<ParameterId> own_ids_;
   std::map<std::uint16_t, std::vector<ParameterId>> by_number_;
-  std::vector<ParameterId> own_slots_;  ///< of the slots behind those that were built in
+  std::vector<ParameterId> own_slots_;  ///< of the slots after the built-in ones
   std::set<std::string, std::less<>> words_;
   mutable std::once_flag taken_apart_;
   mutable std::unique_ptr<VocabularyTables> vocabulary_;  ///< made when the first name is mistyped

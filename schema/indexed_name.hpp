@@ -18,13 +18,15 @@ struct IndexedName {
   std::vector<NamePart> parts;
 };
 
-/// Parts of `name`, as views into it; none when it is not identifiers joined by dots with one index each at most.
+/// Parts of `name`, as views into it; none when it is not identifiers joined by dots with one index each at
+/// most.
 [[nodiscard]] std::optional<IndexedName> split_name(std::string_view name);
 
-/// A name without indices, also without the dot behind its last part that split_name() lets pass: `filter.order`.
+/// A name without indices, also without the dot after its last part that split_name() lets pass:
+/// `filter.order`.
 [[nodiscard]] std::string bare_name(std::string_view name);
 
-/// The same of a pattern: `filter[].order` is `filter.order`.
+/// A pattern without brackets: `filter[].order` is `filter.order`.
 [[nodiscard]] std::string without_brackets(std::string_view pattern);
 
 /// Cuts the first part off a dotted name and returns it.

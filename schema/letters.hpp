@@ -8,11 +8,12 @@
 
 namespace axisc::schema {
 
-/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less telling, not
-/// wrong.
+/// Which letters a text has, and which at least twice: one bit each. Letters that share a bit make it less
+/// telling, not wrong.
 using Letters = std::uint64_t;
 
-/// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one letter at most.
+/// True if no edit_distance() of texts with these letters is within `limit`: a slip adds or takes away one
+/// letter at most.
 [[nodiscard]] inline bool certainly_beyond(Letters a, Letters b, std::size_t limit) {
   Letters only_a = a & ~b;
   Letters only_b = b & ~a;
@@ -23,13 +24,14 @@ using Letters = std::uint64_t;
   return (only_a | only_b) != 0;
 }
 
-/// False if neither of two texts with these letters stands in the other: what stands in a text brings no letter that it has not.
+/// False if neither of two texts with these letters can contain the other: a part has no letter that the
+/// whole lacks.
 [[nodiscard]] inline bool may_contain_one_another(Letters a, Letters b) {
   return (a & ~b) == 0 || (b & ~a) == 0;
 }
 
-/// Which letters a text has an odd number of times: less telling than Letters, but small enough to be compared many at
-/// once.
+/// Which letters a text has an odd number of times: less telling than Letters, but small enough to be
+/// compared many at once.
 using OddLetters = std::uint16_t;
 
 struct LetterSets {
@@ -39,8 +41,8 @@ struct LetterSets {
 [[nodiscard]] LetterSets letter_sets_of(std::string_view text);
 
 inline constexpr std::size_t letters_at_once = 16;
-/// Which of `known` may belong to a text whose edit_distance() from a given one is within `limit`, one bit each: a slip
-/// changes two letters at most.
+/// Which of `known` may belong to a text whose edit_distance() from a given one is within `limit`, one bit
+/// each: a slip changes two letters at most.
 [[nodiscard]] std::uint32_t may_be_within(std::size_t limit, OddLetters given,
                                           std::span<OddLetters const, letters_at_once> known);
 

@@ -22,12 +22,13 @@ struct Candidate {
 
 /// Candidates that are more than this worse than the best are left out.
 inline constexpr std::size_t tolerance_to_best = 1;
-/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may stand for an underscore.
+/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may replace an
+/// underscore.
 inline constexpr std::size_t few_slips = 2;
 
-/// Those that are not much worse than the best, in no order. `bare` is `name` without indices. Where a name with one
-/// slip at most is known, only names that are nearly as close are compared; else every name that has a part or a size in
-/// common with it.
+/// Those that are not much worse than the best, in no order. `bare` is `name` without indices. Where a name
+/// with one slip at most is known, only names that are nearly as close are compared; else every name that has
+/// a part or a size in common with it.
 [[nodiscard]] std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name,
                                                     std::string_view bare);
 /// The same the long way, whatever is known.

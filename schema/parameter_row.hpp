@@ -1,4 +1,4 @@
-// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or says anew.
+// One row of the catalogue that owns its texts: what a schema file adds to the catalogue, or replaces.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -31,7 +31,8 @@ struct ParameterRow {
 
   /// A copy to be changed.
   [[nodiscard]] static ParameterRow from(Parameter const& parameter);
-  /// The row as the catalogue holds it, with texts that live as long as this; its symbols and slots are empty.
+  /// The row as the catalogue holds it, with texts that live as long as this; its symbols and slots are
+  /// empty.
   [[nodiscard]] Parameter view() const;
 };
 

@@ -1,5 +1,5 @@
-// Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is not among them is
-// looked at more closely (validator/values/judgement.hpp), and may be right as well.
+// Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is
+// not among them is looked at more closely (validator/values/reading.hpp), and may be right as well.
 #pragma once
 
 #include "schema/catalogue.hpp"
@@ -21,7 +21,7 @@ enum class PlainKind : std::uint8_t {
   text,     ///< a word of at most `longest` bytes
 };
 
-/// Of one row of the catalogue. Half a cache line, so that what look-ups need lies together.
+/// Of one row of the catalogue. Half a cache line, so that what look-ups need is contiguous.
 struct PlainValues {
   double lowest = 0;
   double highest = 0;
@@ -52,9 +52,10 @@ constexpr DataRange plain_range_of(DataType type) {
   return {.lowest = std::max(range.lowest, -exact), .highest = std::min(range.highest, exact)};
 }
 
-// What follows says less than the closer look does (schema/value.hpp): where it is in doubt, there is nothing plain.
+// What follows says less than the closer look does (schema/value.hpp): where it is in doubt, there is nothing
+// plain.
 
-/// Words that mean the numbers beside them, or none; there are not too many.
+/// Words with the numbers that they mean, or none; there are not too many.
 constexpr bool has_plain_symbols(Parameter const& parameter) {
   bool const any_too_long =
       std::any_of(parameter.symbols.begin(), parameter.symbols.end(), [&parameter](Symbol const& symbol) {
@@ -64,7 +65,8 @@ constexpr bool has_plain_symbols(Parameter const& parameter) {
   return !any_too_long && parameter.symbols.size() < std::numeric_limits<std::uint8_t>::max();
 }
 
-/// Words without numbers, and a default that is none of them: they may be bits of a mask, which can be joined.
+/// Words without numbers, and a default that is none of them: they may be bits of a mask, which can be
+/// joined.
 constexpr bool may_be_bit_mask(Parameter const& parameter) {
   return std::none_of(parameter.symbols.begin(), parameter.symbols.end(), [&parameter](Symbol const& symbol) {
     return symbol.number.has_value() || symbol.word == parameter.default_text;

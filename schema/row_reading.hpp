@@ -1,4 +1,5 @@
-// Rows of the catalogue as JSON says them: those of axis-parameters.json, which the generator reads, and those of schema files.
+// Rows of the catalogue as JSON says them: those of axis-parameters.json, which the generator reads, and
+// those of schema files.
 #pragma once
 
 #include "schema/parameter_row.hpp"
@@ -19,7 +20,7 @@ enum class RowContradiction : std::uint8_t {
   minimum_above_maximum,
   symbols_of_numbers,   ///< symbols of a type that has no words
   symbol_twice,         ///< FALSE or TRUE of a boolean
-  length_of_numbers,    ///< max_length of a type that is no string
+  length_of_numbers,    ///< max_length of a type that is not a string
   default_not_a_value,  ///< of the type, or of the symbols
 };
 
@@ -41,9 +42,9 @@ struct RowReading {
   std::vector<RowProblem> problems;
 };
 
-/// What `entry` makes of `known`, the row of its name, or of nothing. It says anew what it names and leaves the rest; with
-/// another type, limits, default and words of the old one are dropped. `entry` is as docs/schemas/schema-file.schema.json
-/// says; everything else throws what nlohmann throws.
+/// What `entry` makes of `known`, the row of its name, or of nothing. It replaces what it names and keeps the
+/// rest; with another type, limits, default and words of the old one are dropped. `entry` is as
+/// docs/schemas/schema-file.schema.json says; everything else throws what nlohmann throws.
 [[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known);
 
 }  // namespace axisc::schema

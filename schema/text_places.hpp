@@ -1,4 +1,4 @@
-// Where a text stands in a list of texts, found by its hash.
+// The index of a text in a list of texts, found by its hash.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace axisc::schema {
 
-/// For lists that are made while the program runs too: what is in the way of a text stands behind the place of its hash.
+/// A hash table with linear probing, which can also be made at run time: if the place of its hash is taken, a
+/// text has the next free one.
 /// Each is a place in the list + 1, or 0; there are twice as many as texts at least, and a power of two.
 using TextPlaces = std::span<std::uint32_t const>;
 

@@ -13,8 +13,8 @@ namespace axisc::schema {
 /// well. Integers are exact up to 2^53, which every parameter but one (an UNS64 counter) stays below.
 struct Value {
   double number = 0;
-  /// String, or the word of a symbol (also when the list wrote its number): UTF-8 that the catalogue, the source or the
-  /// readings of the list own.
+  /// String, or the word of a symbol (also when the list wrote its number): UTF-8 that the catalogue, the
+  /// source or the readings of the list own.
   std::string_view text;
 
   [[nodiscard]] bool flag() const { return number != 0; }
@@ -37,7 +37,7 @@ struct NumberReading {
 [[nodiscard]] NumberReading read_integer(std::string_view text, schema::DataType type);
 /// A real, correctly rounded: the nearest double. Integers, decimal or hexadecimal, are reals too.
 [[nodiscard]] NumberReading read_real(std::string_view text);
-/// True where the whole of `text` is one integer or real, as a second value behind the first would be.
+/// True where the whole of `text` is one integer or real, as a second value after the first would be.
 [[nodiscard]] bool is_complete_number(std::string_view text);
 
 /// `open`: the limit itself is not allowed.
@@ -47,8 +47,8 @@ struct NumberReading {
 [[nodiscard]] inline bool violates_maximum(double value, double limit, bool open) {
   return open ? value >= limit : value > limit;
 }
-/// Below the minimum or above the maximum where those are numbers, also where the value is allowed nevertheless, as the
-/// default is.
+/// Below the minimum or above the maximum where those are numbers, also where the value is allowed
+/// nevertheless, as the default is.
 [[nodiscard]] inline bool is_outside(schema::Parameter const& parameter, double value) {
   using Kind = schema::Limit::Kind;
   schema::Limit const& low = parameter.minimum;
@@ -77,7 +77,7 @@ struct SymbolReading {
 
 /// The documented default; none where the catalogue has none, or where it is not a plain value.
 [[nodiscard]] std::optional<Value> default_value(schema::Parameter const& parameter);
-/// The number behind a default of the form `P-AXIS-00008`; 0 for every other default.
+/// The number in a default of the form `P-AXIS-00008`; 0 for every other default.
 [[nodiscard]] std::uint16_t default_reference(schema::Parameter const& parameter);
 
 }  // namespace axisc::schema

@@ -67,7 +67,7 @@ made from the table from which the writer and the loader take their offsets, so 
 ## Conventions
 
 - Little-endian on every processor. `u16`, `u32` and `u64` are unsigned, `f64` is an IEEE 754 double, `u8xN` are N
-  bytes. Fields stand at their offset without any padding; reserved bytes are 0.
+  bytes. Fields are at their offset without any padding; reserved bytes are 0.
 - Offsets of sections count from the start of the image, indices of records from 0 in their section.
 - The image is never written to and may lie in read-only memory, at an address that is a multiple of 64.
 - Texts are UTF-8 without terminators; `..._offset` and `..._size` give a range of the names section. Each distinct text
@@ -75,7 +75,7 @@ made from the table from which the writer and the loader take their offsets, so 
 - Ranges of records are a first index and a count. An empty range is 0, 0.
 - Checksums are CRC-32C: polynomial 0x1EDC6F41, bits reflected, initial value and final complement 0xFFFFFFFF; the checksum
   of the characters `123456789` is 0xE3069283.
-- Equal machines give equal bytes: nothing in an image tells when, where, from which folder or by which build it was made.
+- Equal machines give equal bytes: an image does not show when, where, from which folder or by which build it was made.
 
 ## Layout
 
@@ -83,16 +83,16 @@ made from the table from which the writer and the loader take their offsets, so 
     128                    section table, one entry per section
     next multiple of 64    sections, each at a multiple of 64, in the order of the list below
 
-Bytes between the end of a section (or of the section table) and the next multiple of 64 are 0, behind the last section
-too: the total size is a multiple of 64. The header's checksum covers header and section table, with its own field as
-zero; the payload's checksum covers every byte behind the section table, those zeros included, so it is computed first.
+Bytes between the end of a section (or of the section table) and the next multiple of 64 are 0, also after the last
+section: the total size is a multiple of 64. The header's checksum covers header and section table, with its own field as
+zero; the payload's checksum covers every byte after the section table, those zeros included, so it is computed first.
 
-A signed image (`axisc sign`) has a trailer of 80 bytes behind its last byte, at total_size. It is no part of the image:
+A signed image (`axisc sign`) has a trailer of 80 bytes after its last byte, at total_size. It is not part of the image:
 the header does not know it, and cutting it off gives the unsigned image again. A reader without a key ignores it; it
 refuses any other bytes there.
 
-Mandatory sections are in every image, empty ones too. Critical sections are there where they have records. Optional
-sections are all there, empty ones too, or none of them: a stripped image (`compile --strip`) has none, and fields that
+Mandatory sections are in every image, empty ones too. Critical sections are present if they have records. Optional
+sections are either all present, empty ones too, or all absent: a stripped image (`compile --strip`) has none, and fields that
 point into them are 0.
 
 A reader finds sections by their kind. It accepts a higher minor version: unknown sections are skipped where their flags
@@ -100,7 +100,7 @@ say optional, and records may be longer than it knows (`element_size`). It refus
 that is not optional, since the axes would move in another way without it; that is what a reader of format 1.0 does with
 an image that has critical sections. It refuses another major version.
 
-Format 1.1 added the critical sections. An image without them has the bytes of format 1.0 but for the minor version.
+Format 1.1 added the critical sections. An image without them has the bytes of format 1.0, except for the minor version.
 
 )";
 
@@ -115,7 +115,7 @@ second-order section in increment form, every coefficient rounded once from exte
     H(1) = 0:  H     = (p + q z^-1)(1 - z^-1) / A     p = b0         q = b0 + b1       (blocks_constant)
 
 Back to the usual form: `a2 = 1 - b`, `a1 = k + b - 2`; with H(1) = 1 `b0 = 1 + p`, `b1 = q - p + a1`,
-`b2 = k - b0 - b1`; with H(1) = 0 `b0 = p`, `b1 = q - p`, `b2 = -q`. For display that is good enough; computing with it
+`b2 = k - b0 - b1`; with H(1) = 0 `b0 = p`, `b1 = q - p`, `b2 = -q`. This is good enough for display; computing with it
 loses seven digits where the cut-off frequency is low and the position large.
 
 Each cycle, with `x` the filter's input and `d = x[n] - x[n-1]`, for the sections in their order:
@@ -123,11 +123,11 @@ Each cycle, with `x` the filter's input and `d = x[n] - x[n-1]`, for the section
     de = p d + r
     e  = e + de
     r  = de + q d - k e - b de
-    d  = d + de        sum = sum + e       (H(1) = 1; behind the last section y = x + sum)
+    d  = d + de        sum = sum + e       (H(1) = 1; after the last section y = x + sum)
     d  = de            y = e               (blocks_constant)
 
 At rest every state is 0, whatever the position: a reset sets `e = r = 0` and `x[n-1] = x`. A section may be used when
-k > 0, 0 < b < 2, 4 - k - 2b > 0 (its poles lie inside the unit circle) and |p|, |q| <= 64. A first-order section has
+k > 0, 0 < b < 2, 4 - k - 2b > 0 (its poles are inside the unit circle) and |p|, |q| <= 64. A first-order section has
 a pole at 0: `b = 1`.
 
 A pure delay (`realisation` 2) gives `y[n] = x[n - delay_cycles]`. The share blends the filter's output with its input:
@@ -137,10 +137,10 @@ A pure delay (`realisation` 2) gives `y[n] = x[n - delay_cycles]`. The share ble
     out = y + (direct + direct_low)(x - y)          a pure delay
 
 The filters of an axis act one after the other in the order of their records; an HSC kernel acts before them, a FIR
-kernel behind them.
+kernel after them.
 
 Filters with equal sections share one run of coefficient records: a filter whose whole list of sections is already
-stored points there, otherwise its sections are appended. Samples of self-tests are shared in the same way.
+stored points there, otherwise its sections are appended. Samples of self-tests are shared likewise.
 
 ## How a kernel is computed
 
@@ -152,12 +152,12 @@ tail sum. Each cycle, with `d[n] = x[n] - x[n-1]`:
 
 So the taps sum to 1 by construction, and at rest y = x exactly, whatever was rounded: a reset sets all d to 0. A symmetric
 kernel has 2h tail sums and a delay of h cycles, a time delay as many tail sums as cycles, each of them its share (1 at
-100 %). The share of a symmetric kernel is in its tail sums. |S_j| <= 64, at most 200 of them. Behind an HSC kernel
+100 %). The share of a symmetric kernel is in its tail sums. |S_j| <= 64, at most 200 of them. After an HSC kernel
 the filters compute with `d = d - (E[n] - E[n-1])`.
 
 Equal kernels are stored once, in the order of first use: by slots the lists' values, then by groups, banks and members. What
-a type ignores stands at its default (frequency 30, quality 1), so that it makes no difference; NoVib has the order that
-its frequency gives. A kernel of order 0 or share 0 is none.
+a type ignores has its default (frequency 30, quality 1), so that it makes no difference; NoVib has the order that its
+frequency gives. Order 0 or share 0 means no kernel.
 
 A slot is the one linear-phase filter that an axis may have. `kernel` is that of the lists' values; it works from start-up
 where `on_at_start` is 1. A slot remembers as many increments as its longest kernel needs (`history`), so that each of
@@ -168,7 +168,7 @@ its kernels can begin at any time.
 A group is an NC channel with its axes (members) and its banks: for each set of #FILTER parameters one kernel for each
 member, in the order of the members (choices). Bank 0 holds the lists' values (no keyword); the parameter sets
 follow in the order of the machine file, last the bank of HSC, if an axis has an HSC filter. A bank concerns the FIR
-slots, that of HSC (bit 4) the HSC slots; the other members' choice is none. A member without a slot has none, too. A slot
+slots, that of HSC (bit 4) the HSC slots; the other members, and members without a slot, have the choice none. A slot
 belongs to the first group that names its axis; groups without a slot are not stored.
 
     #FILTER ON [...]     the bank's kernels, switched on
@@ -177,7 +177,7 @@ belongs to the first group that names its axis; groups without a slot are not st
     end of the program   as at start-up; its fade is the longer one of bank 0 and of OFF, standstill if one of them needs it
 
 All slots that a command reaches change over together. While every slot of the group has seen no increment of 2^-30 units or
-more for as many cycles as it remembers, the change is immediate. Else it takes F = `fade_cycles` from kernel A to
+more for as many cycles as it remembers, the change is immediate. Otherwise it takes F = `fade_cycles` from kernel A to
 kernel B, with the same increments for both:
 
     E = E_A + w (E_B - E_A)        w = t^3 (10 - 15 t + 6 t^2)        t = 1/F, 2/F, ... 1
@@ -189,7 +189,7 @@ limits:
 
     15/(8F) L v <= v/4        10/(sqrt(3) F^2) L v + 15/(4F) L a <= a/4
 
-A is the worst kernel that the slot can be at, and of all slots that a bank concerns the largest F counts, at least 1. It
+A is the worst kernel that the slot can be at, and of all slots that a bank concerns, the largest F counts, at least 1. It
 is 0, at standstill only, where one of them would need more than 4096 cycles or has no limits.
 
 ## Improved Position Control
@@ -208,7 +208,7 @@ scale; its `limit` is that of the source. The scale is rounded once:
     controller 0    0
 
 The oscillator in front of a stage of mode 2 or 3 is `w0^2 / (s^2 + 2 D w0 s + w0^2)` by the bilinear transform,
-pre-warped at `frequency`; D stands in `quality`, `prototype` 1 and `order` 2 mean nothing there.
+pre-warped at `frequency`; D is in `quality`; its `prototype` 1 and `order` 2 have no meaning.
 
 ## Self-tests
 
@@ -219,8 +219,8 @@ move an axis. The compiler chooses this input: with a = 1/64, 8 samples of a; fo
 7 + `delay_cycles` samples of 0; last a 1. Where double arithmetic, with or without contraction, would use up more than half of
 the tolerance, a is (64 - j)/4096 with the smallest j > 0 for which it does not.
 
-A kernel's samples are made in the same way, with as many zeros as the kernel has tail sums behind the 7 and always with
-a = 1/64. They are run without a fade, on any slot whose history is long enough. Samples stand in the order of the axes'
+A kernel's samples are made in the same way, with as many zeros as the kernel has tail sums after the 7 and always with
+a = 1/64. They are run without a fade, on any slot whose history is long enough. Samples are in the order of the axes'
 filters, the stages' filters, the kernels.
 
 ## Proof records
@@ -232,8 +232,8 @@ the axis' `peak_gain` is the product of the chain's and the kernel's, its `delay
 
 ## What a loader refuses
 
-Each with a status of its own: fewer bytes than a header, another magic, another major version, bytes behind
-the image that are no whole trailer, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
+Each with a status of its own: fewer bytes than a header, another magic, another major version, bytes after
+the image that are not a whole trailer, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
 section that is not optional, counts and indices outside their section, numbers that are not finite, sections that may be unstable, delays beyond
 100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s. Slot and member of an axis name
 each other, choices fit into their slot's history, a gantry slave's source has stages of its own. Where a key is set, also an

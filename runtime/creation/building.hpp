@@ -32,7 +32,7 @@ struct Memory {
 [[nodiscard]] bool same_constants(ImageView const& view, PortKind port, Group const& a, Group const& b,
                                   uint32_t step);
 
-/// Kernels and their tails; one kernel without tails behind them.
+/// Kernels and their tails; one kernel without tails after them.
 void build_kernels(ImageView const& view, Layout const& layout, Memory memory);
 /// Lines in their lanes, in the steady state for 0 and never reset. Expects kernels.
 LinePort build_port(ImageView const& view, PortKind port, uint32_t lanes, Layout const& layout,

@@ -5,7 +5,7 @@
 namespace axisc::runtime {
 namespace {
 
-/// Controls stand in ascending order of their axes.
+/// Controls are in ascending order of their axes.
 uint32_t index_of_source(ImageView const& view, uint32_t index) {
   uint32_t const source = view.controls[index][field::control::source];
   if (source == view.controls[index][field::control::axis]) return index;

@@ -1,4 +1,4 @@
-// Where the parts of a runtime stand in the caller's memory.
+// Where the parts of a runtime are in the caller's memory.
 #pragma once
 
 #include "runtime/verification/image_view.hpp"
@@ -74,7 +74,8 @@ struct Layout {
   uint64_t size = 0;
 };
 
-/// Doubles of a kernel's tails: seven zeros in front, and behind so many that whole blocks can be applied.
+/// Doubles of a kernel's tails: seven zeros in front, and so many after them that whole blocks can be
+/// applied.
 [[nodiscard]] uint32_t padded_tails(uint32_t block_count);
 
 /// Expects a verified image. `lanes` are those of the instruction set that will execute it.

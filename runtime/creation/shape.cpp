@@ -3,7 +3,7 @@
 namespace axisc::runtime {
 namespace {
 
-/// Slots stand in ascending order of their axes.
+/// Slots are in ascending order of their axes.
 uint32_t slot_of_axis(ImageView const& view, uint32_t axis) {
   uint32_t begin = 0;
   uint32_t end = view.slots.count;
@@ -72,8 +72,8 @@ void widen(Shape& shape, Shape const& by) {
   }
 }
 
-/// The narrowest group that so many lines fill without a wider one that is mostly empty. One or two lines with a
-/// linear-phase filter are faster one by one.
+/// The narrowest group that so many lines fill without a wider one that is mostly empty. One or two lines
+/// with a linear-phase filter are faster one by one.
 uint32_t width_for(uint32_t lines, uint32_t lanes, bool has_slot) {
   if (lines == 1 || (lines == 2 && has_slot)) return 1;
   uint32_t width = 2;

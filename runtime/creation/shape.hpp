@@ -47,8 +47,8 @@ struct Shape {
 [[nodiscard]] uint32_t state_size(Shape::Step const& step);
 [[nodiscard]] uint32_t constants_size(Shape::Step const& step);
 
-/// Blocks of a history that holds so many increments and the block that is being filled; at least the two that are applied
-/// in every cycle.
+/// Blocks of a history that holds so many increments and the block that is being filled; at least the two
+/// that are applied in every cycle.
 [[nodiscard]] constexpr uint32_t blocks_of(uint32_t tail_count) {
   return tail_count < 2 ? 2 : (tail_count + block_cycles - 2) / block_cycles + 1;
 }
@@ -63,9 +63,9 @@ struct Group {
 
 [[nodiscard]] bool same_layout(Group const& a, Group const& b);
 
-/// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own: lines of the first
-/// `most_shapes` shapes are grouped, those of any further shape stand alone. Costs at most a pass over the lines for each of
-/// these shapes, whatever the image is.
+/// Gives the groups of a port, those of the same shape one after the other. Needs no memory but its own:
+/// lines of the first `most_shapes` shapes are grouped, those of any further shape are alone. Costs at most a
+/// pass over the lines for each of these shapes, whatever the image is.
 class Grouping {
  public:
   Grouping(ImageView const& view, PortKind port, uint32_t lanes);
@@ -74,7 +74,7 @@ class Grouping {
 
  private:
   struct Key {
-    uint64_t steps;     ///< kinds, delays, blocking sections: only equal ones stand in one group
+    uint64_t steps;     ///< kinds, delays, blocking sections: only equal ones are in one group
     uint64_t sections;  ///< long chains first
   };
   struct Kind {
@@ -86,7 +86,7 @@ class Grouping {
 
   [[nodiscard]] Key key_of(uint32_t line) const;
   [[nodiscard]] static bool less(Key const& a, Key const& b);
-  /// Where a key stands among the kinds, or would stand.
+  /// The place of a key among the kinds, or where it would be.
   [[nodiscard]] uint32_t place_of(Key const& key) const;
   [[nodiscard]] bool is_kind(uint32_t place, Key const& key) const;
   void count_line(uint32_t line);

@@ -6,13 +6,13 @@
  *   word 3   words of the state before the first entry
  *   word 4   words of the entries
  *   word 5   number of entries
- *   word 6   CRC-32C of everything behind word 7; CRC-32C of words 0 to 7 with this half 0 << 32
+ *   word 6   CRC-32C of everything after word 7; CRC-32C of words 0 to 7 with this half 0 << 32
  *   word 7   0
  *   state    as the runtime of this level orders it
  *   entries  oldest first
  *
- * An entry is a word, kind | flags << 8 | status << 16 | axis or group << 32, and what its kind says; n is the number of
- * axes, s = (n + 7) / 8 words hold a status byte for each axis:
+ * An entry is a word, kind | flags << 8 | status << 16 | axis or group << 32, and what its kind says; n is
+ * the number of axes, s = (n + 7) / 8 words hold a status byte for each axis:
  *   step, step_interface   n inputs, n outputs, s
  *   step_velocity          n v_set, n v_motor, n v_direct, n v_add, n increments, s
  *   reset, reset_interface, rebase   1 number

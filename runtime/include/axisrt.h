@@ -1,7 +1,7 @@
 /* axisrt: executes the filters of a coefficient image, one call per NC cycle.
  *
  * Life of a controller task:
- *   at start   axisrt_memory_size, axisrt_create (verifies the image, runs its self-tests, copies the coefficients)
+ *   at start   axisrt_memory_size, axisrt_create (verifies the image, copies coefficients, runs self-tests)
  *   per axis   axisrt_reset to the axis' actual position, before its first step
  *   per cycle  axisrt_step, axisrt_step_interface, axisrt_step_velocity
  *   between    axisrt_command, when the NC program switches filters
@@ -64,11 +64,12 @@ typedef enum axisrt_status {
   AXISRT_OTHER_IMAGE = 29,   /* it is not the image that was recorded */
   AXISRT_BAD_RECORDING = 30, /* not a recording, of another version, or damaged */
 
-  /* The cycle. The step was done all the same, unless it says otherwise. */
+  /* The cycle. Unless stated otherwise, the step was executed nevertheless. */
   AXISRT_BAD_INPUT = 40, /* NaN, infinite or beyond 2^53: the last good setpoint was used instead */
   /* The axis was never reset: its output repeats the input (0 for a bad one), nothing was filtered. */
   AXISRT_NOT_RESET = 41,
-  /* The output moved farther in this cycle than the lists allow, |y[n] - y[n-1]| > (P + 1/4) v (see axisrt_step). */
+  /* The output moved farther in this cycle than the lists allow, |y[n] - y[n-1]| > (P + 1/4) v (see
+   * axisrt_step). */
   AXISRT_IMPLAUSIBLE = 43,
 
   /* axisrt_command, axisrt_swap. Nothing was changed. */
@@ -89,15 +90,16 @@ uint32_t axisrt_abi_version(void);
 
 #define AXISRT_ALIGNMENT 64u
 
-/* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64 bytes.
- * What it accepts can be created and stepped without any fault, whoever wrote it. A signature behind the image is
- * accepted and not checked: only a configuration names the key.
+/* Checks an image: never reads outside [image, image + size), needs no memory. `image` is aligned to 64
+ * bytes. What it accepts can be created and stepped without any fault, whoever wrote it. A signature after
+ * the image is accepted and not checked: only a configuration names the key.
  * Returns AXISRT_OK, one of the image's statuses, or AXISRT_BAD_ARGUMENT for a null pointer.
  * Cost: one pass for the checksum, one over the content. Not in the cycle. */
 axisrt_status axisrt_verify(const void* image, size_t size);
 
-/* Instruction sets. Each computes the same filters within the accuracy that axisrt_step states; only PORTABLE gives the
- * same bits on every processor (the others differ in the last place where they contract multiplications and additions). */
+/* Instruction sets. Each computes the same filters within the accuracy that axisrt_step states; only PORTABLE
+ * gives the same bits on every processor (the others differ in the last place where they contract
+ * multiplications and additions). */
 typedef enum axisrt_level {
   AXISRT_LEVEL_AUTOMATIC = 0, /* the best one that this processor has */
   AXISRT_LEVEL_PORTABLE = 1,  /* one axis after the other, every operation rounded */
@@ -110,9 +112,10 @@ typedef enum axisrt_level {
 typedef struct axisrt axisrt;
 
 /* Checks the signature of an image with a key that the controller holds: 0 if it is right (what
- * crypto_sign_verify_detached of libsodium returns), anything else if not. `key_id`: the 8 bytes that `axisc keygen` printed;
- * they help to choose among several keys and prove nothing. `image`, `image_size`: the signed bytes. `signature`: 64
- * bytes, Ed25519. `context`: verify_context of the configuration. Called before anything behind the header is read. */
+ * crypto_sign_verify_detached of libsodium returns), anything else if not. `key_id`: the 8 bytes that `axisc
+ * keygen` printed; they help to choose among several keys and prove nothing. `image`, `image_size`: the
+ * signed bytes. `signature`: 64 bytes, Ed25519. `context`: verify_context of the configuration. Called before
+ * anything after the header is read. */
 typedef int (*axisrt_verify_signature)(void* context, const uint8_t* key_id, const void* image,
                                        size_t image_size, const uint8_t* signature);
 
@@ -125,7 +128,8 @@ typedef struct axisrt_config {
   size_t memory_size;
   uint32_t level;    /* an axisrt_level; axisrt_memory_size and axisrt_create get the same */
   uint32_t reserved; /* 0 */
-  /* Null: signatures are not looked at. Else axisrt_memory_size and axisrt_create refuse an image without a right one. */
+  /* Null: signatures are ignored. Otherwise axisrt_memory_size and axisrt_create refuse an image without a
+   * valid one. */
   axisrt_verify_signature verify_signature;
   void* verify_context; /* handed to verify_signature; may be null */
 } axisrt_config;
@@ -148,36 +152,39 @@ axisrt_status axisrt_create(const axisrt_config* config, axisrt** runtime);
 /* What was created; 0 for a null pointer or a wrong axis. Cost: constant. May be called in the cycle. */
 uint32_t axisrt_axis_count(const axisrt* runtime);
 uint32_t axisrt_cycle_time_ns(const axisrt* runtime);
-/* The counter that the machine's maker gave the image (`axisc compile --image-version`). A signature does not tell whether an image
- * is the newest one: a controller that must never go back keeps the highest number that it has run, and does not move with a lower
- * one. */
+/* The counter that the machine's maker gave the image (`axisc compile --image-version`). A signature does not
+ * show whether an image is the newest one: a controller that must never go back stores the highest number
+ * that it has run, and does not move with a lower one. */
 uint32_t axisrt_image_version(const axisrt* runtime);
 /* The axisrt_level that is executed: never AUTOMATIC. */
 uint32_t axisrt_level_of(const axisrt* runtime);
-/* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image; never null. */
+/* Name in UTF-8, not terminated; length 0 for a stripped image or a wrong axis. Points into the image; never
+ * null. */
 const char* axisrt_axis_name(const axisrt* runtime, uint32_t axis, size_t* length);
 /* 1 if the axis has a filter on its additional interface, else 0. */
 int axisrt_has_interface(const axisrt* runtime, uint32_t axis);
-/* 1 if the axis has an additive velocity (Improved Position Control of its own or of its gantry master), else 0. */
+/* 1 if the axis has an additive velocity (Improved Position Control of its own or of its gantry master), else
+ * 0. */
 int axisrt_has_position_control(const axisrt* runtime, uint32_t axis);
 /* NC channels that have an axis with a FIR or HSC filter. */
 uint32_t axisrt_group_count(const axisrt* runtime);
 /* As axisrt_axis_name. */
 const char* axisrt_group_name(const axisrt* runtime, uint32_t group, size_t* length);
 
-/* Puts every setpoint filter into the steady state for `position`: the next output for that setpoint is the steady
- * output (for DC gain 1 the position itself, exactly). AXISRT_BAD_INPUT, and nothing is changed, if the position is not
- * finite or beyond 2^53. Cost: the axis' states. May be called in the cycle. */
+/* Puts every setpoint filter into the steady state for `position`: the next output for that setpoint is the
+ * steady output (for DC gain 1 the position itself, exactly). AXISRT_BAD_INPUT, and nothing is changed, if
+ * the position is not finite or beyond 2^53. Cost: the axis' states. May be called in the cycle. */
 axisrt_status axisrt_reset(axisrt* runtime, uint32_t axis, double position);
 
-/* The same for the additional interface (steady at `value`). axisrt_reset does not touch it. An axis without a filter
- * there needs no reset. */
+/* Puts the filters of the additional interface into the steady state for `value`; axisrt_reset does not.
+ * Statuses and cost as axisrt_reset. An axis without a filter on its interface needs no reset. */
 axisrt_status axisrt_reset_interface(axisrt* runtime, uint32_t axis, double value);
 
-/* Shifts the origin of an axis by `offset` without any effect on the motion (modulo axes): setpoints and outputs
- * from now on are larger by `offset` (outputs of a chain whose DC gain is not 1, by that gain times `offset`). Exact when
- * the shifted positions are representable. AXISRT_NOT_RESET before a reset; AXISRT_BAD_INPUT if the offset or the shifted
- * setpoint is not finite or beyond 2^53; nothing is changed then. Cost: the axis' delays. May be called in the cycle. */
+/* Shifts the origin of an axis by `offset` without any effect on the motion (modulo axes): setpoints and
+ * outputs from now on are larger by `offset` (outputs of a chain whose DC gain is not 1, by that gain times
+ * `offset`). Exact when the shifted positions are representable. AXISRT_NOT_RESET before a reset;
+ * AXISRT_BAD_INPUT, and nothing is changed, if the offset or the shifted setpoint is not finite or beyond
+ * 2^53. Cost: the axis' delays. May be called in the cycle. */
 axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
 
 /* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was reset. `in`
@@ -193,20 +200,21 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
  * kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
-/* What axisrt_step calls implausible, for axes whose list gives P-AXIS-00212 (v per cycle): with P the largest peak gain
- * of the axis' chain with any kernel of the image, an output that moves by more than (P + 1/4) v in one cycle. Setpoints
- * that stay within v never cause it, not in a change of kernels or of images either; a reset does not count. */
+/* What axisrt_step calls implausible, for axes whose list gives P-AXIS-00212 (v per cycle): with P the
+ * largest peak gain of the axis' chain with any kernel of the image, an output that moves by more than (P +
+ * 1/4) v in one cycle. Setpoints that stay within v never cause it, not in a change of kernels or of images
+ * either; a reset does not count. */
 
-/* How far the filters of an axis take it away from its commanded path where its velocity changes by `velocity` (um/s or
- * 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the unit of positions, between the
- * filtered setpoint and the setpoint of D cycles before, D being the chain's group delay at 0 Hz. For a symmetric
- * kernel of half width h alone: v sum of k b_k over k = 1..h. Proportional to |velocity|, so that a path planner asks once
- * for each kernel and multiplies.
+/* How far the filters of an axis take it away from its commanded path where its velocity changes by
+ * `velocity` (um/s or 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the
+ * unit of positions, between the filtered setpoint and the setpoint of D cycles before, D being the chain's
+ * group delay at 0 Hz. For a symmetric kernel of half width h alone: v sum of k b_k over k = 1..h.
+ * Proportional to |velocity|, so that a path planner asks once for each kernel and multiplies.
  * Infinite for a chain that does not follow a ramp (it blocks the constant part).
- * AXISRT_BUSY while kernels change over or an image is replaced; AXISRT_BAD_INPUT for a velocity that is not finite or
- * beyond 2^53; AXISRT_BAD_ARGUMENT.
- * Cost: the step response twice: the kernel's tails; with sections, until they have settled (at most 2^22 cycles in all):
- * not in the cycle then. */
+ * AXISRT_BUSY while kernels change over or an image is replaced; AXISRT_BAD_INPUT for a velocity that is not
+ * finite or beyond 2^53; AXISRT_BAD_ARGUMENT.
+ * Cost: the step response twice: the kernel's tails; with sections, until they have settled (at most 2^22
+ * cycles in all): not in the cycle then. */
 axisrt_status axisrt_axis_error_bound(const axisrt* runtime, uint32_t axis, double velocity, double* bound);
 
 /* One NC cycle of the additional interface; axes without a filter there pass through. */
@@ -224,19 +232,21 @@ typedef struct axisrt_velocities {
 } axisrt_velocities;
 
 /* Puts the stages of an axis into the steady state for these velocities. To be called once before the first
- * axisrt_step_velocity of the axis; else its additive velocity stays 0 and its status is AXISRT_NOT_RESET.
- * AXISRT_BAD_INPUT, and nothing is changed, for velocities that are not finite or beyond 2^53. Cost: the axis' states. */
+ * axisrt_step_velocity of the axis; otherwise its additive velocity stays 0 and its status is
+ * AXISRT_NOT_RESET. AXISRT_BAD_INPUT, and nothing is changed, for velocities that are not finite or beyond
+ * 2^53. Cost: the axis' states. */
 axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set, double v_motor,
                                     double v_direct);
 
 /* One NC cycle of Improved Position Control (P-AXIS-00750 to 00758).
- * v_add[axis]: additive velocity in um/s or 1e-3 degree/s, within +-P-AXIS-00757/1000 * P-AXIS-00212; for a gantry slave its
- * master's; 0 for other axes. increments[axis] (may be null): the same in drive increments, not rounded:
- *   position control in the drive   v_add v_reso_num/v_reso_denom per minute, second or NC cycle (P-AXIS-00205..00207)
- *   position control in the CNC     v_add 6e-5 multi_gain_z/multi_gain_n (P-AXIS-00129, 00128)
- *   not known                       0
- * status as for axisrt_step; a velocity that is not good is replaced by the last good one. The parameters may only be
- * changed (another image) while the axis stands. Cost: constant for a given image. */
+ * v_add[axis]: additive velocity in um/s or 1e-3 degree/s, within +-P-AXIS-00757/1000 * P-AXIS-00212; for a
+ * gantry slave its master's; 0 for other axes. increments[axis] (may be null): v_add in drive increments, not
+ * rounded, where the position control is
+ *   in the drive   v_add v_reso_num/v_reso_denom per minute, second or NC cycle (P-AXIS-00205..00207)
+ *   in the CNC     v_add 6e-5 multi_gain_z/multi_gain_n (P-AXIS-00129, 00128)
+ *   not known      0
+ * status as for axisrt_step; an invalid velocity is replaced by the last good one. The parameters may only be
+ * changed (another image) at standstill. Cost: constant for a given image. */
 axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in, double* v_add,
                                    double* increments, uint8_t* status);
 
@@ -264,39 +274,41 @@ typedef struct axisrt_filter_command {
   double quality;
 } axisrt_filter_command;
 
-/* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the image holds for
- * these parameters; nothing is computed here. To be called between two cycles.
+/* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the
+ * image holds for these parameters; nothing is computed here. To be called between two cycles.
  *
- * While every axis of the group stands (as many cycles as its longest kernel remembers without an increment of 2^-30 units
- * or more), the change is immediate, and no output moves by more than such increments amount to. In motion all axes change over
- * together in a fade over F cycles, y = A + w (B - A), of which the image knows F. With setpoints within P-AXIS-00212 and
- * P-AXIS-00008 (v and a per cycle) and P_A, P_B the two chains' peak gains, outputs of the fade keep
+ * While every axis of the group is at standstill (no increment of 2^-30 units or more for as many cycles as
+ * its longest kernel remembers), the change is immediate, and no output moves by more than such increments
+ * amount to. In motion all axes change over together in a fade y = A + w (B - A) over F cycles; F is stored
+ * in the image. With setpoints within P-AXIS-00212 and P-AXIS-00008 (v and a per cycle) and P_A, P_B the peak
+ * gains of the two chains, outputs of the fade keep
  *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
  *     |y[n] - 2 y[n-1] + y[n-2]|    <= max(P_A, P_B) a + a/4
  * Returns AXISRT_OK (also where nothing changes), AXISRT_BUSY, AXISRT_NO_BANK, AXISRT_NEEDS_STANDSTILL, or
- * AXISRT_BAD_ARGUMENT. Cost: the group's banks, axes and the tails of their kernels; a cycle during a fade and up to 16
- * cycles behind it applies two kernels to the whole history of each axis. */
+ * AXISRT_BAD_ARGUMENT. Cost: the group's banks, axes and the tails of their kernels; a cycle during a fade
+ * and up to 16 cycles after it applies two kernels to the whole history of each axis. */
 axisrt_status axisrt_command(axisrt* runtime, uint32_t group, const axisrt_filter_command* command);
 
 /* The order that ORDER_TIME (in us) means: floor(time/T + 0.5), 0 below one cycle. */
 uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
 
-/* Change of image while the machine runs: prepare once, shadow in every cycle, swap, then step the new runtime.
+/* Change of image while the machine runs: prepare once, shadow in every cycle, swap, then step the new
+ * runtime.
  *
  *   axisrt_prepare(active, &config, 0, &next);                 not in the cycle
  *   axisrt_step(active, ...); axisrt_shadow_step(next);        in every cycle, until
  *   axisrt_swap(next) == AXISRT_OK                             between two cycles; from then on
- *   axisrt_step(next, ...)                                     instead of `active`, which is stepped along
- *   axisrt_swap_done(next)                                     then the memory of `active` is the caller's again
+ *   axisrt_step(next, ...)                                     instead of `active`, which it steps along
+ *   axisrt_swap_done(next)                                     then the memory of `active` is free again
  *
- * All outputs change over together, y = y_before + w (y_new - y_before), w = t^3 (10 - 15 t + 6 t^2), in F cycles. With
- * setpoints within P-AXIS-00212 and P-AXIS-00008 of both images (the lower ones; v and a per cycle) and the chains' peak gains
- * P_A, P_B, the setpoint outputs keep
+ * All outputs change over together, y = y_before + w (y_new - y_before), w = t^3 (10 - 15 t + 6 t^2), in F
+ * cycles. With setpoints within P-AXIS-00212 and P-AXIS-00008 of both images (the lower ones; v and a per
+ * cycle) and the peak gains P_A, P_B of the chains, the setpoint outputs keep
  *     |y[n] - y[n-1]|               <= max(P_A, P_B) v + v/4
  *     |y[n] - 2 y[n-1] + y[n-2]|    <= max(P_A, P_B) a + a/4 + a/64
- * At standstill, where both runtimes have given the same for 64 cycles, the change may be immediate. */
+ * At standstill, when the outputs of both runtimes have agreed for 64 cycles, the change may be immediate. */
 
-/* Option of axisrt_prepare: a lower version counter is good too. */
+/* Option of axisrt_prepare: accepts a lower version counter. */
 #define AXISRT_ALLOW_OLDER 1u
 
 /* Creates the runtime of another image of the same machine beside the one that works, in the steady state for its latest
@@ -308,35 +320,36 @@ uint32_t axisrt_order_of_time(const axisrt* runtime, double time_us);
 axisrt_status axisrt_prepare(axisrt* active, const axisrt_config* config, uint32_t options,
                              axisrt** prepared);
 
-/* One cycle of the prepared runtime with what the active one was given last. To be called after the active one's steps.
- * Cost: that of a cycle. */
+/* One cycle of the prepared runtime, with the latest inputs of the active one. To be called after the active
+ * one's steps. Cost: that of a cycle. */
 axisrt_status axisrt_shadow_step(axisrt* prepared);
 
 /* Makes the prepared runtime the one to be stepped. AXISRT_BUSY while kernels change over in one of the two;
- * AXISRT_NEEDS_STANDSTILL where Improved Position Control differs (its stages then begin with axisrt_reset_velocity), where a
- * chain does not pass the constant part, where limits are unknown, or where the change would take more than 4096 cycles;
- * AXISRT_NOT_WARM where fewer cycles were shadowed than the new filters need. Cost: the axes. May be called in the cycle. */
+ * AXISRT_NEEDS_STANDSTILL where Improved Position Control differs (its stages then begin with
+ * axisrt_reset_velocity), where a chain does not pass the constant part, where limits are unknown, or where
+ * the change would take more than 4096 cycles; AXISRT_NOT_WARM where fewer cycles were shadowed than the new
+ * filters need. Cost: the axes. May be called in the cycle. */
 axisrt_status axisrt_swap(axisrt* prepared);
 
 /* 1 once the change is over. Commands are AXISRT_BUSY until then. Cost: constant. */
 int axisrt_swap_done(const axisrt* runtime);
 
-/* Recorder: what a runtime was given and gave in its last cycles, with the state before them, so that they can be
- * executed again bit for bit on the same level (`axisc replay IMAGE DUMP`).
+/* Recorder: inputs and outputs of a runtime in its last cycles, and the state before them, so that the cycles
+ * can be executed again bit for bit on the same level (`axisc replay IMAGE DUMP`).
  *
  *   axisrt_recorder_size, axisrt_recorder_start                not in the cycle
- *   axisrt_step(runtime, ...), axisrt_command, axisrt_reset    as ever
- *   axisrt_recorder_stop                                       when something happened that is worth looking at
- *   axisrt_recorder_dump                                       in any task: a stopped recorder is independent of the runtime
+ *   axisrt_step(runtime, ...), axisrt_command, axisrt_reset    as usual
+ *   axisrt_recorder_stop                                       when something happened that is worth a look
+ *   axisrt_recorder_dump                                       in any task, once it is stopped
  *
- * The price, the same in every cycle: its numbers are written into a ring, and what falls out of the ring is executed once
- * more by a runtime of the recorder's own, which thereby keeps the state that the recording begins with. So a cycle costs
- * two to three times of what it costs without. */
+ * Cost: every cycle is written into a ring, and the one that falls out of the ring is executed once more by a
+ * runtime of the recorder's own, which thereby keeps the state that the recording begins with. So every cycle
+ * costs two to three times as much as without a recorder. */
 typedef struct axisrt_recorder axisrt_recorder;
 
-/* Bytes that axisrt_recorder_start needs for at least `cycles` cycles (and 256 words of commands and resets in between);
- * aligned to AXISRT_ALIGNMENT. `config`: image, signature check and cycle time as for axisrt_create of `runtime`. Returns what
- * axisrt_memory_size returns. Not in the cycle. */
+/* Bytes that axisrt_recorder_start needs for at least `cycles` cycles (and 256 words of commands and resets
+ * in between); aligned to AXISRT_ALIGNMENT. `config`: image, signature check and cycle time as for
+ * axisrt_create of `runtime`. Returns what axisrt_memory_size returns. Not in the cycle. */
 axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                    size_t* bytes);
 
@@ -347,18 +360,19 @@ axisrt_status axisrt_recorder_size(const axisrt* runtime, const axisrt_config* c
 axisrt_status axisrt_recorder_start(axisrt* runtime, const axisrt_config* config, uint32_t cycles,
                                     axisrt_recorder** recorder);
 
-/* Ends the recording; what was recorded stays. Nothing for null or a second time. Cost: constant. May be called in the
- * cycle. */
+/* Ends the recording and keeps what was recorded. Does nothing for null or a second time. Cost: constant. May
+ * be called in the cycle. */
 void axisrt_recorder_stop(axisrt_recorder* recorder);
 
-/* Writes the recording (docs/runtime.md has the format). `needed` receives its size; AXISRT_MEMORY_TOO_SMALL where `size` is
- * less, or `bytes` null. Cost: the state and the ring. Of a stopped recorder from any task, else between two cycles. */
+/* Writes the recording (runtime/format/recording_format.h describes the format). `needed` receives its size;
+ * AXISRT_MEMORY_TOO_SMALL where `size` is less, or `bytes` null. Cost: the state and the ring. From any task
+ * if the recorder is stopped, otherwise between two cycles. */
 axisrt_status axisrt_recorder_dump(const axisrt_recorder* recorder, void* bytes, size_t size, size_t* needed);
 
-/* Creates a runtime in the state with which a recording begins, at the recorded level, whatever the configuration says.
- * AXISRT_BAD_RECORDING, AXISRT_OTHER_IMAGE, or what axisrt_create returns (AXISRT_NO_LEVEL where this processor cannot execute
- * the level). The checksum guards a recording against accidents; numbers that would lead outside the memory are refused,
- * whoever wrote them. Not in the cycle. */
+/* Creates a runtime in the state with which a recording begins, at the recorded level, whatever the
+ * configuration says. AXISRT_BAD_RECORDING, AXISRT_OTHER_IMAGE, or what axisrt_create returns
+ * (AXISRT_NO_LEVEL where this processor cannot execute the level). The checksum guards a recording against
+ * accidents; numbers that would lead outside the memory are refused, whoever wrote them. Not in the cycle. */
 axisrt_status axisrt_restore(const axisrt_config* config, const void* dump, size_t size, axisrt** runtime);
 
 #define AXISRT_MOST_FILTERS 4u

@@ -4,12 +4,15 @@
 // setpoint itself, sum is zero, d the difference of two setpoints; at its end base + sum is rounded once, to
 // the output. So the size of the position enters that one rounding only.
 //
-// passing    H(1) = 1.  The base stays, sum grows by what the sections add. At rest sum is zero and the output
+// passing    H(1) = 1.  The base stays, sum grows by what the sections add. At rest sum is zero and the
+// output
 //            is the setpoint, exactly. With a share s:
 //            sum' = s sum_f + (1 - s) sum,  d' = s d_f + (1 - s) d
-// blocking   H(1) = 0.  The sections' output e replaces the signal. Of the part beside the filter the base is
+// blocking   H(1) = 0.  The sections' output e replaces the signal. Of the part that bypasses the filter, the
+// base is
 //            scaled:  base' + low = (1 - s) base in twice the precision,  sum' = s e + (1 - s) sum + low
-// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part beside it is
+// delay      H = z^-D.  A ring hands on base, sum and d of D cycles ago, bit for bit. The part that bypasses
+// it is
 //            added as a distance from there:
 //            base' = base_D,  sum' = s sum_D + (1 - s) ((base - base_D) + sum)
 //
@@ -83,7 +86,8 @@ AXISRT_INLINE Signal<Width> run_blocking_filter(Operation const& operation, doub
           part.share * filtered.d + part.direct * in.d};
 }
 
-/// The ring has one place more than the delay, so that the signal that came out stays readable until the next cycle.
+/// The ring has one place more than the delay, so that the signal that came out stays readable until the next
+/// cycle.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_delay(Operation const& operation, double const* constants, double* states,
                                       Signal<Width> const& in) {

@@ -1,8 +1,9 @@
 // Values of several lanes: the compiler's vectors, and plain numbers for one lane.
 //
 // This and the other _def headers are compiled once for each instruction set, into a namespace of its own
-// (AXISRT_LEVEL), with groups of up to AXISRT_LANES lanes. They use nothing that another level could define too: of two
-// equal inline functions a linker keeps one, and it might be the one that this processor cannot execute.
+// (AXISRT_LEVEL), with groups of up to AXISRT_LANES lanes. They use nothing that another level could define
+// too: of two equal inline functions a linker keeps one, and it might be the one that this processor cannot
+// execute.
 #pragma once
 
 #include "runtime/batch.hpp"
@@ -24,7 +25,8 @@ namespace axisc::runtime::AXISRT_LEVEL {
 template <uint32_t Width>
 struct Lanes;
 
-// One lane stands in a vector too where the processor has them: masks and numbers then stay in the same registers.
+// One lane is in a vector too where the processor has them: masks and numbers then stay in the same
+// registers.
 #if defined(__SSE2__)
 #define AXISRT_ONE_LANE_IN_VECTOR 1
 #else
@@ -116,7 +118,7 @@ AXISRT_INLINE void store(void* to, Real<Width> value) {
   }
 }
 
-/// The same number in every lane.
+/// One number in every lane.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> all(double value) {
   if constexpr (Width == 1) {
@@ -136,7 +138,8 @@ AXISRT_INLINE Real<Width> real_of(Bits<Width> bits) {
   return __builtin_bit_cast(Real<Width>, bits);
 }
 
-/// The same mask, of which a compiler knows nothing: else it turns selections between two numbers back into branches.
+/// The mask unchanged, but opaque to the compiler, which otherwise turns selections between two numbers back
+/// into branches.
 AXISRT_INLINE uint64_t opaque(uint64_t mask) {
 #if defined(__GNUC__)
   __asm__("" : "+r"(mask));
@@ -175,8 +178,8 @@ AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
   return real_of<Width>(mask & bits_of<Width>(value));
 }
 
-/// The same value, of which a compiler knows nothing: keeps it from merging a rounded product with a following sum where
-/// an error term depends on the rounding.
+/// The value unchanged, but opaque to the compiler: keeps it from merging a rounded product with a following
+/// sum where an error term depends on the rounding.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> rounded(Real<Width> value) {
 #if defined(AXISRT_CONTRACTS) && defined(__x86_64__)

@@ -9,8 +9,9 @@
 //     C[n] = C[n-1] - P[n-1] + K d[n],   P[n] = P[n-1] + d[n]
 //     G[n] = G[n-1] - Q[n-1],            Q[n] = Q[n-1] - d[n-K]
 //
-// At the end of a window G is what C was and Q what P was, and C and P begin at zero again. No sum lives longer than two
-// windows, so nothing drifts: the error stays below 2 K rounding errors of E, and at rest every sum ends at zero.
+// At the end of a window G is what C was and Q what P was, and C and P begin at zero again. No sum lives
+// longer than two windows, so nothing drifts: the error stays below 2 K rounding errors of E, and at rest
+// every sum ends at zero.
 #pragma once
 
 #include "runtime/lanes/taps_def.hpp"
@@ -19,7 +20,7 @@
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// The increment that stands `age` cycles before the present one.
+/// The increment of `age` cycles before the present one.
 template <uint32_t Width>
 AXISRT_INLINE double const* increment_of_age(SlotGroup const& slot, double const* history, uint32_t age) {
   uint32_t const length = slot.block_count * block_cycles;

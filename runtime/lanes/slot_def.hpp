@@ -2,9 +2,9 @@
 //
 //     y[n] = x[n] - E[n]
 //
-// with E of the increments d of the signal (taps_def.hpp): at rest every d is zero, E is zero and y is x, exactly,
-// whatever was rounded before. All kernels of a slot share one history of increments, so that any of them can begin at
-// any time.
+// with E of the increments d of the signal (taps_def.hpp): at rest every d is zero, E is zero and y is x,
+// exactly, whatever was rounded before. All kernels of a slot share one history of increments, so that any of
+// them can begin at any time.
 //
 // A fade over F cycles goes from kernel A to kernel B by
 //
@@ -12,9 +12,9 @@
 //
 // whose first and second derivatives begin and end at zero: |w'| <= 15/(8 F), |w''| <= 10/(sqrt(3) F^2).
 //
-// Meanwhile both kernels are applied to the whole history (SlotMode::direct). Afterwards, from the beginning of a block
-// on, the next block's outputs are prepared, and from the block behind it they are used. Which of this happens depends
-// on commands and on time, never on values.
+// Meanwhile both kernels are applied to the whole history (SlotMode::direct). Afterwards, from the beginning
+// of a block on, the next block's outputs are prepared, and from the block after it they are used. Which of
+// this happens depends on commands and on time, never on values.
 #pragma once
 
 #include "runtime/lanes/ramp_def.hpp"

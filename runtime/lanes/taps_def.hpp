@@ -2,9 +2,10 @@
 //
 //     E[n] = S_0 d[n] + S_1 d[n-1] + ...
 //
-// The history is a ring of blocks of eight cycles. With phase f in the present block b, the increment at place i of block
-// b - c is f + 8 c - i cycles old, so that a block contributes  sum over i of S_(f + 8 c - i) d_(b - c, i). Tails with a
-// negative index are zero: what stands behind the phase in the present block does not count.
+// The history is a ring of blocks of eight cycles. With phase f in the present block b, the increment at
+// place i of block b - c is f + 8 c - i cycles old, so that a block contributes  sum over i of S_(f + 8 c -
+// i) d_(b - c, i). Tails with a negative index are zero: what comes after the phase in the present block does
+// not count.
 #pragma once
 
 #include "runtime/lanes/lanes_def.hpp"
@@ -51,8 +52,8 @@ AXISRT_INLINE void add_block(double const* zero, uint32_t age, double const* inc
   });
 }
 
-/// One lane: the increments of a block and the tails of a kernel are both neighbours in memory, so that the sums of a
-/// vector's lanes are added up at the end.
+/// One lane: the increments of a block and the tails of a kernel are both neighbours in memory, so that the
+/// sums of a vector's lanes are added up at the end.
 AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup const& slot,
                                   double const* history) {
   constexpr uint32_t lanes = AXISRT_LANES;
@@ -69,7 +70,7 @@ AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup
   return sum_of_lanes<lanes>(sums.total());
 }
 
-/// E of kernels that stand side by side in `zero`, over the whole history.
+/// E of kernels that are adjacent in `zero`, over the whole history.
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> apply_directly(double const* zero, SlotGroup const& slot, double const* history) {
   if constexpr (Width == 1) {
@@ -94,8 +95,8 @@ AXISRT_INLINE Reach reach_of(uint32_t blocks) {
   return {blocks, (ahead + block_cycles - 1) / block_cycles};
 }
 
-/// Applies a few old blocks to all eight outputs of the next block. An increment is read once for eight outputs, and the
-/// work is the same in each of the eight cycles.
+/// Applies a few old blocks to all eight outputs of the next block. An increment is read once for eight
+/// outputs, and the work is the same in each of the eight cycles.
 template <uint32_t Width, bool Common>
 AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const& slot, double const* history,
                                 double* ahead) {

@@ -22,7 +22,7 @@ uint64_t directory_end(Record<record::header> header) {
   return header[field::header::header_size] + header[field::header::section_count] * section_entry_size;
 }
 
-/// `size` bytes behind the image.
+/// `size` bytes after the image.
 axisrt_status check_trailer(uint8_t const* bytes, size_t size) {
   if (size == 0) return AXISRT_OK;
   if (size < record::trailer::bytes || load_u32(bytes) != trailer_magic) return AXISRT_WRONG_SIZE;

@@ -51,7 +51,7 @@ struct Field {
 
 /// Fields as constants: field::axis::type, field::filter::share, ...
 namespace field {
-// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared cannot stand in parentheses
+// NOLINTBEGIN(bugprone-macro-parentheses): a name that is declared cannot be in parentheses
 #define AXIM_RECORD(record, size, meaning)
 #define AXIM_FIELD(record_name, field, type, offset, meaning)                       \
   namespace record_name {                                                           \
@@ -92,7 +92,7 @@ class Record {
   uint8_t const* bytes_;
 };
 
-/// Records of one section. A higher minor version may have longer records; what is known stands at their
+/// Records of one section. A higher minor version may have longer records; what is known is at their
 /// beginning.
 template <class RecordType>
 struct Table {
@@ -104,13 +104,13 @@ struct Table {
   [[nodiscard]] constexpr Record<RecordType> operator[](uint32_t index) const {
     return Record<RecordType>(first + static_cast<size_t>(index) * stride);
   }
-  /// [begin, begin + length) lies inside.
+  /// [begin, begin + length) is inside.
   [[nodiscard]] constexpr bool holds(uint32_t begin, uint32_t length) const {
     return begin <= count && length <= count - begin;
   }
 };
 
-/// The sections of an image whose container was found sound: every record of every table lies inside the
+/// The sections of an image whose container was found sound: every record of every table is inside the
 /// image. Sections that the image does not have are empty.
 struct ImageView {
   uint8_t const* image = nullptr;
@@ -127,7 +127,7 @@ struct ImageView {
   }
 };
 
-/// Checks the header's magic, version and sizes, and what stands behind the image: nothing, or a trailer.
+/// Checks the header's magic, version and sizes, and what follows the image: nothing, or a trailer.
 [[nodiscard]] axisrt_status check_header(uint8_t const* image, size_t size);
 
 /// Checks the container: magic, version, sizes, checksums and the section table.

@@ -26,7 +26,7 @@ bool is_known_axis_type(uint32_t type) {
   return type == 1 || type == 2 || type == 4;
 }
 
-/// 0 is the oscillator, which stands in stages only.
+/// 0 is the oscillator, which is only in stages.
 bool is_known_filter_type(uint32_t type, uint32_t port) {
   if (type == 0) return port == axim_port_velocity;
   constexpr uint32_t known =
@@ -145,7 +145,7 @@ axisrt_status check_cycle_time(Record<record::header> header) {
 
 }  // namespace
 
-/// Filters stand in the order of their chains, so that each belongs to exactly one: `next` is the first one
+/// Filters are in the order of their chains, so that each belongs to exactly one: `next` is the first one
 /// that no chain has claimed yet.
 axisrt_status check_chain(ImageView const& view, uint32_t axis, uint32_t port, uint32_t first, uint32_t count,
                           uint32_t most, uint32_t& next) {

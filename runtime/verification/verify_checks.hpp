@@ -37,7 +37,8 @@ template <class RecordType, class Check>
   return AXISRT_OK;
 }
 
-/// Record of an axis in a table that is sorted by its field `axis`; the number of records where the axis has none.
+/// Record of an axis in a table that is sorted by its field `axis`; the number of records where the axis has
+/// none.
 template <class RecordType, size_t Offset>
 [[nodiscard]] uint32_t find_axis(Table<RecordType> const& table, Field<RecordType, uint32_t, Offset> field,
                                  uint32_t axis) {
@@ -54,7 +55,7 @@ template <class RecordType, size_t Offset>
   return begin < table.count && table[begin][field] == axis ? begin : table.count;
 }
 
-/// Samples of a self-test lie in their section.
+/// Samples of a self-test are within their section.
 [[nodiscard]] inline axisrt_status check_samples(ImageView const& view, uint32_t first, uint32_t count) {
   return check_bounds(count <= axim_most_samples, count == 0 || view.self_tests.holds(first, count));
 }
@@ -63,7 +64,7 @@ template <class RecordType, size_t Offset>
 [[nodiscard]] axisrt_status check_kernels(ImageView const& view);
 /// Improved Position Control; `next_filter` is the first filter that no chain of an axis has claimed.
 [[nodiscard]] axisrt_status check_controls(ImageView const& view, uint32_t& next_filter);
-/// Filters of one chain stand one after the other from `next`, which moves behind them.
+/// Filters of one chain are consecutive, beginning at `next`, which is moved past them.
 [[nodiscard]] axisrt_status check_chain(ImageView const& view, uint32_t axis, uint32_t port, uint32_t first,
                                         uint32_t count, uint32_t most, uint32_t& next);
 

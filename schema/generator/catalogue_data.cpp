@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 8> sentences = {"the type is missing",
                                                        "limits are for numbers",
                                                        "the minimum is above the maximum",
                                                        "symbols are for strings and booleans",
-                                                       "the symbol * stands twice",
+                                                       "the symbol * appears twice",
                                                        "max_length is for strings",
                                                        "the default \"*\" is not a value of the type"};
 
@@ -68,7 +68,7 @@ std::string contradictions(std::vector<RowReading> const& readings) {
   std::string lines;
   for (RowReading const& reading : readings) {
     auto const complain = [&](std::string const& what) { lines += reading.row.name + ": " + what + "\n"; };
-    if (!names.insert(reading.row.name).second) complain("name stands twice");
+    if (!names.insert(reading.row.name).second) complain("name appears twice");
     for (RowProblem const& problem : reading.problems) complain(sentence_of(problem));
     for (NamedParameter const& named : reading.named) {
       if (!numbers.contains(named.p_axis)) complain("the " + std::string(named.key) + " names no parameter");

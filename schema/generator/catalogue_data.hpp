@@ -9,14 +9,15 @@
 
 namespace axisc::schema::generator {
 
-/// What is wrong with the data, in words for whoever edits it.
+/// What is wrong with the data, in words for the person who edits it.
 class DataError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Reads `data_text` and checks it: against the JSON schema `schema_text`, then row by row and across rows (repeated names,
-/// limits and defaults that name unknown parameters). Throws DataError with one line per mistake.
+/// Reads `data_text` and checks it: against the JSON schema `schema_text`, then row by row and across rows
+/// (repeated names, limits and defaults that name unknown parameters). Throws DataError with one line per
+/// mistake.
 [[nodiscard]] std::vector<ParameterRow> read_catalogue(std::string const& data_text,
                                                        std::string const& schema_text);
 

@@ -113,7 +113,7 @@ class TableWriter {
   }
 
  private:
-  /// Many parameters share their words; each set stands once.
+  /// Many parameters share their words; each set is written once.
   void write_symbol_set(ParameterRow::Words const& symbols) {
     std::string text;
     for (auto const& [word, number] : symbols) {
@@ -191,7 +191,7 @@ class TableWriter {
            << "}},  // " << entry.name << '\n';
       bytes.insert(bytes.end(), entry.name.begin(), entry.name.end());
     }
-    out_ << "};\n\n// All names, one behind the other; a literal might be longer than compilers take.";
+    out_ << "};\n\n// All names in sequence; a literal might be longer than compilers take.";
     write_values("char", "name_bytes", bytes);
   }
 

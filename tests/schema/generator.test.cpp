@@ -90,7 +90,7 @@ TEST_CASE("what the JSON schema forbids") {
 
 TEST_CASE("what contradicts itself") {
   refuses(document(R"({"name": "a", "type": "UNS08"}, {"name": "a", "type": "UNS08"})"),
-          "a: name stands twice");
+          "a: name appears twice");
   refuses(document(R"({"name": "a[]", "type": "UNS08"})"), "array sizes");
   refuses(document(R"({"name": "a", "type": "UNS08", "array": [2]})"), "array sizes");
   refuses(document(R"({"name": "a", "type": "UNS08", "maximum": "P-AXIS-00002"})"), "names no parameter");
@@ -99,7 +99,7 @@ TEST_CASE("what contradicts itself") {
   refuses(document(R"({"name": "a", "type": "STRING", "symbols": {"X": 1}, "default": "Y"})"),
           "is not a value");
   refuses(document(R"({"name": "a", "type": "BOOLEAN", "default": "2"})"), "is not a value");
-  refuses(document(R"({"name": "a", "type": "BOOLEAN", "symbols": {"TRUE": 1}})"), "TRUE stands twice");
+  refuses(document(R"({"name": "a", "type": "BOOLEAN", "symbols": {"TRUE": 1}})"), "TRUE appears twice");
   refuses(document(R"({"name": "a", "type": "UNS08", "default": "-1"})"), "is not a value");
   refuses(document(R"({"name": "a", "type": "UNS08", "default": "1.5"})"), "is not a value");
   refuses(document(R"({"name": "a", "type": "UNS08", "default": "P-AXIS-00009"})"), "names no parameter");
