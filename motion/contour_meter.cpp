@@ -105,8 +105,9 @@ void ContourMeter::measure(ContourPoint const& point) {
   auto const cycle = static_cast<std::int64_t>(point.cycle);
   auto const oldest =
       std::max(static_cast<std::int64_t>(first_), static_cast<std::int64_t>(cycles_ - passed_.size()));
-  auto const first = std::max(cycle + from_, oldest);
-  auto const last = std::min(cycle + to_, static_cast<std::int64_t>(cycles_) - 1);
+  auto const newest = static_cast<std::int64_t>(cycles_) - 1;
+  auto const first = std::min(std::max(cycle + from_, oldest), newest);
+  auto const last = std::min(cycle + to_, newest);
   double squared = std::numeric_limits<double>::infinity();
   Point away{};
   consider(point.nominal, at(static_cast<std::uint64_t>(first)).filtered,
