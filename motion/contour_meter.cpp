@@ -46,14 +46,15 @@ void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& posi
   double earliest = std::numeric_limits<double>::infinity();
   double latest = 0;
   double reach = 0;
-  only_delays_ = true;
+  bool only_delays = true;
   for (auto const& answer : answers) {
     earliest = std::min(earliest, answer.delay);
     latest = std::max(latest, answer.delay);
     reach = std::max(reach, answer.reach);
-    only_delays_ = only_delays_ && answer.only_delays();
+    only_delays = only_delays && answer.only_delays();
   }
   bool const whole = earliest == latest && earliest == std::floor(earliest);
+  alike_delays_ = only_delays && earliest == latest;
   delay_ = whole ? std::optional(static_cast<std::uint64_t>(earliest)) : std::nullopt;
   reach = std::min(reach, longest_reach);
   reach_ = static_cast<std::uint64_t>(reach);
@@ -90,7 +91,7 @@ void ContourMeter::cycle(ContourPoint point, Point const& filtered) {
 }
 
 void ContourMeter::corner(ContourPoint point) {
-  if (only_delays_) return;
+  if (alike_delays_) return;
   point.is_corner = true;
   point.cycle = cycles_ - 1;
   pending_.push_back(point);

@@ -54,7 +54,8 @@ class ContourMeter {
   void begin(std::span<ChainAnswer const> answers, Point const& position);
   /// The setpoint of the next cycle, and what came out in that cycle.
   void cycle(ContourPoint point, Point const& filtered);
-  /// A corner behind the last setpoint. Filters that only delay leave it where it is: it is not measured.
+  /// A corner behind the last setpoint. Filters that only delay, all axes alike, leave it where it is: it is not
+  /// measured.
   void corner(ContourPoint point);
   /// Measures what is left.
   void finish();
@@ -79,8 +80,8 @@ class ContourMeter {
   std::uint64_t first_ = 0;   ///< cycle of the oldest one that may be looked at
   std::vector<Passed> passed_;
   std::uint64_t mask_ = 0;
-  std::int64_t from_ = 0, to_ = 1;  ///< surroundings of a point in the filtered path, in cycles behind it
-  bool only_delays_ = true;
+  std::int64_t from_ = 0, to_ = 1;      ///< surroundings of a point in the filtered path, in cycles behind it
+  bool alike_delays_ = true;            ///< the chains do nothing but delay all axes alike
   std::optional<std::uint64_t> delay_;  ///< the same whole number in all axes
   std::uint64_t reach_ = 0;
   std::deque<ContourPoint> pending_;

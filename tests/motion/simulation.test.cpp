@@ -94,6 +94,16 @@ TEST_CASE("a delay that is longer than the rest of the chain reaches") {
   }
 }
 
+TEST_CASE("axes that delay differently leave the corner") {
+  // 10000 mm/min are 1666.67 units per cycle; the corner lies on a cycle, in the middle of one, and off it.
+  for (double const x_mm : {10.0, 10.0833, 10.0417}) {
+    auto const found = simulated(channel_of({delay_of(51), delay_of(50)}),
+                                 fmt::format("G01 X{:.4f} F10000\nY10\n", x_mm), true);
+    double const x = std::round(x_mm * 1e4);
+    check_geometry(found, {{0, 0}, {x, 0}, {x, 1e5}}, {test::delay_taps(51), test::delay_taps(50)}, 1e-6);
+  }
+}
+
 TEST_CASE("constant path velocity: the corner's error is the predicted one") {
   auto const found =
       simulated(channel_of({{.order = 40}, {.order = 40}}), "G91 G01 F1000 X10\nY10\nX-10\nY-10\n", true);
