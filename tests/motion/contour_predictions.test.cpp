@@ -3,10 +3,12 @@
 
 #include "channels.hpp"
 #include "motion/feed_limits.hpp"
+#include "plain_geometry.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace axisc::motion {
 namespace {
@@ -158,6 +160,28 @@ TEST_CASE("the feed that keeps a tolerance has that error") {
   auto const unfiltered = test::answers_of(test::channel_of({{.order = 0}, {.order = 0}}));
   CHECK_FALSE(corner_velocity(unfiltered, pi / 2, 10).has_value());
   CHECK_FALSE(circle_velocity(unfiltered, 1e5, 10).has_value());
+}
+
+TEST_CASE("corners of slow filters are looked at in every cycle") {
+  design::CycleTime const cycle_time{4'000'000};
+  auto machine = test::channel_of_pt1(80'000, 2);
+  machine.cycle_time = cycle_time;
+  auto const figures = predict_corner(test::answers_of(machine), per_cycle(2500, cycle_time), pi / 2);
+  // Setpoints long before the corner and long behind it, through the PT1.
+  double const v = per_cycle(2500, cycle_time);
+  std::vector<test::Place> setpoints;
+  for (int n = -999; n <= 1000; ++n) {
+    setpoints.push_back(n < 0 ? test::Place{v * n, 0} : test::Place{0, v * n});
+  }
+  auto const taps = test::pt1_taps(80'000, cycle_time.seconds());
+  // At the start the axes rest, far away: only the corner's surroundings count.
+  auto const all = test::distances({{-1000 * v, 0}, {-300 * v, 0}, {0, 0}, {0, 300 * v}, {0, 1000 * v}},
+                                   setpoints, {taps, taps}, 0);
+  auto const expected = test::largest_of({all[1], all[2]});
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(figures.axis_error[i] == Approx(expected.axis_error[i]).epsilon(1e-4));
+  }
+  CHECK(figures.deviation == Approx(expected.deviation).epsilon(1e-4));
 }
 
 }  // namespace axisc::motion
