@@ -162,6 +162,55 @@ TEST_CASE("the feed that keeps a tolerance has that error") {
   CHECK_FALSE(circle_velocity(unfiltered, 1e5, 10).has_value());
 }
 
+namespace {
+
+/// Σ b_k cos kθ of a symmetric kernel.
+double symmetric_gain(std::vector<double> const& taps, double theta) {
+  double sum = 0;
+  double const middle = static_cast<double>(taps.size() - 1) / 2;
+  for (std::size_t n = 0; n < taps.size(); ++n) {
+    sum += taps[n] * std::cos(theta * (static_cast<double>(n) - middle));
+  }
+  return sum;
+}
+
+/// The first angle per cycle at which the circle is further away than that, stepping finely; none up to half a turn.
+std::optional<double> first_excess(std::vector<double> const& taps, double radius, double tolerance) {
+  for (double theta = 1e-5; theta <= pi; theta += 1e-5) {
+    if (radius * std::abs(1 - std::abs(symmetric_gain(taps, theta))) > tolerance) return theta;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("the feed for a circle is the first that exceeds the tolerance") {
+  SECTION("many radians per cycle") {
+    // 1 - (1 + 2 cos θ) / 3 = 0.1: 8322 mm/min at 4 ms and 1 mm
+    design::CycleTime const cycle_time{4'000'000};
+    auto const answers = test::answers_of(test::channel_of({{.order = 2}, {.order = 2}}, cycle_time));
+    auto const circle = circle_velocity(answers, 1e4, 1e3);
+    REQUIRE(circle.has_value());
+    CHECK(*circle == Approx(1e4 * std::acos(0.85)).epsilon(1e-9));
+    CHECK(*circle / per_cycle(1, cycle_time) == Approx(8322).epsilon(1e-3));
+  }
+  SECTION("a hump that a coarse search steps over") {
+    KernelSpecification const kernel{.type = KernelType::windowed_sinc, .order = 120, .frequency = {40}};
+    auto const answers = test::answers_of(test::channel_of({kernel, kernel}));
+    auto const taps = test::sinc_taps(120, 40, 0.001);
+    for (double const tolerance : {43.719, 44.1, 30.0, 60.0, 9000.0}) {
+      auto const expected = first_excess(taps, 1e4, tolerance);
+      auto const circle = circle_velocity(answers, 1e4, tolerance);
+      INFO(tolerance);
+      REQUIRE(expected.has_value());
+      REQUIRE(circle.has_value());
+      CHECK(*circle == Approx(1e4 * *expected).margin(0.2));
+    }
+    // |1 - |G|| is at most 1.
+    CHECK_FALSE(circle_velocity(answers, 1e4, 1.1e4).has_value());
+  }
+}
+
 TEST_CASE("corners of slow filters are looked at in every cycle") {
   design::CycleTime const cycle_time{4'000'000};
   auto machine = test::channel_of_pt1(80'000, 2);
