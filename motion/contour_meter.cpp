@@ -8,6 +8,9 @@
 namespace axisc::motion {
 namespace {
 
+/// Position units: sums of the steps of a path of hundreds of metres.
+constexpr double rounding_of_ways = 1e-3;
+
 /// The vector from `p` to the nearest point of a line a..b, where it is shorter than the best so far.
 void consider(Point const& p, Point const& a, Point const& b, std::size_t axes, double& squared,
               Point& away) {
@@ -46,42 +49,52 @@ void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& posi
   double earliest = std::numeric_limits<double>::infinity();
   double latest = 0;
   double reach = 0;
-  only_delays_ = true;
+  bool only_delays = true;
   for (auto const& answer : answers) {
     earliest = std::min(earliest, answer.delay);
     latest = std::max(latest, answer.delay);
     reach = std::max(reach, answer.reach);
-    only_delays_ = only_delays_ && answer.only_delays();
+    only_delays = only_delays && answer.only_delays();
   }
   bool const whole = earliest == latest && earliest == std::floor(earliest);
+  alike_delays_ = only_delays && earliest == latest;
   delay_ = whole ? std::optional(static_cast<std::uint64_t>(earliest)) : std::nullopt;
   reach = std::min(reach, longest_reach);
   reach_ = static_cast<std::uint64_t>(reach);
+  middle_ = static_cast<std::int64_t>((earliest + latest) / 2);
   from_ = static_cast<std::int64_t>(std::floor(earliest) - reach) - 1;
   to_ = static_cast<std::int64_t>(std::ceil(latest) + reach) + 1;
   auto const needed = static_cast<std::uint64_t>(to_ - std::min<std::int64_t>(from_, 0)) + reach_ + 4;
   passed_.assign(std::bit_ceil(needed), {});
   mask_ = passed_.size() - 1;
   // The rest before the first setpoint is one point of the path.
-  Passed const rest{.nominal = position, .filtered = position, .straight = 0, .direction = {}};
+  Passed const rest{.nominal = position, .filtered = position, .way = 0, .straight = 0, .direction = {}};
   first_ = cycles_;
   passed_[cycles_ & mask_] = rest;
   ++cycles_;
 }
 
 void ContourMeter::cycle(ContourPoint point, Point const& filtered) {
+  point.cycle = cycles_;
+  pending_.push_back(point);
+  pass(point.nominal, filtered);
+}
+
+void ContourMeter::pass(Point const& nominal, Point const& filtered) {
   Passed const& before = at(cycles_ - 1);
-  Passed now{.nominal = point.nominal, .filtered = filtered, .straight = 0, .direction = {}};
-  Point const way = minus(point.nominal, before.nominal);
+  Passed now{.nominal = nominal,
+             .filtered = filtered,
+             .way = before.way + length(minus(filtered, before.filtered)),
+             .straight = 0,
+             .direction = {}};
+  Point const way = minus(nominal, before.nominal);
   if (double const distance = length(way); distance > 0) {
     now.direction = plus({}, 1 / distance, way);
     bool const goes_on = dot(now.direction, before.direction) > 1 - 1e-12;
     now.straight = goes_on ? before.straight + 1 : 1;
   }
-  point.cycle = cycles_;
   passed_[cycles_ & mask_] = now;
   ++cycles_;
-  pending_.push_back(point);
   while (!pending_.empty() &&
          static_cast<std::int64_t>(pending_.front().cycle) + to_ < static_cast<std::int64_t>(cycles_)) {
     measure(pending_.front());
@@ -90,7 +103,7 @@ void ContourMeter::cycle(ContourPoint point, Point const& filtered) {
 }
 
 void ContourMeter::corner(ContourPoint point) {
-  if (only_delays_) return;
+  if (alike_delays_) return;
   point.is_corner = true;
   point.cycle = cycles_ - 1;
   pending_.push_back(point);
@@ -105,15 +118,32 @@ void ContourMeter::measure(ContourPoint const& point) {
   auto const cycle = static_cast<std::int64_t>(point.cycle);
   auto const oldest =
       std::max(static_cast<std::int64_t>(first_), static_cast<std::int64_t>(cycles_ - passed_.size()));
-  auto const first = std::max(cycle + from_, oldest);
-  auto const last = std::min(cycle + to_, static_cast<std::int64_t>(cycles_) - 1);
+  auto const newest = static_cast<std::int64_t>(cycles_) - 1;
+  auto const first = std::min(std::max(cycle + from_, oldest), newest);
+  auto const last = std::min(cycle + to_, newest);
   double squared = std::numeric_limits<double>::infinity();
   Point away{};
-  consider(point.nominal, at(static_cast<std::uint64_t>(first)).filtered,
-           at(static_cast<std::uint64_t>(first)).filtered, axes_, squared, away);
-  for (auto n = first; n < last; ++n) {
-    auto const k = static_cast<std::uint64_t>(n);
-    consider(point.nominal, at(k).filtered, at(k + 1).filtered, axes_, squared, away);
+  if (first == last) {
+    auto const& only = at(static_cast<std::uint64_t>(first)).filtered;
+    consider(point.nominal, only, only, axes_, squared, away);
+  }
+  // Away from the middle to either side; what lies so far along the path that it cannot be nearer is left out.
+  auto const passed = [&](std::int64_t n) -> Passed const& { return at(static_cast<std::uint64_t>(n)); };
+  auto const spare = [&](Passed const& from) {
+    return length(minus(from.filtered, point.nominal)) - std::sqrt(squared) - rounding_of_ways;
+  };
+  auto const middle = std::clamp(cycle + middle_, first, last);
+  for (auto n = middle; n < last;) {
+    auto const& end = passed(n + 1);
+    consider(point.nominal, passed(n).filtered, end.filtered, axes_, squared, away);
+    double const out_of_reach = end.way + spare(end);
+    for (++n; n < last && passed(n + 1).way < out_of_reach;) ++n;
+  }
+  for (auto n = middle; n > first;) {
+    auto const& end = passed(n - 1);
+    consider(point.nominal, end.filtered, passed(n).filtered, axes_, squared, away);
+    double const out_of_reach = end.way - spare(end);
+    for (--n; n > first && passed(n - 1).way > out_of_reach;) --n;
   }
   MeasuredPoint measured{.point = point,
                          .filtered = at(point.cycle).filtered,

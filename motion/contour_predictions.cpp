@@ -19,8 +19,6 @@ struct Plane {
     return std::max(first.reach, second.reach) + std::abs(first.delay - second.delay) + 2;
   }
   [[nodiscard]] double latest() const { return std::max(first.delay, second.delay); }
-  /// Cycles between two points that are looked at: slow filters smooth over thousands of cycles.
-  [[nodiscard]] double stride() const { return std::ceil(reach() / 256); }
 };
 
 /// The largest figures of the planes of the first axis with each other one.
@@ -55,20 +53,13 @@ struct Corner {
     point[1] = passed(plane.second, velocity * u0[1], velocity * u1[1], cycle);
     return point;
   }
-  [[nodiscard]] std::vector<Point> path(Plane const& plane, double first, double last) const {
+  /// From cycle `first` to cycle `last`, both whole.
+  [[nodiscard]] SearchedPath path(Plane const& plane, double first, double last) const {
     std::vector<Point> points;
-    double const stride = plane.stride();
-    auto const strides = static_cast<int>((last - first) / stride);
-    for (int i = 0; i <= strides; ++i) points.push_back(filtered(plane, first + i * stride));
-    return points;
+    for (double cycle = first; cycle <= last; cycle += 1) points.push_back(filtered(plane, cycle));
+    return SearchedPath(std::move(points));
   }
 };
-
-NearestPoint nearest_on(std::vector<Point> const& path, Point const& point) {
-  NearestPoint nearest;
-  for (std::size_t i = 1; i < path.size(); ++i) nearest.consider(point, path[i - 1], path[i]);
-  return nearest;
-}
 
 void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
   figures.deviation = std::max(figures.deviation, nearest.distance());
@@ -78,26 +69,25 @@ void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
 }
 
 ContourFigures measure(Corner const& corner, Plane const& plane) {
-  double const reach = plane.reach();
-  double const stride = plane.stride();
-  // Whole strides away from the delay, so that a path point belongs to the corner itself.
+  auto const reach = static_cast<int>(std::ceil(plane.reach()));
   double const middle = std::round(plane.latest());
-  auto const steps = static_cast<int>(std::ceil(reach / stride));
-  auto const path = corner.path(plane, middle - 2 * steps * stride, middle + 2 * steps * stride);
+  auto const path = corner.path(plane, middle - 2 * reach, middle + 2 * reach);
   ContourFigures figures;
-  for (int n = -steps; n <= steps; ++n) {
-    take_largest(figures, nearest_on(path, corner.nominal(n * stride)));
+  for (int n = -reach; n <= reach; ++n) {
+    take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(2 * reach + n)));
   }
   return figures;
 }
 
 /// Response at θ from the second differences of the ramp's answer, the impulse response:  G = Σ b[n] e^(-jθn).
 std::complex<double> gain(ChainAnswer const& answer, double theta) {
+  auto const turn = std::polar(1.0, -theta);
+  std::complex<double> phasor = 1;
   std::complex<double> sum = 0;
   for (std::size_t n = 0; n + 1 < answer.ramp.size(); ++n) {
     double const before = n > 0 ? answer.ramp[n - 1] : 0.0;
-    sum +=
-        (answer.ramp[n + 1] - 2 * answer.ramp[n] + before) * std::polar(1.0, -theta * static_cast<double>(n));
+    sum += (answer.ramp[n + 1] - 2 * answer.ramp[n] + before) * phasor;
+    phasor *= turn;
   }
   return sum;
 }
@@ -110,6 +100,11 @@ ContourFigures circle(Plane const& plane, double velocity, double radius) {
   auto const x = radius * gain(plane.first, theta) * seen;
   auto const y = radius * gain(plane.second, theta) * seen;
   ContourFigures figures;
+  if (x == y) {
+    figures.deviation = std::abs(std::abs(x) - radius);
+    figures.axis_error[0] = figures.axis_error[1] = figures.deviation;
+    return figures;
+  }
   for (int i = 0; i < directions; ++i) {
     // Setpoints r cos and r sin of this angle: real and imaginary part.
     auto const setpoint = std::polar(1.0, 2 * std::numbers::pi * i / directions);
@@ -125,15 +120,15 @@ ContourFigures circle(Plane const& plane, double velocity, double radius) {
 }
 
 ContourFigures parallel(Plane const& plane, double velocity) {
-  double const reach = plane.reach();
+  auto const reach = static_cast<int>(std::ceil(plane.reach()));
   Corner const there{.u0 = {1, 0}, .u1 = {0, 1}, .velocity = velocity};
   Corner const back{.u0 = {0, -1}, .u1 = {-1, 0}, .velocity = velocity};
   double const middle = std::round(plane.latest());
-  double const steps = std::ceil(reach / plane.stride()) * plane.stride();
-  auto const way_back = back.path(plane, middle - 3 * steps, middle + 3 * steps);
+  auto const way_back = back.path(plane, middle - 3 * reach, middle + 3 * reach);
   ContourFigures figures;
-  for (auto const& point : there.path(plane, middle - steps, middle + steps)) {
-    take_largest(figures, nearest_on(way_back, point));
+  for (int n = -reach; n <= reach; ++n) {
+    take_largest(figures, way_back.nearest(there.filtered(plane, middle + n),
+                                           static_cast<std::size_t>(3 * reach - n)));
   }
   return figures;
 }

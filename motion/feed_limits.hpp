@@ -12,8 +12,9 @@ namespace axisc::motion {
 [[nodiscard]] std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, double turn,
                                                     double tolerance);
 
-/// The same on a circle, where the error grows with the square of the velocity as long as it is small: searched. None
-/// where it is kept up to half a radius per cycle.
+/// The same on a circle, where the error need not grow with the velocity: every lower velocity keeps the tolerance, too. None
+/// where any does up to half a turn per cycle, beyond which setpoints describe no circle. Cost: some thousand predictions
+/// where the tolerance is never exceeded.
 [[nodiscard]] std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius,
                                                     double tolerance);
 

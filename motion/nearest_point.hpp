@@ -4,7 +4,9 @@
 #include "motion/point.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace axisc::motion {
 
@@ -35,6 +37,44 @@ struct NearestPoint {
     squared = here;
     away = vector;
   }
+};
+
+/// A path whose nearest point is found without looking at all of it: a way of s along the path leads at most s nearer.
+class SearchedPath {
+ public:
+  explicit SearchedPath(std::vector<Point> points) : points_(std::move(points)) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      ways_.push_back(i == 0 ? 0 : ways_.back() + length(minus(points_[i], points_[i - 1])));
+    }
+  }
+
+  [[nodiscard]] std::vector<Point> const& points() const { return points_; }
+  /// Exact wherever the search begins; quick where the points next to `begin` are near.
+  [[nodiscard]] NearestPoint nearest(Point const& point, std::size_t begin) const {
+    NearestPoint found;
+    std::size_t const last = points_.size() - 1;
+    begin = std::min(begin, last);
+    for (std::size_t i = begin; i < last;) {
+      found.consider(point, points_[i], points_[i + 1]);
+      double const spare = length(minus(points_[i + 1], point)) - found.distance();
+      auto const next = std::lower_bound(ways_.begin() + static_cast<std::ptrdiff_t>(i) + 1, ways_.end(),
+                                         ways_[i + 1] + spare * safety);
+      i = std::max(i + 1, static_cast<std::size_t>(next - ways_.begin()) - 1);
+    }
+    for (std::size_t i = begin; i > 0;) {
+      found.consider(point, points_[i - 1], points_[i]);
+      double const spare = length(minus(points_[i - 1], point)) - found.distance();
+      auto const next = std::upper_bound(ways_.begin(), ways_.begin() + static_cast<std::ptrdiff_t>(i),
+                                         ways_[i - 1] - spare * safety);
+      i = std::min(i - 1, static_cast<std::size_t>(next - ways_.begin()));
+    }
+    return found;
+  }
+
+ private:
+  static constexpr double safety = 1 - 1e-9;  ///< against rounding of the sums
+  std::vector<Point> points_;
+  std::vector<double> ways_;  ///< along the path up to each point
 };
 
 }  // namespace axisc::motion

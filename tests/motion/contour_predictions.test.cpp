@@ -3,10 +3,12 @@
 
 #include "channels.hpp"
 #include "motion/feed_limits.hpp"
+#include "plain_geometry.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace axisc::motion {
 namespace {
@@ -158,6 +160,77 @@ TEST_CASE("the feed that keeps a tolerance has that error") {
   auto const unfiltered = test::answers_of(test::channel_of({{.order = 0}, {.order = 0}}));
   CHECK_FALSE(corner_velocity(unfiltered, pi / 2, 10).has_value());
   CHECK_FALSE(circle_velocity(unfiltered, 1e5, 10).has_value());
+}
+
+namespace {
+
+/// Σ b_k cos kθ of a symmetric kernel.
+double symmetric_gain(std::vector<double> const& taps, double theta) {
+  double sum = 0;
+  double const middle = static_cast<double>(taps.size() - 1) / 2;
+  for (std::size_t n = 0; n < taps.size(); ++n) {
+    sum += taps[n] * std::cos(theta * (static_cast<double>(n) - middle));
+  }
+  return sum;
+}
+
+/// The first angle per cycle at which the circle is further away than that, stepping finely; none up to half a turn.
+std::optional<double> first_excess(std::vector<double> const& taps, double radius, double tolerance) {
+  for (double theta = 1e-5; theta <= pi; theta += 1e-5) {
+    if (radius * std::abs(1 - std::abs(symmetric_gain(taps, theta))) > tolerance) return theta;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TEST_CASE("the feed for a circle is the first that exceeds the tolerance") {
+  SECTION("many radians per cycle") {
+    // 1 - (1 + 2 cos θ) / 3 = 0.1: 8322 mm/min at 4 ms and 1 mm
+    design::CycleTime const cycle_time{4'000'000};
+    auto const answers = test::answers_of(test::channel_of({{.order = 2}, {.order = 2}}, cycle_time));
+    auto const circle = circle_velocity(answers, 1e4, 1e3);
+    REQUIRE(circle.has_value());
+    CHECK(*circle == Approx(1e4 * std::acos(0.85)).epsilon(1e-9));
+    CHECK(*circle / per_cycle(1, cycle_time) == Approx(8322).epsilon(1e-3));
+  }
+  SECTION("a hump that a coarse search steps over") {
+    KernelSpecification const kernel{.type = KernelType::windowed_sinc, .order = 120, .frequency = {40}};
+    auto const answers = test::answers_of(test::channel_of({kernel, kernel}));
+    auto const taps = test::sinc_taps(120, 40, 0.001);
+    for (double const tolerance : {43.719, 44.1, 30.0, 60.0, 9000.0}) {
+      auto const expected = first_excess(taps, 1e4, tolerance);
+      auto const circle = circle_velocity(answers, 1e4, tolerance);
+      INFO(tolerance);
+      REQUIRE(expected.has_value());
+      REQUIRE(circle.has_value());
+      CHECK(*circle == Approx(1e4 * *expected).margin(0.2));
+    }
+    // |1 - |G|| is at most 1.
+    CHECK_FALSE(circle_velocity(answers, 1e4, 1.1e4).has_value());
+  }
+}
+
+TEST_CASE("corners of slow filters are looked at in every cycle") {
+  design::CycleTime const cycle_time{4'000'000};
+  auto machine = test::channel_of_pt1(80'000, 2);
+  machine.cycle_time = cycle_time;
+  auto const figures = predict_corner(test::answers_of(machine), per_cycle(2500, cycle_time), pi / 2);
+  // Setpoints long before the corner and long behind it, through the PT1.
+  double const v = per_cycle(2500, cycle_time);
+  std::vector<test::Place> setpoints;
+  for (int n = -999; n <= 1000; ++n) {
+    setpoints.push_back(n < 0 ? test::Place{v * n, 0} : test::Place{0, v * n});
+  }
+  auto const taps = test::pt1_taps(80'000, cycle_time.seconds());
+  // At the start the axes rest, far away: only the corner's surroundings count.
+  auto const all = test::distances({{-1000 * v, 0}, {-300 * v, 0}, {0, 0}, {0, 300 * v}, {0, 1000 * v}},
+                                   setpoints, {taps, taps}, 0);
+  auto const expected = test::largest_of({all[1], all[2]});
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(figures.axis_error[i] == Approx(expected.axis_error[i]).epsilon(1e-4));
+  }
+  CHECK(figures.deviation == Approx(expected.deviation).epsilon(1e-4));
 }
 
 }  // namespace axisc::motion

@@ -1,6 +1,7 @@
 #include "motion/simulation.hpp"
 
 #include "channels.hpp"
+#include "plain_geometry.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>
@@ -31,7 +32,80 @@ void check_limits(test::Recorded const& found, std::size_t axes, double velocity
   }
 }
 
+std::vector<test::Place> setpoints_of(test::Recorded const& found) {
+  std::vector<test::Place> setpoints;
+  for (auto const& cycle : found.cycles) {
+    auto const& nominal = cycle.point.point.nominal;
+    setpoints.push_back({nominal[0], nominal[1], nominal[2]});
+  }
+  return setpoints;
+}
+
+/// Compares every block's figures with plain geometry along this contour; kernels are those of the axes.
+void check_geometry(test::Recorded const& found, std::vector<test::Place> const& contour,
+                    std::vector<std::vector<double>> const& taps, double within = 0.01) {
+  // Between two setpoints a simulation does not look.
+  auto const expected = test::distances(contour, setpoints_of(found), taps, 0);
+  REQUIRE(found.blocks.size() == expected.size());
+  for (std::size_t block = 0; block < expected.size(); ++block) {
+    INFO("block " << block);
+    CHECK(found.blocks[block].deviation == Approx(expected[block].deviation).epsilon(within).margin(0.01));
+    for (std::size_t i = 0; i < taps.size(); ++i) {
+      CHECK(found.blocks[block].axis_error[i] ==
+            Approx(expected[block].axis_error[i]).epsilon(within).margin(0.01));
+    }
+  }
+}
+
+design::KernelSpecification delay_of(std::uint32_t cycles) {
+  return {.type = design::KernelType::time_delay, .order = cycles};
+}
+
+std::string const corners = "G01 X10 F10000\nY10\nX0\n";
+std::vector<test::Place> const corners_contour = {{0, 0}, {1e5, 0}, {1e5, 1e5}, {0, 1e5}};
+
 }  // namespace
+
+TEST_CASE("filters that only delay, all axes alike, make no error") {
+  for (std::uint32_t const cycles : {2U, 10U, 54U, 100U}) {
+    for (bool const constant_velocity : {false, true}) {
+      auto const found =
+          simulated(channel_of({delay_of(cycles), delay_of(cycles)}), corners, constant_velocity);
+      for (auto const& block : found.blocks) CHECK(block.deviation < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("a delay that is longer than the rest of the chain reaches") {
+  SECTION("with a moving average") {
+    auto machine = channel_of({{.order = 4}, {.order = 4}});
+    for (auto& axis : machine.axes) {
+      axis.filters.push_back(
+          {.index = 0, .specification = {.type = design::FilterType::time_delay, .time_constant = {5000}}});
+    }
+    auto const taps = test::in_series(test::delay_taps(5), test::average_taps(4));
+    check_geometry(simulated(machine, corners), corners_contour, {taps, taps});
+  }
+  SECTION("with a PT1") {
+    auto machine = channel_of({delay_of(100), delay_of(100)});
+    for (auto& axis : machine.axes) {
+      axis.filters.push_back(
+          {.index = 0, .specification = {.type = design::FilterType::pt1, .time_constant = {3000}}});
+    }
+    auto const taps = test::in_series(test::delay_taps(100), test::pt1_taps(3000, 0.001));
+    check_geometry(simulated(machine, corners), corners_contour, {taps, taps});
+  }
+}
+
+TEST_CASE("axes that delay differently leave the corner") {
+  // 10000 mm/min are 1666.67 units per cycle; the corner lies on a cycle, in the middle of one, and off it.
+  for (double const x_mm : {10.0, 10.0833, 10.0417}) {
+    auto const found = simulated(channel_of({delay_of(51), delay_of(50)}),
+                                 fmt::format("G01 X{:.4f} F10000\nY10\n", x_mm), true);
+    double const x = std::round(x_mm * 1e4);
+    check_geometry(found, {{0, 0}, {x, 0}, {x, 1e5}}, {test::delay_taps(51), test::delay_taps(50)}, 1e-6);
+  }
+}
 
 TEST_CASE("constant path velocity: the corner's error is the predicted one") {
   auto const found =
