@@ -19,7 +19,7 @@ struct ImageOptions {
 [[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
                                                  ImageOptions const& options);
 /// The image of one of many machines; filters that were designed for another one are reused.
-[[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine,
-                                                 ImageOptions const& options, KnownDesigns& designs);
+[[nodiscard]] std::vector<std::byte> write_image(machine::Machine const& machine, ImageOptions const& options,
+                                                 KnownDesigns& designs);
 
 }  // namespace axisc::codegen

@@ -227,8 +227,9 @@ class Checker {
     for (JsonKey const& key : shape.keys) {
       auto const found = seen.find(key.name);
       if (found == seen.end()) {
-        if (key.presence == JsonPresence::required)
+        if (key.presence == JsonPresence::required) {
           add(object.span, says::json_missing_key, {{"key", std::string(key.name)}});
+        }
       } else if (!key.excludes.empty() && seen.contains(key.excludes)) {
         add(found->second, says::excludes,
             {{"key", std::string(key.name)}, {"other", std::string(key.excludes)}});

@@ -17,7 +17,7 @@ void JsonReading::fill(JsonShape const& shape, JsonValue const& object, void* ta
   }
 }
 
-void JsonReading::assign(JsonShape const& shape, JsonValue const& value, std::string& target) const {
+void JsonReading::assign(JsonShape const& shape, JsonValue const& value, std::string& target) {
   target = value.string;
   for (std::string_view const word : shape.words) {
     if (ascii::equal_ignoring_case(word, value.string)) target = word;

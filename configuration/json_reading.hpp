@@ -1,10 +1,10 @@
 // Reads what a JSON document says into objects of the program, by the tables that it was checked against.
 #pragma once
 
-#include "design/units.hpp"
-#include "diagnostics/finding.hpp"
 #include "configuration/json_shape.hpp"
 #include "configuration/located_json.hpp"
+#include "design/units.hpp"
+#include "diagnostics/finding.hpp"
 
 #include <optional>
 #include <string>
@@ -32,7 +32,7 @@ class JsonReading {
 
   /// Stores one value: a number of microseconds as a cycle time, a list in a vector (without its items that are not
   /// readable), an object by the keys of its shape.
-  void assign(JsonShape const& shape, JsonValue const& value, std::string& target) const;
+  static void assign(JsonShape const& shape, JsonValue const& value, std::string& target);
   void assign(JsonShape const& shape, JsonValue const& value, LocatedText& target) const;
   static void assign(JsonShape const& shape, JsonValue const& value, bool& target);
   static void assign(JsonShape const& shape, JsonValue const& value, design::CycleTime& target);

@@ -1,9 +1,9 @@
 // What a machine file says, as it says it: names, not yet files that were read.
 #pragma once
 
+#include "configuration/json_reading.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "configuration/json_reading.hpp"
 #include "machine/machine.hpp"
 
 #include <deque>

@@ -69,7 +69,7 @@ constexpr std::optional<ValueKind> simple_kind(std::string_view token) {
     return consists_of(character::letter | character::digit) ? std::optional(ValueKind::word) : std::nullopt;
   }
   return consists_of(character::digit) && !ascii::has_leading_zero(token) ? std::optional(ValueKind::integer)
-                                                                   : std::nullopt;
+                                                                          : std::nullopt;
 }
 
 }  // namespace axisc::grammar::lexical

@@ -1,10 +1,10 @@
 #include "image/chain_figures.hpp"
 
-#include "image/runtime_host.hpp"
 #include "design/filter_analysis.hpp"
 #include "design/filter_kinds.hpp"
 #include "design/kernel_analysis.hpp"
 #include "design/kernel_kinds.hpp"
+#include "image/runtime_host.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // by the runtime executing the image.
 #pragma once
 
-#include "image/image_contents.hpp"
 #include "design/units.hpp"
+#include "image/image_contents.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -12,11 +12,13 @@ Records<RecordType> find(std::span<std::byte const> image, codegen::SectionKind<
   codegen::ConstRecord<codegen::records::header> const header(image);
   std::size_t const entries = header.get(codegen::fields::header::section_count);
   Records<codegen::records::section> const table(
-      image.subspan(header.get(codegen::fields::header::header_size), entries * codegen::records::section::bytes),
+      image.subspan(header.get(codegen::fields::header::header_size),
+                    entries * codegen::records::section::bytes),
       codegen::records::section::bytes);
   for (std::uint32_t i = 0; i < table.count(); ++i) {
     if (table[i].get(codegen::fields::section::kind) != wanted.kind) continue;
-    return {image.subspan(table[i].get(codegen::fields::section::offset), table[i].get(codegen::fields::section::size)),
+    return {image.subspan(table[i].get(codegen::fields::section::offset),
+                          table[i].get(codegen::fields::section::size)),
             table[i].get(codegen::fields::section::element_size)};
   }
   return {};
@@ -51,7 +53,8 @@ ImageList read_list(ImageRecords const& image, codegen::ConstRecord<codegen::rec
 }
 
 ImageValue read_value(ImageRecords const& image, codegen::ConstRecord<codegen::records::value> record) {
-  codegen::ConstRecord<codegen::records::list> const list = image.lists[record.get(codegen::fields::value::list)];
+  codegen::ConstRecord<codegen::records::list> const list =
+      image.lists[record.get(codegen::fields::value::list)];
   return {.name = image.text(record, codegen::fields::value::name_offset, codegen::fields::value::name_size),
           .value = image.text(record, codegen::fields::value::text_offset, codegen::fields::value::text_size),
           .list = image.text(list, codegen::fields::list::name_offset, codegen::fields::list::name_size),

@@ -30,7 +30,8 @@ ImageControl read_control(ImageRecords const& image, codegen::ConstRecord<codege
                        .limit_factor = record.get(codegen::fields::control::limit_factor),
                        .increments_per_velocity = record.get(codegen::fields::control::scale)};
   for (std::uint32_t i = 0; i < record.get(codegen::fields::control::stage_count); ++i) {
-    control.stages.push_back(read_stage(image, image.stages[record.get(codegen::fields::control::first_stage) + i]));
+    control.stages.push_back(
+        read_stage(image, image.stages[record.get(codegen::fields::control::first_stage) + i]));
   }
   return control;
 }

@@ -27,11 +27,12 @@ std::vector<design::IncrementSection> cascade(ImageRecords const& image, std::ui
   return sections;
 }
 
-design::FilterDesign design_of(ImageRecords const& image, codegen::ConstRecord<codegen::records::filter> record) {
+design::FilterDesign design_of(ImageRecords const& image,
+                               codegen::ConstRecord<codegen::records::filter> record) {
   design::FilterDesign design;
   design.realisation = static_cast<design::Realisation>(record.get(codegen::fields::filter::realisation));
-  design.sections =
-      cascade(image, record.get(codegen::fields::filter::first_section), record.get(codegen::fields::filter::section_count));
+  design.sections = cascade(image, record.get(codegen::fields::filter::first_section),
+                            record.get(codegen::fields::filter::section_count));
   design.blocks_constant = record.get(codegen::fields::filter::blocks_constant) != 0;
   design.delay_cycles = record.get(codegen::fields::filter::delay_cycles);
   design.share = {.filtered = record.get(codegen::fields::filter::share),
@@ -52,8 +53,8 @@ ImageFilter read_filter(ImageRecords const& image, codegen::ConstRecord<codegen:
                      .kernel_sum = record.get(codegen::fields::filter::kernel_sum),
                      .self_test_input = {},
                      .self_test_output = {}};
-  image.read_samples(record.get(codegen::fields::filter::first_sample), record.get(codegen::fields::filter::sample_count),
-                     filter);
+  image.read_samples(record.get(codegen::fields::filter::first_sample),
+                     record.get(codegen::fields::filter::sample_count), filter);
   return filter;
 }
 

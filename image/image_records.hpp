@@ -1,9 +1,9 @@
 // The sections of an image that axisrt_verify accepts, so that every range lies in its section.
 #pragma once
 
-#include "image/image_contents.hpp"
 #include "codegen/image_fields.hpp"
 #include "codegen/record.hpp"
+#include "image/image_contents.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,8 @@ struct ImageRecords {
 
   /// Text in the names section; empty in a stripped image.
   template <class RecordType>
-  [[nodiscard]] std::string text(codegen::ConstRecord<RecordType> record, codegen::Field<RecordType, std::uint32_t> offset,
+  [[nodiscard]] std::string text(codegen::ConstRecord<RecordType> record,
+                                 codegen::Field<RecordType, std::uint32_t> offset,
                                  codegen::Field<RecordType, std::uint32_t> size) const {
     return text(record.get(offset), record.get(size));
   }
@@ -74,9 +75,12 @@ struct ImageRecords {
 /// Filters of a chain, one after the other.
 [[nodiscard]] std::vector<ImageFilter> read_chain(ImageRecords const& image, std::uint32_t first,
                                                   std::uint32_t count);
-[[nodiscard]] ImageKernel read_kernel(ImageRecords const& image, codegen::ConstRecord<codegen::records::kernel> record);
+[[nodiscard]] ImageKernel read_kernel(ImageRecords const& image,
+                                      codegen::ConstRecord<codegen::records::kernel> record);
 [[nodiscard]] ImageSlot read_slot(codegen::ConstRecord<codegen::records::slot> record);
-[[nodiscard]] ImageGroup read_group(ImageRecords const& image, codegen::ConstRecord<codegen::records::group> record);
-[[nodiscard]] ImageControl read_control(ImageRecords const& image, codegen::ConstRecord<codegen::records::control> record);
+[[nodiscard]] ImageGroup read_group(ImageRecords const& image,
+                                    codegen::ConstRecord<codegen::records::group> record);
+[[nodiscard]] ImageControl read_control(ImageRecords const& image,
+                                        codegen::ConstRecord<codegen::records::control> record);
 
 }  // namespace axisc::image

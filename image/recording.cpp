@@ -55,7 +55,8 @@ bool ReplayedEntry::same() const {
   return recorded_status == computed_status && same_bits(recorded, computed);
 }
 
-Recording::Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime)
+Recording::Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump,
+                     axisrt* runtime)
     : image_(std::move(image)),
       memory_(std::move(memory)),
       dump_(std::move(dump)),

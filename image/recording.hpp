@@ -53,7 +53,8 @@ class Recording {
   [[nodiscard]] bool damaged() const { return damaged_; }
 
  private:
-  Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump, axisrt* runtime);
+  Recording(codegen::AlignedBytes image, codegen::AlignedBytes memory, std::vector<std::byte> dump,
+            axisrt* runtime);
   [[nodiscard]] std::uint64_t take();
   [[nodiscard]] std::vector<double> take_numbers(std::size_t count);
   void take_status(ReplayedEntry& entry, bool given);

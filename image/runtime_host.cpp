@@ -40,9 +40,9 @@ std::variant<RuntimeHost, axisrt_status> RuntimeHost::create(std::span<std::byte
       status != AXISRT_OK) {
     return status;
   }
-  config.cycle_time_ns =
-      cycle_time ? cycle_time->nanoseconds
-                 : codegen::ConstRecord<codegen::records::header>(owned_image.bytes()).get(codegen::fields::header::cycle_time_ns);
+  config.cycle_time_ns = cycle_time ? cycle_time->nanoseconds
+                                    : codegen::ConstRecord<codegen::records::header>(owned_image.bytes())
+                                          .get(codegen::fields::header::cycle_time_ns);
 
   codegen::AlignedBytes memory(memory_size);
   config.memory = memory.data();

@@ -14,7 +14,8 @@ constexpr std::array<std::uint8_t, 4> trailer_magic{'A', 'X', 'S', 'G'};
 constexpr std::uint32_t trailer_version = 1;
 
 std::size_t image_size(std::span<std::byte const> image) {
-  return static_cast<std::size_t>(codegen::ConstRecord<codegen::records::header>(image).get(codegen::fields::header::total_size));
+  return static_cast<std::size_t>(
+      codegen::ConstRecord<codegen::records::header>(image).get(codegen::fields::header::total_size));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include "image/signature.hpp"
 #include "codegen/source_digest.hpp"
+#include "image/signature.hpp"
 
 #include <algorithm>
 #include <new>

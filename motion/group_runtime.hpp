@@ -4,9 +4,9 @@
 #include "axisrt.h"
 #include "image/image_contents.hpp"
 #include "image/runtime_host.hpp"
-#include "motion/point.hpp"
 #include "machine/filter_command.hpp"
 #include "machine/machine.hpp"
+#include "motion/point.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +21,9 @@ namespace axisc::motion {
 class GroupRuntime {
  public:
   /// `image` is one that read_image() accepted; `axes` are its axes in the order of the path, at most most_axes.
-  [[nodiscard]] static std::variant<GroupRuntime, axisrt_status> create(
-      std::span<std::byte const> image, image::ImageContents const& contents,
-      std::vector<std::size_t> axes);
+  [[nodiscard]] static std::variant<GroupRuntime, axisrt_status> create(std::span<std::byte const> image,
+                                                                        image::ImageContents const& contents,
+                                                                        std::vector<std::size_t> axes);
 
   [[nodiscard]] std::size_t axis_count() const { return axes_.size(); }
 

@@ -187,8 +187,9 @@ double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::si
 
 bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const {
   auto& corner = corners[cells_[cell]];
-  if (corner.passed || corner.raised >= most_raises || corner.tried_velocity < 0.999 * corner.velocity)
+  if (corner.passed || corner.raised >= most_raises || corner.tried_velocity < 0.999 * corner.velocity) {
     return false;
+  }
   corner.kept = std::max(corner.kept, corner.velocity);
   if (corner.exceeded <= corner.kept) corner.exceeded = unlimited;
   if (corner.exceeded < corner.kept * 1.004) return false;

@@ -2,8 +2,8 @@
 #include "runtime/recording.hpp"
 
 #include "axisrt.h"
-#include "runtime/creation/building.hpp"
 #include "runtime/configuration.hpp"
+#include "runtime/creation/building.hpp"
 #include "runtime/format/crc32c.hpp"
 #include "runtime/recorder.hpp"
 

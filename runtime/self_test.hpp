@@ -2,8 +2,8 @@
 #pragma once
 
 #include "axisrt.h"
-#include "runtime/verification/image_view.hpp"
 #include "runtime/runtime_object.hpp"
+#include "runtime/verification/image_view.hpp"
 
 namespace axisc::runtime {
 

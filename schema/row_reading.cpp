@@ -107,7 +107,8 @@ class RowReader {
     auto const type =
         parse_data_type(std::string_view(text).substr(before, text.size() - before - 1)).value();
     DataRange const range = data_range(type);
-    limit = {.number = text.starts_with("MAX") ? range.highest : range.lowest, .kind = Kind::number, .open = open};
+    limit = {
+        .number = text.starts_with("MAX") ? range.highest : range.lowest, .kind = Kind::number, .open = open};
   }
 
   /// Those that every row of the type has.

@@ -19,7 +19,7 @@ struct FileStatus {
   FileKind kind = FileKind::other;
   std::uint64_t size = 0;
   std::uint64_t device = 0;
-  std::uint64_t inode = 0;         ///< with `device`: which file it is
+  std::uint64_t inode = 0;           ///< with `device`: which file it is
   std::int64_t content_changed = 0;  ///< in nanoseconds since 1970
   std::int64_t status_changed = 0;   ///< of content, name, owner or permissions; in nanoseconds since 1970
   unsigned permissions = 0;
@@ -36,9 +36,9 @@ enum class Access : std::uint8_t {
 
 /// Who may read a file that is made.
 enum class Privacy : std::uint8_t {
-  usual,         ///< as the user's environment has it
-  owner,         ///< its owner alone
-  readable,      ///< everybody; its owner writes
+  usual,     ///< as the user's environment has it
+  owner,     ///< its owner alone
+  readable,  ///< everybody; its owner writes
 };
 
 /// A file that is closed once. Calls that a signal interrupts are repeated.

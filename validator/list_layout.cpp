@@ -2,8 +2,8 @@
 
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/values/list_reader.hpp"
+#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <string_view>

@@ -5,7 +5,7 @@
 #include "diagnostics/finding.hpp"
 #include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
-#include "validator/build_version.hpp"
+#include "validator/loading/build_version.hpp"
 
 #include <functional>
 #include <map>
@@ -23,7 +23,7 @@ struct PathRule {
 
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
-  std::optional<machine::AxisType> axis_type;            ///< overrides kenngr.achs_typ of a list
+  std::optional<machine::AxisType> axis_type;   ///< overrides kenngr.achs_typ of a list
   std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;

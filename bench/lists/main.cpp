@@ -8,9 +8,9 @@
 #include "lists/readers.hpp"
 #include "lists/rounds.hpp"
 #include "validator/check.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/values/list_reader.hpp"
+#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <cstdio>

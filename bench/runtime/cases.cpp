@@ -136,9 +136,9 @@ Contender make_case(std::string const& name, std::size_t axes) {
     }
     if (chain.kernel) {
       axis.kernel = machine::ConfiguredKernel{.family = machine::KernelFamily::fir,
-                                                .index = 0,
-                                                .specification = *chain.kernel,
-                                                .on_at_start = true};
+                                              .index = 0,
+                                              .specification = *chain.kernel,
+                                              .on_at_start = true};
     }
     machine.axes.push_back(std::move(axis));
     contender.plain.push_back(plain_axis(chain));

@@ -80,8 +80,7 @@ void add_case(std::string const& name, std::size_t axes) {
   for (Level const& level : levels) {
     auto made = image::RuntimeHost::create(contender->image, std::nullopt, level.number);
     if (!std::holds_alternative<image::RuntimeHost>(made)) continue;
-    auto const runtime =
-        std::make_shared<image::RuntimeHost>(std::get<image::RuntimeHost>(std::move(made)));
+    auto const runtime = std::make_shared<image::RuntimeHost>(std::get<image::RuntimeHost>(std::move(made)));
     static_cast<void>(runtime->reset_all(1e9));
     add(level.name + end, axes, [runtime, axes](double const* in, double* out) {
       static_cast<void>(runtime->step({in, axes}, {out, axes}));

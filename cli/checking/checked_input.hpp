@@ -2,8 +2,8 @@
 // know of them. No source text stays in memory, and the same bytes can be kept in a cache.
 #pragma once
 
-#include "cli/fleet/byte_stream.hpp"
 #include "cli/failure.hpp"
+#include "cli/fleet/byte_stream.hpp"
 #include "cli/options/report_format.hpp"
 #include "diagnostics/writers/report_elements.hpp"
 

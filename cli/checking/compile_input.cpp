@@ -26,7 +26,7 @@ void compile(CompileJob const& job, std::string const& path, configuration::File
   SourceSet sources;
   std::deque<WrittenFinding> findings;
   auto judged = judge_input(job.check, path, files, job.form, sources, keep_in(findings));
-  if (judged.checked.failure) throw *judged.checked.failure;
+  if (judged.checked.failure) throw Failure(*judged.checked.failure);
   require_cycle_time(path, judged.result);
   compiled.checked = std::move(judged.checked);
   compiled.checked.findings = std::move(findings);

@@ -77,8 +77,9 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     DiskFiles files;
     auto const bytes = files.read(input);
-    if (auto const* const error = std::get_if<configuration::FileError>(&bytes))
+    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
       throw unreadable(input, *error);
+    }
     auto const folder = std::filesystem::path(input).parent_path();
     for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
       if (!is_program(named)) add((folder / named).string());
@@ -93,8 +94,9 @@ std::string read_list(std::string const& path) {
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) throw unreadable(path, *error);
   auto& text = std::get<std::string>(bytes);
   auto const problem = configuration::check_text(text);
-  if (auto const* const error = std::get_if<configuration::FileError>(&problem))
+  if (auto const* const error = std::get_if<configuration::FileError>(&problem)) {
     throw unreadable(path, *error);
+  }
   return std::move(text);
 }
 

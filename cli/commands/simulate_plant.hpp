@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/commands/commands.hpp"
-#include "cli/files/path_machine.hpp"
 #include "cli/commands/simulate_program.hpp"
+#include "cli/files/path_machine.hpp"
 
 #include <optional>
 #include <string>

@@ -32,8 +32,8 @@ struct Noticed {
 class Execution {
  public:
   /// `path` is the image's file in messages.
-  Execution(std::string path, image::RuntimeHost host, image::ImageContents const& image,
-            Stimulus& stimulus, std::vector<TimedCommand> commands);
+  Execution(std::string path, image::RuntimeHost host, image::ImageContents const& image, Stimulus& stimulus,
+            std::vector<TimedCommand> commands);
 
   /// Keeps the last cycles from now on. Failure where that does not work.
   void record(std::uint32_t cycles);

@@ -1,9 +1,9 @@
 // What `axisc run` feeds into the image, cycle by cycle: a signal or the rows of a CSV file.
 #pragma once
 
-#include "cli/report/csv.hpp"
-#include "cli/files/image_file.hpp"
 #include "cli/execution/signals.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/report/csv.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -124,8 +124,9 @@ image::SecretKey load_secret_key(std::string const& path) {
   system::File const file = open_key(path);
   KeyText const text(file);
   auto key = image::read_secret_key(text.text());
-  if (!key)
+  if (!key) {
     throw Failure({.sentence = says::cannot_read_no_secret_key, .arguments = {{"file", path}}}, cannot_read);
+  }
   auto const status = file.status();
   auto const* const facts = std::get_if<system::FileStatus>(&status);
   if (facts == nullptr || (facts->permissions & others) != 0) {
@@ -138,8 +139,9 @@ image::PublicKey load_public_key(std::string const& path) {
   system::File const file = open_key(path);
   KeyText const text(file);
   auto const key = image::read_public_key(text.text());
-  if (!key)
+  if (!key) {
     throw Failure({.sentence = says::cannot_read_no_public_key, .arguments = {{"file", path}}}, cannot_read);
+  }
   return *key;
 }
 

@@ -159,8 +159,9 @@ bool is_content_of(std::string const& path, std::string_view bytes) {
   if (file == nullptr) return false;
   auto const status = file->status();
   auto const* const facts = std::get_if<system::FileStatus>(&status);
-  if (facts == nullptr || facts->kind != system::FileKind::regular || facts->size != bytes.size())
+  if (facts == nullptr || facts->kind != system::FileKind::regular || facts->size != bytes.size()) {
     return false;
+  }
   std::string block(std::size_t{1} << 16U, '\0');
   while (!bytes.empty()) {
     auto const result = file->read(block);

@@ -4,10 +4,10 @@
 #include "cli/commands/commands.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/image_file.hpp"
+#include "machine/machine.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/program_interpreter.hpp"
 #include "validator/commands/command_check.hpp"
-#include "machine/machine.hpp"
 
 #include <memory>
 #include <optional>
@@ -45,8 +45,8 @@ struct CheckedMachine {
 
 /// One #FILTER command of the command line. Failure for anything else.
 [[nodiscard]] machine::FilterCommand read_filter_command(machine::Machine const& machine,
-                                                           machine::MachineGroup const& group,
-                                                           std::string const& text, Language language);
+                                                         machine::MachineGroup const& group,
+                                                         std::string const& text, Language language);
 
 /// Reads the #FILTER commands of a program that the group runs.
 [[nodiscard]] motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,

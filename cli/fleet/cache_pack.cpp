@@ -75,8 +75,7 @@ std::optional<CachePack> CachePack::open(std::string const& path) {
   pack.last_uses_.resize(footer.rows);
   pack.uses_begin_ = footer.table_begin + footer.rows * sizeof(PackRow);
   if (!read_at(pack.file_, footer.table_begin, pack.rows_.data(), footer.rows * sizeof(PackRow)) ||
-      !read_at(pack.file_, pack.uses_begin_, pack.last_uses_.data(),
-               footer.rows * sizeof(std::uint32_t)) ||
+      !read_at(pack.file_, pack.uses_begin_, pack.last_uses_.data(), footer.rows * sizeof(std::uint32_t)) ||
       digest_of(bytes_of(pack.rows_)).low != footer.checksum) {
     return std::nullopt;
   }

@@ -8,8 +8,8 @@
 // Entries have a checksum each, so a pack that was cut off, or damaged, gives no wrong entry: it gives none.
 #pragma once
 
-#include "cli/fleet/digest.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/fleet/digest.hpp"
 #include "system/file.hpp"
 
 #include <cstdint>

@@ -2,8 +2,8 @@
 // ones appear under names of their own, and one that is removed stays readable for those who have it open.
 #pragma once
 
-#include "cli/fleet/cache_pack.hpp"
 #include "cli/failure.hpp"
+#include "cli/fleet/cache_pack.hpp"
 
 #include <cstdint>
 #include <memory>

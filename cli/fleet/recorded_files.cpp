@@ -65,8 +65,8 @@ std::variant<std::string, configuration::FileError> RecordedFiles::read(std::str
   return bytes;
 }
 
-std::optional<configuration::FileError> RecordedFiles::read_pieces(std::string const& path,
-                                                               configuration::PieceReceiver const& receive) {
+std::optional<configuration::FileError> RecordedFiles::read_pieces(
+    std::string const& path, configuration::PieceReceiver const& receive) {
   Reading const reading(digests_, path);
   if (!reading.is_regular()) complete_ = false;
   Hasher hasher;

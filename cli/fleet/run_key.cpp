@@ -1,8 +1,8 @@
 #include "cli/fleet/run_key.hpp"
 
-#include "cli/options/machine_outline.hpp"
 #include "cli/fleet/program_digest.hpp"
 #include "cli/fleet/recorded_files.hpp"
+#include "cli/options/machine_outline.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <filesystem>

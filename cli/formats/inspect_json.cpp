@@ -1,8 +1,8 @@
-#include "cli/options/filter_symbols.hpp"
 #include "cli/files/image_file.hpp"
+#include "cli/files/key_file.hpp"
 #include "cli/formats/inspect_formats.hpp"
 #include "cli/formats/inspect_parts_json.hpp"
-#include "cli/files/key_file.hpp"
+#include "cli/options/filter_symbols.hpp"
 #include "design/filter_design.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "cli/formats/inspect_parts_json.hpp"
 
-#include "cli/options/filter_symbols.hpp"
 #include "cli/files/image_file.hpp"
+#include "cli/options/filter_symbols.hpp"
 #include "design/kernel_analysis.hpp"
 #include "design/kernel_kinds.hpp"
 

@@ -1,8 +1,8 @@
 // What `axisc compile` compiles, and where the images go.
 #pragma once
 
-#include "cli/options/compile_options.hpp"
 #include "cli/failure.hpp"
+#include "cli/options/compile_options.hpp"
 
 #include <string>
 #include <vector>

@@ -30,8 +30,8 @@ Language choose_language(std::span<std::string const> arguments) {
 
 bool use_color(ColorChoice choice, system::Stream stream) {
   if (choice != ColorChoice::automatic) return choice == ColorChoice::always;
-  return system::environment_variable("NO_COLOR").empty() &&
-         system::environment_variable("TERM") != "dumb" && system::is_terminal(stream);
+  return system::environment_variable("NO_COLOR").empty() && system::environment_variable("TERM") != "dumb" &&
+         system::is_terminal(stream);
 }
 
 }  // namespace axisc::cli

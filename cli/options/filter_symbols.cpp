@@ -32,8 +32,8 @@ std::string filter_path(image::ImageFilter const& filter, bool interface) {
   return (interface ? "lr_param.add_interface.filter[" : "filter[") + std::to_string(filter.index) + "]";
 }
 
-std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
-                                             image::ImageFilter const& filter, bool interface) {
+std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis, image::ImageFilter const& filter,
+                                           bool interface) {
   auto const prefix = filter_path(filter, interface) + ".";
   std::vector<image::ImageValue> settings;
   for (auto const& value : axis.values) {

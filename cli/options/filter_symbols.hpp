@@ -1,8 +1,8 @@
 // The words of the axis list for what an image stores as numbers.
 #pragma once
 
-#include "image/image_contents.hpp"
 #include "design/filter_kinds.hpp"
+#include "image/image_contents.hpp"
 
 #include <span>
 #include <string>
@@ -24,8 +24,7 @@ namespace axisc::cli {
 
 /// What the lists set for one filter, in the order of the lines.
 [[nodiscard]] std::vector<image::ImageValue> settings_of(image::ImageAxis const& axis,
-                                                           image::ImageFilter const& filter,
-                                                           bool interface);
+                                                         image::ImageFilter const& filter, bool interface);
 
 /// "0123abcd…".
 [[nodiscard]] std::string hexadecimal(std::span<std::uint8_t const> bytes);

@@ -1,14 +1,14 @@
 // Options of commands that work on many inputs: shards, keys, caches.
 #pragma once
 
-#include "cli/options/command_line.hpp"
-#include "cli/report/console.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/report/progress.hpp"
 #include "cli/fleet/result_cache.hpp"
 #include "cli/fleet/run_key.hpp"
 #include "cli/fleet/shard.hpp"
 #include "cli/fleet/shard_record.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/report/console.hpp"
+#include "cli/report/progress.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 // The command line of `axisc lint`.
 #pragma once
 
-#include "cli/options/check_options.hpp"
 #include "cli/checking/fixing.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/fleet_options.hpp"
 
 #include <optional>

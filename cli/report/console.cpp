@@ -60,8 +60,9 @@ void Console::flush() {
   auto const error = system::write(stream_, buffer_);
   buffer_.clear();
   if (!error) return;
-  if (stream_ == system::Stream::error)
+  if (stream_ == system::Stream::error) {
     throw Failure({.sentence = says::stderr_failed, .arguments = {}}, cannot_write);
+  }
   throw Failure({.sentence = reason(error->refusal), .arguments = {{"reason", system::text_of(*error)}}},
                 cannot_write);
 }

@@ -4,8 +4,8 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/checked_input.hpp"
-#include "cli/report/console.hpp"
 #include "cli/fleet/shard_record.hpp"
+#include "cli/report/console.hpp"
 #include "cli/report/spool.hpp"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // The plant file of `axisc simulate --plant`.
 #pragma once
 
-#include "motion/plant.hpp"
 #include "configuration/json_shape.hpp"
+#include "motion/plant.hpp"
 
 #include <string>
 

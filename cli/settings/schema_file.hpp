@@ -12,8 +12,8 @@
 // is named later wins.
 #pragma once
 
-#include "schema/catalogue.hpp"
 #include "configuration/json_shape.hpp"
+#include "schema/catalogue.hpp"
 
 #include <string>
 #include <vector>

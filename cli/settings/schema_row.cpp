@@ -3,9 +3,9 @@
 #include "cli/settings/sentences.hpp"
 #include "configuration/sentences.hpp"
 #include "schema/indexed_name.hpp"
-#include "validator/build_version.hpp"
-#include "validator/values/reading.hpp"
+#include "validator/loading/build_version.hpp"
 #include "validator/values/lost_assignment.hpp"
+#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <array>
@@ -199,10 +199,10 @@ std::string sizes_text(std::array<std::uint16_t, 2> const& sizes) {
 }
 
 /// In the order of RowContradiction.
-constexpr std::array<SentenceRef, 8> sentences = {says::type_missing, says::array,
-                                  says::limit_type,   says::limit_order,
-                                  says::symbols_type, axisc::configuration::says::json_repeated_value,
-                                  says::max_length,   says::schema_default};
+constexpr std::array<SentenceRef, 8> sentences = {
+    says::type_missing, says::array,         says::limit_type,
+    says::limit_order,  says::symbols_type,  axisc::configuration::says::json_repeated_value,
+    says::max_length,   says::schema_default};
 
 class EntryReader {
  public:

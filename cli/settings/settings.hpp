@@ -19,10 +19,10 @@
 #pragma once
 
 #include "cli/fleet/digest.hpp"
+#include "configuration/json_shape.hpp"
 #include "diagnostics/finding.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/check.hpp"
-#include "configuration/json_shape.hpp"
 
 #include <map>
 #include <mutex>

@@ -1,6 +1,6 @@
 #include "diagnostics/fingerprint.hpp"
-#include "diagnostics/writers/json_stream.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 #include "diagnostics/writers/report_elements.hpp"
 #include "diagnostics/writers/sarif_artifact.hpp"
 #include "diagnostics/writers/writers.hpp"

@@ -1,5 +1,5 @@
-#include "diagnostics/writers/json_layout.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/writers/json_layout.hpp"
 #include "diagnostics/writers/report_elements.hpp"
 #include "diagnostics/writers/sarif_artifact.hpp"
 #include "diagnostics/writers/writers.hpp"

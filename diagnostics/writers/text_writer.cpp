@@ -1,8 +1,8 @@
-#include "diagnostics/writers/fix_preview.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/sentences.hpp"
-#include "diagnostics/writers/shown_line.hpp"
 #include "diagnostics/terminal.hpp"
+#include "diagnostics/writers/fix_preview.hpp"
+#include "diagnostics/writers/shown_line.hpp"
 #include "diagnostics/writers/writers.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // The parts of a runtime as create builds them, each from its sections of a verified image.
 #pragma once
 
-#include "runtime/verification/image_view.hpp"
 #include "runtime/creation/layout.hpp"
-#include "runtime/runtime_object.hpp"
 #include "runtime/creation/shape.hpp"
+#include "runtime/runtime_object.hpp"
+#include "runtime/verification/image_view.hpp"
 
 #include <stddef.h>
 #include <stdint.h>

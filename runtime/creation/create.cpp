@@ -1,7 +1,7 @@
 #include "axisrt.h"
-#include "runtime/creation/building.hpp"
 #include "runtime/configuration.hpp"
 #include "runtime/control_word.hpp"
+#include "runtime/creation/building.hpp"
 #include "runtime/self_test.hpp"
 #include "runtime/verification/signature.hpp"
 

@@ -49,7 +49,8 @@ std::optional<Error> write(Stream stream, std::string_view bytes) {
 }
 
 std::string_view environment_variable(char const* name) {
-  char const* const value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
+  char const* const value =
+      std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
   return value == nullptr ? std::string_view{} : value;
 }
 

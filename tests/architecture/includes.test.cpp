@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> const folders = {"system",  "diagnostics", "grammar", "schema", "design", "machine", "configuration",
-                                       "validator", "codegen", "image", "runtime", "motion", "cli"};
+std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",   "schema",  "design",
+                                       "machine", "configuration", "validator", "codegen", "image",
+                                       "runtime", "motion",        "cli"};
 
 /// What each folder may include, beside itself: the picture of the architecture.
 std::map<std::string, std::set<std::string>> const may_include = {
@@ -174,8 +175,8 @@ TEST_CASE("no folder is too full to be read at a glance") {
 }
 
 TEST_CASE("the operating system is called in system/ alone") {
-  std::set<std::string> const foreign = {"unistd.h", "fcntl.h", "sys/stat.h", "sys/file.h", "sys/mman.h",
-                                         "termios.h", "elf.h", "link.h", "dirent.h", "windows.h"};
+  std::set<std::string> const foreign = {"unistd.h",  "fcntl.h", "sys/stat.h", "sys/file.h", "sys/mman.h",
+                                         "termios.h", "elf.h",   "link.h",     "dirent.h",   "windows.h"};
   std::regex const include("^\\s*#\\s*include\\s*<([^>]+)>");
   for (auto const& folder : folders) {
     if (folder == "system" || folder == "runtime") continue;

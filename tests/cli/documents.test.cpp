@@ -25,7 +25,8 @@ std::string shell(std::string const& command, std::string const& folder) {
   FILE* const pipe = ::popen(line.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> buffer{};
-  while (std::size_t const got = std::fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), got);
+  while (std::size_t const got = std::fread(buffer.data(), 1, buffer.size(), pipe))
+    output.append(buffer.data(), got);
   ::pclose(pipe);
   return output;
 }

@@ -3,11 +3,11 @@
 #include "cli/settings/plant_file.hpp"
 #include "cli/settings/schema_file.hpp"
 #include "cli/settings/settings.hpp"
+#include "configuration/json_check.hpp"
+#include "configuration/machine_file.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
-#include "configuration/json_check.hpp"
-#include "configuration/machine_file.hpp"
 
 #include <filesystem>
 #include <string>

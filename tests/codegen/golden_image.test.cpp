@@ -1,9 +1,9 @@
 // Images of every format version that ever landed. A committed image is never made anew: what is out in the field has to
 // be read for good.
-#include "image/image_contents.hpp"
 #include "codegen/image_writer.hpp"
-#include "image/runtime_host.hpp"
 #include "codegen/source_digest.hpp"
+#include "image/image_contents.hpp"
+#include "image/runtime_host.hpp"
 #include "machines.hpp"
 #include "naive_image.hpp"
 #include "support/golden.hpp"

@@ -1,6 +1,6 @@
-#include "image/image_contents.hpp"
 #include "codegen/image_writer.hpp"
 #include "codegen/source_digest.hpp"
+#include "image/image_contents.hpp"
 #include "machines.hpp"
 #include "support/catch.hpp"
 

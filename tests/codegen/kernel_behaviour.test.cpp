@@ -95,7 +95,8 @@ TEST_CASE("a constant setpoint comes out unchanged, whatever the kernel", "[kern
   test::Random random(12);
   for (std::uint32_t order = 1; order <= design::longest_kernel_order; ++order) {
     std::vector<KernelSpecification> const kernels = every_kind(order);
-    image::RuntimeHost runtime = test::runtime_for(write_image(machine_with_kernels(kernels), {.strip = true}));
+    image::RuntimeHost runtime =
+        test::runtime_for(write_image(machine_with_kernels(kernels), {.strip = true}));
     CAPTURE(order);
     CHECK(stays_constant(runtime, kernels.size(), 500, random));
   }

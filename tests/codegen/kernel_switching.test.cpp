@@ -45,9 +45,9 @@ machine::Machine switching_machine() {
   machine.axes[3].filters = {{.index = 1, .specification = band_stop}};
   machine.axes[3].kernel =
       machine::ConfiguredKernel{.family = machine::KernelFamily::hsc,
-                                  .index = 0,
-                                  .specification = {.type = KernelType::novib, .order = 1, .frequency = {40}},
-                                  .on_at_start = false};
+                                .index = 0,
+                                .specification = {.type = KernelType::novib, .order = 1, .frequency = {40}},
+                                .on_at_start = false};
   machine.axes[4].kernel = test::fir({.type = KernelType::time_delay, .order = 20}, true);
   machine.groups = {{.name = "channel",
                      .axes = {0, 1, 2, 3, 4},
@@ -135,7 +135,8 @@ class Watch {
   std::array<std::uint32_t, axes> kernels_{};
 };
 
-axisrt_status random_command(image::RuntimeHost& runtime, machine::Machine const& machine, test::Random& random) {
+axisrt_status random_command(image::RuntimeHost& runtime, machine::Machine const& machine,
+                             test::Random& random) {
   machine::FilterCommand command;
   std::uint32_t const kind = random.below(10);
   if (kind == 0) return runtime.end_program(0);

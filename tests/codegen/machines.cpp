@@ -65,9 +65,8 @@ machine::Machine sample_machine() {
       {.name = "axes/x.lis", .content = "filter[0].order 2\nfilter[0].guete 2.5\n"},
       {.name = "axes/ä.lis", .content = ""}};
 
-  machine.axes = {axis("X", 1, machine::AxisType::translatory),
-                  axis("Y", 2, machine::AxisType::translatory), axis("Ä", 7, machine::AxisType::rotary),
-                  axis("S", 6, machine::AxisType::spindle)};
+  machine.axes = {axis("X", 1, machine::AxisType::translatory), axis("Y", 2, machine::AxisType::translatory),
+                  axis("Ä", 7, machine::AxisType::rotary), axis("S", 6, machine::AxisType::spindle)};
   machine.axes[0].filters = {{.index = 0, .specification = band_stop},
                              {.index = 2, .specification = low_pass}};
   machine.axes[0].interface_filters = {{.index = 0, .specification = lag}};
@@ -83,8 +82,7 @@ machine::Machine sample_machine() {
   return machine;
 }
 
-machine::Machine machine_with(std::vector<FilterSpecification> const& filters,
-                                design::CycleTime cycle_time) {
+machine::Machine machine_with(std::vector<FilterSpecification> const& filters, design::CycleTime cycle_time) {
   machine::Machine machine;
   machine.cycle_time = cycle_time;
   machine.axes = {axis("X", 1, machine::AxisType::translatory)};

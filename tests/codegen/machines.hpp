@@ -20,7 +20,7 @@ namespace axisc::test {
 
 /// One translatory axis X with these filters as filter[0], filter[1], ...
 [[nodiscard]] machine::Machine machine_with(std::vector<design::FilterSpecification> const& filters,
-                                              design::CycleTime cycle_time);
+                                            design::CycleTime cycle_time);
 
 /// Two channels with FIR and HSC kernels, their banks and fades, position control with a gantry slave: X Gaussian, PT1 and
 /// the manual's two stages; Y a time delay; Z NoVib in front of a band-pass; W slave of X; C a filter of order 0.
@@ -29,14 +29,14 @@ namespace axisc::test {
 [[nodiscard]] machine::PositionControl manual_position_control();
 /// A set of #FILTER parameters.
 [[nodiscard]] inline machine::FilterParameters filter_set(std::optional<std::uint32_t> order,
-                                                            std::optional<double> share_percent = {},
-                                                            std::optional<design::Hertz> frequency = {},
-                                                            std::optional<double> quality = {}) {
+                                                          std::optional<double> share_percent = {},
+                                                          std::optional<design::Hertz> frequency = {},
+                                                          std::optional<double> quality = {}) {
   return {.order = order, .share_percent = share_percent, .frequency = frequency, .quality = quality};
 }
 /// filter_fir.
 [[nodiscard]] machine::ConfiguredKernel fir(design::KernelSpecification const& specification,
-                                              bool on_at_start);
+                                            bool on_at_start);
 
 /// Uniform numbers that are the same with every standard library.
 class Random {

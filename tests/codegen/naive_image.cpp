@@ -85,9 +85,9 @@ class Writer {
   Bytes write() {
     for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_axis(i);
     for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_control(i);
-    NaiveKernelSections const kernels = naive_kernel_sections(
-        machine_, options_.strip, stores_,
-        [this](machine::AxisConfiguration const& axis) { return peak_gain_of(axis); });
+    NaiveKernelSections const kernels =
+        naive_kernel_sections(machine_, options_.strip, stores_,
+                              [this](machine::AxisConfiguration const& axis) { return peak_gain_of(axis); });
     if (!options_.strip) {
       for (auto const& list : machine_.lists) write_list(list);
       for (std::uint32_t i = 0; i < machine_.axes.size(); ++i) write_values(i);

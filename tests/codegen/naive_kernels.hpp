@@ -1,8 +1,8 @@
 // The naive image's sections of kernels, slots, channels and banks.
 #pragma once
 
-#include "naive_bytes.hpp"
 #include "machine/machine.hpp"
+#include "naive_bytes.hpp"
 
 #include <cstdint>
 #include <functional>

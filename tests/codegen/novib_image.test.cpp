@@ -54,7 +54,8 @@ TEST_CASE("NoVib in the image suppresses its frequency and what lies within 10 %
     for (int i = 0; i < frequencies; ++i) {
       list.push_back(lowest * std::pow(highest / lowest, double(i) / (frequencies - 1)));
     }
-    image::ImageContents const contents = test::contents_of(write_image(machine(list, cycle_time), {.strip = true}));
+    image::ImageContents const contents =
+        test::contents_of(write_image(machine(list, cycle_time), {.strip = true}));
     REQUIRE(contents.axes.size() == list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       REQUIRE(contents.axes[i].slot);

@@ -5,9 +5,9 @@
 
 #include "grammar/number.hpp"
 #include "schema/catalogue.hpp"
+#include "schema/value.hpp"
 #include "validator/same_lists.hpp"
 #include "validator/values/short_number.hpp"
-#include "schema/value.hpp"
 
 #include <cstddef>
 #include <cstdint>

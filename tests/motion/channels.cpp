@@ -53,7 +53,7 @@ void interpret(motion::ProgramChannel const& channel, motion::PathListener& list
 }  // namespace
 
 machine::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
-                              design::CycleTime cycle_time) {
+                            design::CycleTime cycle_time) {
   std::vector<machine::AxisConfiguration> axes;
   for (auto const& kernel : kernels) {
     axes.push_back(axis(axes.size()));

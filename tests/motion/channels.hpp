@@ -1,12 +1,12 @@
 // Checked machines of one channel and their runtimes, for the tests of this folder.
 #pragma once
 
+#include "machine/machine.hpp"
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/program_interpreter.hpp"
 #include "motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
-#include "machine/machine.hpp"
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace axisc::test {
 
 /// Axes X, Y, Z, … of which each filters like this from start-up: 500 mm/s, 10 m/s².
 [[nodiscard]] machine::Machine channel_of(std::vector<design::KernelSpecification> const& kernels,
-                                            design::CycleTime cycle_time = {});
+                                          design::CycleTime cycle_time = {});
 /// The same with one PT1 per axis.
 [[nodiscard]] machine::Machine channel_of_pt1(double time_constant_us, std::size_t axes);
 

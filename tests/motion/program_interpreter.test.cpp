@@ -32,7 +32,10 @@ struct Interpreted {
 Interpreted interpret(std::string const& program, bool inch = false) {
   Script script;
   Interpreted result;
-  ProgramChannel const channel{.axes = {"X", "Y1"}, .rotary = {false, false}, .inch = inch, .cycle_time = {},
+  ProgramChannel const channel{.axes = {"X", "Y1"},
+                               .rotary = {false, false},
+                               .inch = inch,
+                               .cycle_time = {},
                                .read_filter_command = test::filter_command_reader({})};
   ProgramInterpreter interpreter(channel, script, [&](ProgramProblem const& problem) {
     result.problems.push_back(fmt::format("{}:{} {} {}", problem.line, problem.span.begin + 1,

@@ -24,7 +24,7 @@ class MapFiles final : public configuration::Files {
   }
 
   std::map<std::string, configuration::FileError> errors;  ///< files that cannot be read, and why
-  std::map<std::string, int> reads;                    ///< how often each path was asked for
+  std::map<std::string, int> reads;                        ///< how often each path was asked for
 
  private:
   std::map<std::string, std::string> contents_;

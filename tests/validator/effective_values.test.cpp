@@ -2,8 +2,8 @@
 #include "validator/values/effective_values.hpp"
 
 #include "support/catch.hpp"
-#include "validator/values/lost_assignment.hpp"
 #include "validator/values/list_reader.hpp"
+#include "validator/values/lost_assignment.hpp"
 #include "validator/values/merge_lists.hpp"
 
 #include <string>

@@ -1,10 +1,11 @@
 // Lines that are read without the grammar say the same as with it.
+#include "validator/values/list_reader.hpp"
+
 #include "schema/catalogue.hpp"
 #include "schema/parameter_row.hpp"
 #include "support/catch.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/same_lists.hpp"
-#include "validator/values/list_reader.hpp"
+#include "validator/values/reading.hpp"
 
 #include <cstddef>
 #include <string>

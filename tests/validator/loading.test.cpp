@@ -21,7 +21,7 @@ validator::LoadedMachine loaded(std::map<std::string, std::string> contents, std
 
 /// Four axes X, Y, X2 and a spindle S; `more` are keys of the machine file.
 validator::LoadedMachine machine_text(std::string const& more, std::string const& x = "kopf.achs_nr 1\n",
-                                 std::string const& x2 = "kopf.achs_nr 3\n") {
+                                      std::string const& x2 = "kopf.achs_nr 3\n") {
   std::string const text = R"({"axes": [{"name": "X", "list": "x.lis", "drive": "sercos",
       "position_control": "cnc"}, {"name": "Y", "list": "y.lis", "position_control": "drive"},
       {"name": "X2", "list": "x2.lis"}, {"name": "S", "list": "s.lis", "type": "S"}])" +
@@ -90,9 +90,10 @@ TEST_CASE("a gantry of the lists, of the machine file, and of both") {
   std::string const master = "kopf.achs_nr 1\nkenngr.achs_mode 0x10001\n";
   std::string const slave = "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n";
   std::string const key = R"(, "gantries": [{"master": "X", "slaves": ["X2"]}])";
-  for (auto const& one : {machine_text("", master, slave), machine_text(key), machine_text(key, master, slave),
-                          machine_text(key, master, "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\n"),
-                          machine_text(key, "kopf.achs_nr 1\nkenngr.achs_mode 1\n", "kopf.achs_nr 3\n")}) {
+  for (auto const& one :
+       {machine_text("", master, slave), machine_text(key), machine_text(key, master, slave),
+        machine_text(key, master, "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\n"),
+        machine_text(key, "kopf.achs_nr 1\nkenngr.achs_mode 1\n", "kopf.achs_nr 3\n")}) {
     REQUIRE(one.gantries.size() == 1);
     CHECK(one.gantries[0].master == 0);
     CHECK(one.gantries[0].slaves == Indices{2});
@@ -103,7 +104,7 @@ TEST_CASE("the lists are the truth about gantries") {
   std::string const of_y = R"(, "gantries": [{"master": "Y", "slaves": ["X2"]}])";
   validator::LoadedMachine const differing =
       machine_text(of_y, "kopf.achs_nr 1\nkenngr.achs_mode 0x10001\n",
-              "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n");
+                   "kopf.achs_nr 3\nkenngr.achs_mode 0x20001\nkenngr.gantry_ax_nr 1\n");
   REQUIRE(differing.gantries.size() == 1);
   CHECK(differing.gantries[0].master == 0);
   CHECK(machine_text(of_y, "", "kopf.achs_nr 3\nkenngr.achs_mode 0x4\n").gantries.empty());

@@ -1,8 +1,9 @@
 // Which parameter a line was meant for that does not set it.
-#include "support/catch.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/values/lost_assignment.hpp"
+
+#include "support/catch.hpp"
 #include "validator/values/list_reader.hpp"
+#include "validator/values/reading.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 // Machine files: what is wrong in them, at the right line and column.
 #include "configuration/machine_file.hpp"
 
+#include "configuration/located_json.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
-#include "configuration/located_json.hpp"
 
 namespace {
 

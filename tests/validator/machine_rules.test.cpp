@@ -99,8 +99,8 @@ TEST_CASE("AX4011: spindles, other channels and the group of the machine file") 
 
 TEST_CASE("AX4011 says how far the axes are apart, and writes the time delay that repairs it") {
   Checked const checked = machine_text({{"x", fir(1, 21), ""},
-                                   {"y", "Ende\n", ""},
-                                   {"z", "filter_fir.enable 0\nfilter_fir.type 0\nEnde\n", ""}});
+                                        {"y", "Ende\n", ""},
+                                        {"z", "filter_fir.enable 0\nfilter_fir.type 0\nEnde\n", ""}});
   REQUIRE(checked.found() == Lines{"x.lis:4:18 AX4011"});
   Finding const& finding = checked.result.findings.front();
   CHECK(render(finding.message, Language::english) ==
@@ -197,7 +197,8 @@ TEST_CASE("AX4015: numbers of axes and of the default list") {
 TEST_CASE("AX3038 and AX4016: the machine file's drive wins over the list's") {
   std::string const scaled = "antr.v_reso_num 100\n" + ipc;
   CHECK(found({{"x", "kenngr.antr_typ 4\n" + scaled, R"(, "drive": "CANopen")"}}).empty());
-  Checked const simulated = machine_text({{"x", "kenngr.antr_typ 2\n" + scaled, R"(, "drive": "simulation")"}});
+  Checked const simulated =
+      machine_text({{"x", "kenngr.antr_typ 2\n" + scaled, R"(, "drive": "simulation")"}});
   CHECK(simulated.found() == Lines{"1:74 AX3038"});
   CHECK(simulated.result.findings.front().axis == "x");
   CHECK(found({{"x", ipc, R"(, "drive": "SERCOS")"}}) == Lines{"x.lis:2:43 AX4016"});

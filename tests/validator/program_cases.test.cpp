@@ -1,8 +1,8 @@
 // tests/data/program_cases.txt: NC programs and machines with the findings they must give, and no other.
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
-#include "validator/build_version.hpp"
 #include "validator/check.hpp"
+#include "validator/loading/build_version.hpp"
 
 #include <algorithm>
 #include <fstream>

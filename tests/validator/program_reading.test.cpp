@@ -20,11 +20,12 @@ namespace {
 class PiecewiseFiles final : public configuration::Files {
  public:
   PiecewiseFiles(std::string text, std::size_t size) : text_(std::move(text)), size_(size) {}
-  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(
+      std::string const& /*path*/) override {
     return configuration::FileError::not_readable;
   }
-  [[nodiscard]] std::optional<configuration::FileError> read_pieces(std::string const& /*path*/,
-                                                     configuration::PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& /*path*/, configuration::PieceReceiver const& receive) override {
     for (std::size_t at = 0; at < text_.size(); at += size_) {
       if (!receive(std::string_view(text_).substr(at, size_))) break;
     }
@@ -39,11 +40,12 @@ class PiecewiseFiles final : public configuration::Files {
 /// A program of many gigabytes that nobody could hold: one block, again and again, and a mistake in the middle.
 class EndlessFiles final : public configuration::Files {
  public:
-  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& /*path*/) override {
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(
+      std::string const& /*path*/) override {
     return configuration::FileError::too_large;
   }
-  [[nodiscard]] std::optional<configuration::FileError> read_pieces(std::string const& /*path*/,
-                                                     configuration::PieceReceiver const& receive) override {
+  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
+      std::string const& /*path*/, configuration::PieceReceiver const& receive) override {
     std::string block;
     while (block.size() < 60000) block += "N10 G01 X1.5 Y-2.25 (#FILTER ON [ORDER=999])\n";
     for (std::size_t i = 0; i < 3000 && receive(block); ++i) {

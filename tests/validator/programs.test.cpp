@@ -14,7 +14,7 @@ constexpr char const* moving_average = "filter_fir.type 1\nfilter_fir.order 20\n
 
 /// Axes X and Y; `more` are keys of the machine file.
 std::map<std::string, std::string> machine_text(std::string const& more,
-                                           std::map<std::string, std::string> programs = {}) {
+                                                std::map<std::string, std::string> programs = {}) {
   programs["m.json"] = R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
       {"name": "Y", "list": "y.lis"}])" +
                        more + "}";
@@ -43,25 +43,27 @@ validator::LoadedMachine loaded(std::map<std::string, std::string> contents) {
 }  // namespace
 
 TEST_CASE("distinct parameter sets in the order of their first use") {
-  Checked const checked(machine_text(R"(, "programs": ["a.nc", "b.nc"],
+  Checked const checked(
+      machine_text(R"(, "programs": ["a.nc", "b.nc"],
                                      "filter_sets": ["#FILTER ON [ORDER=60]", "#FILTER ON [ORDER=30]"])",
-                                {{"a.nc",
-                                  "#FILTER ON [SHARE=80 ORDER=40]\n#FILTER ON\n#FILTER OFF [ORDER=5]\n"
-                                  "#FILTER [ORDER=30]\n#FILTER ON [AX_DEV=0.1 ACC_FACT=1]\n"},
-                                 {"b.nc",
-                                  "#FILTER ON [ORDER_TIME=30000]\n#FILTER ON [ORDER=40 SHARE=80.0 AX_DEV=1]\n"
-                                  "#FILTER ON [FCUT=50]\n#FILTER ON [QUALITY=0.5 ORDER=0]\n"}}),
-                        "m.json");
+                   {{"a.nc",
+                     "#FILTER ON [SHARE=80 ORDER=40]\n#FILTER ON\n#FILTER OFF [ORDER=5]\n"
+                     "#FILTER [ORDER=30]\n#FILTER ON [AX_DEV=0.1 ACC_FACT=1]\n"},
+                    {"b.nc",
+                     "#FILTER ON [ORDER_TIME=30000]\n#FILTER ON [ORDER=40 SHARE=80.0 AX_DEV=1]\n"
+                     "#FILTER ON [FCUT=50]\n#FILTER ON [QUALITY=0.5 ORDER=0]\n"}}),
+      "m.json");
   CHECK(sets_of(checked) ==
         Lines{"ORDER=40 SHARE=80", "ORDER=30", "FCUT=50", "ORDER=0 QUALITY=0.5", "ORDER=60"});
   CHECK(checked.result.not_compiled.empty());
 }
 
 TEST_CASE("each channel has the sets of its own programs and of those of all") {
-  Checked const checked(machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["x.nc"]}, {"axes": ["Y"]}],
+  Checked const checked(
+      machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["x.nc"]}, {"axes": ["Y"]}],
                    "programs": ["all.nc"], "filter_sets": ["#FILTER ON [ORDER=3]"])",
-                                {{"x.nc", "#FILTER ON [ORDER=1]\n"}, {"all.nc", "#FILTER ON [ORDER=2]\n"}}),
-                        "m.json");
+                   {{"x.nc", "#FILTER ON [ORDER=1]\n"}, {"all.nc", "#FILTER ON [ORDER=2]\n"}}),
+      "m.json");
   CHECK(sets_of(checked, 0) == Lines{"ORDER=1", "ORDER=2", "ORDER=3"});
   CHECK(sets_of(checked, 1) == Lines{"ORDER=2", "ORDER=3"});
 }
@@ -74,8 +76,8 @@ TEST_CASE("a variable asks for no set, a silenced mistake is not left out withou
 
   Checked const silenced(
       machine_text(R"(, "programs": ["a.nc"])", {{"a.nc",
-                                             "#FILTER ON [ORDER=201] (axisc: allow AX5002)\n"
-                                             "#FILTER ON [ORDER_TIME=10] (axisc: allow AX5002)\n"}}),
+                                                  "#FILTER ON [ORDER=201] (axisc: allow AX5002)\n"
+                                                  "#FILTER ON [ORDER_TIME=10] (axisc: allow AX5002)\n"}}),
       "m.json");
   CHECK(sets_of(silenced) == Lines{"ORDER=0"});
   REQUIRE(silenced.result.not_compiled.size() == 1);
@@ -87,7 +89,7 @@ TEST_CASE("a variable asks for no set, a silenced mistake is not left out withou
 TEST_CASE("every file that was read is named, programs once") {
   Checked const checked(machine_text(R"(, "programs": ["a.nc", "a.nc"],
                                      "groups": [{"axes": ["X"], "programs": ["b.nc", "./a.nc"]}])",
-                                {{"./a.nc", ""}, {"b.nc", ""}}),
+                                     {{"./a.nc", ""}, {"b.nc", ""}}),
                         "m.json");
   CHECK(checked.found().empty());
   CHECK(checked.result.files == Lines{"m.json", "x.lis", "y.lis", "b.nc", "./a.nc"});
@@ -114,12 +116,14 @@ TEST_CASE("the assumed cycle time is named where a keyword needs it") {
 }
 
 TEST_CASE("whether a program gives the order of an axis") {
-  auto const one = loaded(machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["a.nc"]}, {"axes": ["Y"]}])",
-                                  {{"a.nc", "#FILTER ON [ORDER=20]\n"}}));
+  auto const one =
+      loaded(machine_text(R"(, "groups": [{"axes": ["X"], "programs": ["a.nc"]}, {"axes": ["Y"]}])",
+                          {{"a.nc", "#FILTER ON [ORDER=20]\n"}}));
   CHECK(validator::program_gives_order(one, 0));
   CHECK_FALSE(validator::program_gives_order(one, 1));
   CHECK_FALSE(validator::program_gives_order(loaded(machine_text("")), 0));
-  CHECK(validator::program_gives_order(loaded(machine_text(R"(, "filter_sets": ["#FILTER ON [ORDER=20]"])")), 1));
+  CHECK(validator::program_gives_order(loaded(machine_text(R"(, "filter_sets": ["#FILTER ON [ORDER=20]"])")),
+                                       1));
   CHECK_FALSE(validator::program_gives_order(loaded(machine_text(R"(, "filter_sets": ["ORDER=20"])")), 0));
 }
 

@@ -1,4 +1,5 @@
 #include "validator/same_lists.hpp"
+
 #include "validator/values/list_reader.hpp"
 #include "validator/values/readings.hpp"
 

@@ -4,11 +4,10 @@
 #include "diagnostics/source_text.hpp"
 #include "grammar/axis_list.hpp"
 #include "schema/catalogue.hpp"
-#include "support/catch.hpp"
-#include "validator/values/reading.hpp"
-#include "validator/values/reading.hpp"
 #include "schema/value.hpp"
+#include "support/catch.hpp"
 #include "validator/values/list_reader.hpp"
+#include "validator/values/reading.hpp"
 
 #include <bit>
 #include <cstdint>

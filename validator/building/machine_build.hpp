@@ -1,10 +1,9 @@
 // Builds the typed machine from checked lists.
 #pragma once
 
-#include "validator/views/axis_views.hpp"
 #include "configuration/files.hpp"
-#include "validator/not_compiled.hpp"
 #include "validator/loading/loading.hpp"
+#include "validator/not_compiled.hpp"
 #include "validator/views/axis_views.hpp"
 
 #include <deque>

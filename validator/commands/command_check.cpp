@@ -254,8 +254,9 @@ class CommandCheck {
     mistake.control = range.control;
     if (range.control.empty()) mistake.reaction.reset();
     bool const order = name == "ORDER" || name == "ORDER_TIME";
-    if (order && limits_.time_delay)
+    if (order && limits_.time_delay) {
       mistake.notes.push_back({.sentence = says::filter_keyword_delay, .arguments = {}});
+    }
     if (order && value > *range.maximum) {
       mistake.control = "50911";
       mistake.reaction = says::filter_reaction_clipped;

@@ -1,10 +1,10 @@
 #include "validator/engine/engine.hpp"
 
-#include "validator/views/channel.hpp"
 #include "validator/engine/policy.hpp"
 #include "validator/engine/precedence.hpp"
 #include "validator/engine/suppression.hpp"
 #include "validator/views/axis_views.hpp"
+#include "validator/views/channel.hpp"
 
 #include <algorithm>
 #include <deque>

@@ -1,11 +1,9 @@
 // Runs the table of rules over lists, axes, filters, channels and programs, and decides which findings are kept.
 #pragma once
 
-#include "validator/views/axis_views.hpp"
-#include "validator/options.hpp"
-#include "validator/loading/loading.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loading.hpp"
+#include "validator/options.hpp"
 #include "validator/views/axis_views.hpp"
 
 #include <deque>

@@ -3,10 +3,9 @@
 
 #include "configuration/machine_file.hpp"
 #include "grammar/nc_program.hpp"
+#include "validator/loading/program_reading.hpp"
 #include "validator/options.hpp"
 #include "validator/values/effective_values.hpp"
-#include "configuration/machine_file.hpp"
-#include "validator/loading/program_reading.hpp"
 #include "validator/values/merge_lists.hpp"
 
 #include <deque>

@@ -70,8 +70,9 @@ class ProgramReading {
   bool piece(std::string_view bytes) {
     content_.add(bytes);
     if (kept_ == ProgramText::whole) whole_ += bytes;
-    if (content_.mark().bytes > configuration::largest_file)
+    if (content_.mark().bytes > configuration::largest_file) {
       return refuse(configuration::FileError::too_large);
+    }
     if (beginning_is_judged_) return lines(bytes);
     beginning_ += bytes;
     return beginning_.size() < configuration::judged_beginning || judge_beginning();

@@ -1,9 +1,9 @@
 #include "validator/rules/characteristic_frequency.hpp"
 
+#include "validator/rules/filter_words.hpp"
 #include "validator/views/fir_view.hpp"
 #include "validator/views/hsc_view.hpp"
 #include "validator/views/position_control_view.hpp"
-#include "validator/rules/filter_words.hpp"
 
 #include <span>
 

@@ -1,12 +1,12 @@
+#include "validator/values/list_reader.hpp"
+
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list_reader.hpp"
 #include "grammar/lexical.hpp"
 #include "grammar/line_splitter.hpp"
 #include "grammar/plain_lines.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/values/plain_value.hpp"
 #include "validator/values/reading.hpp"
-#include "validator/values/list_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
+#include "validator/values/lost_assignment.hpp"
+
 #include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
-#include "validator/values/lost_assignment.hpp"
 
 #include <algorithm>
 #include <array>

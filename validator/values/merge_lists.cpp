@@ -1,7 +1,8 @@
+#include "validator/values/merge_lists.hpp"
+
 #include "machine/machine.hpp"
 #include "validator/values/effective_values.hpp"
 #include "validator/values/references.hpp"
-#include "validator/values/merge_lists.hpp"
 
 #include <array>
 #include <cstddef>

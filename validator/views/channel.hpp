@@ -1,11 +1,11 @@
 // What the commands of a channel's programs act on, and which kernels they ask for.
 #pragma once
 
-#include "validator/options.hpp"
 #include "machine/filter_command.hpp"
 #include "validator/check.hpp"
 #include "validator/loading/loading.hpp"
 #include "validator/not_compiled.hpp"
+#include "validator/options.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // AX2016: features newer than the build of the control.
 #include "validator/engine/rule.hpp"
 
-#include "validator/build_version.hpp"
+#include "validator/loading/build_version.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/program_helpers.hpp"
 

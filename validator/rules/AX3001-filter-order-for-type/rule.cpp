@@ -52,8 +52,9 @@ std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
     return AllowedOrder{.highest = design::longest_kernel_order, .reaction = Reaction::clipped};
   }
   design::OrderRange const& order = design::kind_of(*filter.standard_type).order;
-  if (order.source == design::OrderSource::configured)
+  if (order.source == design::OrderSource::configured) {
     return AllowedOrder{.highest = static_cast<double>(order.highest)};
+  }
   // The additional interface computes the order of PT1 and PT2 itself.
   if (interface || order.source == design::OrderSource::computed) return std::nullopt;
   return AllowedOrder{.highest = static_cast<double>(order.highest), .range = Range::zero_or};

@@ -1,4 +1,4 @@
-#include "validator/build_version.hpp"
+#include "validator/loading/build_version.hpp"
 
 #include <array>
 #include <charconv>
