@@ -15,7 +15,7 @@
 namespace axisc::configuration::says {
 
 constexpr Sentence unknown_key{"unknown key \"{key}\"", "unbekannter Schlüssel \"{key}\""};
-constexpr Sentence repeated_key{"the key \"{key}\" stands here twice",
+constexpr Sentence repeated_key{"the key \"{key}\" occurs here twice",
                                 "der Schlüssel \"{key}\" steht hier zweimal"};
 constexpr Sentence text{"\"{key}\" must be a text", "\"{key}\" muss ein Text sein"};
 constexpr Sentence empty_text{"\"{key}\" must not be empty", "\"{key}\" darf nicht leer sein"};

@@ -15,7 +15,7 @@
 
 namespace axisc::configuration::says {
 
-constexpr Sentence json{"the machine file is no valid JSON here",
+constexpr Sentence json{"the machine file is not valid JSON here",
                         "die Maschinendatei ist hier kein gültiges JSON"};
 constexpr Sentence json_end{"the machine file ends before it is complete",
                             "die Maschinendatei endet, bevor sie vollständig ist"};

@@ -26,8 +26,8 @@ constexpr Sentence examples{R"(Examples:
   axisc compile plant/ --output-folder images     plant/a/x.lis becomes images/plant/a/x.axim
   axisc compile @lists.txt --output-folder images --cache ~/.cache/axisc --shard 2/8
 
-An image that would be the same is not touched, so that build systems see that nothing follows from it.
-Equal inputs give the same bytes, wherever they lie. Findings go to standard error.
+An image that would not change is left untouched, so that build systems rebuild nothing that depends on it.
+Equal inputs give the same bytes, wherever they are. Findings go to standard error.
 Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could not be read or written.)",
                             R"(Beispiele:
   axisc compile maschine.json -o fraese.axim
@@ -37,7 +37,7 @@ Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could 
   axisc compile werk/ --output-folder abbilder    werk/a/x.lis wird abbilder/werk/a/x.axim
   axisc compile @listen.txt --output-folder abbilder --cache ~/.cache/axisc --shard 2/8
 
-Ein Abbild, das gleich bliebe, wird nicht angefasst; Bausysteme sehen so, dass daraus nichts folgt.
+Ein Abbild, das sich nicht ändern würde, bleibt unberührt; Build-Systeme bauen dann nichts davon Abhängiges neu.
 Gleiche Eingaben ergeben dieselben Bytes, wo immer sie liegen. Befunde gehen auf die Standardfehlerausgabe.
 Rückgabewert: 0 geschrieben, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, {bytes} bytes",

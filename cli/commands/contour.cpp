@@ -26,19 +26,20 @@ constexpr Sentence examples{R"(Examples:
   axisc contour maschine.json --feed 4000
   axisc contour maschine.json --feed 1000,2000,4000 --order 20,40,80
   axisc contour maschine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)"};
-constexpr Sentence option_feed{"feed rates in mm/min (default 1000)", "Vorschübe in mm/min (Vorgabe 1000)"};
+constexpr Sentence option_feed{"feed rates in mm/min (default: 1000)",
+                               "Vorschübe in mm/min (Standardwert: 1000)"};
 constexpr Sentence option_order{"orders instead of the lists'", "Ordnungen statt derer der Listen"};
-constexpr Sentence option_angle{"change of direction at the corner in degrees, 0 to 180 (default 90)",
-                                "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Vorgabe 90)"};
-constexpr Sentence option_radius{"radius of the circle in mm (default 10)",
-                                 "Radius des Kreises in mm (Vorgabe 10)"};
+constexpr Sentence option_angle{"change of direction at the corner in degrees, 0 to 180 (default: 90)",
+                                "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Standardwert: 90)"};
+constexpr Sentence option_radius{"radius of the circle in mm (default: 10)",
+                                 "Radius des Kreises in mm (Standardwert: 10)"};
 constexpr Sentence option_tolerance{
     "allowed axis error in mm: which feed and which order keep it",
     "erlaubter Achsfehler in mm: welcher Vorschub, welche Ordnung hält ihn ein"};
 constexpr Sentence option_filter{
     R"(what the program commands, "#FILTER ON [ORDER=20]" or "#FILTER OFF")",
     R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#FILTER OFF")"};
-constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
                                 "{option} braucht Zahlen über 0, nicht \"{value}\""};
 constexpr Sentence bad_angle{"--angle needs a number from 0 to 180, not \"{value}\"",

@@ -14,24 +14,25 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    "Compares two axis lists, machine files or images: which parameters mean something else, and what that "
-    "does to the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.",
-    "Vergleicht zwei Achslisten, Maschinendateien oder Abbilder: welche Parameter etwas anderes bedeuten und "
-    "was das mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, "
-    "Abweichung an einer Ecke."};
-constexpr Sentence examples{R"(axisc diff old/machine.json new/machine.json
-axisc diff x.lis.orig x.lis --cycle-time 1ms
-axisc diff running.axim machine.json --format markdown)",
-                            R"(axisc diff alt/machine.json neu/machine.json --lang de
-axisc diff x.lis.orig x.lis --cycle-time 1ms
-axisc diff laufend.axim machine.json --format markdown)"};
+    R"(Compares two axis lists, machine files or images: which parameters mean something else, and what that does to
+the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.)",
+    R"(Vergleicht zwei Achslisten, Maschinendateien oder Abbilder: welche Parameter etwas anderes bedeuten und was das
+mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, Abweichung an einer Ecke.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc diff old/machine.json new/machine.json
+  axisc diff x.lis.orig x.lis --cycle-time 1ms
+  axisc diff running.axim machine.json --format markdown)",
+                            R"(Beispiele:
+  axisc diff alt/maschine.json neu/maschine.json
+  axisc diff x.lis.orig x.lis --cycle-time 1ms
+  axisc diff laufend.axim maschine.json --format markdown)"};
 constexpr Sentence argument_diff{"two lists, machine files or images, also mixed",
                                  "zwei Listen, Maschinendateien oder Abbilder, auch gemischt"};
-constexpr Sentence option_feed{"path feed in mm/min for the corner (default 1000)",
-                               "Bahnvorschub in mm/min für die Ecke (Vorgabe 1000)"};
-constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
-constexpr Sentence option_exit_code{"exit status 1 where something changed",
-                                    "Exitstatus 1, wenn sich etwas geändert hat"};
+constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",
+                               "Bahnvorschub in mm/min für die Ecke (Standardwert: 1000)"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence option_exit_code{"exit status 1 if something changed",
+                                    "Rückgabewert 1, wenn sich etwas geändert hat"};
 
 }  // namespace axisc::cli::says
 

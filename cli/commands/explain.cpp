@@ -34,8 +34,8 @@ constexpr Sentence examples{R"(Examples:
 constexpr Sentence argument_subject{
     "a code (AX3005), its name, a number (P-AXIS-00140) or a parameter (filter[0].order)",
     "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140) oder ein Parameter (filter[0].order)"};
-constexpr Sentence option_format{"form of the output (default markdown)",
-                                 "Form der Ausgabe (Vorgabe markdown)"};
+constexpr Sentence option_format{"output format (default: markdown)",
+                                 "Ausgabeformat (Standardwert: markdown)"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
 
 }  // namespace axisc::cli::says

@@ -22,8 +22,8 @@ constexpr Sentence signature{
     "{file} wurde verändert, nachdem es mit Schlüssel {key} signiert war ({status}); neu kopieren oder neu "
     "übersetzen und signieren"};
 
-constexpr Sentence stripped{"{file} was compiled with --strip: it does not remember its lists",
-                            "{file} wurde mit --strip übersetzt: das Abbild kennt seine Listen nicht mehr"};
+constexpr Sentence stripped{"{file} was compiled with --strip: it does not contain its lists",
+                            "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
 constexpr Sentence purpose{
     "Shows what is in a coefficient image: axes, filters, sections, delays, poles, gains, sources.",
     R"(Zeigt, was in einem Koeffizientenabbild steht: Achsen, Filter, Abschnitte, Verzögerungen, Pole, Verstärkungen,
@@ -37,9 +37,9 @@ constexpr Sentence examples{R"(Examples:
   axisc inspect fraese.axim --axis X --as-list > x-wie-uebersetzt.lis
   axisc inspect fraese.axim --format json --memory host)"};
 constexpr Sentence option_public_key{
-    "check the signature with this public key; exit status 2 where it is not right",
-    "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht stimmt"};
-constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+    "check the signature with this public key; exit status 2 if it is not valid",
+    "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht gültig ist"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_axis{"only this axis", "nur diese Achse"};
 constexpr Sentence option_as_list{"write the lists back, with the origin of each value as a comment",
                                   "die Listen zurückschreiben, mit der Herkunft jedes Werts als Kommentar"};

@@ -24,13 +24,13 @@ constexpr Sentence examples{R"(Examples:
   axisc lint machine.json                all axes of a machine together
   axisc lint axes/                       every list and machine file in a folder
   axisc lint x.lis --format json         for other programs; sarif, github and gitlab for code hosts
-  axisc lint x.lis --fix                 repairs what changes nothing for the machine
-  axisc lint x.lis --fix=all --diff      shows all repairs as a patch
+  axisc lint x.lis --fix                 applies the fixes that change nothing for the machine
+  axisc lint x.lis --fix=all --diff      shows all fixes as a patch
   axisc lint . --write-baseline known.json
   axisc lint . --baseline known.json     only what is new since then
-  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL behind each
-  axisc lint . --cache ~/.cache/axisc    again, as fast as what has changed allows
-  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` puts the parts together
+  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
+  axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
+  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
 
 A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next.
 Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
@@ -43,8 +43,8 @@ Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something coul
   axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
   axisc lint . --write-baseline bekannt.json
   axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
-  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL dahinter
-  axisc lint . --cache ~/.cache/axisc    noch einmal, so schnell, wie Geändertes es zulässt
+  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
+  axisc lint . --cache ~/.cache/axisc    noch einmal, prüft nur das Geänderte
   axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
 
 Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in

@@ -17,15 +17,15 @@
 namespace axisc::cli::says {
 
 constexpr Sentence option_output{"where the result goes (default: standard output)",
-                                 "wohin das Ergebnis geht (Vorgabe: Standardausgabe)"};
+                                 "wohin das Ergebnis geht (Standardwert: Standardausgabe)"};
 constexpr Sentence argument_shards{
     "the results of all shards of one run (--format json or sarif), in any order, or @FILE with their names",
     "die Ergebnisse aller Teile eines Laufs (--format json oder sarif), in beliebiger Reihenfolge, oder "
     "@DATEI mit ihren Namen"};
 constexpr Sentence purpose{
-    R"(Puts the results of `axisc lint --shard I/N` together. What comes out is what one run without --shard would have
-written, byte for byte.)",
-    R"(Führt die Ergebnisse von `axisc lint --shard I/N` zusammen. Heraus kommt, was ein Lauf ohne --shard geschrieben
+    R"(Combines the results of `axisc lint --shard I/N`. The output is what one run without --shard would have written,
+byte for byte.)",
+    R"(Führt die Ergebnisse von `axisc lint --shard I/N` zusammen. Die Ausgabe ist, was ein Lauf ohne --shard geschrieben
 hätte, Byte für Byte.)"};
 constexpr Sentence examples{R"(Examples:
   axisc lint . --format json --shard 1/2 > 1.json
@@ -44,9 +44,9 @@ Exit status: that of the whole run: 0 no errors, 1 errors (or warnings, where th
 Rückgabewert: der des ganzen Laufs: 0 keine Fehler, 1 Fehler (auch Warnungen, wo die Teile mit --werror liefen),
 2 etwas war nicht lesbar, hier oder für einen Teil.)"};
 constexpr Sentence mixed{
-    "{file} belongs to another run than {first}: format, program, options, inputs or number of shards differ",
-    "{file} gehört zu einem anderen Lauf als {first}: Form, Programm, Optionen, Eingaben oder Anzahl der "
-    "Teile sind anders"};
+    "{file} and {first} are from different runs: format, program, options, inputs or number of shards differ",
+    "{file} und {first} stammen aus verschiedenen Läufen: Format, Programm, Optionen, Eingaben oder Anzahl "
+    "der Teile unterscheiden sich"};
 constexpr Sentence twice{"{file} and {first} are both shard {shard}",
                          "{file} und {first} sind beide Teil {shard}"};
 constexpr Sentence missing{"shard {shard} is missing; all shards of a run belong together",

@@ -25,12 +25,13 @@ constexpr Sentence examples{R"(Examples:
   axisc response fraese.axim --axis X
   axisc response fraese.axim --frequencies 0,1,2.5,42
   axisc response fraese.axim --port interface --format json)"};
-constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Vorgabe: alle)"};
-constexpr Sentence option_port{"which chain (default setpoint)", "welche Filterkette (Vorgabe setpoint)"};
-constexpr Sentence option_format{"form of the output (default csv)", "Form der Ausgabe (Vorgabe csv)"};
+constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Standardwert: alle)"};
+constexpr Sentence option_port{"which chain (default: setpoint)",
+                               "welche Filterkette (Standardwert: setpoint)"};
+constexpr Sentence option_format{"output format (default: csv)", "Ausgabeformat (Standardwert: csv)"};
 constexpr Sentence option_frequencies{
     "in Hz, from 0 to 0.5/T (default: 200 logarithmic points up to 0.5/T)",
-    "in Hz, von 0 bis 0.5/T (Vorgabe: 200 logarithmische Punkte bis 0.5/T)"};
+    "in Hz, von 0 bis 0,5/T (Standardwert: 200 logarithmische Punkte bis 0,5/T)"};
 
 }  // namespace axisc::cli::says
 

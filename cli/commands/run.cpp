@@ -15,7 +15,7 @@
 namespace axisc::cli::says {
 
 constexpr Sentence bad_signal{
-    "\"{value}\" is no signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
+    "\"{value}\" is not a signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
     "\"{value}\" ist kein Signal; möglich sind step, ramp:EINHEITEN_JE_S, sine:HZ und impulse"};
 constexpr Sentence signal_and_input{"{option} belongs to a signal and cannot be used with --input",
                                     "{option} gehört zu einem Signal und geht nicht zusammen mit --input"};
@@ -41,7 +41,7 @@ constexpr Sentence examples{R"(Examples:
   axisc run mill.axim --input setpoints.csv --output filtered.csv
 
 Columns of a file: `X` is the position setpoint of axis X, `X.interface` its additional interface. An axis that
-the file does not name rests. Signals are setpoints themselves, not distances from --reset.)",
+the file does not name stays at rest. Signals are setpoints themselves, not distances from --reset.)",
                             R"(Beispiele:
   axisc run fraese.axim                                   ein Sprung auf 1, 256 Zyklen
   axisc run fraese.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
@@ -54,23 +54,25 @@ constexpr Sentence option_input{"setpoints, first line: column names; - is stand
                                 "Sollwerte, erste Zeile: Spaltennamen; - ist die Standardeingabe"};
 constexpr Sentence option_signal{
     "step (default), ramp:UNITS_PER_S, sine:HZ or impulse, instead of a file",
-    "step (Vorgabe), ramp:EINHEITEN_JE_S, sine:HZ oder impulse, statt einer Datei"};
-constexpr Sentence option_amplitude{"factor of the signal (default 1)", "Faktor des Signals (Vorgabe 1)"};
-constexpr Sentence option_cycles{"length of the signal (default 256)", "Länge des Signals (Vorgabe 256)"};
-constexpr Sentence option_port{"what the signal feeds (default setpoint)",
-                               "was das Signal speist (Vorgabe setpoint)"};
-constexpr Sentence option_reset{"value from which every axis starts, at rest (default 0)",
-                                "Wert, auf dem jede Achse anfangs ruht (Vorgabe 0)"};
+    "step (Standardwert), ramp:EINHEITEN_JE_S, sine:HZ oder impulse, statt einer Datei"};
+constexpr Sentence option_amplitude{"factor of the signal (default: 1)",
+                                    "Faktor des Signals (Standardwert: 1)"};
+constexpr Sentence option_cycles{"length of the signal (default: 256)",
+                                 "Länge des Signals (Standardwert: 256)"};
+constexpr Sentence option_port{"what the signal feeds (default: setpoint)",
+                               "was das Signal speist (Standardwert: setpoint)"};
+constexpr Sentence option_reset{"value from which every axis starts, at rest (default: 0)",
+                                "Wert, auf dem jede Achse anfangs ruht (Standardwert: 0)"};
 constexpr Sentence option_csv_output{"where the rows go (default: standard output)",
-                                     "wohin die Zeilen gehen (Vorgabe: Standardausgabe)"};
+                                     "wohin die Zeilen gehen (Standardwert: Standardausgabe)"};
 constexpr Sentence option_quiet{"no warning about unusable setpoints",
                                 "keine Warnung über unbrauchbare Sollwerte"};
 
 constexpr Sentence option_record{
     "keep the last cycles and write them to this file, for `axisc replay`",
     "die letzten Zyklen behalten und in diese Datei schreiben, für `axisc replay`"};
-constexpr Sentence option_record_cycles{"how many cycles --record keeps (default 1000)",
-                                        "wie viele Zyklen --record behält (Vorgabe 1000)"};
+constexpr Sentence option_record_cycles{"how many cycles --record keeps (default: 1000)",
+                                        "wie viele Zyklen --record behält (Standardwert: 1000)"};
 constexpr Sentence record_missing{
     "--record-cycles says how many cycles --record FILE keeps; give --record as well",
     "--record-cycles sagt, wie viele Zyklen --record DATEI behält; auch --record angeben"};

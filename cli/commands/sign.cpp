@@ -8,9 +8,9 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Puts an Ed25519 signature behind an image, so that controllers which hold the public key refuse any other image.
-A signature that the image had before is replaced.)",
-    R"(Setzt eine Ed25519-Signatur hinter ein Abbild, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
+    R"(Appends an Ed25519 signature to an image, so that controllers with the public key refuse any other image.
+A signature that the image already has is replaced.)",
+    R"(Hängt eine Ed25519-Signatur an ein Abbild an, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
 ablehnen. Eine Signatur, die das Abbild schon hatte, wird ersetzt.)"};
 constexpr Sentence examples{R"(Examples:
   axisc sign mill.axim --key plant.key
@@ -23,8 +23,9 @@ constexpr Sentence examples{R"(Examples:
 constexpr Sentence cli_signed{"{file}: signed with key {key}, {bytes} bytes",
                               "{file}: mit Schlüssel {key} signiert, {bytes} Bytes"};
 constexpr Sentence option_secret_key{"secret key of `axisc keygen`", "geheimer Schlüssel von `axisc keygen`"};
-constexpr Sentence option_signed_output{"signed image to write (default: IMAGE.axim itself)",
-                                        "zu schreibendes signiertes Abbild (Vorgabe: IMAGE.axim selbst)"};
+constexpr Sentence option_signed_output{
+    "signed image to write (default: IMAGE.axim itself)",
+    "zu schreibendes signiertes Abbild (Standardwert: ABBILD.axim selbst)"};
 constexpr Sentence option_quiet{"no summary line", "keine Zusammenfassung"};
 
 }  // namespace axisc::cli::says

@@ -11,11 +11,11 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Plans the path of an NC program within the axes' limits, executes the filters and says per block and per
-pass (from one #FILTER command to the next) how long it takes and how far the contour bends. With --plant it
+pass (from one #FILTER command to the next) how long it takes and how far the contour deviates. With --plant it
 moves one axis there and back in a closed loop and says what Improved Position Control does to the load.)",
     R"(Plant die Bahn eines NC-Programms in den Grenzen der Achsen, führt die Filter aus und sagt je Satz und je
-Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit sich die Kontur verbiegt. Mit
---plant fährt es eine Achse im geschlossenen Regelkreis hin und zurück und sagt, was die optimierte Lageregelung
+Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit die Kontur abweicht. Mit --plant
+wird eine Achse im geschlossenen Regelkreis hin- und zurückgefahren und gezeigt, was die optimierte Lageregelung
 mit der Last macht.)"};
 constexpr Sentence examples{R"(Examples:
   axisc simulate machine.json --program part.nc
@@ -30,21 +30,20 @@ constexpr Sentence option_program{"the NC program, or - for standard input",
 constexpr Sentence option_output{"also write every NC cycle to this CSV file",
                                  "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
 constexpr Sentence option_format{
-    "form of the output: summary as text or json, or every cycle as csv (default text)",
-    "Form der Ausgabe: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Vorgabe text)"};
+    "output format: summary as text or json, or every cycle as csv (default: text)",
+    "Ausgabeformat: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Standardwert: text)"};
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
 constexpr Sentence option_progress{
-    "show progress even where standard error is no terminal",
+    "show progress even where standard error is not a terminal",
     "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
 constexpr Sentence option_no_progress{"show no progress", "keinen Fortschritt zeigen"};
 constexpr Sentence option_plant{
     "drive and mechanics of the axes (JSON): simulate the closed loop",
     "Antrieb und Mechanik der Achsen (JSON): den geschlossenen Regelkreis simulieren"};
-constexpr Sentence option_move{
-    "AXIS:MM[:MM_PER_MIN]: there and back with the plant (default feed: vb_max)",
-    "ACHSE:MM[:MM_PER_MIN]: mit der Strecke hin und zurück (Vorgabe für den Vorschub: vb_max)"};
+constexpr Sentence option_move{"AXIS:MM[:MM_PER_MIN]: there and back with the plant (default: vb_max)",
+                               "ACHSE:MM[:MM_JE_MIN]: mit der Strecke hin und zurück (Standardwert: vb_max)"};
 constexpr Sentence what{"name either --program, or --plant with --move",
                         "entweder --program angeben oder --plant mit --move"};
 
@@ -69,7 +68,7 @@ void declare(CommandLine& command_line, SimulateWords& words) {
   command_line.value("--group", "NAME", words.group, says::option_group);
   command_line.flag("--constant-velocity", words.constant_velocity, says::option_constant_velocity);
   command_line.value("--plant", "PLANT.json", words.plant, says::option_plant);
-  command_line.value("--move", "AXIS:MM[:F]", words.move, says::option_move);
+  command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", words.move, says::option_move);
   command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
   command_line.choice(
       "--format", {{"text", SimulateForm::text}, {"csv", SimulateForm::csv}, {"json", SimulateForm::json}},

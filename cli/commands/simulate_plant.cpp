@@ -14,7 +14,7 @@ namespace axisc::cli::says {
 
 constexpr Sentence bad_move{
     "--move needs AXIS:MM or AXIS:MM:MM_PER_MIN with a distance other than 0, not \"{value}\"",
-    "--move braucht ACHSE:MM oder ACHSE:MM:MM_PER_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
+    "--move braucht ACHSE:MM oder ACHSE:MM:MM_JE_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
 
 }  // namespace axisc::cli::says
 

@@ -16,12 +16,15 @@ namespace axisc::cli::says {
 constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
                                    "das Abbild hat keine Kerne für `{command}`"};
 
-constexpr Sentence not_simulated_first{"only its first place is named", "nur die erste Stelle wird genannt"};
+constexpr Sentence not_simulated_first{"only its first occurrence is named",
+                                       "nur das erste Vorkommen wird genannt"};
 
 constexpr Sentence cannot_simulate_help{
-    "known are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER and "
+    "supported are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
+    "and "
     "M30",
-    "bekannt sind Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
+    "unterstützt werden Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], "
+    "#FILTER "
     "und M30"};
 
 }  // namespace axisc::cli::says

@@ -21,7 +21,7 @@ constexpr Sentence cannot_read_not_readable{
     "cannot read {file}: the system reports a read error; check the medium or the connection",
     "{file} ist nicht lesbar: das System meldet einen Lesefehler; Datenträger oder Verbindung prüfen"};
 constexpr Sentence cannot_read_binary{
-    "cannot read {file}: it is a binary file, not a text; name an axis list or a machine file",
+    "cannot read {file}: it is a binary file, not text; name an axis list or a machine file",
     "{file} ist nicht lesbar: es ist eine Binärdatei, kein Text; eine Achsliste oder Maschinendatei angeben"};
 constexpr Sentence cannot_read_utf16{
     "cannot read {file}: it is UTF-16; save it as UTF-8 or windows-1252",

@@ -11,8 +11,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, level {level}",
-                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Stufe {level}"};
+constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, instruction set {level}",
+                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Befehlssatz {level}"};
 constexpr Sentence cycle{"cycle", "Zyklus"};
 constexpr Sentence reset{"reset to {value}", "zurückgesetzt auf {value}"};
 constexpr Sentence reset_interface{"additional interface reset to {value}",

@@ -14,36 +14,37 @@
 namespace axisc::cli::says {
 
 constexpr Sentence bad_build{
-    "\"{value}\" is no build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
-    "\"{value}\" ist kein Stand der Steuerung; schreiben Sie V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
+    "\"{value}\" is not a build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
+    "\"{value}\" ist kein Stand der Steuerung; Schreibweise V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
 constexpr Sentence bad_cycle_time{
-    "\"{value}\" is no cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
-    "\"{value}\" ist keine Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
+    "\"{value}\" is not a valid cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
+    "\"{value}\" ist keine gültige Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
     "Nanosekunden"};
 constexpr Sentence unknown_code{"there is no code \"{code}\"; `axisc explain --all` lists them",
                                 "den Code \"{code}\" gibt es nicht; `axisc explain --all` nennt alle"};
 constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean {meant}?",
                                       "den Code \"{code}\" gibt es nicht; war {meant} gemeint?"};
 constexpr Sentence option_axis_type{
-    "translatory, rotary or spindle, whatever the list says (kenngr.achs_typ)",
-    "translatorisch, rotatorisch oder Spindel, was immer die Liste sagt (kenngr.achs_typ)"};
+    "translatory, rotary or spindle, overriding the list (kenngr.achs_typ)",
+    "translatorisch, rotatorisch oder Spindel, statt der Angabe in der Liste (kenngr.achs_typ)"};
 constexpr Sentence option_build{
-    "build of the control, V3.1.3075.04: warns of what needs a newer one",
-    "Stand der Steuerung, V3.1.3075.04: warnt vor dem, was einen neueren braucht"};
-constexpr Sentence option_finding_format{"form of the findings (default text)",
-                                         "Form der Befunde (Vorgabe text)"};
+    "build of the control, such as V3.1.3075.04; warns about what needs a newer one",
+    "Stand der Steuerung, etwa V3.1.3075.04; warnt vor allem, was einen neueren braucht"};
+constexpr Sentence option_finding_format{"format of the findings (default: text)",
+                                         "Format der Befunde (Standardwert: text)"};
 constexpr Sentence option_werror{"warnings lead to exit status 1 as well",
                                  "auch Warnungen führen zum Rückgabewert 1"};
 constexpr Sentence option_disable{"leave these codes out; may be repeated",
                                   "diese Codes weglassen; mehrmals möglich"};
 constexpr Sentence option_pedantic{"print notes as well", "auch Hinweise zeigen"};
-constexpr Sentence option_jobs{"threads (default: one per core); the output is the same for every number",
-                               "Threads (Vorgabe: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
+constexpr Sentence option_jobs{
+    "threads (default: one per core); the output is the same for every number",
+    "Threads (Standardwert: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
 constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
 
 constexpr Sentence option_schema{
     "add the parameters of FILE to those that are known, or override them (repeatable)",
-    "die Parameter aus FILE zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
+    "die Parameter aus DATEI zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
 
 }  // namespace axisc::cli::says
 

@@ -13,26 +13,28 @@ constexpr Sentence bad_image_version{
     "--image-version needs a whole number from 0 to 4294967295, not \"{value}\"",
     "--image-version braucht eine ganze Zahl von 0 bis 4294967295, nicht \"{value}\""};
 constexpr Sentence option_image_output{
-    "the image to write, or - for standard output; an image that would be the same is not touched",
-    "das Abbild, das geschrieben wird, oder - für die Standardausgabe; eines, das gleich bliebe, wird nicht "
-    "angefasst"};
+    "the image to write, or - for standard output; an image that would not change is left untouched",
+    "das zu schreibende Abbild, oder - für die Standardausgabe; ein Abbild, das sich nicht ändern würde, "
+    "bleibt unberührt"};
 constexpr Sentence option_depfile{
     "write the files that were read as a rule for make and ninja, one rule per image",
     "die gelesenen Dateien als Regel für make und ninja schreiben, eine Regel je Abbild"};
 constexpr Sentence option_strip{"leave out names, sources and self-tests, for small memories",
                                 "Namen, Quellen und Selbsttests weglassen, für kleine Speicher"};
-constexpr Sentence option_image_version{"counter of the machine's maker, stored in the image (default 0)",
-                                        "Zähler des Maschinenherstellers, der im Abbild steht (Vorgabe 0)"};
+constexpr Sentence option_image_version{
+    "version counter of the machine builder, stored in the image (default: 0)",
+    "Versionszähler des Maschinenherstellers, im Abbild gespeichert (Standardwert: 0)"};
 
 constexpr Sentence option_output_folder{
     "write one image per input below this folder, named like the input, with .axim at the end",
     "je Eingabe ein Abbild unter diesem Ordner schreiben, benannt wie die Eingabe, mit .axim am Ende"};
 constexpr Sentence option_input_folder{
-    "with --output-folder: below it the names of the images begin (default: the working folder)",
-    "mit --output-folder: darunter beginnen die Namen der Abbilder (Vorgabe: der Arbeitsordner)"};
-constexpr Sentence two_outputs{"-o and --output-folder do not go together",
+    "with --output-folder: image names are relative to this folder (default: the working folder)",
+    "mit --output-folder: die Namen der Abbilder sind relativ zu diesem Ordner (Standardwert: der "
+    "Arbeitsordner)"};
+constexpr Sentence two_outputs{"-o and --output-folder cannot be used together",
                                "-o und --output-folder gehen nicht zusammen"};
-constexpr Sentence needs_output_folder{"{option} goes with --output-folder only",
+constexpr Sentence needs_output_folder{"{option} needs --output-folder",
                                        "{option} geht nur mit --output-folder"};
 constexpr Sentence argument_compile_inputs{
     "axis lists, machine files (*.json), folders with any of them, @FILE with one name per line, or - for "

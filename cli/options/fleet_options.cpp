@@ -12,16 +12,18 @@ constexpr Sentence option_shard{
     "nur die Eingaben von Teil I von N (1/N bis N/N); ein Pfad liegt immer im selben Teil"};
 constexpr Sentence option_print_key{
     "print a digest of everything that the result depends on, and do nothing else",
-    "einen Fingerabdruck von allem drucken, wovon das Ergebnis abhängt, und sonst nichts tun"};
+    "einen Fingerabdruck von allem ausgeben, wovon das Ergebnis abhängt, und sonst nichts tun"};
 constexpr Sentence option_cache{
-    "keep results there and take those that are still right; may be shared by several processes",
-    "Ergebnisse dort aufheben und die noch richtigen wiederverwenden; mehrere Prozesse dürfen sie teilen"};
+    "store results in this folder and reuse those that are still valid; several processes may share it",
+    "Ergebnisse in diesem Ordner speichern und noch gültige wiederverwenden; mehrere Prozesse dürfen ihn "
+    "teilen"};
 constexpr Sentence option_cache_size{
-    "how large that folder may grow, as in 500M or 2G (default 1G); what was used longest ago is removed",
-    "wie groß der Ordner werden darf, etwa 500M oder 2G (Vorgabe 1G); das am längsten nicht Gebrauchte wird "
-    "gelöscht"};
+    "how large the cache folder may grow, as in 500M or 2G (default: 1G); the least recently used results "
+    "are removed",
+    "wie groß der Cache-Ordner werden darf, etwa 500M oder 2G (Standardwert: 1G); die am längsten nicht "
+    "gebrauchten Ergebnisse werden gelöscht"};
 constexpr Sentence cache_unusable{
-    "the cache {folder} cannot be used: {reason}; going on without",
+    "the cache {folder} cannot be used: {reason}; continuing without it",
     "der Cache {folder} ist nicht verwendbar: {reason}; es geht ohne ihn weiter"};
 
 }  // namespace axisc::cli::says

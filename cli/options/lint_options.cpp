@@ -9,8 +9,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence statistics_format{"--statistics goes with --format text and json only",
-                                     "--statistics geht nur mit --format text und json"};
+constexpr Sentence statistics_format{"--statistics needs --format text or json",
+                                     "--statistics geht nur mit --format text oder json"};
 constexpr Sentence option_write_baseline{
     "record the findings in this file; they count as accepted, in this run too",
     "die Befunde in dieser Datei festhalten; sie gelten als hingenommen, auch in diesem Lauf"};
@@ -29,10 +29,11 @@ constexpr Sentence option_print_config{
     "zeigen, welche Einstellungen für jede Eingabe gelten und woher sie kommen"};
 
 constexpr Sentence shard_fix{
-    "--shard does not go with --fix and --diff: machines of several shards may share lists",
-    "--shard geht nicht zusammen mit --fix und --diff: Maschinen mehrerer Teile können sich Listen teilen"};
+    "--shard cannot be used with --fix or --diff: machines of several shards may share lists",
+    "--shard geht nicht zusammen mit --fix oder --diff: Maschinen mehrerer Teile können sich Listen teilen"};
 constexpr Sentence shard_baseline{
-    "--shard does not go with {option}, which counts the findings of all inputs; give the baseline to `axisc "
+    "--shard cannot be used with {option}, which counts the findings of all inputs; give the baseline to "
+    "`axisc "
     "merge`",
     "--shard geht nicht zusammen mit {option}, die die Befunde aller Eingaben zählt; die Baseline `axisc "
     "merge` geben"};

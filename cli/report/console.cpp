@@ -7,8 +7,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence stdout_closed_pipe{
-    "cannot write standard output: nobody reads the pipe any more",
-    "die Standardausgabe ist nicht schreibbar: niemand liest die Pipe mehr"};
+    "cannot write standard output: the reader closed the pipe",
+    "die Standardausgabe ist nicht schreibbar: die Gegenseite hat die Pipe geschlossen"};
 constexpr Sentence stdout_no_space{"cannot write standard output: no space is left",
                                    "die Standardausgabe ist nicht schreibbar: kein Speicherplatz mehr"};
 constexpr Sentence stdout_closed{"cannot write standard output: it is closed",

@@ -10,7 +10,7 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence json{"the plant file is no valid JSON here",
+constexpr Sentence json{"the plant file is not valid JSON here",
                         "die Streckendatei ist hier kein gültiges JSON"};
 constexpr Sentence axis{"there is no plant for axis {axis}", "für Achse {axis} gibt es keine Strecke"};
 

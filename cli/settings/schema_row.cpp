@@ -16,7 +16,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence name{
-    "\"{value}\" is no parameter name; write it as lists do, in lower case, with [] where an index stands: "
+    "\"{value}\" is not a parameter name; write it as in a list, in lower case, with [] in place of an "
+    "index: "
     "filter[].order",
     "\"{value}\" ist kein Parametername; Schreibweise wie in Listen, in Kleinbuchstaben, mit [] an der "
     "Stelle eines Index: filter[].order"};
@@ -51,8 +52,8 @@ constexpr Sentence number_names{"\"number_names\" are words with a number from 0
 constexpr Sentence symbols_type{"symbols are for STRING and BOOLEAN; {parameter} is of type {type}",
                                 "Symbole gelten für STRING und BOOLEAN; {parameter} hat den Typ {type}"};
 constexpr Sentence schema_default{
-    R"(the default "{value}" is no value of {parameter}; give it another "default")",
-    R"(die Vorgabe "{value}" ist kein Wert von {parameter}; eine andere ("default") angeben)"};
+    R"(the default "{value}" is not a valid value for {parameter}; give it another "default")",
+    R"(der Standardwert "{value}" ist kein gültiger Wert für {parameter}; einen anderen ("default") angeben)"};
 constexpr Sentence unit{R"(a unit is a text, or an object with "translatory" and "rotary")",
                         R"(eine Einheit ist ein Text oder ein Objekt mit "translatory" und "rotary")"};
 constexpr Sentence max_length{"\"max_length\" is a whole number from 1 to 255, for STRING alone",
