@@ -30,13 +30,15 @@ struct JudgedInput {
 // What follows may be called by several threads, and throws what has to end the whole run.
 
 /// Every finding goes to `take` as soon as it is written. `sources` receives every text read.
-[[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                                      ReportForm const& form, SourceSet& sources, TakeFinding const& take);
+[[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path,
+                                      configuration::Files& files, ReportFormat const& report_format,
+                                      SourceSet& sources, TakeFinding const& take);
 /// For who only wants the findings.
-[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                                       ReportForm const& form, TakeFinding const& take);
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
+                                       configuration::Files& files, ReportFormat const& report_format,
+                                       TakeFinding const& take);
 /// With the findings in the result.
-[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                                       ReportForm const& form);
+[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
+                                       configuration::Files& files, ReportFormat const& report_format);
 
 }  // namespace axisc::cli

@@ -2,8 +2,8 @@
 // know of them. No source text stays in memory, and the same bytes can be kept in a cache.
 #pragma once
 
-#include "cli/fleet/byte_stream.hpp"
 #include "cli/failure.hpp"
+#include "cli/fleet/byte_stream.hpp"
 #include "cli/options/report_format.hpp"
 #include "diagnostics/report_elements.hpp"
 
@@ -44,8 +44,8 @@ using TakeFinding = std::function<void(WrittenFinding const&)>;
 /// Writes the findings of one input, one after the other in output order. The sources may still grow.
 class FindingWriter {
  public:
-  FindingWriter(SourceSet const& sources, ReportForm const& form, TakeFinding take)
-      : sources_(sources), form_(form), take_(std::move(take)) {}
+  FindingWriter(SourceSet const& sources, ReportFormat const& report_format, TakeFinding take)
+      : sources_(sources), report_format_(report_format), take_(std::move(take)) {}
 
   void add(Finding const& finding);
   /// Of everything that was added.
@@ -55,7 +55,7 @@ class FindingWriter {
 
  private:
   SourceSet const& sources_;
-  ReportForm const& form_;
+  ReportFormat const& report_format_;
   TakeFinding take_;
   FindingCounts counts_;
   WrittenFinding written_;  ///< the last one, whose memory serves the next

@@ -12,9 +12,9 @@ namespace axisc::cli {
 
 struct CompileJob {
   CheckJob check;
-  CheckingWords const& words;
+  CheckingOptions const& checking;
   codegen::ImageOptions image;
-  ReportForm form;
+  ReportFormat report_format;
   codegen::KnownDesigns& designs;  ///< of all inputs of the run
 };
 

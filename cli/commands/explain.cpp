@@ -87,7 +87,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
                  .arguments = {{"word", word}, {"meant", meant}}});
 }
 
-enum class Form : std::uint8_t { markdown, json };
+enum class Format : std::uint8_t { markdown, json };
 
 /// What the user asked about.
 struct Subject {
@@ -134,11 +134,11 @@ std::string explain_markdown(schema::Catalogue const& catalogue, Subject const& 
 ExitStatus explain(Invocation const& invocation) {
   std::optional<std::string> word;
   bool all = false;
-  Form form = Form::markdown;
+  Format format = Format::markdown;
   CommandLine command_line("explain", says::purpose, says::examples, invocation.language);
   command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, says::argument_subject);
   command_line.flag("--all", all, says::option_all);
-  command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
+  command_line.choice("--format", {{"markdown", Format::markdown}, {"json", Format::json}}, format,
                       says::option_format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);
@@ -147,7 +147,7 @@ ExitStatus explain(Invocation const& invocation) {
   auto const language = invocation.language;
   // What the lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");
-  if (form == Form::json) {
+  if (format == Format::json) {
     auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);
     invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
   } else {

@@ -55,7 +55,7 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Form : std::uint8_t { text, json };
+enum class Format : std::uint8_t { text, json };
 /// Levels, and nothing.
 enum class Target : std::uint32_t {
   host = AXISRT_LEVEL_AUTOMATIC,
@@ -91,12 +91,13 @@ ExitStatus inspect(Invocation const& invocation) {
   std::optional<std::string> path;
   std::optional<std::string> axis;
   std::optional<std::string> key;
-  Form form = Form::text;
+  Format format = Format::text;
   Target target = Target::none;
   bool as_list = false;
   CommandLine command_line("inspect", says::purpose, says::examples, invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
-  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}}, form, says::option_format);
+  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
+                      says::option_format);
   command_line.value("--axis", "NAME", axis, says::option_axis);
   command_line.flag("--as-list", as_list, says::option_as_list);
   command_line.value("--key", "KEY.pub", key, says::option_public_key);
@@ -127,8 +128,8 @@ ExitStatus inspect(Invocation const& invocation) {
     }
     invocation.streams.out.write(inspect_as_list(shown, invocation.language));
   } else {
-    invocation.streams.out.write(form == Form::json ? inspect_json(shown)
-                                                    : inspect_text(shown, invocation.language));
+    invocation.streams.out.write(format == Format::json ? inspect_json(shown)
+                                                        : inspect_text(shown, invocation.language));
   }
   return ExitStatus::success;
 }

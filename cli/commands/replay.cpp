@@ -58,11 +58,11 @@ namespace axisc::cli {
 
 namespace {
 
-enum class ReplayForm : std::uint8_t { text, json };
+enum class ReplayFormat : std::uint8_t { text, json };
 
-struct ReplayWords {
+struct ReplayOptions {
   std::optional<std::string> image, recording, output;
-  ReplayForm form = ReplayForm::text;
+  ReplayFormat format = ReplayFormat::text;
 };
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
@@ -120,31 +120,32 @@ class CycleTable {
 }  // namespace
 
 ExitStatus replay(Invocation const& invocation) {
-  ReplayWords words;
+  ReplayOptions options;
   CommandLine command_line("replay", says::purpose, says::examples, invocation.language);
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.argument("RECORDING", words.recording, says::argument_recording);
-  command_line.value("-o,--output", "FILE.csv", words.output, says::option_output);
-  command_line.choice("--format", {{"text", ReplayForm::text}, {"json", ReplayForm::json}}, words.form,
-                      says::option_format);
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.argument("RECORDING", options.recording, says::argument_recording);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
+  command_line.choice("--format", {{"text", ReplayFormat::text}, {"json", ReplayFormat::json}},
+                      options.format, says::option_format);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  command_line.require(words.recording.has_value(), "RECORDING");
-  auto const image = load_image(*words.image);
-  auto recording = open_recording(*words.recording, image);
-  if (words.output) refuse_overwriting(*words.output, {*words.image, *words.recording});
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  command_line.require(options.recording.has_value(), "RECORDING");
+  auto const image = load_image(*options.image);
+  auto recording = open_recording(*options.recording, image);
+  if (options.output) refuse_overwriting(*options.output, {*options.image, *options.recording});
   std::optional<CycleTable> table;
-  if (words.output) table.emplace(*words.output, image.contents);
+  if (options.output) table.emplace(*options.output, image.contents);
   ReplayReport report(image.contents, invocation.language);
   image::ReplayedEntry entry;
   while (recording.next(entry)) {
     report.add(entry);
     if (table) table->add(entry);
   }
-  if (recording.damaged()) throw unusable_recording(*words.recording, AXISRT_BAD_RECORDING);
+  if (recording.damaged()) throw unusable_recording(*options.recording, AXISRT_BAD_RECORDING);
   if (table) table->commit();
   auto const level = recording.level();
-  invocation.streams.out.write(words.form == ReplayForm::json ? report.json(level) : report.text(level));
+  invocation.streams.out.write(options.format == ReplayFormat::json ? report.json(level)
+                                                                    : report.text(level));
   return report.differences() == 0 ? ExitStatus::success : ExitStatus::findings;
 }
 

@@ -87,7 +87,7 @@ constexpr std::uint64_t default_cycles = 256;
 constexpr std::uint64_t default_record_cycles = 1000;
 constexpr std::uint64_t most_record_cycles = 10'000'000;
 
-struct RunWords {
+struct RunOptions {
   std::optional<std::string> image;
   std::optional<std::string> input;
   std::optional<std::string> signal;
@@ -103,20 +103,20 @@ struct RunWords {
   bool quiet = false;
 };
 
-void declare(CommandLine& command_line, RunWords& words) {
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.value("--input", "FILE.csv", words.input, says::option_input);
-  command_line.value("--signal", "SIGNAL", words.signal, says::option_signal);
-  command_line.value("--amplitude", "A", words.amplitude, says::option_amplitude);
-  command_line.value("--cycles", "N", words.cycles, says::option_cycles);
-  command_line.value("--port", "setpoint|interface|velocity", words.port, says::option_port);
-  command_line.value("--reset", "POSITION", words.reset, says::option_reset);
-  command_line.values("--at", "CYCLE:COMMAND", words.commands, says::option_at);
-  command_line.value("--level", level_words, words.level, says::option_level);
-  command_line.value("-o,--output", "FILE.csv", words.output, says::option_csv_output);
-  command_line.value("--record", "FILE.axrd", words.record, says::option_record);
-  command_line.value("--record-cycles", "N", words.record_cycles, says::option_record_cycles);
-  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
+void declare(CommandLine& command_line, RunOptions& options) {
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.value("--input", "FILE.csv", options.input, says::option_input);
+  command_line.value("--signal", "SIGNAL", options.signal, says::option_signal);
+  command_line.value("--amplitude", "A", options.amplitude, says::option_amplitude);
+  command_line.value("--cycles", "N", options.cycles, says::option_cycles);
+  command_line.value("--port", "setpoint|interface|velocity", options.port, says::option_port);
+  command_line.value("--reset", "POSITION", options.reset, says::option_reset);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
+  command_line.value("--level", level_names, options.level, says::option_level);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_csv_output);
+  command_line.value("--record", "FILE.axrd", options.record, says::option_record);
+  command_line.value("--record-cycles", "N", options.record_cycles, says::option_record_cycles);
+  command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
 double number(std::optional<std::string> const& word, char const* option, double otherwise) {
@@ -138,34 +138,34 @@ std::uint64_t count(std::optional<std::string> const& word, char const* option, 
 }
 
 /// How many cycles shall be recorded; none without `--record`.
-std::optional<std::uint32_t> cycles_to_record(RunWords const& words) {
-  if (!words.record && words.record_cycles) {
+std::optional<std::uint32_t> cycles_to_record(RunOptions const& options) {
+  if (!options.record && options.record_cycles) {
     throw Failure({.sentence = says::record_missing, .arguments = {}});
   }
-  if (!words.record) return std::nullopt;
-  auto const cycles = count(words.record_cycles, "--record-cycles", default_record_cycles);
+  if (!options.record) return std::nullopt;
+  auto const cycles = count(options.record_cycles, "--record-cycles", default_record_cycles);
   if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
   throw Failure({.sentence = says::bad_count,
-                 .arguments = {{"option", "--record-cycles"}, {"value", *words.record_cycles}}});
+                 .arguments = {{"option", "--record-cycles"}, {"value", *options.record_cycles}}});
 }
 
-Port port_of(RunWords const& words) {
+Port port_of(RunOptions const& options) {
   for (auto const port : {Port::setpoint, Port::interface, Port::velocity}) {
-    if (!words.port || *words.port == port_name(port)) return port;
+    if (!options.port || *options.port == port_name(port)) return port;
   }
   throw Failure(
       {.sentence = says::bad_choice,
        .arguments = {
-           {"option", "--port"}, {"value", *words.port}, {"choices", "setpoint, interface, velocity"}}});
+           {"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
 }
 
 /// What belongs to --signal says nothing about a file.
-void refuse_mixture(RunWords const& words) {
-  if (!words.input) return;
-  for (auto const& [given, option] : {std::pair(words.signal.has_value(), "--signal"),
-                                      {words.amplitude.has_value(), "--amplitude"},
-                                      {words.cycles.has_value(), "--cycles"},
-                                      {words.port.has_value(), "--port"}}) {
+void refuse_mixture(RunOptions const& options) {
+  if (!options.input) return;
+  for (auto const& [given, option] : {std::pair(options.signal.has_value(), "--signal"),
+                                      {options.amplitude.has_value(), "--amplitude"},
+                                      {options.cycles.has_value(), "--cycles"},
+                                      {options.port.has_value(), "--port"}}) {
     if (given) throw Failure({.sentence = says::signal_and_input, .arguments = {{"option", option}}});
   }
 }
@@ -187,20 +187,20 @@ ByteSource open_source(std::string const& path) {
   };
 }
 
-std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, image::ImageContents const& image) {
-  if (words.input) return std::make_unique<CsvStimulus>(image, *words.input, open_source(*words.input));
-  auto const text = words.signal.value_or("step");
+std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageContents const& image) {
+  if (options.input) return std::make_unique<CsvStimulus>(image, *options.input, open_source(*options.input));
+  auto const text = options.signal.value_or("step");
   auto const signal = Signal::parse(text);
   if (!signal) throw Failure({.sentence = says::bad_signal, .arguments = {{"value", text}}});
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
-                                   .amplitude = number(words.amplitude, "--amplitude", 1),
-                                   .cycles = count(words.cycles, "--cycles", default_cycles),
-                                   .port = port_of(words)});
+                                   .amplitude = number(options.amplitude, "--amplitude", 1),
+                                   .cycles = count(options.cycles, "--cycles", default_cycles),
+                                   .port = port_of(options)});
   if (stimulus->channels().empty()) {
     SentenceRef const text_of_port =
-        port_of(words) == Port::velocity ? says::no_velocities : says::no_interface_filter;
-    throw Failure({.sentence = text_of_port, .arguments = {{"file", *words.image}}});
+        port_of(options) == Port::velocity ? says::no_velocities : says::no_interface_filter;
+    throw Failure({.sentence = text_of_port, .arguments = {{"file", *options.image}}});
   }
   return stimulus;
 }
@@ -223,33 +223,33 @@ void report(Occurrences const& occurrences, SentenceRef text, Invocation const& 
 }  // namespace
 
 ExitStatus run(Invocation const& invocation) {
-  RunWords words;
+  RunOptions options;
   CommandLine command_line("run", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  refuse_mixture(words);
-  auto const port = port_of(words);
-  double const position = number(words.reset, "--reset", 0);
-  auto const recorded_cycles = cycles_to_record(words);
-  auto const file = load_image(*words.image);
-  auto const stimulus = make_stimulus(words, file.contents);
-  Execution execution(*words.image, start_runtime(*words.image, file, level_of(words.level)), file.contents,
-                      *stimulus,
-                      read_timed_commands(words.commands, file, *words.image, invocation.language));
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  refuse_mixture(options);
+  auto const port = port_of(options);
+  double const position = number(options.reset, "--reset", 0);
+  auto const recorded_cycles = cycles_to_record(options);
+  auto const file = load_image(*options.image);
+  auto const stimulus = make_stimulus(options, file.contents);
+  Execution execution(*options.image, start_runtime(*options.image, file, level_of(options.level)),
+                      file.contents, *stimulus,
+                      read_timed_commands(options.commands, file, *options.image, invocation.language));
   if (recorded_cycles) execution.record(*recorded_cycles);
   execution.reset(position, port);
   Noticed noticed;
-  if (words.output) {
-    OutputFile target(*words.output);
+  if (options.output) {
+    OutputFile target(*options.output);
     noticed = execution.go([&target](std::string_view text) { target.write(text); });
     target.commit();
   } else {
     noticed = execution.go([&out](std::string_view text) { out.write(text); });
   }
-  if (words.record) write_recording(*words.record, execution.recording());
-  if (words.quiet) return ExitStatus::success;
+  if (options.record) write_recording(*options.record, execution.recording());
+  if (options.quiet) return ExitStatus::success;
   report(noticed.refused, says::refused_setpoints, invocation);
   report(noticed.jumps, says::jumps, invocation);
   return ExitStatus::success;

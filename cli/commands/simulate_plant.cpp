@@ -144,14 +144,14 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
     file.commit();
   }
   auto& out = invocation.streams.out;
-  switch (request.form) {
-    case SimulateForm::text:
+  switch (request.format) {
+    case SimulateFormat::text:
       out.write(plant_text(figures, invocation.language));
       break;
-    case SimulateForm::csv:
+    case SimulateFormat::csv:
       out.write(plant_csv(without, with, T));
       break;
-    case SimulateForm::json:
+    case SimulateFormat::json:
       out.write(plant_json(figures));
       break;
   }

@@ -168,15 +168,15 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
     filed.emplace(path, [&file](std::string_view text) { file->write(text); });
     recorder.cycles.push_back(&*filed);
   }
-  switch (request.form) {
-    case SimulateForm::csv:
+  switch (request.format) {
+    case SimulateFormat::csv:
       printed.emplace(path, to_output);
       recorder.cycles.push_back(&*printed);
       break;
-    case SimulateForm::json:
+    case SimulateFormat::json:
       recorder.summary = json_summary(path, to_output);
       break;
-    case SimulateForm::text:
+    case SimulateFormat::text:
       recorder.summary = text_summary(path, invocation.language, to_output);
       break;
   }

@@ -40,7 +40,7 @@ enum class Port : std::uint8_t { setpoint, interface, velocity };
 [[nodiscard]] std::string_view port_name(Port port);
 
 /// Words of `--level`, for help and messages.
-inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
+inline constexpr std::string_view level_names = "portable|auto|v2|v3|v4|neon";
 
 /// The axisrt_level that a word of `--level` means; portable without one, because its results are the same everywhere.
 /// Failure for another word.
@@ -49,6 +49,6 @@ inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
 /// The runtime for an image that was loaded, at an axisrt_level. Failure AX9004 where this processor fails its self-tests,
 /// another one where it does not have that level.
 [[nodiscard]] image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
-                                                 std::uint32_t level = AXISRT_LEVEL_PORTABLE);
+                                               std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 
 }  // namespace axisc::cli

@@ -11,7 +11,7 @@ namespace axisc::cli {
 
 /// Program, options and form: what decides about the result of an input beside its settings and the files. Relative names
 /// in formats of code hosts begin at the repository, so its folder counts in them.
-[[nodiscard]] Digest run_digest(CheckJob const& job, ReportForm const& form);
+[[nodiscard]] Digest run_digest(CheckJob const& job, ReportFormat const& report_format);
 
 /// The same for one input, with its settings and schema files.
 [[nodiscard]] Digest input_digest(Digest const& run, CheckJob const& job, std::string const& path);

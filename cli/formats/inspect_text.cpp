@@ -52,7 +52,7 @@ namespace axisc::cli {
 
 namespace {
 
-class TextForm : public InspectWriter {
+class InspectText : public InspectWriter {
  public:
   using InspectWriter::InspectWriter;
 
@@ -168,10 +168,10 @@ class TextForm : public InspectWriter {
 }  // namespace
 
 std::string inspect_text(Shown const& shown, Language language) {
-  TextForm const form(shown.image, language);
-  std::string text = form.header(shown);
-  for (auto const index : shown.axes) text += "\n" + form.axis(index);
-  text += form.kernels_text(shown.axes) + form.channels_text(shown.axes);
+  InspectText const text_writer(shown.image, language);
+  std::string text = text_writer.header(shown);
+  for (auto const index : shown.axes) text += "\n" + text_writer.axis(index);
+  text += text_writer.kernels_text(shown.axes) + text_writer.channels_text(shown.axes);
   return text;
 }
 

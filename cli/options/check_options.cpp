@@ -78,23 +78,23 @@ machine::AxisType parse_axis_type(std::string const& word) {
 
 }  // namespace
 
-void declare_checking(CommandLine& command_line, CheckingWords& words) {
-  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
-  command_line.value("--axis-type", "T|R|S", words.axis_type, says::option_axis_type);
-  command_line.value("--build", "VERSION", words.build, says::option_build);
+void declare_checking(CommandLine& command_line, CheckingOptions& options) {
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.value("--axis-type", "T|R|S", options.axis_type, says::option_axis_type);
+  command_line.value("--build", "VERSION", options.build, says::option_build);
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
                        {"json", FindingFormat::json},
                        {"sarif", FindingFormat::sarif},
                        {"github", FindingFormat::github},
                        {"gitlab", FindingFormat::gitlab}},
-                      words.format, says::option_finding_format);
-  command_line.flag("--werror", words.werror, says::option_werror);
-  command_line.values("--disable", "CODE[,CODE]", words.disabled, says::option_disable);
-  declare_schema(command_line, words.schema_files);
-  command_line.flag("--pedantic", words.pedantic, says::option_pedantic);
-  declare_threads(command_line, words.threads);
-  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
+                      options.format, says::option_finding_format);
+  command_line.flag("--werror", options.werror, says::option_werror);
+  command_line.values("--disable", "CODE[,CODE]", options.disabled, says::option_disable);
+  declare_schema(command_line, options.schema_files);
+  command_line.flag("--pedantic", options.pedantic, says::option_pedantic);
+  declare_threads(command_line, options.threads);
+  command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
@@ -112,16 +112,16 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
   return time;
 }
 
-validator::CheckOptions check_options(CheckingWords const& words) {
+validator::CheckOptions check_options(CheckingOptions const& given) {
   validator::CheckOptions options;
-  options.pedantic = words.pedantic;
-  options.cycle_time = asked_cycle_time(words.cycle_time);
-  if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
-  if (words.build) {
-    options.build = validator::parse_build_version(*words.build);
-    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *words.build}}});
+  options.pedantic = given.pedantic;
+  options.cycle_time = asked_cycle_time(given.cycle_time);
+  if (given.axis_type) options.axis_type = parse_axis_type(*given.axis_type);
+  if (given.build) {
+    options.build = validator::parse_build_version(*given.build);
+    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *given.build}}});
   }
-  for (auto const& list : words.disabled) {
+  for (auto const& list : given.disabled) {
     for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
   }
   return options;
@@ -141,8 +141,8 @@ unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks) {
   return tasks <= 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
-bool objectionable(CheckingWords const& words, FindingCounts const& counts) {
-  return counts.errors > 0 || (words.werror && counts.warnings > 0);
+bool objectionable(CheckingOptions const& options, FindingCounts const& counts) {
+  return counts.errors > 0 || (options.werror && counts.warnings > 0);
 }
 
 }  // namespace axisc::cli

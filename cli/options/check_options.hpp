@@ -14,7 +14,7 @@ namespace axisc::cli {
 enum class FindingFormat : std::uint8_t { text, json, sarif, github, gitlab };
 
 /// As the user wrote them.
-struct CheckingWords {
+struct CheckingOptions {
   std::optional<std::string> cycle_time;
   std::optional<std::string> axis_type;
   std::optional<std::string> build;
@@ -27,7 +27,7 @@ struct CheckingWords {
   FindingFormat format = FindingFormat::text;
 };
 
-void declare_checking(CommandLine& command_line, CheckingWords& words);
+void declare_checking(CommandLine& command_line, CheckingOptions& options);
 /// `--schema FILE`, which every command that reads lists has.
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 
@@ -35,7 +35,7 @@ void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 [[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
 
 /// Failure for a value that means nothing.
-[[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
+[[nodiscard]] validator::CheckOptions check_options(CheckingOptions const& given);
 
 /// `-j N`, which every command that works on several inputs has.
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
@@ -47,6 +47,6 @@ void declare_threads(CommandLine& command_line, std::optional<std::string>& thre
 [[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
 
 /// True when the findings shall end the program with exit status 1.
-[[nodiscard]] bool objectionable(CheckingWords const& words, FindingCounts const& counts);
+[[nodiscard]] bool objectionable(CheckingOptions const& options, FindingCounts const& counts);
 
 }  // namespace axisc::cli

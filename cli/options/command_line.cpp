@@ -126,7 +126,14 @@ bool is_about(std::string_view complaint, std::string_view name) {
 }  // namespace
 
 /// What follows an option's name; an argument has none.
-enum class CommandLine::Takes : std::uint8_t { argument, arguments, nothing, word_or_nothing, value, values };
+enum class CommandLine::Takes : std::uint8_t {
+  argument,
+  arguments,
+  nothing,
+  value_or_nothing,
+  value,
+  values
+};
 
 struct CommandLine::Declared {
   Takes takes{};
@@ -189,10 +196,10 @@ void CommandLine::flag(std::string_view names, bool& target, SentenceRef meaning
   };
 }
 
-void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
-                                 std::optional<std::string>& target, SentenceRef meaning) {
+void CommandLine::flag_with_value(std::string_view names, std::string_view shown,
+                                  std::optional<std::string>& target, SentenceRef meaning) {
   // The parser's word for a flag that stands alone.
-  declare(Takes::word_or_nothing, names, shown, meaning).take =
+  declare(Takes::value_or_nothing, names, shown, meaning).take =
       [&target](std::vector<std::string> const& given) {
         target = given.back() == "true" ? std::string() : given.back();
       };
@@ -241,7 +248,7 @@ void CommandLine::build(Declared& row) {
     case Takes::nothing:
       row.option = app.add_flag(row.names)->disable_flag_override();
       break;
-    case Takes::word_or_nothing:
+    case Takes::value_or_nothing:
       row.option = app.add_flag(row.names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
       break;
     case Takes::value:

@@ -40,8 +40,8 @@ class CommandLine {
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
              SentenceRef meaning);
   /// A flag that may carry a word, only behind "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
-  void flag_with_word(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-                      SentenceRef meaning);
+  void flag_with_value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                       SentenceRef meaning);
   /// An option that may be repeated.
   void values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
               SentenceRef meaning);

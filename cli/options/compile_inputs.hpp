@@ -1,8 +1,8 @@
 // What `axisc compile` compiles, and where the images go.
 #pragma once
 
-#include "cli/options/compile_options.hpp"
 #include "cli/failure.hpp"
+#include "cli/options/compile_options.hpp"
 
 #include <string>
 #include <vector>
@@ -16,6 +16,6 @@ struct CompileInputs {
 };
 
 /// Failure for inputs that no image can be made of, and for names that two images would have.
-[[nodiscard]] CompileInputs choose_inputs(CompileWords const& words);
+[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options);
 
 }  // namespace axisc::cli

@@ -46,37 +46,38 @@ constexpr Sentence argument_compile_inputs{
 
 namespace axisc::cli {
 
-void declare(CommandLine& command_line, CompileWords& words) {
-  command_line.arguments("INPUT...", words.inputs, says::argument_compile_inputs);
-  command_line.value("-o,--output", "OUT.axim", words.output, says::option_image_output);
-  command_line.value("--output-folder", "FOLDER", words.output_folder, says::option_output_folder);
-  command_line.value("--input-folder", "FOLDER", words.input_folder, says::option_input_folder);
-  command_line.value("--depfile", "FILE", words.depfile, says::option_depfile);
-  command_line.flag("--strip", words.strip, says::option_strip);
-  command_line.value("--image-version", "N", words.image_version, says::option_image_version);
-  declare_checking(command_line, words.checking);
-  declare_fleet(command_line, words.fleet);
+void declare(CommandLine& command_line, CompileOptions& options) {
+  command_line.arguments("INPUT...", options.inputs, says::argument_compile_inputs);
+  command_line.value("-o,--output", "OUT.axim", options.output, says::option_image_output);
+  command_line.value("--output-folder", "FOLDER", options.output_folder, says::option_output_folder);
+  command_line.value("--input-folder", "FOLDER", options.input_folder, says::option_input_folder);
+  command_line.value("--depfile", "FILE", options.depfile, says::option_depfile);
+  command_line.flag("--strip", options.strip, says::option_strip);
+  command_line.value("--image-version", "N", options.image_version, says::option_image_version);
+  declare_checking(command_line, options.checking);
+  declare_fleet(command_line, options.fleet);
 }
 
-void require_sense(CommandLine const& command_line, CompileWords const& words) {
-  command_line.require(!words.inputs.empty(), "INPUT");
-  if (words.output && words.output_folder) throw Failure({.sentence = says::two_outputs, .arguments = {}});
-  if (words.is_batch()) return;
-  for (auto const& [given, option] : {std::pair(words.input_folder.has_value(), "--input-folder"),
-                                      {words.fleet.shard.has_value(), "--shard"}}) {
+void require_sense(CommandLine const& command_line, CompileOptions const& options) {
+  command_line.require(!options.inputs.empty(), "INPUT");
+  if (options.output && options.output_folder)
+    throw Failure({.sentence = says::two_outputs, .arguments = {}});
+  if (options.is_batch()) return;
+  for (auto const& [given, option] : {std::pair(options.input_folder.has_value(), "--input-folder"),
+                                      {options.fleet.shard.has_value(), "--shard"}}) {
     if (given) throw Failure({.sentence = says::needs_output_folder, .arguments = {{"option", option}}});
   }
-  if (words.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
-  command_line.require(words.output || words.fleet.print_key, "-o");
+  if (options.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
+  command_line.require(options.output || options.fleet.print_key, "-o");
 }
 
-codegen::ImageOptions image_options(CompileWords const& words) {
+codegen::ImageOptions image_options(CompileOptions const& given) {
   codegen::ImageOptions options;
-  options.strip = words.strip;
-  if (!words.image_version) return options;
-  auto const version = parse_count(*words.image_version);
+  options.strip = given.strip;
+  if (!given.image_version) return options;
+  auto const version = parse_count(*given.image_version);
   if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {
-    throw Failure({.sentence = says::bad_image_version, .arguments = {{"value", *words.image_version}}});
+    throw Failure({.sentence = says::bad_image_version, .arguments = {{"value", *given.image_version}}});
   }
   options.image_version = static_cast<std::uint32_t>(*version);
   return options;

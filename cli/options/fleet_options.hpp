@@ -1,14 +1,14 @@
 // Options of commands that work on many inputs: shards, keys, caches.
 #pragma once
 
-#include "cli/options/command_line.hpp"
-#include "cli/report/console.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/report/progress.hpp"
 #include "cli/fleet/result_cache.hpp"
 #include "cli/fleet/run_key.hpp"
 #include "cli/fleet/shard.hpp"
 #include "cli/fleet/shard_record.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/report/console.hpp"
+#include "cli/report/progress.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -18,7 +18,7 @@
 
 namespace axisc::cli {
 
-struct FleetWords {
+struct FleetOptions {
   std::optional<std::string> shard;
   std::optional<std::string> cache;
   std::optional<std::string> cache_size;
@@ -27,7 +27,7 @@ struct FleetWords {
   [[nodiscard]] bool asks_for_digests() const { return shard || cache || print_key; }
 };
 
-void declare_fleet(CommandLine& command_line, FleetWords& words);
+void declare_fleet(CommandLine& command_line, FleetOptions& options);
 
 /// The inputs that this run looks at, with their places among all of them.
 struct Part {
@@ -40,7 +40,7 @@ struct Part {
 };
 
 /// Failure for a shard that means nothing.
-[[nodiscard]] Part choose_part(FleetWords const& words, std::vector<std::string> paths);
+[[nodiscard]] Part choose_part(FleetOptions const& options, std::vector<std::string> paths);
 /// Failures that came before any input was read belong to the first shard, so that they are reported once.
 [[nodiscard]] bool reports_names(Part const& part);
 
@@ -49,9 +49,9 @@ struct Part {
                                                       CheckJob const& job, bool werror);
 
 /// The cache that was asked for; where it cannot be used a warning says so, and there is none.
-[[nodiscard]] std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err,
+[[nodiscard]] std::unique_ptr<ResultCache> open_cache(FleetOptions const& options, Console& err,
                                                       Language language);
-void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, Console& err,
+void finish_cache(std::unique_ptr<ResultCache> cache, FleetOptions const& options, Console& err,
                   Language language);
 
 }  // namespace axisc::cli

@@ -1,8 +1,8 @@
 // The command line of `axisc lint`.
 #pragma once
 
-#include "cli/options/check_options.hpp"
 #include "cli/checking/fixing.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/fleet_options.hpp"
 
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace axisc::cli {
 
-struct LintWords {
-  CheckingWords checking;
-  FleetWords fleet;
+struct LintOptions {
+  CheckingOptions checking;
+  FleetOptions fleet;
   std::vector<std::string> named;
   std::optional<std::string> baseline;
   std::optional<std::string> write_baseline;
@@ -24,11 +24,11 @@ struct LintWords {
   bool print_config = false;
 };
 
-void declare(CommandLine& command_line, LintWords& words);
+void declare(CommandLine& command_line, LintOptions& options);
 /// Failure for words that do not go together.
-void require_sense(CommandLine const& command_line, LintWords const& words);
-[[nodiscard]] FixChoice fix_choice(LintWords const& words);
+void require_sense(CommandLine const& command_line, LintOptions const& options);
+[[nodiscard]] FixChoice fix_choice(LintOptions const& options);
 /// What this run does not look for cannot be missing.
-[[nodiscard]] bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code);
+[[nodiscard]] bool is_judged(LintOptions const& given, validator::CheckOptions const& options, Code code);
 
 }  // namespace axisc::cli

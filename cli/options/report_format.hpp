@@ -9,7 +9,7 @@
 
 namespace axisc::cli {
 
-struct ReportForm {
+struct ReportFormat {
   FindingFormat format = FindingFormat::text;
   WriteOptions write;
   ReportContext context;
@@ -22,7 +22,7 @@ struct ReportForm {
 
 /// One finding behind `text`, with holes (report_elements.hpp) where it depends on the others.
 void append_element(std::string& text, Finding const& finding, SourceSet const& sources,
-                    ReportForm const& form);
+                    ReportFormat const& report_format);
 
 /// Findings as text, an empty line behind each.
 [[nodiscard]] std::string texts_of(std::vector<Finding> const& findings, SourceSet const& sources,

@@ -4,8 +4,8 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/checked_input.hpp"
-#include "cli/report/console.hpp"
 #include "cli/fleet/shard_record.hpp"
+#include "cli/report/console.hpp"
 #include "cli/report/spool.hpp"
 
 #include <functional>
@@ -20,7 +20,7 @@
 namespace axisc::cli {
 
 struct ReportPlan {
-  ReportForm form;
+  ReportFormat report_format;
   bool quiet = false;
   bool statistics = false;
   bool counts_always = false;        ///< the last line of the text form also where nothing was found

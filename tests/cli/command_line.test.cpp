@@ -147,7 +147,7 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   auto const given = [](std::vector<std::string> const& arguments) {
     Given words;
     CommandLine line("lint", purpose, examples, Language::english);
-    line.flag_with_word("--fix", "all", words.word, option_fix);
+    line.flag_with_value("--fix", "all", words.word, option_fix);
     line.value("-o,--output", "FILE", words.output, option_image_output);
     line.value("--output-folder", "FOLDER", words.folder, option_image_output);
     line.flag("-q,--quiet", words.quiet, option_quiet);
