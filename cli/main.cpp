@@ -127,7 +127,7 @@ std::string help(Language language) {
          help_row("--lang en|de", say(cli::says::option_lang)) + "\n" + say(cli::says::examples) + "\n";
 }
 
-/// Index of the command word: the first word that is no option (nor the value of one that every command knows).
+/// Index of the command: the first argument that is not an option (nor the value of one that every command has).
 std::size_t find_command(std::vector<std::string> const& arguments) {
   std::size_t i = 0;
   while (i < arguments.size() && arguments[i].substr(0, 1) == "-") {
@@ -167,7 +167,7 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
 }
 
-/// The exception that is being handled, as one line.
+/// The current exception as one line.
 std::string failure_line(Language language) {
   try {
     throw;

@@ -49,7 +49,7 @@ using Bytes = std::variant<std::string, FileError>;
 
 constexpr std::size_t first_piece = std::size_t{1} << 16U;
 constexpr std::size_t largest_piece = std::size_t{1} << 24U;
-/// Of a file that is not kept: larger ones are no faster.
+/// Block size for a file that is not kept in memory: larger blocks are not faster.
 constexpr std::size_t block_size = std::size_t{1} << 16U;
 
 FileError error_of(system::Error const& error) {
@@ -65,8 +65,8 @@ FileError error_of(system::Error const& error) {
   }
 }
 
-/// The end of the file decides, whatever size it is said to have. A byte more than that is asked for: a file that gives just
-/// its size has come to its end, and need not be asked again.
+/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so that a file
+/// of just that size needs no second call.
 Bytes read_all(system::File const& file, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;

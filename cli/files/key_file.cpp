@@ -71,7 +71,7 @@ class NewFile {
   bool kept_ = false;
 };
 
-/// What is read of a key file, wiped afterwards.
+/// The content of a key file, wiped afterwards.
 class KeyText {
  public:
   explicit KeyText(system::File const& file) {

@@ -110,12 +110,12 @@ void OutputFile::take(system::Result<system::File> opened) {
 }
 
 void OutputFile::open_beside(system::FileStatus const* old) {
-  // Renaming needs no right to write the old file, but a write protection is meant.
+  // Renaming does not need write permission for the old file, but its write protection shall be respected.
   if (old != nullptr) require(system::refuses_writing(target_));
   std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {
     system::WithoutInterruption const made_and_remembered;
-    // In the place of an old file nobody shall read more than before.
+    // The new file is not readable by more users than the old one.
     take(system::File::create(name, old != nullptr ? system::Privacy::owner : system::Privacy::usual));
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());

@@ -113,7 +113,7 @@ void put_figures(ordered_json& json, GroupContour const& group, ContourFigures c
   json["contour_deviation_um"] = figures.deviation / units_per_um;
 }
 
-/// The corner's figures stand directly in the case, the others under their names.
+/// The corner's figures are direct members of the case, the others are objects by name.
 void put_case(ordered_json& json, ShownContour const& shown, GroupContour const& group,
               ContourCase const& row) {
   json["feed_mm_per_min"] = row.feed_mm_per_min;

@@ -47,7 +47,7 @@ class Lines {
     return render({.sentence = text, .arguments = std::move(arguments)}, language_);
   }
 
-  /// What concerns the machine as a whole.
+  /// Changes of the machine as a whole.
   [[nodiscard]] std::vector<Line> machine() const {
     auto const& difference = shown_.difference;
     std::vector<Line> lines;

@@ -116,7 +116,7 @@ bool is_named(std::string_view names, std::span<std::string const> words) {
   });
 }
 
-/// The parser's complaints begin with a name; behind it others may go on.
+/// The parser's messages begin with a name, followed by a colon, a blank, or nothing.
 bool is_about(std::string_view complaint, std::string_view name) {
   if (!complaint.starts_with(name)) return false;
   std::string_view const rest = complaint.substr(name.size());
@@ -198,7 +198,7 @@ void CommandLine::flag(std::string_view names, bool& target, SentenceRef meaning
 
 void CommandLine::flag_with_value(std::string_view names, std::string_view shown,
                                   std::optional<std::string>& target, SentenceRef meaning) {
-  // The parser's word for a flag that stands alone.
+  // The parser gives "true" for a flag without a value.
   declare(Takes::value_or_nothing, names, shown, meaning).take =
       [&target](std::vector<std::string> const& given) {
         target = given.back() == "true" ? std::string() : given.back();
@@ -301,7 +301,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
   for (auto& row : parser_->declared) {
     if (row.names.empty() || is_named(row.names, arguments)) build(row);
   }
-  // The parser takes them from the back.
+  // The parser reads the vector from its end.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     parser_->app.parse(reversed);

@@ -20,7 +20,7 @@ void refuse_programs(std::vector<std::string> const& paths) {
   }
 }
 
-/// A name of the command line, or the only one of a response file. Whatever else it is shows when it is read.
+/// A name from the command line, or the only one in a response file. What kind of file it is shows when it is read.
 CompileInputs choose_one(CompileOptions const& options) {
   auto named = options.inputs;
   if (named.front().starts_with('@')) {
@@ -37,7 +37,7 @@ CompileInputs choose_one(CompileOptions const& options) {
 
 CompileInputs choose_batch(CompileOptions const& options) {
   auto inputs = expand_inputs(options.inputs);
-  // In folders NC programs lie beside lists; named by hand they are a misunderstanding.
+  // NC programs found in folders are skipped; one that the command line names is a mistake.
   std::erase_if(inputs.paths, [&options](std::string const& path) {
     bool const is_named =
         std::find(options.inputs.begin(), options.inputs.end(), path) != options.inputs.end();

@@ -26,9 +26,9 @@ struct CompileOptions {
 };
 
 void declare(CommandLine& command_line, CompileOptions& options);
-/// Failure for words that do not go together.
+/// Failure for options that exclude each other.
 void require_sense(CommandLine const& command_line, CompileOptions const& options);
-/// Failure for a value that means nothing.
+/// Failure for an invalid value.
 [[nodiscard]] codegen::ImageOptions image_options(CompileOptions const& given);
 
 }  // namespace axisc::cli

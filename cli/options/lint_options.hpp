@@ -25,10 +25,10 @@ struct LintOptions {
 };
 
 void declare(CommandLine& command_line, LintOptions& options);
-/// Failure for words that do not go together.
+/// Failure for options that exclude each other.
 void require_sense(CommandLine const& command_line, LintOptions const& options);
 [[nodiscard]] FixChoice fix_choice(LintOptions const& options);
-/// What this run does not look for cannot be missing.
+/// True if this run looks for the code: only then can a baseline entry for it be stale.
 [[nodiscard]] bool is_judged(LintOptions const& given, validator::CheckOptions const& options, Code code);
 
 }  // namespace axisc::cli

@@ -28,7 +28,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// 'it'\''s' is it's, as shells read it.
+/// 'it'\''s' means it's, as in a shell.
 std::string without_quotes(std::string_view name) {
   if (name.size() < 2 || !name.starts_with('\'') || !name.ends_with('\'')) return std::string(name);
   std::string plain(name.substr(1, name.size() - 2));

@@ -42,7 +42,7 @@ namespace {
   throw Failure({.sentence = text, .arguments = std::move(arguments)});
 }
 
-/// "ON, ON [ORDER=20], ON [HSC]": what the image's channels can be switched to, each once.
+/// "ON, ON [ORDER=20], ON [HSC]": the commands that the image's channels can execute, each once.
 std::string banks_of(image::ImageContents const& image) {
   std::vector<std::string> banks;
   for (auto const& group : image.groups) {

@@ -24,7 +24,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// Large enough that writing costs nothing beside what is written, small enough to stay in the processor's caches.
+/// Large enough that system calls do not matter, small enough to stay in the processor's caches.
 constexpr std::size_t piece = std::size_t{1} << 15U;
 
 SentenceRef reason(system::Refusal refusal) {
@@ -43,7 +43,7 @@ SentenceRef reason(system::Refusal refusal) {
 }  // namespace
 
 void Console::write(std::string_view text) {
-  // All at once: a buffer that grew step by step would touch twice the memory.
+  // Reserved at once: a buffer that grew step by step would touch twice the memory.
   if (buffer_.capacity() < piece) buffer_.reserve(2 * piece);
   buffer_ += text;
   if (buffer_.size() >= piece) flush();

@@ -54,7 +54,7 @@ void ReportStream::add(WrittenFinding const& finding) {
 }
 
 std::size_t ReportStream::number_of(Artifact const& artifact) {
-  // Machines name one list in many ways.
+  // Different machines may name the same list by different paths.
   auto const path = shown_path(plan_.report_format.context.paths, artifact.name);
   auto const [number, is_new] = artifact_numbers_.try_emplace(path, artifacts_.size());
   if (is_new) artifacts_.push_back(artifact);
@@ -86,7 +86,7 @@ void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence
   auto const format = plan_.report_format.format;
   bool const has_elements = std::exchange(has_elements_, true);
   if (format == FindingFormat::sarif) {
-    // The holes of the rules stay: which rules are listed is known at the end.
+    // Rule indices stay as holes: which rules are listed is known only at the end.
     std::string filled = finding.text;
     auto const number = std::to_string(occurrence);
     for (auto at = filled.find(occurrence_hole); at != std::string::npos; at = filled.find(occurrence_hole)) {

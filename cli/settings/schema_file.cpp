@@ -55,7 +55,7 @@ Span name_of(LocatedFile const& file, Entry const& entry) {
   return file.find(entry.json, "name")->span;
 }
 
-/// Entries whose sizes differ from those that are known get slots of their own.
+/// Entries whose sizes differ from the known ones get slots of their own.
 void require_room(LocatedFile const& file, schema::Catalogue const& catalogue,
                   std::vector<Entry> const& entries) {
   std::size_t slots = catalogue.slot_count();

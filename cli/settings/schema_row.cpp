@@ -219,7 +219,7 @@ class EntryReader {
   }
 
  private:
-  /// Of a key's value; of the name where the entry does not have the key.
+  /// Position of a key's value; of the name if the entry does not have the key.
   [[nodiscard]] Span span_of(std::string_view key) const {
     auto const* const value = file_.find(entry_, key);
     return value == nullptr ? file_.find(entry_, "name")->span : value->span;
@@ -229,7 +229,7 @@ class EntryReader {
     for (auto const& known : catalogue_.parameters()) {
       if (known.name == wanted) return &known;
     }
-    // Most names exist with one set of indices; lists mean the same parameter by all of them.
+    // A name is known with one set of indices, and lists may spell it with any of them.
     for (auto const& known : catalogue_.parameters()) {
       if (schema::without_brackets(known.name) != schema::without_brackets(wanted)) continue;
       file_.refuse(span_of("name"), says::shape, {{"value", wanted}, {"known", std::string(known.name)}});
@@ -249,7 +249,7 @@ class EntryReader {
                   {"value", problem.value}});
   }
 
-  /// Known arrays can grow, unless images have their entries.
+  /// Known arrays can grow, unless images contain their entries.
   void require_room(schema::Parameter const& known, schema::ParameterRow const& row) const {
     if (known.array == row.array) return;
     std::vector<Argument> const arguments{{"parameter", row.name}, {"size", sizes_text(known.array)}};
