@@ -116,7 +116,7 @@ class Checker {
         JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}});
   }
 
-  /// The shape's own sentence, or the general one.
+  /// The shape's own sentence, otherwise the general one.
   JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, std::string value,
                       SentenceRef general) {
     std::vector<Argument> arguments{{"key", std::string(key)}, {"value", std::move(value)}};

@@ -166,7 +166,7 @@ class MachineFileReader {
     finding.fix = std::move(fix);
   }
 
-  /// Leaves out repeated axes and those without name or list; all names are known from here on.
+  /// Leaves out repeated axes and those without name or list; afterwards all names are known.
   void require_distinct_axes(std::vector<MachineFileAxis>& axes) {
     auto const leave_out = [&](MachineFileAxis const& axis) {
       if (axis.name.text.empty()) return true;

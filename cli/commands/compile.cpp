@@ -65,7 +65,7 @@ std::string summary(WrittenImage const& image, std::string const& path, Language
          "\n";
 }
 
-/// One compile: the words of the command line, and what they lead to.
+/// One execution of `axisc compile`.
 class Compile {
  public:
   Compile(CompileOptions const& options, Language language, bool color, Streams& streams)
@@ -130,7 +130,7 @@ class Compile {
                                                                     : ExitStatus::success;
   }
 
-  /// Everything but the input that decides about an image and what is printed with it.
+  /// Everything but the input that an image and its messages depend on.
   [[nodiscard]] Digest image_digest() const {
     Hasher hasher;
     hasher.text("compile");
@@ -193,7 +193,7 @@ class Compile {
     return result;
   }
 
-  /// Settings and schema files decide what a list may say, so a build system has to watch them too.
+  /// Settings and schema files affect the result, so a build system must watch them too.
   [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
     std::vector<std::string> files;
     if (auto const* const settings = settings_.find(path)) {
@@ -204,7 +204,7 @@ class Compile {
     return files;
   }
 
-  /// An image that could not be made keeps its rule: it is to be made again when one of its sources changes.
+  /// A failed image keeps its rule: it must be rebuilt when one of its sources changes.
   [[nodiscard]] std::string rule_of(std::size_t index, WrittenImage const& image) const {
     auto sources = image.sources;
     if (image.checked.files.empty()) sources.insert(sources.begin(), part_.path(index));

@@ -77,7 +77,7 @@ bool is_image(std::string_view bytes) {
   return bytes.substr(0, 4) == "AXIM";
 }
 
-/// Gives back the file that another reader has read already.
+/// Returns the content of a file that has been read already; other files come from `files`.
 class HeldFiles final : public configuration::Files {
  public:
   HeldFiles(configuration::Files& files, std::string path, std::string content)
@@ -96,8 +96,8 @@ class HeldFiles final : public configuration::Files {
   std::string path_, content_;
 };
 
-/// A list or machine becomes an image too, so that both sides are compared as the runtime would execute them. Errors are
-/// printed; nothing is compared then.
+/// A list or machine is compiled to an image, so that both sides are compared as the runtime would execute them. None
+/// after errors, which are printed.
 std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job, Invocation const& invocation,
                                    bool color) {
   DiskFiles disk(path == "-");

@@ -89,7 +89,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
 
 enum class Format : std::uint8_t { markdown, json };
 
-/// What the user asked about.
+/// The subject that the user named.
 struct Subject {
   std::vector<validator::Rule const*> rules;
   std::vector<schema::Parameter const*> parameters;
@@ -145,7 +145,7 @@ ExitStatus explain(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER");
   auto const language = invocation.language;
-  // What the lists of the working folder may set.
+  // The parameters that lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");
   if (format == Format::json) {
     auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);

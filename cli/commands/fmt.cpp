@@ -49,7 +49,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// NC programs are no lists: their layout is their author's.
+/// NC programs are not lists: their layout is up to their author.
 bool is_program(std::string const& path) {
   return has_extension(path, ".nc");
 }
@@ -62,7 +62,7 @@ struct FmtOptions {
   bool diff = false;
 };
 
-/// The lists behind the inputs: a machine file stands for those that it names.
+/// The lists to format: a machine file is replaced by the lists that it names.
 std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   std::vector<std::string> lists;
   std::unordered_set<std::string> known;
@@ -104,7 +104,7 @@ struct Formatted {
   std::optional<Failure> failure;
 };
 
-/// May be called by several threads: no two write one list.
+/// May be called by several threads, for different lists.
 Formatted format_list(std::string const& path, FmtOptions const& options, schema::Catalogue const& catalogue,
                       Language language) {
   Formatted result;
@@ -146,7 +146,7 @@ ExitStatus fmt(Invocation const& invocation) {
     try {
       return format_list(lists[i], options, settings.catalogue(lists[i]), invocation.language);
     } catch (Failure const& failure) {
-      // The other lists are still looked at.
+      // The other lists are still formatted.
       return Formatted{.changed = false, .out = {}, .failure = failure};
     }
   };

@@ -67,7 +67,7 @@ enum class Target : std::uint32_t {
   none
 };
 
-/// Failure where the signature is not right by this key.
+/// Failure if the signature is not valid for this key.
 void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
   auto const key = load_public_key(key_path);
   auto const status = image::check_signature(file.bytes.bytes(), key);

@@ -62,7 +62,7 @@ bool names_language(std::span<std::string const> arguments) {
                      [](std::string const& word) { return word.substr(0, 6) == "--lang"; });
 }
 
-/// One lint: the words of the command line, and what they lead to.
+/// One execution of `axisc lint`.
 class Lint {
  public:
   Lint(LintOptions const& options, Language language, bool color, Streams& streams)
@@ -81,7 +81,7 @@ class Lint {
     part_ = choose_part(options.fleet, std::move(inputs_.paths));
   }
 
-  /// The language that the first input's settings ask for; the command line's own is asked for elsewhere.
+  /// The language in the first input's settings; `--lang` is read elsewhere.
   [[nodiscard]] std::optional<Language> language_of_settings() {
     auto const* const settings = settings_.find(inputs_.first);
     return settings == nullptr ? std::nullopt : settings->language;
@@ -110,7 +110,7 @@ class Lint {
     prepare();
     auto plan = report_plan();
     if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
-    // The patch, or what became of standard input, takes standard output.
+    // Standard output is used for the patch or the fixed standard input.
     bool const out_is_taken = options_.diff || fixed_standard_input_;
     ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
     for (std::size_t i = 0; i < inputs_.failures.size(); ++i) {
@@ -129,11 +129,11 @@ class Lint {
   void prepare() {
     if (needs_context(report_format_.format)) report_format_.context = report_context(inputs_.first);
     if (options_.fleet.asks_for_digests()) run_ = run_digest(job_, report_format_);
-    // A settings file that makes no sense ends the run before anything is printed.
+    // An invalid settings file ends the run before anything is printed.
     for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
   }
 
-  /// Options that decide about the whole run, not about its inputs.
+  /// Options that affect the whole run, not its inputs.
   [[nodiscard]] Hasher run_options() const {
     Hasher hasher;
     hasher.text("lint");
@@ -169,7 +169,7 @@ class Lint {
   }
 
   void check(ReportStream& report) {
-    // What fixes make of a file stands nowhere yet.
+    // The fixed content of a file is not on the disk yet.
     auto cache = choice_ == FixChoice::none
                      ? open_cache(options_.fleet, streams_.err, report_format_.write.language)
                      : nullptr;
@@ -179,7 +179,7 @@ class Lint {
     progress.stand_aside_for(streams_.out);
     progress.stand_aside_for(streams_.err);
     auto const threads = thread_count(threads_, part_.chosen.size());
-    // Then no finding has to wait for its turn.
+    // With one thread no finding has to wait for its turn.
     bool const at_once = cache == nullptr && is_one_by_one(part_.chosen.size(), threads);
     auto const print = [&report](WrittenFinding const& finding) { report.add(finding); };
     in_order<CheckedInput>({.count = part_.chosen.size(),
@@ -228,12 +228,12 @@ class Lint {
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
     if (failed_) return ExitStatus::failure;
-    // Nothing was written: what the patch repairs still stands in the files.
+    // Nothing was written: the files still contain what the patch would fix.
     return would_change_ || objectionable(options_.checking, report.counts()) ? ExitStatus::findings
                                                                               : ExitStatus::success;
   }
 
-  /// Writes what the fixes make of the files, or shows it.
+  /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
     auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
     for (auto const& [path, before] : fixed.original) {

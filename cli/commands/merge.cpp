@@ -70,7 +70,7 @@ std::string as_text(Shard const& shard) {
   return std::to_string(shard.index) + "/" + std::to_string(shard.count);
 }
 
-/// Failure unless these are the shards of one run, each once.
+/// Failure unless the documents are all shards of one run, each once.
 void require_whole_run(Documents const& documents) {
   auto const& first = documents.front();
   std::vector<ShardDocument const*> by_index(first.record().shard.count, nullptr);
@@ -122,7 +122,7 @@ ReportPlan plan_of(Documents const& documents, MergeOptions const& options) {
                   .baseline = {},
                   .shard = {}};
   if (options.baseline) plan.baseline = Baseline::read(*options.baseline);
-  // Names are relative to the repository already. Nothing lies in this folder but what is relative.
+  // Names are relative to the repository already; an invented folder keeps them so.
   plan.report_format.context.paths = {.root = "/repository", .folder = "/repository"};
   for (auto const& failure : failures_of(documents))
     plan.report_format.context.failures.push_back(failure.sentence);

@@ -64,7 +64,7 @@ void declare(CommandLine& command_line, ResponseOptions& options) {
                       says::option_format);
 }
 
-/// Axes with something at that port; the setpoint of an axis without filters passes unchanged and is shown so.
+/// Axes with a filter at that port; the setpoint of an axis without filters passes unchanged and is shown so.
 std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseOptions const& options) {
   auto axes = chosen_axes(file.contents, options.axis);
   std::erase_if(axes, [&](std::size_t axis) {

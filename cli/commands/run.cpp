@@ -137,7 +137,7 @@ std::uint64_t count(std::optional<std::string> const& word, char const* option, 
   return *value;
 }
 
-/// How many cycles shall be recorded; none without `--record`.
+/// Number of cycles to record; none without `--record`.
 std::optional<std::uint32_t> cycles_to_record(RunOptions const& options) {
   if (!options.record && options.record_cycles) {
     throw Failure({.sentence = says::record_missing, .arguments = {}});
@@ -159,7 +159,7 @@ Port port_of(RunOptions const& options) {
            {"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
 }
 
-/// What belongs to --signal says nothing about a file.
+/// Options of --signal have no meaning for a file.
 void refuse_mixture(RunOptions const& options) {
   if (!options.input) return;
   for (auto const& [given, option] : {std::pair(options.signal.has_value(), "--signal"),

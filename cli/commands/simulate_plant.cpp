@@ -56,7 +56,8 @@ std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
   throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
 }
 
-/// The load's acceleration in one phase, there or back. Of a rest its first third: what braking left behind.
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
+/// braking.
 std::vector<double> accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
   std::vector<double> found;
   for (auto const& cycle : record.cycles) {
@@ -66,7 +67,7 @@ std::vector<double> accelerations(motion::LoopRecord const& record, motion::Move
   return found;
 }
 
-/// Ways there and back are alike; the worse one counts.
+/// The moves there and back are alike; the worse one counts.
 motion::Oscillation dominant(motion::LoopRecord const& record, motion::MovePhase phase, double T,
                              double lowest, double highest) {
   motion::Oscillation worst{.frequency = lowest, .amplitude = 0};

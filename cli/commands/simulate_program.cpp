@@ -33,7 +33,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// Remembers which kernels the program calls for.
+/// Records which kernels the program needs.
 class CommandCollector final : public motion::PathListener {
  public:
   void motion(motion::ProgrammedBlock const& /*block*/) override {}
@@ -47,7 +47,7 @@ class CommandCollector final : public motion::PathListener {
   std::vector<machine::FilterParameters> sets;
 };
 
-/// Hands what happens to the summary and to the CSV of cycles.
+/// Passes the simulation's events to the summary and to the CSV of cycles.
 class Recorder final : public motion::SimulationListener {
  public:
   void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) override {
@@ -89,7 +89,7 @@ motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGr
   return motion::PathLimits(std::move(limits));
 }
 
-/// A program is never held as a whole: its line stands alone, on the line where it is.
+/// A program is never held completely: a source holds only the line in question, with its line number.
 std::string problem_text(motion::ProgramProblem problem, std::string const& path, WriteOptions const& write) {
   std::string padded(problem.line - 1, '\n');
   auto const begin = static_cast<std::uint32_t>(padded.size());
@@ -105,7 +105,7 @@ std::string problem_text(motion::ProgramProblem problem, std::string const& path
   return write_text(problem.finding, sources, write) + "\n";
 }
 
-/// Reads the program once without moving anything: says what is wrong with it, and finds its #FILTER commands.
+/// Reads the program once without moving anything: reports its mistakes and finds its #FILTER commands.
 bool survey(ProgramLines& program, ProgramRequest const& request, motion::ProgramChannel const& channel,
             CommandCollector& collector, Invocation const& invocation) {
   constexpr std::size_t most_errors = 20;
