@@ -14,11 +14,11 @@ namespace axisc::cli {
 class Failure : public std::exception {
  public:
   explicit Failure(Message message, std::optional<Code> code = std::nullopt);
-  /// "axisc.json:2:3: unknown key …; did you mean …?": a place and what is to be said about it.
+  /// "axisc.json:2:3: unknown key …; did you mean …?": a place and the message about it.
   Failure(std::string place, std::vector<Message> sentences, std::optional<Code> code);
 
   [[nodiscard]] char const* what() const noexcept override { return what_.c_str(); }
-  /// What is wrong, without the frame of a line.
+  /// The message alone, without program name, severity and code.
   [[nodiscard]] std::string sentence(Language language) const;
   /// "axisc: error[AX9001]: …" with a line end.
   [[nodiscard]] std::string line(Language language) const;

@@ -19,12 +19,13 @@
 namespace axisc::cli::says {
 
 constexpr Sentence changed{
-    "cannot read {file}: it changed while it was read; run the command again when nobody writes it",
-    "{file} ist nicht lesbar: die Datei wurde beim Lesen geändert; den Befehl wiederholen, wenn niemand sie "
-    "schreibt"};
+    "cannot read {file}: it changed while it was read; run the command again when no program is writing to "
+    "it",
+    "{file} ist nicht lesbar: sie wurde beim Lesen geändert; den Befehl wiederholen, wenn kein Programm mehr "
+    "in sie schreibt"};
 
-constexpr Sentence no_command{"a command is missing; `axisc --help` lists them",
-                              "ein Befehl fehlt; `axisc --help` nennt sie"};
+constexpr Sentence no_command{"a command is missing; `axisc --help` lists the commands",
+                              "ein Befehl fehlt; `axisc --help` listet die Befehle auf"};
 constexpr Sentence unknown_command{"there is no command \"{command}\"; `axisc --help` lists them",
                                    "den Befehl \"{command}\" gibt es nicht; `axisc --help` nennt alle"};
 constexpr Sentence unknown_command_meant{R"(there is no command "{command}"; did you mean "{meant}"?)",
@@ -66,7 +67,8 @@ is at fault.)",
   axisc run fraese.axim --signal step --cycles 100
 
 Jeder Befehl hat seine eigene Hilfe: axisc lint --help
-Rückgabewert: 0 alles in Ordnung, 1 Befunde der Stufe Fehler, 2 Befehlszeile, Datei oder Umgebung ist schuld.)"};
+Rückgabewert: 0 alles in Ordnung, 1 Befunde mit Schweregrad Fehler, 2 Befehlszeile, Datei oder
+Umgebung sind fehlerhaft.)"};
 
 constexpr Sentence diff_meaning{
     "say what changed between two lists, machines or images",
@@ -81,8 +83,7 @@ constexpr Sentence simulate_meaning{
 constexpr Sentence replay_meaning{"execute a controller's recording again",
                                   "die Aufzeichnung einer Steuerung noch einmal ausführen"};
 
-constexpr Sentence merge_meaning{"put the results of shards together",
-                                 "die Ergebnisse von Teilen zusammenführen"};
+constexpr Sentence merge_meaning{"combine the results of shards", "die Ergebnisse von Teilen zusammenführen"};
 
 }  // namespace axisc::cli::says
 
@@ -126,7 +127,7 @@ std::string help(Language language) {
          help_row("--lang en|de", say(cli::says::option_lang)) + "\n" + say(cli::says::examples) + "\n";
 }
 
-/// Index of the command word: the first word that is no option (nor the value of one that every command knows).
+/// Index of the command: the first argument that is not an option (nor the value of one that every command has).
 std::size_t find_command(std::vector<std::string> const& arguments) {
   std::size_t i = 0;
   while (i < arguments.size() && arguments[i].substr(0, 1) == "-") {
@@ -166,7 +167,7 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
 }
 
-/// The exception that is being handled, as one line.
+/// The current exception as one line.
 std::string failure_line(Language language) {
   try {
     throw;

@@ -5,8 +5,8 @@ namespace axisc::cli::says {
 constinit Sentence const cannot_read{"cannot read {file}: {reason}", "{file} ist nicht lesbar: {reason}"};
 
 constinit Sentence const cannot_write{
-    "cannot write {file}: {reason}; an old file is unchanged",
-    "{file} ist nicht schreibbar: {reason}; eine alte Datei ist unverändert"};
+    "cannot write {file}: {reason}; an existing file is unchanged",
+    "{file} ist nicht schreibbar: {reason}; eine vorhandene Datei bleibt unverändert"};
 
 constinit Sentence const bad_choice{"{option} does not know \"{value}\"; choose from {choices}",
                                     "{option} kennt \"{value}\" nicht; möglich sind {choices}"};
@@ -31,9 +31,9 @@ constinit Sentence const argument_inputs{
 constinit Sentence const option_help{"print this help", "diese Hilfe zeigen"};
 constinit Sentence const option_version{"print the version", "die Version zeigen"};
 constinit Sentence const option_lang{"language of messages (default: from the locale, else en)",
-                                     "Sprache der Meldungen (Vorgabe: nach der Locale, sonst en)"};
+                                     "Sprache der Meldungen (Standardwert: nach der Locale, sonst en)"};
 constinit Sentence const option_cycle_time{
-    "NC cycle time: 1ms, 250us, or a bare number of µs; wins over a machine file",
+    "NC cycle time: 1ms, 250us, or a bare number of µs; takes precedence over a machine file",
     "NC-Zykluszeit: 1ms, 250us oder eine bloße Zahl in µs; geht einer Maschinendatei vor"};
 constinit Sentence const option_baseline{"hide the findings that this file records",
                                          "die Befunde ausblenden, die diese Datei festhält"};

@@ -1,5 +1,5 @@
-// Where sources come from: the disk for the command line, editor buffers for a language server, a map in
-// tests.
+// Interface for reading sources: from the disk for the command line, from editor buffers for a language server, from a
+// map in tests.
 #pragma once
 
 #include <cstddef>
@@ -28,17 +28,17 @@ enum class FileError : std::uint8_t {
 /// Longest file that is read.
 inline constexpr std::uint64_t largest_file = 1ULL << 30U;
 
-/// Takes the next bytes of a file; false when no more are wanted.
+/// Receives the next bytes of a file; returns false to stop.
 using PieceReceiver = std::function<bool(std::string_view)>;
 
 class Files {
  public:
   virtual ~Files() = default;
-  /// The bytes of `path`, or why there are none.
+  /// The bytes of `path`, or why they cannot be read.
   [[nodiscard]] virtual std::variant<std::string, FileError> read(std::string const& path) = 0;
-  /// Hands the bytes of `path` over in pieces, in their order, or says why there are no more: an NC program may be far
-  /// longer than what shall be in memory. Every call begins at the start of the file. What is in memory anyway comes in
-  /// one piece, as it does here.
+  /// Passes the bytes of `path` on in pieces, in their order, or returns why it cannot: an NC program may be too long
+  /// to be kept in memory. Every call begins at the start of the file. The default implementation reads the whole file
+  /// and passes it in one piece.
   [[nodiscard]] virtual std::optional<FileError> read_pieces(std::string const& path,
                                                              PieceReceiver const& receive);
 
@@ -48,7 +48,7 @@ class Files {
   Files& operator=(Files const&) = default;
 };
 
-/// A file was not the same when it was read again. The environment is at fault, so this is thrown.
+/// Thrown if a file has changed when it is read again: an error of the environment, not of the input.
 class SourceChanged : public std::runtime_error {
  public:
   explicit SourceChanged(std::string const& path) : std::runtime_error(path), path_(path) {}
@@ -58,12 +58,12 @@ class SourceChanged : public std::runtime_error {
   std::string path_;
 };
 
-/// So much of a file at least, or all of it, shows what kind of file it is.
+/// This much of a file, or all of it, is enough to determine its kind.
 inline constexpr std::size_t judged_beginning = 8000;
-/// What is wrong with a file that begins with `bytes`: it is not a text.
+/// The error of a file that begins with `bytes`, if it is not text.
 [[nodiscard]] std::optional<FileError> check_beginning(std::string_view bytes);
 
-/// What is wrong with bytes that were read, before they are parsed: too large, one line too long, not a text.
+/// The error of bytes that are to be parsed: too large, a line too long, not text.
 [[nodiscard]] std::variant<std::monostate, FileError> check_text(std::string_view bytes);
 
 }  // namespace axisc::configuration

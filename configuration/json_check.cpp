@@ -15,7 +15,7 @@
 namespace axisc::configuration::says {
 
 constexpr Sentence unknown_key{"unknown key \"{key}\"", "unbekannter Schlüssel \"{key}\""};
-constexpr Sentence repeated_key{"the key \"{key}\" stands here twice",
+constexpr Sentence repeated_key{"the key \"{key}\" occurs here twice",
                                 "der Schlüssel \"{key}\" steht hier zweimal"};
 constexpr Sentence text{"\"{key}\" must be a text", "\"{key}\" muss ein Text sein"};
 constexpr Sentence empty_text{"\"{key}\" must not be empty", "\"{key}\" darf nicht leer sein"};
@@ -116,7 +116,7 @@ class Checker {
         JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}});
   }
 
-  /// The shape's own sentence, or the general one.
+  /// The shape's own sentence, otherwise the general one.
   JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, std::string value,
                       SentenceRef general) {
     std::vector<Argument> arguments{{"key", std::string(key)}, {"value", std::move(value)}};

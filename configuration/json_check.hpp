@@ -1,4 +1,4 @@
-// Whether a JSON document is as a table says.
+// Checks a JSON document against a table.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -20,13 +20,14 @@ struct JsonProblem {
 };
 
 struct JsonCheck {
-  /// Of each object its members in the order of the text, then its missing keys.
+  /// Findings: for each object its members in the order of the text, then its missing keys.
   std::vector<JsonProblem> problems;
-  /// By index of the document's values: which may be read. A list or object may be although something in it may not.
+  /// By index of the document's values: whether a value may be read. A list or object may be readable although
+  /// something in it is not.
   std::vector<bool> readable;
 };
 
-/// Of a repeated key the first counts. Unknown keys are not looked into.
+/// The first of repeated keys counts. The values of unknown keys are not checked.
 [[nodiscard]] JsonCheck check_json(JsonDocument const& document, JsonShape const& shape);
 
 }  // namespace axisc::configuration

@@ -1,4 +1,4 @@
-// Reads what a JSON document says into objects of the program, by the tables that it was checked against.
+// Reads a JSON document into objects of the program, by the tables that it was checked against.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -14,7 +14,7 @@
 
 namespace axisc::configuration {
 
-/// A text of a file with its place; a word of a table in the table's spelling.
+/// A text of a file with its place; a keyword of a table in the table's spelling.
 struct LocatedText {
   std::string text;
   Place place;
@@ -22,12 +22,13 @@ struct LocatedText {
 
 class JsonReading {
  public:
-  /// `readable` as check_json() says; both live as long as this. `source` is for the places of located texts.
+  /// `readable` comes from check_json(). Both arguments must outlive this object. `source` is for the places of located
+  /// texts.
   JsonReading(JsonDocument const& document, std::vector<bool> const& readable, SourceId source = {})
       : document_(document), readable_(readable), source_(source) {}
 
-  /// Stores the values of `object` in `target`, which is of the type that the keys' stores belong to. What is missing or
-  /// not readable is left as it is.
+  /// Stores the values of `object` in `target`, which is of the type that the keys' stores belong to. Missing and
+  /// unreadable values leave their members unchanged.
   void fill(JsonShape const& shape, JsonValue const& object, void* target) const;
 
   /// Stores one value: a number of microseconds as a cycle time, a list in a vector (without its items that are not
@@ -84,7 +85,7 @@ void into(JsonReading const& reading, JsonShape const& shape, JsonValue const& v
   reading.assign(shape, value, static_cast<Owner*>(target)->*member);
 }
 
-/// A store of one's own, by a function of document, value and target.
+/// A store by a custom function of document, value and target.
 template <auto function>
 void by(JsonReading const& reading, JsonShape const& /*shape*/, JsonValue const& value, void* target) {
   using Target = typename detail::TargetOf<decltype(function)>::Type;

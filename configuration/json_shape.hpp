@@ -1,4 +1,4 @@
-// What a JSON file may say, as tables of keys: kind, range, meaning, and where the value goes. One table checks a file
+// Shapes of JSON files, as tables of keys: kind, range, meaning, and where the value is stored. One table checks a file
 // (json_check.hpp), reads it (json_reading.hpp), and gives its JSON schema in docs/schemas.
 #pragma once
 
@@ -18,7 +18,7 @@ class JsonReading;
 struct JsonShape;
 struct JsonValue;
 
-/// Stores a value that is as its shape says in an object of the program; made by into() and by().
+/// Stores a value that matches its shape in an object of the program; made by into() and by().
 using JsonStore = void (*)(JsonReading const& reading, JsonShape const& shape, JsonValue const& value,
                            void* target);
 
@@ -46,7 +46,7 @@ enum class JsonShapeKind : std::uint8_t {
   either,  ///< as one of several shapes says
 };
 
-/// What one value may be. Each field counts for the kinds that its comment names.
+/// The shape of one value. Each field applies to the kinds that its comment names.
 struct JsonShape {
   JsonShapeKind kind = JsonShapeKind::text;
   std::string_view title = {};  ///< object: what it is, for JSON schemas
@@ -69,8 +69,8 @@ struct JsonShape {
   std::span<JsonKey const> keys = {};                   ///< object
   std::span<JsonShape const* const> alternatives = {};  ///< either
 
-  /// Said instead of the general sentence where a value is of the right kind and yet wrong, and always for `either`, which
-  /// has no general one. May contain {key} and {value}.
+  /// Replaces the general sentence if a value is of the right kind but wrong; required for `either`, which has no
+  /// general sentence. May contain {key} and {value}.
   std::optional<SentenceRef> sentence = {};
 };
 

@@ -53,7 +53,7 @@ class TokenCursor {
   std::size_t next_;
 };
 
-/// nlohmann's event interface; its names are given.
+/// nlohmann's event interface, which prescribes these names.
 class TreeBuilder {
  public:
   TreeBuilder(std::string_view bytes, std::uint32_t begin) : cursor_(bytes, begin), begin_(begin) {}

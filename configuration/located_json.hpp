@@ -30,11 +30,11 @@ struct JsonValue {
   std::vector<std::size_t> items;   ///< of an array; indices into JsonDocument::values
   std::vector<JsonMember> members;  ///< of an object, in the order of the text; keys may repeat
 
-  /// The first member of that name; null where there is none.
+  /// The first member of that name; null if there is none.
   [[nodiscard]] JsonMember const* find(std::string_view key) const;
 };
 
-/// The values of one text; the first one is the whole.
+/// The values of one text; the first one is the document.
 struct JsonDocument {
   std::vector<JsonValue> values;
 
@@ -42,15 +42,15 @@ struct JsonDocument {
   [[nodiscard]] JsonValue const& operator[](std::size_t index) const { return values[index]; }
 };
 
-/// Where a text stops being JSON.
+/// The place where a text is not valid JSON.
 struct JsonError {
   Span span;  ///< the token that does not fit; empty at the end of the text
 };
 
-/// Deepest nesting that is read; what stands deeper is an error at its bracket.
+/// Deepest nesting that is read; a deeper bracket is an error.
 inline constexpr std::size_t deepest_json = 64;
 
-/// `bytes` begin to count at `text_begin` (behind a byte order mark).
+/// The text starts at offset `text_begin` of `bytes` (after a byte order mark).
 [[nodiscard]] std::variant<JsonDocument, JsonError> parse_json(std::string_view bytes,
                                                                std::uint32_t text_begin);
 

@@ -15,7 +15,7 @@
 
 namespace axisc::configuration::says {
 
-constexpr Sentence json{"the machine file is no valid JSON here",
+constexpr Sentence json{"the machine file is not valid JSON here",
                         "die Maschinendatei ist hier kein gültiges JSON"};
 constexpr Sentence json_end{"the machine file ends before it is complete",
                             "die Maschinendatei endet, bevor sie vollständig ist"};
@@ -166,7 +166,7 @@ class MachineFileReader {
     finding.fix = std::move(fix);
   }
 
-  /// Leaves out repeated axes and those without name or list; all names are known from here on.
+  /// Leaves out repeated axes and those without name or list; afterwards all names are known.
   void require_distinct_axes(std::vector<MachineFileAxis>& axes) {
     auto const leave_out = [&](MachineFileAxis const& axis) {
       if (axis.name.text.empty()) return true;

@@ -1,4 +1,4 @@
-// What a machine file says, as it says it: names, not yet files that were read.
+// The content of a machine file: names of files that have not been read yet.
 #pragma once
 
 #include "configuration/json_reading.hpp"
@@ -44,15 +44,15 @@ struct MachineFile {
   bool inch = false;                     ///< lengths in programs are inches
 };
 
-/// The code of everything that is wrong in a machine file.
+/// The code of every mistake in a machine file.
 inline constexpr Code machine_file_code{4020};
 
-/// Reads `sources[source]`; what is wrong becomes AX4020 findings (place and sentences) and is left out of the result. Axes without name or
-/// list, and repeated ones, are left out.
+/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences) and are left out of the result. Axes
+/// without name or list, and repeated ones, are left out.
 [[nodiscard]] MachineFile read_machine_file(SourceSet const& sources, SourceId source,
                                             std::deque<Finding>& findings);
 
-/// What a machine file may say.
+/// The shape of a machine file.
 extern JsonShape const machine_file_shape;
 
 /// True for text that is meant as a machine file, however broken: an object, or at least a key "axes".

@@ -9,7 +9,7 @@ constinit Sentence const json_missing_key{"the key \"{key}\" is missing here",
 constinit Sentence const json_cycle_time{
     "the cycle time must be above 0 and at most 1000000 µs, not {value} µs",
     "die Zykluszeit muss größer als 0 und höchstens 1000000 µs sein, nicht {value} µs"};
-constinit Sentence const json_repeated_value{R"("{value}" stands in "{key}" twice)",
+constinit Sentence const json_repeated_value{R"("{value}" is in "{key}" twice)",
                                              R"("{value}" steht zweimal in "{key}")"};
 
 }  // namespace axisc::configuration::says

@@ -1,4 +1,4 @@
-// What several sources say, in this folder and in those above it.
+// Sentences that several sources share, in this folder and in those that use it.
 #pragma once
 
 #include "diagnostics/sentence.hpp"

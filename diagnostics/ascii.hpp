@@ -58,7 +58,7 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// A zero and another digit after it, which no decimal number of a list begins with; `text` is without sign.
+/// True for a zero followed by a digit, with which no decimal number of a list begins; `text` has no sign.
 constexpr bool has_leading_zero(std::string_view text) {
   return text.size() > 1 && text[0] == '0' && is_digit(text[1]);
 }

@@ -20,7 +20,7 @@ enum class Code : std::uint16_t {};
 /// "AX3005".
 [[nodiscard]] std::string code_text(Code code);
 
-/// A second place that belongs to a finding.
+/// A further place that belongs to a finding.
 struct Related {
   Place place;
   Message message;
@@ -41,7 +41,7 @@ struct Fix {
   FixSafety safety = FixSafety::changes_behaviour;
 };
 
-/// What the control does with the same input.
+/// The control's reaction to the same input.
 struct ControlReaction {
   std::string message;  ///< its message numbers, "50663" or "50663/60311"; empty where it has none
   std::optional<Message> reaction;  ///< in words
@@ -79,7 +79,7 @@ struct FindingCounts {
 
 [[nodiscard]] FindingCounts count(std::vector<Finding> const& findings);
 
-/// How often a code was reported.
+/// The number of findings of a code.
 struct CodeCount {
   Code code{};
   std::string_view name;

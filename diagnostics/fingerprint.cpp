@@ -12,12 +12,13 @@
 namespace axisc {
 namespace {
 
-/// FNV-1a with 64 bits: nobody attacks a baseline, and a thousand million findings would be needed for a likely clash.
+/// FNV-1a with 64 bits: baselines need no protection against attacks, and a collision becomes likely only with billions
+/// of findings.
 class Hash {
  public:
   void add(std::string_view text) {
     for (char const character : text) mix(static_cast<unsigned char>(character));
-    // Two parts never run into one another.
+    // A separator, so that two parts cannot be confused.
     mix(0);
   }
   [[nodiscard]] std::string hexadecimal() const {

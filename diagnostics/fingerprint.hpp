@@ -1,5 +1,5 @@
-// Who a finding is, whatever line it stands on and whatever words it uses: code, axis, parameter path. The same identity
-// is the fingerprint in SARIF and GitLab reports and the key of a baseline.
+// The identity of a finding, independent of its line and wording: code, axis, parameter path. It is the fingerprint in
+// SARIF and GitLab reports and the key of a baseline.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -20,14 +20,14 @@ struct Identity {
 };
 
 [[nodiscard]] Identity identity_of(Finding const& finding, SourceSet const& sources);
-/// The same in the memory of another one.
+/// The identity, written into an existing object to reuse its memory.
 void identify(Identity& identity, Finding const& finding, SourceSet const& sources);
 
-/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it before any of
-/// them is hidden.
+/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it before any
+/// finding is hidden.
 void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources);
 
-/// "39fa2ee980eb94b0:1": a hash of the identity and the occurrence. Stays as it is for all time: baselines hold it.
+/// "39fa2ee980eb94b0:1": a hash of the identity and the occurrence. Must never change, because baselines contain it.
 [[nodiscard]] std::string fingerprint(Identity const& identity, std::uint32_t occurrence);
 [[nodiscard]] std::string fingerprint(Finding const& finding, SourceSet const& sources);
 

@@ -29,7 +29,7 @@ bool has_windows_line_ends(std::string_view bytes) {
   return end != std::string_view::npos && end > 0 && bytes[end - 1] == '\r';
 }
 
-/// An edit says "\n" for a line end of whatever kind.
+/// An edit has "\n" for a line end of any kind.
 std::string with_line_ends(std::string const& text, bool windows) {
   if (!windows) return text;
   std::string result;
@@ -45,8 +45,8 @@ std::size_t width(std::string_view utf8) {
       std::count_if(utf8.begin(), utf8.end(), [](char byte) { return !is_continuation_byte(byte); }));
 }
 
-/// The blanks of a column gap that begins at `begin`: at least two, with something behind them on the line, and nothing
-/// that another edit touches.
+/// The blanks of a column gap that begins at `begin`: at least two, followed by more text on the line, and untouched by
+/// other edits.
 std::uint32_t gap_behind(std::string_view bytes, std::uint32_t begin, std::size_t limit) {
   std::size_t const end = std::min(bytes.find_first_not_of(' ', begin), bytes.size());
   bool const is_gap = end >= begin + 2 && end < bytes.size() && end <= limit &&
@@ -54,7 +54,7 @@ std::uint32_t gap_behind(std::string_view bytes, std::uint32_t begin, std::size_
   return is_gap ? static_cast<std::uint32_t>(end - begin) : 0;
 }
 
-/// How many blanks stand for the `gap` old ones, so that what follows keeps its column.
+/// The number of blanks that replace the `gap` old ones, so that the following text keeps its column.
 std::size_t adjusted(std::uint32_t gap, std::size_t old_width, std::size_t new_width) {
   return old_width + gap > new_width ? old_width + gap - new_width : 1;
 }

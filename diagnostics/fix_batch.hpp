@@ -1,4 +1,4 @@
-// Fixes that are written together because they do not touch one another.
+// A batch of fixes that do not touch one another.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -20,12 +20,12 @@ class FixBatch {
   /// `sources` and the fixes must live as long as the batch.
   explicit FixBatch(SourceSet const& sources) : sources_(sources) {}
 
-  /// False, and nothing happens, where an edit overlaps or touches one of the batch, needs a character that the
-  /// encoding of its source lacks, or where only an excerpt of its source is there.
+  /// Returns false and changes nothing if an edit overlaps or touches one of the batch, needs a character that the
+  /// encoding of its source lacks, or if only an excerpt of its source is available.
   bool add(Fix const& fix);
 
-  /// The sources as they become, in the encoding and with the line ends they have. What stands behind at least two
-  /// blanks keeps its column where the blanks allow it: they make up for a longer or shorter text before them.
+  /// The changed sources, in their encoding and with their line ends. Text after at least two blanks keeps its column
+  /// if possible: the blanks compensate for a longer or shorter text before them.
   [[nodiscard]] std::vector<EditedSource> apply() const;
 
  private:

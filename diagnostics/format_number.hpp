@@ -1,19 +1,18 @@
-// Numbers as text: one form that loses nothing, one that a person reads. Both use the decimal point in every
-// language and locale, because that is what the control reads.
+// Numbers as text: an exact form, and a rounded one for readers. Both use the decimal point in every language and
+// locale, because that is what the control reads.
 #pragma once
 
 #include <string>
 
 namespace axisc {
 
-/// The shortest decimal text that reads back as exactly this double: "0.1", "12000", "1e-07". Between 1e-5
-/// and 1e15 (and for 0) plain notation, outside with an exponent; "inf", "-inf" and "nan" for what is no
-/// number; "-0" keeps its sign.
+/// The shortest decimal text that reads back as exactly this double: "0.1", "12000", "1e-07". Between 1e-5 and 1e15
+/// (and for 0) plain notation, outside with an exponent; "inf", "-inf" and "nan" for values that are not numbers; "-0"
+/// keeps its sign.
 [[nodiscard]] std::string format_exact(double value);
 
-/// `value` rounded to `significant_digits` (1 to 17) for a person: "6.28", "0.00123", "1.2e-07". No trailing
-/// zeros and no negative zero. Digits before the point are never rounded away: 1234.6 with three digits is
-/// "1235", not "1230".
+/// `value` rounded to `significant_digits` (1 to 17) for readers: "6.28", "0.00123", "1.2e-07". No trailing zeros and
+/// no negative zero. Digits before the point are never rounded away: 1234.6 with three digits is "1235", not "1230".
 [[nodiscard]] std::string format_rounded(double value, int significant_digits);
 
 }  // namespace axisc

@@ -1,4 +1,4 @@
-// What every writer needs to name: where a finding stands and how severe it is.
+// Facts that every writer needs: the location and the severity of a finding.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -7,8 +7,7 @@
 
 namespace axisc {
 
-/// A place as tools name it. The end is the column behind the last character (equal to the begin for an empty
-/// span).
+/// A place as tools name it. The end is the column after the last character (equal to the begin for an empty span).
 struct Location {
   std::string_view file;  ///< the name of the source; lives as long as the set
   Position begin;
@@ -17,7 +16,7 @@ struct Location {
 
 [[nodiscard]] Location locate(Place const& place, SourceSet const& sources);
 
-/// The file a finding is about: that of its place, else `finding.file`; empty where neither is known.
+/// The file of a finding: that of its place, otherwise `finding.file`; empty if neither is known.
 [[nodiscard]] std::string_view file_of(Finding const& finding, SourceSet const& sources);
 
 /// "error", "warning" or "note": the word of the machine-readable formats, the same in every language.

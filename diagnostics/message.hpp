@@ -13,12 +13,12 @@ namespace axisc {
 
 namespace says {
 
-/// Its argument `text` alone: what is the same in both languages, such as a formula, a range or a name.
+/// Only its argument `text`: for texts that are the same in both languages, such as a formula, a range or a name.
 inline constexpr Sentence as_given{"{text}", "{text}"};
 
 }  // namespace says
 
-/// One value for a placeholder: UTF-8, already in the form a person reads ("12 ms", "`filter[0].order`").
+/// One value for a placeholder: UTF-8, already formatted for the reader ("12 ms", "`filter[0].order`").
 struct Argument {
   std::string_view name;
   std::string value;
@@ -31,12 +31,12 @@ struct Message {
 
 /// The sentence with its values. A placeholder without a value stays as `{name}` (tests look for it).
 [[nodiscard]] std::string render(Message const& message, Language language);
-/// What becomes of the values of a sentence, which may come from a file. Its own words are printable.
+/// Treatment of a sentence's values, which may come from a file; the sentence itself is printable.
 enum class Values : std::uint8_t {
   as_given,
   printable,  ///< see printable() in terminal.hpp
 };
-/// The same as render(), after what `text` holds.
+/// Appends the rendered sentence to `text`.
 void append_rendered(std::string& text, Message const& message, Language language,
                      Values values = Values::as_given);
 void append_rendered(std::string& text, SentenceRef sentence, std::span<Argument const> arguments,

@@ -17,7 +17,7 @@ bool may_stand_in_uri(char character) {
          std::string_view("-._~/").find(character) != std::string_view::npos;
 }
 
-/// The names of a path behind `names`, as one goes from folder to folder.
+/// Appends the names of a path to `names`, resolving "." and "..".
 void add_names(std::string_view path, std::vector<std::string_view>& names) {
   while (!path.empty()) {
     std::size_t const end = std::min(path.find('/'), path.size());

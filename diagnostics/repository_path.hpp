@@ -1,4 +1,4 @@
-// Files as a code host names them: from the root of the repository, with slashes.
+// Paths as code hosts name them: relative to the root of the repository, with slashes.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ struct RepositoryPaths {
   std::string folder;  ///< the working folder, to which relative names belong
 };
 
-/// `axes/x.lis` for what lies below the root; nothing for what lies elsewhere and for "-", standard input.
+/// `axes/x.lis` for a file below the root; none for a file elsewhere and for "-", standard input.
 [[nodiscard]] std::optional<std::string> path_in_repository(RepositoryPaths const& paths,
                                                             std::string_view file);
 
-/// The path in the repository where there is one, else the name as it is.
+/// The path in the repository if there is one, otherwise the name unchanged.
 [[nodiscard]] std::string shown_path(RepositoryPaths const& paths, std::string_view file);
 
-/// A reference for an URI: what is not allowed there is percent-encoded, slashes stay.
+/// A URI reference: characters that are not allowed are percent-encoded, slashes are kept.
 [[nodiscard]] std::string as_uri(std::string_view path);
 
 }  // namespace axisc

@@ -6,9 +6,9 @@
 //     }
 //     … finding.notes.push_back({says::limit, {{"limit", microseconds(limit)}}});
 //
-// `{limit}` is a placeholder that a Message (message.hpp) fills; braces mean nothing else. What several sources of a
-// folder say is declared in the folder's sentences.hpp and defined in its sentences.cpp. A sentence that would be wrong in
-// either language does not compile.
+// `{limit}` is a placeholder that a Message (message.hpp) fills; braces mean nothing else. Sentences that several
+// sources of a folder share are declared in the folder's sentences.hpp and defined in its sentences.cpp. A sentence
+// that would be wrong in either language does not compile.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ enum class Language : std::uint8_t { english, german };
 
 namespace sentence_errors {
 
-// None is ever called: what a sentence must not be appears in the compiler's message by these names.
+// Never called: their names appear in the compiler's message if a sentence is wrong.
 void a_language_is_missing();
 void a_blank_begins_or_ends_the_sentence();
 void a_brace_belongs_to_no_placeholder();
@@ -42,7 +42,7 @@ class Sentence {
   Sentence& operator=(Sentence const&) = delete;
   ~Sentence() = default;
 
-  /// Its placeholders are not filled.
+  /// The text in a language, with its placeholders.
   [[nodiscard]] constexpr std::string_view in(Language language) const {
     return language == Language::german ? german_ : english_;
   }
@@ -69,15 +69,15 @@ class Sentence {
   std::string_view german_;
 };
 
-/// Which sentence is meant, to be copied and kept: refers to a constant, so it lives as long as the program.
+/// A copyable reference to a sentence. Sentences are constants, so it is always valid.
 class SentenceRef {
  public:
-  // Not explicit: the constant itself is named wherever a sentence is wanted.
+  // Not explicit: callers name the constant itself.
   constexpr SentenceRef(Sentence const& sentence) : sentence_(&sentence) {}
   SentenceRef(Sentence const&&) = delete;
 
   [[nodiscard]] constexpr std::string_view in(Language language) const { return sentence_->in(language); }
-  /// The same constant, whatever it says.
+  /// True for the same constant, whatever its text.
   friend constexpr bool operator==(SentenceRef, SentenceRef) = default;
 
  private:

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Lines are found by counting in blocks: an entry for each line would be written for a thousand lines to point at one.
+/// Lines are counted in blocks: a table of all lines would have a thousand entries to find one.
 constexpr std::size_t block_size = 128;
 
-/// The number fits a byte and the size is fixed, so that compilers count many at once.
+/// The count fits in a byte and the size is fixed, so that compilers vectorize the loop.
 std::uint32_t count_line_ends_of_block(char const* block) {
   unsigned char count = 0;
   for (std::size_t i = 0; i < block_size; ++i) {
@@ -105,7 +105,7 @@ SourceText::Line const& SourceText::line_at(std::uint32_t offset) const {
 SourceText::Line const& SourceText::line_numbered(std::uint32_t number) const {
   if (last_line_.number == number) return last_line_;
   count_lines();
-  // It begins behind the line end `number - 1`, in the last block before which stand fewer.
+  // The line begins after line end `number - 1`, in the last block that has fewer line ends before it.
   std::uint32_t ends = number - 1;
   auto const behind = std::lower_bound(line_ends_before_.begin(), line_ends_before_.end() - 1, ends);
   auto const block = behind == line_ends_before_.begin() ? behind : behind - 1;
@@ -153,7 +153,7 @@ std::uint32_t SourceText::line_count() const {
 bool SourceText::is_utf8(Span span) const {
   if (characters().are_ascii) return true;
   if (encoding() == Encoding::windows_1252 || is_excerpt()) return false;
-  // The whole text is well-formed, so that a part of it is unless a character is cut.
+  // The whole text is well-formed, so a part of it is, too, unless a character is cut.
   bool const begins_inside = span.begin < span.end && is_continuation_byte(bytes_[span.begin]);
   bool const ends_inside = span.end < bytes_.size() && is_continuation_byte(bytes_[span.end]);
   return !begins_inside && !ends_inside;

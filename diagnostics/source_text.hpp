@@ -1,4 +1,4 @@
-// One source file as it was read: its bytes never change, everything else is a view.
+// One source file: its bytes never change, everything else is a view.
 #pragma once
 
 #include "diagnostics/span.hpp"
@@ -17,42 +17,42 @@ namespace axisc {
 /// encodings.
 enum class Encoding : std::uint8_t { utf8, utf8_with_mark, windows_1252 };
 
-/// Some lines of a long text, the only ones that anything points at.
+/// Some lines of a long text: those that findings point at.
 struct Excerpt {
   std::string bytes;                   ///< the lines, each with LF behind it; no byte order mark
   std::vector<std::uint32_t> numbers;  ///< which lines of the whole text these are, from 1, ascending
   Encoding encoding = Encoding::utf8;  ///< of the whole text
 };
 
-/// The text of one source. Offsets count bytes from the start of the file, the byte order mark included. What has to be found
-/// out about the text is found out when it is asked for, so one SourceText serves one thread at a time.
+/// The text of one source. Offsets count bytes from the start of the file, the byte order mark included. Facts about
+/// the text are determined on first use, so a SourceText must not be used by several threads at once.
 class SourceText {
  public:
-  /// `name` is what findings show: the path as the user or the machine file wrote it. `bytes` are at most 4
-  /// GiB - 1 long (offsets have 32 bits; the reader of files refuses long before).
+  /// `name` is the path that findings show, as written by the user or in the machine file. `bytes` are at most 4 GiB -
+  /// 1 long (offsets have 32 bits; the file reader has a much lower limit).
   SourceText(std::string name, std::string bytes);
-  /// Offsets count the bytes of the excerpt, lines those of the whole text.
+  /// Offsets count bytes of the excerpt; lines count lines of the whole text.
   SourceText(std::string name, Excerpt excerpt);
 
   [[nodiscard]] std::string const& name() const { return name_; }
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
-  /// True where bytes() are some lines only: such a text can be shown, not edited.
+  /// True if bytes() are only some lines: such a text can be shown, not edited.
   [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
-  /// Cost: one pass at the first call, of this or of what depends on it.
+  /// Cost: one pass on first use, here or in a function that depends on it.
   [[nodiscard]] Encoding encoding() const { return characters().encoding; }
-  /// Offset of the first byte behind a byte order mark. A marked file whose bytes are not all UTF-8 is
-  /// windows-1252, but its mark is no text either.
+  /// Offset of the first byte after a byte order mark. A marked file whose bytes are not all UTF-8 is windows-1252, but
+  /// its mark is not text either.
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
-  /// Line and column of a byte; inside a character those of the character, behind the last byte those of the
-  /// place behind it. Cost: a look at a hundred bytes, unless the line is that of the call before, and the code
-  /// points of one line. Lines are counted at the first call (one pass).
+  /// Line and column of a byte; inside a character those of the character, after the last byte those of the end. Cost:
+  /// some hundred bytes, unless the line is that of the previous call, and the code points of one line. Lines are
+  /// counted on the first call (one pass).
   [[nodiscard]] Position position(std::uint32_t offset) const;
-  /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty at
-  /// the end of the file for a line that is not there, or not in the excerpt.
+  /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty, at the end
+  /// of the file, for a line that does not exist or is not in the excerpt.
   [[nodiscard]] Span line_span(std::uint32_t line) const;
-  /// At least 1: the empty line behind a last line end counts, so that every offset has its line. Of an excerpt the
-  /// lines that it holds.
+  /// At least 1: the empty line after a final line end counts, so that every offset has a line. For an excerpt, the
+  /// number of lines in it.
   [[nodiscard]] std::uint32_t line_count() const;
 
   [[nodiscard]] std::string_view slice(Span span) const {
@@ -60,13 +60,13 @@ class SourceText {
   }
   /// The bytes of `span` as well-formed UTF-8; what cannot be decoded becomes U+FFFD.
   [[nodiscard]] std::string utf8(Span span) const;
-  /// The same as a view: of the text itself where its bytes are that already, else of `room`.
+  /// A view of the bytes of `span` as well-formed UTF-8: into the text itself if possible, otherwise into `room`.
   [[nodiscard]] std::string_view utf8(Span span, std::string& room) const;
   /// `text` (UTF-8) in this source's encoding; a character that windows-1252 lacks becomes '?'.
   [[nodiscard]] std::string encode(std::string_view text) const;
 
  private:
-  /// A line of the bytes, counted from 1, of an excerpt too: its begin, and where its LF stands, or the end of the bytes.
+  /// A line of bytes(), counted from 1 also in an excerpt: its begin, and the offset of its LF or the end of the bytes.
   struct Line {
     std::uint32_t number = 0;
     std::uint32_t begin = 0;
@@ -80,7 +80,8 @@ class SourceText {
 
   Characters const& characters() const;
   void count_lines() const;
-  /// The line of a byte, and the line of a number between 1 and the number of all lines. Both stay in last_line_.
+  /// The line of a byte, and the line of a number between 1 and the number of all lines. Both cache the line in
+  /// last_line_.
   Line const& line_at(std::uint32_t offset) const;
   Line const& line_numbered(std::uint32_t number) const;
   Line const& keep_line(std::uint32_t number, std::size_t begin) const;
@@ -91,14 +92,14 @@ class SourceText {
   std::uint32_t text_begin_;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
   mutable std::optional<Characters> characters_;
-  /// How many LF stand before each block of the bytes, and as the last one how many there are; empty until somebody asks.
+  /// Number of LF before each block of the bytes, and at the end their total; empty until first used.
   mutable std::vector<std::uint32_t> line_ends_before_;
   mutable Line last_line_;  ///< that was asked for, number 0 where none was
 };
 
 enum class SourceId : std::uint32_t {};
 
-/// All sources of one run of the checker; ids and references stay valid while it lives.
+/// All sources of one check; ids and references are valid as long as the set.
 class SourceSet {
  public:
   SourceId add(SourceText text) {

@@ -1,4 +1,4 @@
-// Places in a source: byte offsets inside, lines and columns for people.
+// Places in a source: byte offsets internally, lines and columns for readers.
 #pragma once
 
 #include <compare>

@@ -27,7 +27,7 @@ bool are_eight_plain(char const* text) {
   constexpr std::uint64_t top_bits = 0x80U * ones;
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, text, sizeof bytes);
-  // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it is does not matter.
+  // A byte below 0x20 borrows from its top bit, 0x7F carries into it; which byte it was does not matter.
   return ((bytes | (bytes - 0x20U * ones) | (bytes + ones)) & top_bits) == 0;
 }
 

@@ -1,4 +1,4 @@
-// Text for a terminal: colours, and nothing from a file that could steer it.
+// Text for a terminal: colours, and no control characters from files.
 #pragma once
 
 #include "diagnostics/ascii.hpp"
@@ -14,7 +14,7 @@ namespace axisc {
 /// that turn the direction of writing and bytes that cannot be decoded become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same, appended; and for one character.
+/// Append printable() of a text, or of one character, to `out`.
 void append_printable(std::string& shown, std::string_view text);
 void append_printable(std::string& shown, char32_t character);
 
@@ -28,20 +28,20 @@ void append_printable(std::string& shown, char32_t character);
 
 enum class Style : std::uint8_t { error, warning, note, gutter, strong, added, removed };
 
-/// Puts ANSI colours around words, or leaves them alone.
+/// Puts ANSI colours around text, if enabled.
 class Painter {
  public:
   explicit Painter(bool color) : color_(color) {}
   [[nodiscard]] bool colors() const { return color_; }
   [[nodiscard]] std::string operator()(Style style, std::string_view text) const;
-  /// The same behind `out`.
+  /// Appends the coloured text to `out`.
   void append(std::string& out, Style style, std::string_view text) const {
     if (text.empty()) return;
     begin(out, style);
     out.append(text);
     end(out);
   }
-  /// The same for what is written between the two.
+  /// Begin and end of coloured text that is written in between.
   void begin(std::string& out, Style style) const {
     if (color_) begin_color(out, style);
   }

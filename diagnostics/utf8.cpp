@@ -70,7 +70,7 @@ std::size_t ascii_prefix(std::string_view text) {
   while (text.size() - at >= piece && is_ascii_piece(text.data() + at)) at += piece;
   while (text.size() - at >= 8 && are_eight_ascii(text.data() + at)) at += 8;
   if (text.size() - at >= 8) return at;
-  // The last eight at once, some of which were looked at already.
+  // The last eight bytes at once; some of them are examined twice.
   if (text.size() >= 8 && are_eight_ascii(text.data() + text.size() - 8)) return text.size();
   while (at < text.size() && static_cast<unsigned char>(text[at]) < 0x80) ++at;
   return at;

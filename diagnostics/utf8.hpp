@@ -11,7 +11,7 @@ namespace axisc {
 /// U+FFFD, shown for what cannot be decoded.
 inline constexpr char32_t replacement_character = 0xFFFD;
 
-/// Bytes from the front of `text` that are ASCII, except that up to seven of them may be left out where others follow.
+/// Bytes from the front of `text` that are ASCII, except that up to seven may be missed before the first other byte.
 /// Cost: linear, many bytes at a time.
 [[nodiscard]] std::size_t ascii_prefix(std::string_view text);
 
@@ -32,15 +32,15 @@ void append_utf8(std::string& text, char32_t character);
 
 /// `text` with every byte that is not part of a well-formed character replaced by U+FFFD.
 [[nodiscard]] std::string repair_utf8(std::string_view text);
-/// The same behind `out`.
+/// Appends `text`, with every byte that is not part of a well-formed character replaced by U+FFFD, to `out`.
 void append_repaired(std::string& out, std::string_view text);
 
-/// A byte that does not begin a character.
+/// True for a byte that does not begin a character.
 [[nodiscard]] constexpr bool is_continuation_byte(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
 }
 
-/// How many of them there are. Cost: eight bytes at a time.
+/// The number of continuation bytes. Cost: eight bytes at a time.
 [[nodiscard]] std::size_t count_continuation_bytes(std::string_view text);
 
 }  // namespace axisc

@@ -13,15 +13,16 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence no_json{"{file} is no baseline: it is not the JSON that --write-baseline writes",
+constexpr Sentence no_json{"{file} is not a baseline: it is not the JSON that --write-baseline writes",
                            "{file} ist keine Baseline: es ist nicht das JSON, das --write-baseline schreibt"};
 constexpr Sentence version{
-    "{file} is no baseline that this version can use: \"version\" must be 1; --write-baseline writes a new "
+    "{file} is not a baseline that this version can use: \"version\" must be 1; --write-baseline writes a "
+    "new "
     "one",
     "{file} ist keine Baseline, die diese Version verwenden kann: \"version\" muss 1 sein; --write-baseline "
     "schreibt eine neue"};
 constexpr Sentence no_findings{
-    "{file} is no baseline: \"findings\" is missing or no list; --write-baseline writes a new one",
+    "{file} is not a baseline: \"findings\" is missing or not a list; --write-baseline writes a new one",
     "{file} ist keine Baseline: \"findings\" fehlt oder ist keine Liste; --write-baseline schreibt eine "
     "neue"};
 constexpr Sentence bad_entry{

@@ -1,10 +1,10 @@
-// Findings that are known and accepted: hidden from then on, so that old lists can be checked for what is new.
+// A baseline: known and accepted findings, hidden so that only new ones are reported.
 //
-// A JSON file with one line per finding, sorted by axis, parameter and code, so that differences read well:
+// A JSON file with one line per finding, sorted by axis, parameter and code, so that diffs are readable:
 //     {"version": 1, "findings": [
 //       {"code": "AX3005", "axis": "X", "parameter": "filter[0].time_constant", "occurrence": 1, "fingerprint": "…"}
 //     ]}
-// What counts is code, axis, parameter and occurrence; the fingerprint is there to be searched for.
+// An entry is identified by code, axis, parameter and occurrence; the fingerprint is only for text searches.
 #pragma once
 
 #include "diagnostics/fingerprint.hpp"
@@ -30,17 +30,17 @@ struct BaselineEntry {
 class Baseline {
  public:
   Baseline() = default;
-  /// Failure for a file that cannot be read or is no baseline.
+  /// Failure for a file that cannot be read or is not a baseline.
   [[nodiscard]] static Baseline read(std::string const& path);
 
-  /// Of findings that are numbered. What is said about the run (AX9…) is left out: it accuses no list.
+  /// A baseline of numbered findings. Findings about the run itself (AX9…) are left out: they do not concern a list.
   void add(Identity const& identity, std::uint32_t occurrence);
   void remove(Identity const& identity, std::uint32_t occurrence);
 
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] bool holds(Identity const& identity, std::uint32_t occurrence) const;
-  /// The same, whatever the occurrence.
+  /// True if an entry matches the finding in everything but the occurrence.
   [[nodiscard]] bool mentions(Identity const& identity) const;
   [[nodiscard]] std::vector<Identity> identities() const;
   [[nodiscard]] std::set<BaselineEntry> const& entries() const { return entries_; }

@@ -13,8 +13,8 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
 }
 
 JudgedInput judge_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                        ReportForm const& form, SourceSet& sources, TakeFinding const& take) {
-  FindingWriter writer(sources, form, take);
+                        ReportFormat const& report_format, SourceSet& sources, TakeFinding const& take) {
+  FindingWriter writer(sources, report_format, take);
   JudgedInput judged;
   judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding const& finding) {
     if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
@@ -27,15 +27,15 @@ JudgedInput judge_input(CheckJob const& job, std::string const& path, configurat
 }
 
 CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                         ReportForm const& form, TakeFinding const& take) {
+                         ReportFormat const& report_format, TakeFinding const& take) {
   SourceSet sources;
-  return judge_input(job, path, files, form, sources, take).checked;
+  return judge_input(job, path, files, report_format, sources, take).checked;
 }
 
 CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                         ReportForm const& form) {
+                         ReportFormat const& report_format) {
   std::deque<WrittenFinding> findings;
-  auto checked = check_input(job, path, files, form, keep_in(findings));
+  auto checked = check_input(job, path, files, report_format, keep_in(findings));
   checked.findings = std::move(findings);
   return checked;
 }

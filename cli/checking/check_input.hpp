@@ -1,4 +1,4 @@
-// One input of many: checked with the settings that apply to it.
+// Checks one input with the settings that apply to it.
 #pragma once
 
 #include "cli/checking/checked_input.hpp"
@@ -27,18 +27,18 @@ struct JudgedInput {
   validator::CheckResult result;  ///< the rest of it
 };
 
-// What follows may be called by several threads, and throws what has to end the whole run.
+// The functions below may be called by several threads. They throw what must end the whole run.
 
-/// Every finding goes to `take` as soon as it is written. `sources` receives every text read.
+/// Every finding is passed to `take` as soon as it is written. `sources` receives every text read.
 [[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path,
-                                      configuration::Files& files, ReportForm const& form, SourceSet& sources,
-                                      TakeFinding const& take);
-/// For who only wants the findings.
+                                      configuration::Files& files, ReportFormat const& report_format,
+                                      SourceSet& sources, TakeFinding const& take);
+/// For callers that need only the findings.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
-                                       configuration::Files& files, ReportForm const& form,
+                                       configuration::Files& files, ReportFormat const& report_format,
                                        TakeFinding const& take);
-/// With the findings in the result.
+/// The findings are in the result.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
-                                       configuration::Files& files, ReportForm const& form);
+                                       configuration::Files& files, ReportFormat const& report_format);
 
 }  // namespace axisc::cli

@@ -1,5 +1,5 @@
-// What is left of an input when it was checked: its findings as they will be printed, and what the whole run needs to
-// know of them. No source text stays in memory, and the same bytes can be kept in a cache.
+// The result of checking one input: its findings as they will be printed, and the facts that the whole run needs. It
+// holds no source text, and can be stored in a cache.
 #pragma once
 
 #include "cli/failure.hpp"
@@ -27,43 +27,43 @@ struct WrittenFinding {
 };
 
 struct CheckedInput {
-  /// In output order; none that were printed as soon as they were written.
+  /// In output order; without those that were printed at once.
   std::deque<WrittenFinding> findings;
   std::vector<Artifact> artifacts;  ///< the sources, where findings name them
   std::vector<std::string> files;   ///< that were read
   std::optional<Failure> failure;   ///< then there is nothing else
 };
 
-/// Takes a finding of an input; what it is given is gone afterwards.
+/// Receives a finding of an input; the argument is valid only during the call.
 using TakeFinding = std::function<void(WrittenFinding const&)>;
-/// Keeps them.
+/// Collects the findings in `findings`.
 [[nodiscard]] inline TakeFinding keep_in(std::deque<WrittenFinding>& findings) {
   return [&findings](WrittenFinding const& finding) { findings.push_back(finding); };
 }
 
-/// Writes the findings of one input, one after the other in output order. The sources may still grow.
+/// Writes the findings of one input in output order. Sources may still be added meanwhile.
 class FindingWriter {
  public:
-  FindingWriter(SourceSet const& sources, ReportForm const& form, TakeFinding take)
-      : sources_(sources), form_(form), take_(std::move(take)) {}
+  FindingWriter(SourceSet const& sources, ReportFormat const& report_format, TakeFinding take)
+      : sources_(sources), report_format_(report_format), take_(std::move(take)) {}
 
   void add(Finding const& finding);
-  /// Of everything that was added.
+  /// Counts of all findings added.
   [[nodiscard]] FindingCounts const& counts() const { return counts_; }
-  /// For CheckedInput::artifacts, when all findings are written.
+  /// For CheckedInput::artifacts; call it after the last finding.
   [[nodiscard]] std::vector<Artifact> artifacts() const;
 
  private:
   SourceSet const& sources_;
-  ReportForm const& form_;
+  ReportFormat const& report_format_;
   TakeFinding take_;
   FindingCounts counts_;
   WrittenFinding written_;  ///< the last one, whose memory serves the next
 };
 
-// As a cache keeps it; an input with a failure is not kept.
+// The form stored in a cache; an input with a failure is not stored.
 void write_bytes(ByteWriter& bytes, CheckedInput const& checked);
-/// None where the bytes make no sense.
+/// None if the bytes are invalid.
 [[nodiscard]] std::optional<CheckedInput> read_checked_input(ByteReader& bytes);
 
 [[nodiscard]] std::size_t weight_of(CheckedInput const& checked);

@@ -29,7 +29,7 @@ namespace axisc::cli {
 
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = has_extension(input, ".json");
-  // A machine file with mistakes is judged first: the cycle time may be one of them.
+  // Mistakes in the machine file are reported first: the cycle time may be one of them.
   if (result.cycle_time_known || (is_machine && !result.machine)) return;
   throw Failure({.sentence = is_machine ? says::machine_cycle_time_missing : says::cycle_time_missing,
                  .arguments = {{"file", input}}});

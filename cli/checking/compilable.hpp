@@ -1,4 +1,5 @@
-// What keeps a machine from being compiled though no finding says so: it was silenced, or only an image needs it.
+// Reasons why a machine cannot be compiled although no finding says so: the finding was silenced, or only images are
+// affected.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -8,11 +9,11 @@
 
 namespace axisc::cli {
 
-/// Failure where the NC cycle time had to be assumed: an image for a guessed one would move every frequency.
+/// Failure if the NC cycle time is unknown: an image for a guessed one would shift every frequency.
 void require_cycle_time(std::string const& input, validator::CheckResult const& result);
 
-/// For a result whose findings let the input pass. Failure where it has no machine all the same (an NC program, a machine
-/// file whose mistakes are silenced), and where the machine would lack a filter that is configured.
+/// For a result whose findings let the input pass. Failure if it has no machine nevertheless (an NC program, a machine
+/// file whose mistakes are silenced), and if the machine would lack a configured filter.
 void require_machine(std::string const& input, validator::CheckResult const& result, SourceSet const& sources,
                      Language language);
 

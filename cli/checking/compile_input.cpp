@@ -25,13 +25,13 @@ void compile(CompileJob const& job, std::string const& path, configuration::File
              CompiledInput& compiled) {
   SourceSet sources;
   std::deque<WrittenFinding> findings;
-  auto judged = judge_input(job.check, path, files, job.form, sources, keep_in(findings));
+  auto judged = judge_input(job.check, path, files, job.report_format, sources, keep_in(findings));
   if (judged.checked.failure) throw Failure(*judged.checked.failure);
   require_cycle_time(path, judged.result);
   compiled.checked = std::move(judged.checked);
   compiled.checked.findings = std::move(findings);
-  if (objectionable(job.words, judged.counts)) return;
-  require_machine(path, judged.result, sources, job.form.write.language);
+  if (objectionable(job.checking, judged.counts)) return;
+  require_machine(path, judged.result, sources, job.report_format.write.language);
   compiled.image = image_of(*judged.result.machine, job);
 }
 

@@ -1,4 +1,4 @@
-// One input of `axisc compile`: checked, and what its image is.
+// Checks and compiles one input of `axisc compile`.
 #pragma once
 
 #include "cli/checking/check_input.hpp"
@@ -12,9 +12,9 @@ namespace axisc::cli {
 
 struct CompileJob {
   CheckJob check;
-  CheckingWords const& words;
+  CheckingOptions const& checking;
   codegen::ImageOptions image;
-  ReportForm form;
+  ReportFormat report_format;
   codegen::KnownDesigns& designs;  ///< of all inputs of the run
 };
 
@@ -33,7 +33,7 @@ struct CompiledInput {
 [[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path,
                                           configuration::Files& files);
 
-// As a cache keeps it; an input with a failure is not kept.
+// The form stored in a cache; an input with a failure is not stored.
 [[nodiscard]] std::string to_bytes(CompiledInput const& compiled);
 [[nodiscard]] std::optional<CompiledInput> read_compiled_input(std::string_view text);
 

@@ -1,4 +1,4 @@
-// The disk, with some files as they will be.
+// Files with pending edits applied; all others come from the disk.
 #pragma once
 
 #include "cli/files/disk_files.hpp"
@@ -13,7 +13,7 @@ namespace axisc::cli {
 /// New bytes by path.
 using EditedBytes = std::map<std::string, std::string>;
 
-/// Reads the edited bytes where there are any. Several of these may share one map while nobody changes it.
+/// Reads the edited bytes if there are any. Several readers may share one map while it is not changed.
 class EditedFiles final : public configuration::Files {
  public:
   EditedFiles(EditedBytes const& edited, bool dash_is_standard_input)

@@ -13,13 +13,13 @@ namespace axisc::cli {
 
 namespace {
 
-/// In one round; thousands of fixes that none may be applied would take hours otherwise.
+/// Trials in one round; thousands of fixes of which none can be applied would otherwise take hours.
 constexpr std::size_t most_checks = 200;
 
 using Counts = std::map<Identity, std::size_t>;
 using Fixes = std::vector<Fix const*>;
 
-/// What is said about the run (AX9…) accuses no list.
+/// Findings about the run itself (AX9…) do not concern a list.
 Counts identities_of(std::vector<Finding> const& findings, SourceSet const& sources) {
   Counts counts;
   for (auto const& finding : findings) {
@@ -28,7 +28,7 @@ Counts identities_of(std::vector<Finding> const& findings, SourceSet const& sour
   return counts;
 }
 
-/// Nothing new, and something less: so every accepted step brings the end nearer.
+/// No new finding, and at least one less: so every accepted step makes progress.
 bool is_better(Counts const& after, Counts const& before) {
   bool fewer = after.size() < before.size();
   for (auto const& [identity, number] : after) {
@@ -92,7 +92,8 @@ class Fixer {
     });
   }
 
-  /// True when a fix was applied. Of fixes that touch one another the first is taken; the others have the next round.
+  /// True if a fix was applied. Of fixes that touch one another the first is applied; the others wait for the next
+  /// round.
   bool round(std::string const& path, std::size_t& left_out) {
     SourceSet sources;
     auto const found = check(path, result_.edited, sources);
@@ -130,7 +131,7 @@ class Fixer {
     std::size_t checks = 0;
   };
 
-  /// Takes all of `fixes` if that is an improvement, else looks for the ones that are, half by half.
+  /// Applies all of `fixes` if that is an improvement, otherwise bisects to find those that are.
   void accept(Attempt& attempt, std::span<Fix const* const> fixes) const {
     if (fixes.empty() || ++attempt.checks > most_checks) return;
     FixBatch batch(attempt.sources);

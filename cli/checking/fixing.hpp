@@ -1,4 +1,4 @@
-// Applies the fixes that findings offer, in memory, until none is left.
+// Applies the fixes of findings, in memory, until none is left.
 #pragma once
 
 #include "cli/checking/baseline.hpp"
@@ -18,10 +18,9 @@ struct FixedInputs {
   FixFacts facts;
 };
 
-/// A fix that leads to another finding, or does not end its own, is taken back. Findings that the baseline mentions are
-/// left as they are. Applying fixes to the result changes nothing. One input after another, because they may share
-/// files. Cost: a check per round, and some more for each fix that is taken back, at most
-/// two hundred.
+/// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline are not fixed.
+/// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost: a check
+/// per round, and some more for each fix that is taken back, at most two hundred.
 [[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
                                      FixChoice choice, Baseline const& baseline);
 

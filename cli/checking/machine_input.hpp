@@ -1,4 +1,4 @@
-// The machine of an input, for commands that compile it in memory and go on from there.
+// The machine of an input, for commands that compile it in memory and use the image.
 #pragma once
 
 #include "cli/checking/check_input.hpp"
@@ -9,9 +9,9 @@
 
 namespace axisc::cli {
 
-/// Checks with the settings that apply to the input. Where findings forbid a machine, those of severity error go to standard
-/// error and nothing is returned; everything else that `compile` refuses is a Failure, but for the cycle time. The
-/// machine of the result reads its NC programs from `files` again.
+/// Checks with the settings that apply to the input. If findings prevent a machine, those of severity error go to
+/// standard error and none is returned; everything else that `compile` refuses is a Failure, except an unknown cycle
+/// time. The machine of the result reads its NC programs from `files` again.
 [[nodiscard]] std::optional<validator::CheckResult> check_machine(CheckJob const& job,
                                                                   std::string const& path,
                                                                   configuration::Files& files,

@@ -29,7 +29,7 @@ ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<s
   if (target.makes_folder) fs::create_directories(fs::path(target.path).parent_path(), error);
   OutputFile output(target.path);
   output.write(bytes);
-  // The rule comes first: an image without it would never be made again.
+  // The rule is written first: an image without it would never be rebuilt.
   write_depfile(target, sources);
   output.commit();
   return ImageFate::written;

@@ -1,4 +1,4 @@
-// An image in its place, or why it is not there.
+// Writes an image and reports the outcome.
 #pragma once
 
 #include "cli/checking/compile_input.hpp"
@@ -25,8 +25,8 @@ struct WrittenImage {
   std::size_t filters = 0;
 };
 
-/// Writes the image unless the file is just that already. `more_sources` are those that the input does not name itself.
-/// What cannot be written is a failure of the input.
+/// Writes the image unless the file already has the same content. `more_sources` are sources that the input does not
+/// name itself. A write error is a failure of the input.
 [[nodiscard]] WrittenImage write_image(CompiledInput compiled, ImageTarget const& target,
                                        std::vector<std::string> const& more_sources);
 

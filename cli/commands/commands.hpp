@@ -10,7 +10,7 @@
 
 namespace axisc::cli {
 
-/// What the user typed behind the command's name, and where answers go. Every command may throw a Failure.
+/// The arguments after the command's name, and the output streams. Every command may throw a Failure.
 struct Invocation {
   std::span<std::string const> arguments;
   Language language = Language::english;

@@ -26,8 +26,8 @@ constexpr Sentence examples{R"(Examples:
   axisc compile plant/ --output-folder images     plant/a/x.lis becomes images/plant/a/x.axim
   axisc compile @lists.txt --output-folder images --cache ~/.cache/axisc --shard 2/8
 
-An image that would be the same is not touched, so that build systems see that nothing follows from it.
-Equal inputs give the same bytes, wherever they lie. Findings go to standard error.
+An image that would not change is left untouched, so that build systems rebuild nothing that depends on it.
+Equal inputs give the same bytes, wherever they are. Findings go to standard error.
 Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could not be read or written.)",
                             R"(Beispiele:
   axisc compile maschine.json -o fraese.axim
@@ -37,7 +37,7 @@ Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could 
   axisc compile werk/ --output-folder abbilder    werk/a/x.lis wird abbilder/werk/a/x.axim
   axisc compile @listen.txt --output-folder abbilder --cache ~/.cache/axisc --shard 2/8
 
-Ein Abbild, das gleich bliebe, wird nicht angefasst; Bausysteme sehen so, dass daraus nichts folgt.
+Ein Abbild, das sich nicht ändern würde, bleibt unberührt; Build-Systeme bauen dann nichts davon Abhängiges neu.
 Gleiche Eingaben ergeben dieselben Bytes, wo immer sie liegen. Befunde gehen auf die Standardfehlerausgabe.
 Rückgabewert: 0 geschrieben, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, {bytes} bytes",
@@ -65,32 +65,32 @@ std::string summary(WrittenImage const& image, std::string const& path, Language
          "\n";
 }
 
-/// One compile: the words of the command line, and what they lead to.
+/// One execution of `axisc compile`.
 class Compile {
  public:
-  Compile(CompileWords const& words, Language language, bool color, Streams& streams)
-      : words_(words),
+  Compile(CompileOptions const& options, Language language, bool color, Streams& streams)
+      : options_(options),
         streams_(streams),
-        settings_(words.checking.schema_files),
-        threads_(asked_threads(words.checking.threads)),
+        settings_(options.checking.schema_files),
+        threads_(asked_threads(options.checking.threads)),
         job_{.check = {},
-             .words = words.checking,
-             .image = image_options(words),
-             .form = {},
+             .checking = options.checking,
+             .image = image_options(options),
+             .report_format = {},
              .designs = designs_} {
-    job_.check.options = check_options(words.checking);
-    job_.check.quiet = words.checking.quiet;
+    job_.check.options = check_options(options.checking);
+    job_.check.quiet = options.checking.quiet;
     job_.check.settings = &settings_;
-    job_.form.format = words.checking.format;
-    job_.form.write = {.language = language, .color = color};
-    auto inputs = choose_inputs(words);
+    job_.report_format.format = options.checking.format;
+    job_.report_format.write = {.language = language, .color = color};
+    auto inputs = choose_inputs(options);
     part_ = std::move(inputs.part);
     names_ = std::move(inputs.images);
     name_failures_ = std::move(inputs.failures);
-    if (needs_context(job_.form.format)) {
-      job_.form.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
+    if (needs_context(job_.report_format.format)) {
+      job_.report_format.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
     }
-    if (words.fleet.asks_for_digests()) run_ = image_digest();
+    if (options.fleet.asks_for_digests()) run_ = image_digest();
   }
 
   [[nodiscard]] ExitStatus print_key() {
@@ -103,13 +103,13 @@ class Compile {
 
   [[nodiscard]] ExitStatus run() {
     for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
-    ReportStream report({.form = job_.form,
-                         .quiet = words_.checking.quiet,
+    ReportStream report({.report_format = job_.report_format,
+                         .quiet = options_.checking.quiet,
                          .statistics = false,
                          .counts_always = false,
                          .baseline = {},
                          .write_baseline = false,
-                         .shard = shard_record(part_, {}, run_, job_.check, words_.checking.werror)},
+                         .shard = shard_record(part_, {}, run_, job_.check, options_.checking.werror)},
                         streams_.err);
     for (std::size_t i = 0; i < name_failures_.size(); ++i) {
       if (reports_names(part_)) fail(report, i, name_failures_[i]);
@@ -130,12 +130,12 @@ class Compile {
                                                                     : ExitStatus::success;
   }
 
-  /// Everything but the input that decides about an image and what is printed with it.
+  /// Everything but the input that an image and its messages depend on.
   [[nodiscard]] Digest image_digest() const {
     Hasher hasher;
     hasher.text("compile");
-    hasher.digest(run_digest(job_.check, job_.form));
-    hasher.number(words_.checking.werror ? 1 : 0);
+    hasher.digest(run_digest(job_.check, job_.report_format));
+    hasher.number(options_.checking.werror ? 1 : 0);
     hasher.number(job_.image.strip ? 1 : 0);
     hasher.number(job_.image.image_version);
     return hasher.finish();
@@ -143,17 +143,17 @@ class Compile {
 
   void fail(ReportStream& report, std::size_t order, Failure const& failure) {
     failed_ = true;
-    failure_lines_ += failure.line(job_.form.write.language);
+    failure_lines_ += failure.line(job_.report_format.write.language);
     report.fail(order, failure);
   }
 
   void compile_all(ReportStream& report) {
-    auto cache = open_cache(words_.fleet, streams_.err, job_.form.write.language);
+    auto cache = open_cache(options_.fleet, streams_.err, job_.report_format.write.language);
     std::optional<OutputFile> rules;
-    if (words_.is_batch() && words_.depfile) rules.emplace(*words_.depfile);
+    if (options_.is_batch() && options_.depfile) rules.emplace(*options_.depfile);
     {
-      Progress progress(words_.is_batch() && progress_is_seen() && !words_.checking.quiet,
-                        job_.form.write.language);
+      Progress progress(options_.is_batch() && progress_is_seen() && !options_.checking.quiet,
+                        job_.report_format.write.language);
       progress.stand_aside_for(streams_.err);
       in_order<WrittenImage>({.count = part_.chosen.size(),
                               .work = [&](std::size_t i) { return compile_one(i, cache.get()); },
@@ -167,14 +167,15 @@ class Compile {
                              thread_count(threads_, part_.chosen.size()));
     }
     if (rules) rules->commit();
-    finish_cache(std::move(cache), words_.fleet, streams_.err, job_.form.write.language);
+    finish_cache(std::move(cache), options_.fleet, streams_.err, job_.report_format.write.language);
   }
 
   [[nodiscard]] WrittenImage compile_one(std::size_t index, ResultCache* cache) {
     auto const& path = part_.path(index);
-    ImageTarget target{.path = names_[part_.chosen[index]], .depfile = {}, .makes_folder = words_.is_batch()};
+    ImageTarget target{
+        .path = names_[part_.chosen[index]], .depfile = {}, .makes_folder = options_.is_batch()};
     // A batch has one file for the rules of all images.
-    if (!words_.is_batch()) target.depfile = words_.depfile;
+    if (!options_.is_batch()) target.depfile = options_.depfile;
     return write_image(compiled(path, cache), target, more_sources(path));
   }
 
@@ -192,18 +193,18 @@ class Compile {
     return result;
   }
 
-  /// Settings and schema files decide what a list may say, so a build system has to watch them too.
+  /// Settings and schema files affect the result, so a build system must watch them too.
   [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
     std::vector<std::string> files;
     if (auto const* const settings = settings_.find(path)) {
       files.push_back(settings->file);
       files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
     }
-    files.insert(files.end(), words_.checking.schema_files.begin(), words_.checking.schema_files.end());
+    files.insert(files.end(), options_.checking.schema_files.begin(), options_.checking.schema_files.end());
     return files;
   }
 
-  /// An image that could not be made keeps its rule: it is to be made again when one of its sources changes.
+  /// A failed image keeps its rule: it must be rebuilt when one of its sources changes.
   [[nodiscard]] std::string rule_of(std::size_t index, WrittenImage const& image) const {
     auto sources = image.sources;
     if (image.checked.files.empty()) sources.insert(sources.begin(), part_.path(index));
@@ -215,14 +216,14 @@ class Compile {
     report.add(number, image.checked);
     if (image.checked.failure) fail(report, name_failures_.size() + number, *image.checked.failure);
     ++fates_[static_cast<std::size_t>(image.fate)];
-    if (!words_.is_batch() && image.fate != ImageFate::missing) {
-      summary_ = summary(image, names_[number], job_.form.write.language);
+    if (!options_.is_batch() && image.fate != ImageFate::missing) {
+      summary_ = summary(image, names_[number], job_.report_format.write.language);
     }
   }
 
   void print_summary() {
-    if (words_.checking.quiet || words_.checking.format != FindingFormat::text) return;
-    if (words_.is_batch()) {
+    if (options_.checking.quiet || options_.checking.format != FindingFormat::text) return;
+    if (options_.is_batch()) {
       auto const number = [this](ImageFate fate) {
         return std::to_string(fates_[static_cast<std::size_t>(fate)]);
       };
@@ -230,13 +231,13 @@ class Compile {
                          .arguments = {{"written", number(ImageFate::written)},
                                        {"unchanged", number(ImageFate::unchanged)},
                                        {"missing", number(ImageFate::missing)}}},
-                        job_.form.write.language) +
+                        job_.report_format.write.language) +
                  "\n";
     }
     streams_.err.write(summary_);
   }
 
-  CompileWords const& words_;
+  CompileOptions const& options_;
   Streams& streams_;
   SettingsFinder settings_;
   std::optional<unsigned> threads_;
@@ -255,14 +256,14 @@ class Compile {
 }  // namespace
 
 ExitStatus compile(Invocation const& invocation) {
-  CompileWords words;
+  CompileOptions options;
   CommandLine command_line("compile", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  require_sense(command_line, words);
-  Compile compile(words, invocation.language, use_color(command_line.color(), system::Stream::error),
+  require_sense(command_line, options);
+  Compile compile(options, invocation.language, use_color(command_line.color(), system::Stream::error),
                   invocation.streams);
-  return words.fleet.print_key ? compile.print_key() : compile.run();
+  return options.fleet.print_key ? compile.print_key() : compile.run();
 }
 
 }  // namespace axisc::cli

@@ -26,19 +26,20 @@ constexpr Sentence examples{R"(Examples:
   axisc contour maschine.json --feed 4000
   axisc contour maschine.json --feed 1000,2000,4000 --order 20,40,80
   axisc contour maschine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)"};
-constexpr Sentence option_feed{"feed rates in mm/min (default 1000)", "Vorschübe in mm/min (Vorgabe 1000)"};
+constexpr Sentence option_feed{"feed rates in mm/min (default: 1000)",
+                               "Vorschübe in mm/min (Standardwert: 1000)"};
 constexpr Sentence option_order{"orders instead of the lists'", "Ordnungen statt derer der Listen"};
-constexpr Sentence option_angle{"change of direction at the corner in degrees, 0 to 180 (default 90)",
-                                "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Vorgabe 90)"};
-constexpr Sentence option_radius{"radius of the circle in mm (default 10)",
-                                 "Radius des Kreises in mm (Vorgabe 10)"};
+constexpr Sentence option_angle{"change of direction at the corner in degrees, 0 to 180 (default: 90)",
+                                "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Standardwert: 90)"};
+constexpr Sentence option_radius{"radius of the circle in mm (default: 10)",
+                                 "Radius des Kreises in mm (Standardwert: 10)"};
 constexpr Sentence option_tolerance{
     "allowed axis error in mm: which feed and which order keep it",
     "erlaubter Achsfehler in mm: welcher Vorschub, welche Ordnung hält ihn ein"};
 constexpr Sentence option_filter{
     R"(what the program commands, "#FILTER ON [ORDER=20]" or "#FILTER OFF")",
     R"(was das Programm kommandiert, "#FILTER ON [ORDER=20]" oder "#FILTER OFF")"};
-constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence bad_positive{"{option} needs numbers above 0, not \"{value}\"",
                                 "{option} braucht Zahlen über 0, nicht \"{value}\""};
 constexpr Sentence bad_angle{"--angle needs a number from 0 to 180, not \"{value}\"",
@@ -52,25 +53,25 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Form : std::uint8_t { text, csv, json };
+enum class Format : std::uint8_t { text, csv, json };
 
-struct ContourWords {
+struct ContourOptions {
   std::optional<std::string> machine, cycle_time, feeds, orders, angle, radius, tolerance, filter, group;
-  Form form = Form::text;
+  Format format = Format::text;
 };
 
-void declare(CommandLine& command_line, ContourWords& words) {
-  command_line.argument("MACHINE", words.machine, says::argument_input);
-  command_line.value("--feed", "F[,F...]", words.feeds, says::option_feed);
-  command_line.value("--order", "N[,N...]", words.orders, says::option_order);
-  command_line.value("--angle", "DEGREES", words.angle, says::option_angle);
-  command_line.value("--radius", "MM", words.radius, says::option_radius);
-  command_line.value("--tolerance", "MM", words.tolerance, says::option_tolerance);
-  command_line.value("--filter", "COMMAND", words.filter, says::option_filter);
-  command_line.value("--group", "NAME", words.group, says::option_group);
-  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
-  command_line.choice("--format", {{"text", Form::text}, {"csv", Form::csv}, {"json", Form::json}},
-                      words.form, says::option_format);
+void declare(CommandLine& command_line, ContourOptions& options) {
+  command_line.argument("MACHINE", options.machine, says::argument_input);
+  command_line.value("--feed", "F[,F...]", options.feeds, says::option_feed);
+  command_line.value("--order", "N[,N...]", options.orders, says::option_order);
+  command_line.value("--angle", "DEGREES", options.angle, says::option_angle);
+  command_line.value("--radius", "MM", options.radius, says::option_radius);
+  command_line.value("--tolerance", "MM", options.tolerance, says::option_tolerance);
+  command_line.value("--filter", "COMMAND", options.filter, says::option_filter);
+  command_line.value("--group", "NAME", options.group, says::option_group);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.choice("--format", {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
+                      options.format, says::option_format);
 }
 
 [[noreturn]] void refuse(SentenceRef text, std::string option, std::string value) {
@@ -84,16 +85,16 @@ double positive(std::string const& option, std::string const& word) {
   return *value;
 }
 
-ContourRequest read_words(ContourWords const& words) {
+ContourRequest read_options(ContourOptions const& options) {
   ContourRequest wanted;
-  if (words.feeds) {
+  if (options.feeds) {
     wanted.feeds.clear();
-    for (auto const& word : split_list(*words.feeds)) wanted.feeds.push_back(positive("--feed", word));
-    if (wanted.feeds.empty()) refuse(says::bad_positive, "--feed", *words.feeds);
+    for (auto const& word : split_list(*options.feeds)) wanted.feeds.push_back(positive("--feed", word));
+    if (wanted.feeds.empty()) refuse(says::bad_positive, "--feed", *options.feeds);
   }
-  if (words.orders) {
+  if (options.orders) {
     wanted.orders.clear();
-    for (auto const& word : split_list(*words.orders)) {
+    for (auto const& word : split_list(*options.orders)) {
       auto const order = parse_count(word);
       if (!order || *order > design::longest_kernel_order) {
         throw Failure(
@@ -103,38 +104,38 @@ ContourRequest read_words(ContourWords const& words) {
       wanted.orders.emplace_back(static_cast<std::uint32_t>(*order));
     }
     if (wanted.orders.empty()) {
-      throw Failure(
-          {.sentence = says::bad_orders,
-           .arguments = {{"limit", std::to_string(design::longest_kernel_order)}, {"value", *words.orders}}});
+      throw Failure({.sentence = says::bad_orders,
+                     .arguments = {{"limit", std::to_string(design::longest_kernel_order)},
+                                   {"value", *options.orders}}});
     }
   }
-  if (words.angle) {
-    auto const angle = parse_finite(*words.angle);
+  if (options.angle) {
+    auto const angle = parse_finite(*options.angle);
     if (!angle || *angle < 0 || *angle > 180) {
-      throw Failure({.sentence = says::bad_angle, .arguments = {{"value", *words.angle}}});
+      throw Failure({.sentence = says::bad_angle, .arguments = {{"value", *options.angle}}});
     }
     wanted.angle_deg = *angle;
   }
-  if (words.radius) wanted.radius_mm = positive("--radius", *words.radius);
-  if (words.tolerance) wanted.tolerance_mm = positive("--tolerance", *words.tolerance);
+  if (options.radius) wanted.radius_mm = positive("--radius", *options.radius);
+  if (options.tolerance) wanted.tolerance_mm = positive("--tolerance", *options.tolerance);
   return wanted;
 }
 
 }  // namespace
 
 ExitStatus contour(Invocation const& invocation) {
-  ContourWords words;
+  ContourOptions options;
   CommandLine command_line("contour", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.machine.has_value(), "MACHINE");
-  auto const wanted = read_words(words);
-  auto const checked = checked_machine(*words.machine, words.cycle_time, invocation,
+  command_line.require(options.machine.has_value(), "MACHINE");
+  auto const wanted = read_options(options);
+  auto const checked = checked_machine(*options.machine, options.cycle_time, invocation,
                                        use_color(command_line.color(), system::Stream::error));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
-  auto const first = chosen_group(machine, words.group, *words.machine);
+  auto const first = chosen_group(machine, options.group, *options.machine);
 
   ShownContour shown{.cycle_time_us = machine.cycle_time.microseconds(),
                      .angle_deg = wanted.angle_deg,
@@ -142,22 +143,22 @@ ExitStatus contour(Invocation const& invocation) {
                      .groups = {}};
   for (std::size_t i = first; i < machine.groups.size(); ++i) {
     if (machine.groups[i].axes.empty()) continue;
-    auto const commands =
-        words.filter
-            ? std::vector{read_filter_command(machine, machine.groups[i], *words.filter, invocation.language)}
-            : filters_on();
+    auto const commands = options.filter
+                              ? std::vector{read_filter_command(machine, machine.groups[i], *options.filter,
+                                                                invocation.language)}
+                              : filters_on();
     shown.groups.push_back(predict_contour(
-        {.machine = machine, .group = i, .commands = commands, .path = *words.machine}, wanted));
-    if (words.group) break;
+        {.machine = machine, .group = i, .commands = commands, .path = *options.machine}, wanted));
+    if (options.group) break;
   }
-  switch (words.form) {
-    case Form::text:
+  switch (options.format) {
+    case Format::text:
       out.write(contour_text(shown, invocation.language));
       break;
-    case Form::csv:
+    case Format::csv:
       out.write(contour_csv(shown));
       break;
-    case Form::json:
+    case Format::json:
       out.write(contour_json(shown));
       break;
   }

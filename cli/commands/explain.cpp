@@ -34,8 +34,8 @@ constexpr Sentence examples{R"(Examples:
 constexpr Sentence argument_subject{
     "a code (AX3005), its name, a number (P-AXIS-00140) or a parameter (filter[0].order)",
     "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140) oder ein Parameter (filter[0].order)"};
-constexpr Sentence option_format{"form of the output (default markdown)",
-                                 "Form der Ausgabe (Vorgabe markdown)"};
+constexpr Sentence option_format{"output format (default: markdown)",
+                                 "Ausgabeformat (Standardwert: markdown)"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
 
 }  // namespace axisc::cli::says
@@ -87,9 +87,9 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
                  .arguments = {{"word", word}, {"meant", meant}}});
 }
 
-enum class Form : std::uint8_t { markdown, json };
+enum class Format : std::uint8_t { markdown, json };
 
-/// What the user asked about.
+/// The subject that the user named.
 struct Subject {
   std::vector<validator::Rule const*> rules;
   std::vector<schema::Parameter const*> parameters;
@@ -134,20 +134,20 @@ std::string explain_markdown(schema::Catalogue const& catalogue, Subject const& 
 ExitStatus explain(Invocation const& invocation) {
   std::optional<std::string> word;
   bool all = false;
-  Form form = Form::markdown;
+  Format format = Format::markdown;
   CommandLine command_line("explain", says::purpose, says::examples, invocation.language);
   command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, says::argument_subject);
   command_line.flag("--all", all, says::option_all);
-  command_line.choice("--format", {{"markdown", Form::markdown}, {"json", Form::json}}, form,
+  command_line.choice("--format", {{"markdown", Format::markdown}, {"json", Format::json}}, format,
                       says::option_format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER");
   auto const language = invocation.language;
-  // What the lists of the working folder may set.
+  // The parameters that lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");
-  if (form == Form::json) {
+  if (format == Format::json) {
     auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);
     invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
   } else {

@@ -49,12 +49,12 @@ namespace axisc::cli {
 
 namespace {
 
-/// NC programs are no lists: their layout is their author's.
+/// NC programs are not lists: their layout is up to their author.
 bool is_program(std::string const& path) {
   return has_extension(path, ".nc");
 }
 
-struct FmtWords {
+struct FmtOptions {
   std::vector<std::string> named;
   std::vector<std::string> schema_files;
   std::optional<std::string> threads;
@@ -62,7 +62,7 @@ struct FmtWords {
   bool diff = false;
 };
 
-/// The lists behind the inputs: a machine file stands for those that it names.
+/// The lists to format: a machine file is replaced by the lists that it names.
 std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   std::vector<std::string> lists;
   std::unordered_set<std::string> known;
@@ -106,20 +106,20 @@ struct Formatted {
   std::optional<Failure> failure;
 };
 
-/// May be called by several threads: no two write one list.
-Formatted format_list(std::string const& path, FmtWords const& words, schema::Catalogue const& catalogue,
+/// May be called by several threads, for different lists.
+Formatted format_list(std::string const& path, FmtOptions const& options, schema::Catalogue const& catalogue,
                       Language language) {
   Formatted result;
   auto const before = read_list(path);
   auto const after = validator::aligned_list(SourceText(path, before), catalogue);
-  if (path == "-" && !words.check && !words.diff) result.out += after;
+  if (path == "-" && !options.check && !options.diff) result.out += after;
   if (after == before) return result;
   result.changed = true;
-  if (words.diff) result.out += unified_diff(path, before, after);
-  if (words.check && !words.diff) {
+  if (options.diff) result.out += unified_diff(path, before, after);
+  if (options.check && !options.diff) {
     result.out += render({.sentence = says::would_change, .arguments = {{"file", path}}}, language) + "\n";
   }
-  if (path != "-" && !words.check && !words.diff) {
+  if (path != "-" && !options.check && !options.diff) {
     OutputFile file(path);
     file.write(after);
     file.commit();
@@ -130,25 +130,25 @@ Formatted format_list(std::string const& path, FmtWords const& words, schema::Ca
 }  // namespace
 
 ExitStatus fmt(Invocation const& invocation) {
-  FmtWords words;
+  FmtOptions options;
   CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
-  command_line.arguments("INPUT...", words.named, says::argument_inputs);
-  command_line.flag("--check", words.check, says::option_check);
-  command_line.flag("--diff", words.diff, says::option_diff);
-  declare_schema(command_line, words.schema_files);
-  declare_threads(command_line, words.threads);
+  command_line.arguments("INPUT...", options.named, says::argument_inputs);
+  command_line.flag("--check", options.check, says::option_check);
+  command_line.flag("--diff", options.diff, says::option_diff);
+  declare_schema(command_line, options.schema_files);
+  declare_threads(command_line, options.threads);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(!words.named.empty(), "INPUT");
-  auto const asked = asked_threads(words.threads);
-  auto inputs = expand_inputs(words.named);
-  SettingsFinder settings(words.schema_files);
+  command_line.require(!options.named.empty(), "INPUT");
+  auto const asked = asked_threads(options.threads);
+  auto inputs = expand_inputs(options.named);
+  SettingsFinder settings(options.schema_files);
   bool changed = false;
   auto const lists = lists_of(inputs.paths);
   auto const format = [&](std::size_t i) {
     try {
-      return format_list(lists[i], words, settings.catalogue(lists[i]), invocation.language);
+      return format_list(lists[i], options, settings.catalogue(lists[i]), invocation.language);
     } catch (Failure const& failure) {
-      // The other lists are still looked at.
+      // The other lists are still formatted.
       return Formatted{.changed = false, .out = {}, .failure = failure};
     }
   };
@@ -164,7 +164,7 @@ ExitStatus fmt(Invocation const& invocation) {
                       thread_count(asked, lists.size()));
   for (auto const& failure : inputs.failures) invocation.streams.err.write(failure.line(invocation.language));
   if (!inputs.failures.empty()) return ExitStatus::failure;
-  return words.check && changed ? ExitStatus::findings : ExitStatus::success;
+  return options.check && changed ? ExitStatus::findings : ExitStatus::success;
 }
 
 }  // namespace axisc::cli

@@ -22,8 +22,8 @@ constexpr Sentence signature{
     "{file} wurde verändert, nachdem es mit Schlüssel {key} signiert war ({status}); neu kopieren oder neu "
     "übersetzen und signieren"};
 
-constexpr Sentence stripped{"{file} was compiled with --strip: it does not remember its lists",
-                            "{file} wurde mit --strip übersetzt: das Abbild kennt seine Listen nicht mehr"};
+constexpr Sentence stripped{"{file} was compiled with --strip: it does not contain its lists",
+                            "{file} wurde mit --strip übersetzt: das Abbild enthält seine Listen nicht"};
 constexpr Sentence purpose{
     "Shows what is in a coefficient image: axes, filters, sections, delays, poles, gains, sources.",
     R"(Zeigt, was in einem Koeffizientenabbild steht: Achsen, Filter, Abschnitte, Verzögerungen, Pole, Verstärkungen,
@@ -37,9 +37,9 @@ constexpr Sentence examples{R"(Examples:
   axisc inspect fraese.axim --axis X --as-list > x-wie-uebersetzt.lis
   axisc inspect fraese.axim --format json --memory host)"};
 constexpr Sentence option_public_key{
-    "check the signature with this public key; exit status 2 where it is not right",
-    "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht stimmt"};
-constexpr Sentence option_format{"form of the output (default text)", "Form der Ausgabe (Vorgabe text)"};
+    "check the signature with this public key; exit status 2 if it is not valid",
+    "die Signatur mit diesem öffentlichen Schlüssel prüfen; Rückgabewert 2, wenn sie nicht gültig ist"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_axis{"only this axis", "nur diese Achse"};
 constexpr Sentence option_as_list{"write the lists back, with the origin of each value as a comment",
                                   "die Listen zurückschreiben, mit der Herkunft jedes Werts als Kommentar"};
@@ -55,7 +55,7 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Form : std::uint8_t { text, json };
+enum class Format : std::uint8_t { text, json };
 /// Levels, and nothing.
 enum class Target : std::uint32_t {
   host = AXISRT_LEVEL_AUTOMATIC,
@@ -67,7 +67,7 @@ enum class Target : std::uint32_t {
   none
 };
 
-/// Failure where the signature is not right by this key.
+/// Failure if the signature is not valid for this key.
 void require_signature(std::string const& path, ImageFile const& file, std::string const& key_path) {
   auto const key = load_public_key(key_path);
   auto const status = image::check_signature(file.bytes.bytes(), key);
@@ -91,12 +91,13 @@ ExitStatus inspect(Invocation const& invocation) {
   std::optional<std::string> path;
   std::optional<std::string> axis;
   std::optional<std::string> key;
-  Form form = Form::text;
+  Format format = Format::text;
   Target target = Target::none;
   bool as_list = false;
   CommandLine command_line("inspect", says::purpose, says::examples, invocation.language);
   command_line.argument("IMAGE.axim", path, says::argument_image);
-  command_line.choice("--format", {{"text", Form::text}, {"json", Form::json}}, form, says::option_format);
+  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
+                      says::option_format);
   command_line.value("--axis", "NAME", axis, says::option_axis);
   command_line.flag("--as-list", as_list, says::option_as_list);
   command_line.value("--key", "KEY.pub", key, says::option_public_key);
@@ -127,8 +128,8 @@ ExitStatus inspect(Invocation const& invocation) {
     }
     invocation.streams.out.write(inspect_as_list(shown, invocation.language));
   } else {
-    invocation.streams.out.write(form == Form::json ? inspect_json(shown)
-                                                    : inspect_text(shown, invocation.language));
+    invocation.streams.out.write(format == Format::json ? inspect_json(shown)
+                                                        : inspect_text(shown, invocation.language));
   }
   return ExitStatus::success;
 }

@@ -8,7 +8,7 @@ namespace axisc::cli::says {
 constexpr Sentence purpose{
     R"(Makes a pair of Ed25519 keys: KEY is secret, readable by its owner alone, and signs images; KEY.pub is public
 and what controllers and `axisc inspect --key` check signatures with. Nothing is overwritten.)",
-    R"(Erzeugt ein Ed25519-Schlüsselpaar: KEY ist geheim, nur für den Eigentümer lesbar, und signiert Abbilder;
+    R"(Erzeugt ein Ed25519-Schlüsselpaar: SCHLÜSSEL ist geheim, nur für den Eigentümer lesbar, und signiert Abbilder;
 KEY.pub ist öffentlich, mit ihm prüfen Steuerungen und `axisc inspect --key`. Nichts wird überschrieben.)"};
 constexpr Sentence examples{R"(Examples:
   axisc keygen plant.key)",
@@ -18,8 +18,8 @@ constexpr Sentence keys_made{
     "{file}: secret key, to be kept safe; {file}.pub: public key {key}",
     "{file}: geheimer Schlüssel, sicher zu verwahren; {file}.pub: öffentlicher Schlüssel {key}"};
 constexpr Sentence argument_new_key{
-    "file for the secret key; the public one goes beside it, with .pub at the end",
-    "Datei für den geheimen Schlüssel; der öffentliche kommt daneben, mit .pub am Ende"};
+    "file for the secret key; the public key is written next to it, with .pub appended",
+    "Datei für den geheimen Schlüssel; der öffentliche kommt daneben, mit angehängtem .pub"};
 
 }  // namespace axisc::cli::says
 

@@ -24,13 +24,13 @@ constexpr Sentence examples{R"(Examples:
   axisc lint machine.json                all axes of a machine together
   axisc lint axes/                       every list and machine file in a folder
   axisc lint x.lis --format json         for other programs; sarif, github and gitlab for code hosts
-  axisc lint x.lis --fix                 repairs what changes nothing for the machine
-  axisc lint x.lis --fix=all --diff      shows all repairs as a patch
+  axisc lint x.lis --fix                 applies the fixes that change nothing for the machine
+  axisc lint x.lis --fix=all --diff      shows all fixes as a patch
   axisc lint . --write-baseline known.json
   axisc lint . --baseline known.json     only what is new since then
-  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL behind each
-  axisc lint . --cache ~/.cache/axisc    again, as fast as what has changed allows
-  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` puts the parts together
+  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
+  axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
+  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
 
 A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next.
 Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
@@ -43,8 +43,8 @@ Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something coul
   axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
   axisc lint . --write-baseline bekannt.json
   axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
-  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL dahinter
-  axisc lint . --cache ~/.cache/axisc    noch einmal, so schnell, wie Geändertes es zulässt
+  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
+  axisc lint . --cache ~/.cache/axisc    noch einmal, prüft nur das Geänderte
   axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
 
 Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
@@ -62,36 +62,36 @@ bool names_language(std::span<std::string const> arguments) {
                      [](std::string const& word) { return word.substr(0, 6) == "--lang"; });
 }
 
-/// One lint: the words of the command line, and what they lead to.
+/// One execution of `axisc lint`.
 class Lint {
  public:
-  Lint(LintWords const& words, Language language, bool color, Streams& streams)
-      : words_(words),
+  Lint(LintOptions const& options, Language language, bool color, Streams& streams)
+      : options_(options),
         streams_(streams),
-        settings_(words.checking.schema_files),
-        threads_(asked_threads(words.checking.threads)),
-        inputs_(expand_inputs(words.named)) {
-    job_.options = check_options(words.checking);
+        settings_(options.checking.schema_files),
+        threads_(asked_threads(options.checking.threads)),
+        inputs_(expand_inputs(options.named)) {
+    job_.options = check_options(options.checking);
     job_.options.machine = false;
-    job_.quiet = words.checking.quiet;
+    job_.quiet = options.checking.quiet;
     job_.settings = &settings_;
-    form_.format = words.checking.format;
-    form_.write = {.language = language, .color = color};
-    choice_ = fix_choice(words);
-    part_ = choose_part(words.fleet, std::move(inputs_.paths));
+    report_format_.format = options.checking.format;
+    report_format_.write = {.language = language, .color = color};
+    choice_ = fix_choice(options);
+    part_ = choose_part(options.fleet, std::move(inputs_.paths));
   }
 
-  /// The language that the first input's settings ask for; the command line's own is asked for elsewhere.
+  /// The language in the first input's settings; `--lang` is read elsewhere.
   [[nodiscard]] std::optional<Language> language_of_settings() {
     auto const* const settings = settings_.find(inputs_.first);
     return settings == nullptr ? std::nullopt : settings->language;
   }
-  void speak(Language language) { form_.write.language = language; }
+  void speak(Language language) { report_format_.write.language = language; }
 
   [[nodiscard]] ExitStatus print_settings() {
     for (auto const& path : part_.paths()) {
       streams_.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
-                                           form_.write.language));
+                                           report_format_.write.language));
     }
     return ExitStatus::success;
   }
@@ -100,7 +100,7 @@ class Lint {
     prepare();
     Hasher hasher = run_options();
     hasher.digest(run_);
-    if (words_.baseline) hasher.text(Baseline::read(*words_.baseline).text());
+    if (options_.baseline) hasher.text(Baseline::read(*options_.baseline).text());
     for (auto const& path : part_.paths()) add_files(hasher, job_, path);
     streams_.out.write(hexadecimal(hasher.finish()) + "\n");
     return ExitStatus::success;
@@ -110,8 +110,8 @@ class Lint {
     prepare();
     auto plan = report_plan();
     if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
-    // The patch, or what became of standard input, takes standard output.
-    bool const out_is_taken = words_.diff || fixed_standard_input_;
+    // Standard output is used for the patch or the fixed standard input.
+    bool const out_is_taken = options_.diff || fixed_standard_input_;
     ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
     for (std::size_t i = 0; i < inputs_.failures.size(); ++i) {
       if (reports_names(part_)) fail(report, i, inputs_.failures[i]);
@@ -119,44 +119,44 @@ class Lint {
     check(report);
     auto const status = status_of(report);
     report.finish(
-        fixes_, [this](Code code) { return is_judged(words_, job_.options, code); },
+        fixes_, [this](Code code) { return is_judged(options_, job_.options, code); },
         static_cast<int>(status));
-    if (words_.write_baseline) write_baseline(report);
+    if (options_.write_baseline) write_baseline(report);
     return status;
   }
 
  private:
   void prepare() {
-    if (needs_context(form_.format)) form_.context = report_context(inputs_.first);
-    if (words_.fleet.asks_for_digests()) run_ = run_digest(job_, form_);
-    // A settings file that makes no sense ends the run before anything is printed.
+    if (needs_context(report_format_.format)) report_format_.context = report_context(inputs_.first);
+    if (options_.fleet.asks_for_digests()) run_ = run_digest(job_, report_format_);
+    // An invalid settings file ends the run before anything is printed.
     for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
   }
 
-  /// Options that decide about the whole run, not about its inputs.
+  /// Options that affect the whole run, not its inputs.
   [[nodiscard]] Hasher run_options() const {
     Hasher hasher;
     hasher.text("lint");
-    hasher.number(words_.checking.werror ? 1 : 0);
-    hasher.number(words_.statistics ? 1 : 0);
+    hasher.number(options_.checking.werror ? 1 : 0);
+    hasher.number(options_.statistics ? 1 : 0);
     hasher.number(static_cast<std::uint64_t>(choice_));
-    hasher.number(words_.diff ? 1 : 0);
-    hasher.number(words_.write_baseline ? 1 : 0);
+    hasher.number(options_.diff ? 1 : 0);
+    hasher.number(options_.write_baseline ? 1 : 0);
     return hasher;
   }
 
   [[nodiscard]] ReportPlan report_plan() {
-    ReportPlan plan{.form = form_,
-                    .quiet = words_.checking.quiet,
-                    .statistics = words_.statistics,
+    ReportPlan plan{.report_format = report_format_,
+                    .quiet = options_.checking.quiet,
+                    .statistics = options_.statistics,
                     .counts_always = true,
                     .baseline = {},
-                    .write_baseline = words_.write_baseline.has_value(),
-                    .shard = shard_record(part_, run_options(), run_, job_, words_.checking.werror)};
-    if (words_.baseline) plan.baseline = Baseline::read(*words_.baseline);
+                    .write_baseline = options_.write_baseline.has_value(),
+                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror)};
+    if (options_.baseline) plan.baseline = Baseline::read(*options_.baseline);
     if (!plan.shard) return plan;
     for (auto const& rule : validator::rules()) {
-      if (is_judged(words_, job_.options, rule.code)) continue;
+      if (is_judged(options_, job_.options, rule.code)) continue;
       plan.shard->unjudged.push_back(static_cast<unsigned>(rule.code));
     }
     return plan;
@@ -164,20 +164,22 @@ class Lint {
 
   void fail(ReportStream& report, std::size_t order, Failure const& failure) {
     failed_ = true;
-    streams_.err.write(failure.line(form_.write.language));
+    streams_.err.write(failure.line(report_format_.write.language));
     report.fail(order, failure);
   }
 
   void check(ReportStream& report) {
-    // What fixes make of a file stands nowhere yet.
-    auto cache =
-        choice_ == FixChoice::none ? open_cache(words_.fleet, streams_.err, form_.write.language) : nullptr;
+    // The fixed content of a file is not on the disk yet.
+    auto cache = choice_ == FixChoice::none
+                     ? open_cache(options_.fleet, streams_.err, report_format_.write.language)
+                     : nullptr;
     bool const takes_time = part_.chosen.size() > 1;
-    Progress progress(takes_time && progress_is_seen() && !words_.checking.quiet, form_.write.language);
+    Progress progress(takes_time && progress_is_seen() && !options_.checking.quiet,
+                      report_format_.write.language);
     progress.stand_aside_for(streams_.out);
     progress.stand_aside_for(streams_.err);
     auto const threads = thread_count(threads_, part_.chosen.size());
-    // Then no finding has to wait for its turn.
+    // With one thread no finding has to wait for its turn.
     bool const at_once = cache == nullptr && is_one_by_one(part_.chosen.size(), threads);
     auto const print = [&report](WrittenFinding const& finding) { report.add(finding); };
     in_order<CheckedInput>({.count = part_.chosen.size(),
@@ -197,25 +199,25 @@ class Lint {
                                 },
                             .weight = weight_of},
                            threads);
-    finish_cache(std::move(cache), words_.fleet, streams_.err, form_.write.language);
+    finish_cache(std::move(cache), options_.fleet, streams_.err, report_format_.write.language);
   }
 
   [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const& take) const {
     EditedFiles files(job_.edited, path == "-");
-    return check_input(job_, path, files, form_, take);
+    return check_input(job_, path, files, report_format_, take);
   }
 
   [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
     if (cache == nullptr || path == "-") {
       EditedFiles files(job_.edited, path == "-");
-      return check_input(job_, path, files, form_);
+      return check_input(job_, path, files, report_format_);
     }
     CachedInput cached(*cache, input_digest(run_, job_, path), path);
     if (auto const known = cached.find()) {
       ByteReader bytes(*known);
       if (auto result = read_checked_input(bytes)) return *std::move(result);
     }
-    auto result = check_input(job_, path, cached.files(), form_);
+    auto result = check_input(job_, path, cached.files(), report_format_);
     if (!result.failure) {
       ByteWriter bytes;
       write_bytes(bytes, result);
@@ -226,17 +228,17 @@ class Lint {
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
     if (failed_) return ExitStatus::failure;
-    // Nothing was written: what the patch repairs still stands in the files.
-    return would_change_ || objectionable(words_.checking, report.counts()) ? ExitStatus::findings
-                                                                            : ExitStatus::success;
+    // Nothing was written: the files still contain what the patch would fix.
+    return would_change_ || objectionable(options_.checking, report.counts()) ? ExitStatus::findings
+                                                                              : ExitStatus::success;
   }
 
-  /// Writes what the fixes make of the files, or shows it.
+  /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
     auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
-      if (words_.diff) {
+      if (options_.diff) {
         streams_.out.write(unified_diff(path, before, after));
         would_change_ = would_change_ || before != after;
       } else if (path == "-") {
@@ -248,26 +250,26 @@ class Lint {
       }
     }
     fixes_ = fixed.facts;
-    if (words_.diff) fixes_->applied = 0;
+    if (options_.diff) fixes_->applied = 0;
     job_.edited = std::move(fixed.edited);
     fixed_standard_input_ = job_.edited.contains("-");
   }
 
   void write_baseline(ReportStream const& report) const {
-    refuse_overwriting(*words_.write_baseline, {report.files().begin(), report.files().end()});
-    OutputFile file(*words_.write_baseline);
+    refuse_overwriting(*options_.write_baseline, {report.files().begin(), report.files().end()});
+    OutputFile file(*options_.write_baseline);
     file.write(report.found().text());
     file.commit();
   }
 
-  LintWords const& words_;
+  LintOptions const& options_;
   Streams& streams_;
   SettingsFinder settings_;
   std::optional<unsigned> threads_;
   Inputs inputs_;
   Part part_;
   CheckJob job_;
-  ReportForm form_;
+  ReportFormat report_format_;
   Digest run_;
   FixChoice choice_ = FixChoice::none;
   std::optional<FixFacts> fixes_;
@@ -279,18 +281,18 @@ class Lint {
 }  // namespace
 
 ExitStatus lint(Invocation const& invocation) {
-  LintWords words;
+  LintOptions options;
   CommandLine command_line("lint", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  require_sense(command_line, words);
-  Lint lint(words, invocation.language, use_color(command_line.color(), system::Stream::output),
+  require_sense(command_line, options);
+  Lint lint(options, invocation.language, use_color(command_line.color(), system::Stream::output),
             invocation.streams);
   if (auto const language = lint.language_of_settings(); language && !names_language(invocation.arguments)) {
     lint.speak(*language);
   }
-  if (words.print_config) return lint.print_settings();
-  return words.fleet.print_key ? lint.print_key() : lint.run();
+  if (options.print_config) return lint.print_settings();
+  return options.fleet.print_key ? lint.print_key() : lint.run();
 }
 
 }  // namespace axisc::cli

@@ -17,15 +17,15 @@
 namespace axisc::cli::says {
 
 constexpr Sentence option_output{"where the result goes (default: standard output)",
-                                 "wohin das Ergebnis geht (Vorgabe: Standardausgabe)"};
+                                 "wohin das Ergebnis geht (Standardwert: Standardausgabe)"};
 constexpr Sentence argument_shards{
     "the results of all shards of one run (--format json or sarif), in any order, or @FILE with their names",
     "die Ergebnisse aller Teile eines Laufs (--format json oder sarif), in beliebiger Reihenfolge, oder "
     "@DATEI mit ihren Namen"};
 constexpr Sentence purpose{
-    R"(Puts the results of `axisc lint --shard I/N` together. What comes out is what one run without --shard would have
-written, byte for byte.)",
-    R"(Führt die Ergebnisse von `axisc lint --shard I/N` zusammen. Heraus kommt, was ein Lauf ohne --shard geschrieben
+    R"(Combines the results of `axisc lint --shard I/N`. The output is what one run without --shard would have written,
+byte for byte.)",
+    R"(Führt die Ergebnisse von `axisc lint --shard I/N` zusammen. Die Ausgabe ist, was ein Lauf ohne --shard geschrieben
 hätte, Byte für Byte.)"};
 constexpr Sentence examples{R"(Examples:
   axisc lint . --format json --shard 1/2 > 1.json
@@ -44,9 +44,9 @@ Exit status: that of the whole run: 0 no errors, 1 errors (or warnings, where th
 Rückgabewert: der des ganzen Laufs: 0 keine Fehler, 1 Fehler (auch Warnungen, wo die Teile mit --werror liefen),
 2 etwas war nicht lesbar, hier oder für einen Teil.)"};
 constexpr Sentence mixed{
-    "{file} belongs to another run than {first}: format, program, options, inputs or number of shards differ",
-    "{file} gehört zu einem anderen Lauf als {first}: Form, Programm, Optionen, Eingaben oder Anzahl der "
-    "Teile sind anders"};
+    "{file} and {first} are from different runs: format, program, options, inputs or number of shards differ",
+    "{file} und {first} stammen aus verschiedenen Läufen: Format, Programm, Optionen, Eingaben oder Anzahl "
+    "der Teile unterscheiden sich"};
 constexpr Sentence twice{"{file} and {first} are both shard {shard}",
                          "{file} und {first} sind beide Teil {shard}"};
 constexpr Sentence missing{"shard {shard} is missing; all shards of a run belong together",
@@ -58,7 +58,7 @@ namespace axisc::cli {
 
 namespace {
 
-struct MergeWords {
+struct MergeOptions {
   std::vector<std::string> files;
   std::optional<std::string> baseline;
   std::optional<std::string> output;
@@ -70,7 +70,7 @@ std::string as_text(Shard const& shard) {
   return std::to_string(shard.index) + "/" + std::to_string(shard.count);
 }
 
-/// Failure unless these are the shards of one run, each once.
+/// Failure unless the documents are all shards of one run, each once.
 void require_whole_run(Documents const& documents) {
   auto const& first = documents.front();
   std::vector<ShardDocument const*> by_index(first.record().shard.count, nullptr);
@@ -113,18 +113,19 @@ std::vector<ShardFailure> failures_of(Documents const& documents) {
   return failures;
 }
 
-ReportPlan plan_of(Documents const& documents, MergeWords const& words) {
+ReportPlan plan_of(Documents const& documents, MergeOptions const& options) {
   auto const& first = documents.front();
-  ReportPlan plan{.form = {.format = first.format(),
-                           .write = {.language = first.language()},
-                           .context = report_context({})},
+  ReportPlan plan{.report_format = {.format = first.format(),
+                                    .write = {.language = first.language()},
+                                    .context = report_context({})},
                   .statistics = first.has_statistics(),
                   .baseline = {},
                   .shard = {}};
-  if (words.baseline) plan.baseline = Baseline::read(*words.baseline);
-  // Names are relative to the repository already. Nothing lies in this folder but what is relative.
-  plan.form.context.paths = {.root = "/repository", .folder = "/repository"};
-  for (auto const& failure : failures_of(documents)) plan.form.context.failures.push_back(failure.sentence);
+  if (options.baseline) plan.baseline = Baseline::read(*options.baseline);
+  // Names are relative to the repository already; an invented folder keeps them so.
+  plan.report_format.context.paths = {.root = "/repository", .folder = "/repository"};
+  for (auto const& failure : failures_of(documents))
+    plan.report_format.context.failures.push_back(failure.sentence);
   return plan;
 }
 
@@ -158,8 +159,8 @@ ExitStatus status_of(Documents const& documents, FindingCounts const& counts) {
   return static_cast<ExitStatus>(worst);
 }
 
-ExitStatus print(Documents& documents, MergeWords const& words, Console& out) {
-  ReportStream report(plan_of(documents, words), out);
+ExitStatus print(Documents& documents, MergeOptions const& options, Console& out) {
+  ReportStream report(plan_of(documents, options), out);
   add_inputs(documents, report);
   auto const status = status_of(documents, report.counts());
   auto const& unjudged = documents.front().record().unjudged;
@@ -173,21 +174,21 @@ ExitStatus print(Documents& documents, MergeWords const& words, Console& out) {
 }  // namespace
 
 ExitStatus merge(Invocation const& invocation) {
-  MergeWords words;
+  MergeOptions options;
   CommandLine command_line("merge", says::purpose, says::examples, invocation.language);
-  command_line.arguments("FILE...", words.files, says::argument_shards);
-  command_line.value("--baseline", "FILE", words.baseline, says::option_baseline);
-  command_line.value("-o,--output", "FILE", words.output, says::option_output);
+  command_line.arguments("FILE...", options.files, says::argument_shards);
+  command_line.value("--baseline", "FILE", options.baseline, says::option_baseline);
+  command_line.value("-o,--output", "FILE", options.output, says::option_output);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(!words.files.empty(), "FILE");
+  command_line.require(!options.files.empty(), "FILE");
   Documents documents;
-  for (auto const& file : read_response_files(words.files)) documents.emplace_back(file.path);
+  for (auto const& file : read_response_files(options.files)) documents.emplace_back(file.path);
   require_whole_run(documents);
   for (auto const& failure : failures_of(documents)) invocation.streams.err.write(failure.line);
-  if (!words.output) return print(documents, words, invocation.streams.out);
-  OutputFile file(*words.output);
+  if (!options.output) return print(documents, options, invocation.streams.out);
+  OutputFile file(*options.output);
   Console out(file);
-  auto const status = print(documents, words, out);
+  auto const status = print(documents, options, out);
   out.flush();
   file.commit();
   return status;

@@ -13,11 +13,11 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Executes what axisrt_recorder kept of a controller's last cycles again, with the image that worked there and at the
-level that worked there, and compares every output bit for bit. Shows commands, resets and statuses with their cycle.)",
-    R"(Führt noch einmal aus, was axisrt_recorder von den letzten Zyklen einer Steuerung behalten hat, mit dem Abbild und der
-Befehlssatzstufe, die dort arbeiteten, und vergleicht jede Ausgabe Bit für Bit. Zeigt Befehle, Rücksetzen und Zustände
-mit ihrem Zyklus.)"};
+    R"(Executes a controller's last cycles again, as axisrt_recorder kept them, with the image and the instruction set that
+the controller used, and compares every output bit for bit. Shows commands, resets and statuses with their cycle.)",
+    R"(Führt noch einmal aus, was axisrt_recorder von den letzten Zyklen einer Steuerung behalten hat, mit dem Abbild und dem
+Befehlssatz der Steuerung, und vergleicht jede Ausgabe Bit für Bit. Zeigt Befehle, Rücksetzen und Zustände mit ihrem
+Zyklus.)"};
 constexpr Sentence examples{R"(Examples:
   axisc replay mill.axim crash.axrd
   axisc replay mill.axim crash.axrd --output crash.csv
@@ -29,24 +29,25 @@ Exit status: 0 all outputs are the same, 1 some differ, 2 something could not be
   axisc replay fraese.axim absturz.axrd --output absturz.csv
   axisc run fraese.axim --signal ramp:1000 --cycles 5000 --record ende.axrd   eine Aufzeichnung ohne Steuerung
 
-Exit-Status: 0 alle Ausgaben sind gleich, 1 einige weichen ab, 2 etwas war nicht lesbar.)"};
+Rückgabewert: 0 alle Ausgaben sind gleich, 1 einige weichen ab, 2 etwas war nicht lesbar.)"};
 constexpr Sentence argument_recording{
     "what axisrt_recorder_dump or `axisc run --record` wrote, or - for standard input",
     "was axisrt_recorder_dump oder `axisc run --record` geschrieben hat, oder - für die Standardeingabe"};
 constexpr Sentence option_output{
     "write the recorded setpoints and outputs of every cycle to this CSV file",
     "die aufgezeichneten Sollwerte und Ausgaben jedes Zyklus in diese CSV-Datei schreiben"};
-constexpr Sentence option_format{"form of the report: text or json (default text)",
-                                 "Form des Berichts: text oder json (Vorgabe text)"};
+constexpr Sentence option_format{"report format: text or json (default: text)",
+                                 "Berichtsformat: text oder json (Standardwert: text)"};
 
 constexpr Sentence recording{
-    "{file} is no recording, one of another version, or damaged ({status}); take the dump again",
-    "{file} ist keine Aufzeichnung, eine anderer Version oder beschädigt ({status}); den Abzug noch einmal "
+    "{file} is not a recording, is of another version, or is damaged ({status}); take the dump again",
+    "{file} ist keine Aufzeichnung, hat eine andere Version oder ist beschädigt ({status}); den Abzug noch "
+    "einmal "
     "machen"};
 constexpr Sentence other_image{
-    "{file} was recorded with another image ({status}); give the one that worked in the controller",
-    "{file} wurde mit einem anderen Abbild aufgezeichnet ({status}); das angeben, das in der Steuerung "
-    "arbeitete"};
+    "{file} was recorded with another image ({status}); give the one that the controller used",
+    "{file} wurde mit einem anderen Abbild aufgezeichnet ({status}); das angeben, das die Steuerung "
+    "verwendet hat"};
 
 constexpr Sentence level{"this processor does not have the instruction set that {file} was recorded with",
                          "dieser Prozessor hat den Befehlssatz nicht, mit dem {file} aufgezeichnet wurde"};
@@ -57,11 +58,11 @@ namespace axisc::cli {
 
 namespace {
 
-enum class ReplayForm : std::uint8_t { text, json };
+enum class ReplayFormat : std::uint8_t { text, json };
 
-struct ReplayWords {
+struct ReplayOptions {
   std::optional<std::string> image, recording, output;
-  ReplayForm form = ReplayForm::text;
+  ReplayFormat format = ReplayFormat::text;
 };
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
@@ -119,31 +120,32 @@ class CycleTable {
 }  // namespace
 
 ExitStatus replay(Invocation const& invocation) {
-  ReplayWords words;
+  ReplayOptions options;
   CommandLine command_line("replay", says::purpose, says::examples, invocation.language);
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.argument("RECORDING", words.recording, says::argument_recording);
-  command_line.value("-o,--output", "FILE.csv", words.output, says::option_output);
-  command_line.choice("--format", {{"text", ReplayForm::text}, {"json", ReplayForm::json}}, words.form,
-                      says::option_format);
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.argument("RECORDING", options.recording, says::argument_recording);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
+  command_line.choice("--format", {{"text", ReplayFormat::text}, {"json", ReplayFormat::json}},
+                      options.format, says::option_format);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  command_line.require(words.recording.has_value(), "RECORDING");
-  auto const image = load_image(*words.image);
-  auto recording = open_recording(*words.recording, image);
-  if (words.output) refuse_overwriting(*words.output, {*words.image, *words.recording});
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  command_line.require(options.recording.has_value(), "RECORDING");
+  auto const image = load_image(*options.image);
+  auto recording = open_recording(*options.recording, image);
+  if (options.output) refuse_overwriting(*options.output, {*options.image, *options.recording});
   std::optional<CycleTable> table;
-  if (words.output) table.emplace(*words.output, image.contents);
+  if (options.output) table.emplace(*options.output, image.contents);
   ReplayReport report(image.contents, invocation.language);
   image::ReplayedEntry entry;
   while (recording.next(entry)) {
     report.add(entry);
     if (table) table->add(entry);
   }
-  if (recording.damaged()) throw unusable_recording(*words.recording, AXISRT_BAD_RECORDING);
+  if (recording.damaged()) throw unusable_recording(*options.recording, AXISRT_BAD_RECORDING);
   if (table) table->commit();
   auto const level = recording.level();
-  invocation.streams.out.write(words.form == ReplayForm::json ? report.json(level) : report.text(level));
+  invocation.streams.out.write(options.format == ReplayFormat::json ? report.json(level)
+                                                                    : report.text(level));
   return report.differences() == 0 ? ExitStatus::success : ExitStatus::findings;
 }
 

@@ -25,12 +25,13 @@ constexpr Sentence examples{R"(Examples:
   axisc response fraese.axim --axis X
   axisc response fraese.axim --frequencies 0,1,2.5,42
   axisc response fraese.axim --port interface --format json)"};
-constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Vorgabe: alle)"};
-constexpr Sentence option_port{"which chain (default setpoint)", "welche Filterkette (Vorgabe setpoint)"};
-constexpr Sentence option_format{"form of the output (default csv)", "Form der Ausgabe (Vorgabe csv)"};
+constexpr Sentence option_axis{"only this axis (default: all)", "nur diese Achse (Standardwert: alle)"};
+constexpr Sentence option_port{"which chain (default: setpoint)",
+                               "welche Filterkette (Standardwert: setpoint)"};
+constexpr Sentence option_format{"output format (default: csv)", "Ausgabeformat (Standardwert: csv)"};
 constexpr Sentence option_frequencies{
     "in Hz, from 0 to 0.5/T (default: 200 logarithmic points up to 0.5/T)",
-    "in Hz, von 0 bis 0.5/T (Vorgabe: 200 logarithmische Punkte bis 0.5/T)"};
+    "in Hz, von 0 bis 0,5/T (Standardwert: 200 logarithmische Punkte bis 0,5/T)"};
 
 }  // namespace axisc::cli::says
 
@@ -38,42 +39,42 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Form : std::uint8_t { csv, json };
+enum class Format : std::uint8_t { csv, json };
 
-struct ResponseWords {
+struct ResponseOptions {
   std::optional<std::string> image;
   std::optional<std::string> axis;
   std::optional<std::string> frequencies;
   std::optional<std::string> level;
   std::vector<std::string> commands;
   Port port = Port::setpoint;
-  Form form = Form::csv;
+  Format format = Format::csv;
 };
 
-void declare(CommandLine& command_line, ResponseWords& words) {
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.value("--axis", "NAME", words.axis, says::option_axis);
+void declare(CommandLine& command_line, ResponseOptions& options) {
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.value("--axis", "NAME", options.axis, says::option_axis);
   command_line.choice(
       "--port", {{"setpoint", Port::setpoint}, {"interface", Port::interface}, {"velocity", Port::velocity}},
-      words.port, says::option_port);
-  command_line.value("--frequencies", "F[,F...]", words.frequencies, says::option_frequencies);
-  command_line.value("--level", level_words, words.level, says::option_level);
-  command_line.values("--at", "CYCLE:COMMAND", words.commands, says::option_at);
-  command_line.choice("--format", {{"csv", Form::csv}, {"json", Form::json}}, words.form,
+      options.port, says::option_port);
+  command_line.value("--frequencies", "F[,F...]", options.frequencies, says::option_frequencies);
+  command_line.value("--level", level_names, options.level, says::option_level);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
+  command_line.choice("--format", {{"csv", Format::csv}, {"json", Format::json}}, options.format,
                       says::option_format);
 }
 
-/// Axes with something at that port; the setpoint of an axis without filters passes unchanged and is shown so.
-std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseWords const& words) {
-  auto axes = chosen_axes(file.contents, words.axis);
+/// Axes with a filter at that port; the setpoint of an axis without filters passes unchanged and is shown so.
+std::vector<std::size_t> axes_with_port(ImageFile const& file, ResponseOptions const& options) {
+  auto axes = chosen_axes(file.contents, options.axis);
   std::erase_if(axes, [&](std::size_t axis) {
     auto const& contents = file.contents.axes[axis];
-    if (words.port == Port::interface) return contents.interface_filters.empty();
-    return words.port == Port::velocity && !contents.control;
+    if (options.port == Port::interface) return contents.interface_filters.empty();
+    return options.port == Port::velocity && !contents.control;
   });
   if (!axes.empty()) return axes;
-  throw Failure({.sentence = words.port == Port::velocity ? says::no_velocities : says::no_interface_filter,
-                 .arguments = {{"file", *words.image}}});
+  throw Failure({.sentence = options.port == Port::velocity ? says::no_velocities : says::no_interface_filter,
+                 .arguments = {{"file", *options.image}}});
 }
 
 void write_csv_rows(Console& out, std::string const& axis, PortResponse const& response,
@@ -102,18 +103,18 @@ std::string json_rows(std::string const& axis, PortResponse const& response,
   return text;
 }
 
-void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
+void write_json(Console& out, ImageFile const& file, ResponseOptions const& options,
                 std::vector<std::size_t> const& axes, std::vector<double> const& frequencies,
                 image::RuntimeHost const& host) {
   auto const cycle_time = file.contents.cycle_time;
-  out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(words.port)) +
+  out.write("{\n  \"version\": 1,\n  \"port\": " + json_string(port_name(options.port)) +
             ",\n  \"cycle_time_us\": " + json_number(cycle_time.microseconds()) + ",\n  \"response\": [\n");
   bool first = true;
   for (auto const axis : axes) {
     if (!first) out.write(",\n");
     first = false;
-    out.write(json_rows(axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
-                        frequencies));
+    out.write(json_rows(axis_label(file.contents, axis),
+                        PortResponse(file.contents, host, axis, options.port), frequencies));
   }
   out.write("\n  ]\n}\n");
 }
@@ -121,29 +122,30 @@ void write_json(Console& out, ImageFile const& file, ResponseWords const& words,
 }  // namespace
 
 ExitStatus response(Invocation const& invocation) {
-  ResponseWords words;
+  ResponseOptions options;
   CommandLine command_line("response", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  auto const file = load_image(*words.image);
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  auto const file = load_image(*options.image);
   auto const cycle_time = file.contents.cycle_time;
-  auto const axes = axes_with_port(file, words);
-  auto const frequencies =
-      words.frequencies ? parse_frequencies(*words.frequencies, cycle_time) : default_frequencies(cycle_time);
-  auto host = start_runtime(*words.image, file, level_of(words.level));
-  for (auto const& command : read_timed_commands(words.commands, file, *words.image, invocation.language)) {
-    execute(command, host, file.contents, *words.image);
+  auto const axes = axes_with_port(file, options);
+  auto const frequencies = options.frequencies ? parse_frequencies(*options.frequencies, cycle_time)
+                                               : default_frequencies(cycle_time);
+  auto host = start_runtime(*options.image, file, level_of(options.level));
+  for (auto const& command :
+       read_timed_commands(options.commands, file, *options.image, invocation.language)) {
+    execute(command, host, file.contents, *options.image);
   }
-  if (words.form == Form::json) {
-    write_json(out, file, words, axes, frequencies, host);
+  if (options.format == Format::json) {
+    write_json(out, file, options, axes, frequencies, host);
     return ExitStatus::success;
   }
   out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s\n");
   for (auto const axis : axes) {
-    write_csv_rows(out, axis_label(file.contents, axis), PortResponse(file.contents, host, axis, words.port),
-                   frequencies);
+    write_csv_rows(out, axis_label(file.contents, axis),
+                   PortResponse(file.contents, host, axis, options.port), frequencies);
   }
   return ExitStatus::success;
 }

@@ -15,7 +15,7 @@
 namespace axisc::cli::says {
 
 constexpr Sentence bad_signal{
-    "\"{value}\" is no signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
+    "\"{value}\" is not a signal; choose step, ramp:UNITS_PER_S, sine:HZ or impulse",
     "\"{value}\" ist kein Signal; möglich sind step, ramp:EINHEITEN_JE_S, sine:HZ und impulse"};
 constexpr Sentence signal_and_input{"{option} belongs to a signal and cannot be used with --input",
                                     "{option} gehört zu einem Signal und geht nicht zusammen mit --input"};
@@ -41,7 +41,7 @@ constexpr Sentence examples{R"(Examples:
   axisc run mill.axim --input setpoints.csv --output filtered.csv
 
 Columns of a file: `X` is the position setpoint of axis X, `X.interface` its additional interface. An axis that
-the file does not name rests. Signals are setpoints themselves, not distances from --reset.)",
+the file does not name stays at rest. Signals are setpoints themselves, not distances from --reset.)",
                             R"(Beispiele:
   axisc run fraese.axim                                   ein Sprung auf 1, 256 Zyklen
   axisc run fraese.axim --signal sine:12.5 --amplitude 1000 --cycles 4000
@@ -54,23 +54,25 @@ constexpr Sentence option_input{"setpoints, first line: column names; - is stand
                                 "Sollwerte, erste Zeile: Spaltennamen; - ist die Standardeingabe"};
 constexpr Sentence option_signal{
     "step (default), ramp:UNITS_PER_S, sine:HZ or impulse, instead of a file",
-    "step (Vorgabe), ramp:EINHEITEN_JE_S, sine:HZ oder impulse, statt einer Datei"};
-constexpr Sentence option_amplitude{"factor of the signal (default 1)", "Faktor des Signals (Vorgabe 1)"};
-constexpr Sentence option_cycles{"length of the signal (default 256)", "Länge des Signals (Vorgabe 256)"};
-constexpr Sentence option_port{"what the signal feeds (default setpoint)",
-                               "was das Signal speist (Vorgabe setpoint)"};
-constexpr Sentence option_reset{"value from which every axis starts, at rest (default 0)",
-                                "Wert, auf dem jede Achse anfangs ruht (Vorgabe 0)"};
+    "step (Standardwert), ramp:EINHEITEN_JE_S, sine:HZ oder impulse, statt einer Datei"};
+constexpr Sentence option_amplitude{"factor of the signal (default: 1)",
+                                    "Faktor des Signals (Standardwert: 1)"};
+constexpr Sentence option_cycles{"length of the signal (default: 256)",
+                                 "Länge des Signals (Standardwert: 256)"};
+constexpr Sentence option_port{"what the signal feeds (default: setpoint)",
+                               "was das Signal speist (Standardwert: setpoint)"};
+constexpr Sentence option_reset{"value from which every axis starts, at rest (default: 0)",
+                                "Wert, auf dem jede Achse anfangs ruht (Standardwert: 0)"};
 constexpr Sentence option_csv_output{"where the rows go (default: standard output)",
-                                     "wohin die Zeilen gehen (Vorgabe: Standardausgabe)"};
+                                     "wohin die Zeilen gehen (Standardwert: Standardausgabe)"};
 constexpr Sentence option_quiet{"no warning about unusable setpoints",
                                 "keine Warnung über unbrauchbare Sollwerte"};
 
 constexpr Sentence option_record{
     "keep the last cycles and write them to this file, for `axisc replay`",
     "die letzten Zyklen behalten und in diese Datei schreiben, für `axisc replay`"};
-constexpr Sentence option_record_cycles{"how many cycles --record keeps (default 1000)",
-                                        "wie viele Zyklen --record behält (Vorgabe 1000)"};
+constexpr Sentence option_record_cycles{"how many cycles --record keeps (default: 1000)",
+                                        "wie viele Zyklen --record behält (Standardwert: 1000)"};
 constexpr Sentence record_missing{
     "--record-cycles says how many cycles --record FILE keeps; give --record as well",
     "--record-cycles sagt, wie viele Zyklen --record DATEI behält; auch --record angeben"};
@@ -85,7 +87,7 @@ constexpr std::uint64_t default_cycles = 256;
 constexpr std::uint64_t default_record_cycles = 1000;
 constexpr std::uint64_t most_record_cycles = 10'000'000;
 
-struct RunWords {
+struct RunOptions {
   std::optional<std::string> image;
   std::optional<std::string> input;
   std::optional<std::string> signal;
@@ -101,20 +103,20 @@ struct RunWords {
   bool quiet = false;
 };
 
-void declare(CommandLine& command_line, RunWords& words) {
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.value("--input", "FILE.csv", words.input, says::option_input);
-  command_line.value("--signal", "SIGNAL", words.signal, says::option_signal);
-  command_line.value("--amplitude", "A", words.amplitude, says::option_amplitude);
-  command_line.value("--cycles", "N", words.cycles, says::option_cycles);
-  command_line.value("--port", "setpoint|interface|velocity", words.port, says::option_port);
-  command_line.value("--reset", "POSITION", words.reset, says::option_reset);
-  command_line.values("--at", "CYCLE:COMMAND", words.commands, says::option_at);
-  command_line.value("--level", level_words, words.level, says::option_level);
-  command_line.value("-o,--output", "FILE.csv", words.output, says::option_csv_output);
-  command_line.value("--record", "FILE.axrd", words.record, says::option_record);
-  command_line.value("--record-cycles", "N", words.record_cycles, says::option_record_cycles);
-  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
+void declare(CommandLine& command_line, RunOptions& options) {
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.value("--input", "FILE.csv", options.input, says::option_input);
+  command_line.value("--signal", "SIGNAL", options.signal, says::option_signal);
+  command_line.value("--amplitude", "A", options.amplitude, says::option_amplitude);
+  command_line.value("--cycles", "N", options.cycles, says::option_cycles);
+  command_line.value("--port", "setpoint|interface|velocity", options.port, says::option_port);
+  command_line.value("--reset", "POSITION", options.reset, says::option_reset);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
+  command_line.value("--level", level_names, options.level, says::option_level);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_csv_output);
+  command_line.value("--record", "FILE.axrd", options.record, says::option_record);
+  command_line.value("--record-cycles", "N", options.record_cycles, says::option_record_cycles);
+  command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
 double number(std::optional<std::string> const& word, char const* option, double otherwise) {
@@ -135,35 +137,35 @@ std::uint64_t count(std::optional<std::string> const& word, char const* option, 
   return *value;
 }
 
-/// How many cycles shall be recorded; none without `--record`.
-std::optional<std::uint32_t> cycles_to_record(RunWords const& words) {
-  if (!words.record && words.record_cycles) {
+/// Number of cycles to record; none without `--record`.
+std::optional<std::uint32_t> cycles_to_record(RunOptions const& options) {
+  if (!options.record && options.record_cycles) {
     throw Failure({.sentence = says::record_missing, .arguments = {}});
   }
-  if (!words.record) return std::nullopt;
-  auto const cycles = count(words.record_cycles, "--record-cycles", default_record_cycles);
+  if (!options.record) return std::nullopt;
+  auto const cycles = count(options.record_cycles, "--record-cycles", default_record_cycles);
   if (cycles >= 1 && cycles <= most_record_cycles) return static_cast<std::uint32_t>(cycles);
   throw Failure({.sentence = says::bad_count,
-                 .arguments = {{"option", "--record-cycles"}, {"value", *words.record_cycles}}});
+                 .arguments = {{"option", "--record-cycles"}, {"value", *options.record_cycles}}});
 }
 
-Port port_of(RunWords const& words) {
+Port port_of(RunOptions const& options) {
   for (auto const port : {Port::setpoint, Port::interface, Port::velocity}) {
-    if (!words.port || *words.port == port_name(port)) return port;
+    if (!options.port || *options.port == port_name(port)) return port;
   }
   throw Failure(
       {.sentence = says::bad_choice,
        .arguments = {
-           {"option", "--port"}, {"value", *words.port}, {"choices", "setpoint, interface, velocity"}}});
+           {"option", "--port"}, {"value", *options.port}, {"choices", "setpoint, interface, velocity"}}});
 }
 
-/// What belongs to --signal says nothing about a file.
-void refuse_mixture(RunWords const& words) {
-  if (!words.input) return;
-  for (auto const& [given, option] : {std::pair(words.signal.has_value(), "--signal"),
-                                      {words.amplitude.has_value(), "--amplitude"},
-                                      {words.cycles.has_value(), "--cycles"},
-                                      {words.port.has_value(), "--port"}}) {
+/// Options of --signal have no meaning for a file.
+void refuse_mixture(RunOptions const& options) {
+  if (!options.input) return;
+  for (auto const& [given, option] : {std::pair(options.signal.has_value(), "--signal"),
+                                      {options.amplitude.has_value(), "--amplitude"},
+                                      {options.cycles.has_value(), "--cycles"},
+                                      {options.port.has_value(), "--port"}}) {
     if (given) throw Failure({.sentence = says::signal_and_input, .arguments = {{"option", option}}});
   }
 }
@@ -185,20 +187,20 @@ ByteSource open_source(std::string const& path) {
   };
 }
 
-std::unique_ptr<Stimulus> make_stimulus(RunWords const& words, image::ImageContents const& image) {
-  if (words.input) return std::make_unique<CsvStimulus>(image, *words.input, open_source(*words.input));
-  auto const text = words.signal.value_or("step");
+std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageContents const& image) {
+  if (options.input) return std::make_unique<CsvStimulus>(image, *options.input, open_source(*options.input));
+  auto const text = options.signal.value_or("step");
   auto const signal = Signal::parse(text);
   if (!signal) throw Failure({.sentence = says::bad_signal, .arguments = {{"value", text}}});
   auto stimulus = std::make_unique<SignalStimulus>(
       image, SignalStimulus::Facts{.signal = *signal,
-                                   .amplitude = number(words.amplitude, "--amplitude", 1),
-                                   .cycles = count(words.cycles, "--cycles", default_cycles),
-                                   .port = port_of(words)});
+                                   .amplitude = number(options.amplitude, "--amplitude", 1),
+                                   .cycles = count(options.cycles, "--cycles", default_cycles),
+                                   .port = port_of(options)});
   if (stimulus->channels().empty()) {
     SentenceRef const text_of_port =
-        port_of(words) == Port::velocity ? says::no_velocities : says::no_interface_filter;
-    throw Failure({.sentence = text_of_port, .arguments = {{"file", *words.image}}});
+        port_of(options) == Port::velocity ? says::no_velocities : says::no_interface_filter;
+    throw Failure({.sentence = text_of_port, .arguments = {{"file", *options.image}}});
   }
   return stimulus;
 }
@@ -221,33 +223,33 @@ void report(Occurrences const& occurrences, SentenceRef text, Invocation const& 
 }  // namespace
 
 ExitStatus run(Invocation const& invocation) {
-  RunWords words;
+  RunOptions options;
   CommandLine command_line("run", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  refuse_mixture(words);
-  auto const port = port_of(words);
-  double const position = number(words.reset, "--reset", 0);
-  auto const recorded_cycles = cycles_to_record(words);
-  auto const file = load_image(*words.image);
-  auto const stimulus = make_stimulus(words, file.contents);
-  Execution execution(*words.image, start_runtime(*words.image, file, level_of(words.level)), file.contents,
-                      *stimulus,
-                      read_timed_commands(words.commands, file, *words.image, invocation.language));
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  refuse_mixture(options);
+  auto const port = port_of(options);
+  double const position = number(options.reset, "--reset", 0);
+  auto const recorded_cycles = cycles_to_record(options);
+  auto const file = load_image(*options.image);
+  auto const stimulus = make_stimulus(options, file.contents);
+  Execution execution(*options.image, start_runtime(*options.image, file, level_of(options.level)),
+                      file.contents, *stimulus,
+                      read_timed_commands(options.commands, file, *options.image, invocation.language));
   if (recorded_cycles) execution.record(*recorded_cycles);
   execution.reset(position, port);
   Noticed noticed;
-  if (words.output) {
-    OutputFile target(*words.output);
+  if (options.output) {
+    OutputFile target(*options.output);
     noticed = execution.go([&target](std::string_view text) { target.write(text); });
     target.commit();
   } else {
     noticed = execution.go([&out](std::string_view text) { out.write(text); });
   }
-  if (words.record) write_recording(*words.record, execution.recording());
-  if (words.quiet) return ExitStatus::success;
+  if (options.record) write_recording(*options.record, execution.recording());
+  if (options.quiet) return ExitStatus::success;
   report(noticed.refused, says::refused_setpoints, invocation);
   report(noticed.jumps, says::jumps, invocation);
   return ExitStatus::success;

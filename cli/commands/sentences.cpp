@@ -8,8 +8,8 @@ constinit Sentence const no_velocities{
     "nothing in {file} uses velocities; --port setpoint or --port interface can be fed",
     "nichts in {file} verwendet Geschwindigkeiten; möglich sind --port setpoint und --port interface"};
 constinit Sentence const no_interface_filter{
-    "no axis that was asked for in {file} has a filter on its additional interface",
-    "keine der verlangten Achsen in {file} hat ein Filter auf der Zusatzschnittstelle"};
+    "none of the requested axes in {file} has a filter on its additional interface",
+    "keine der verlangten Achsen in {file} hat einen Filter auf der Zusatzschnittstelle"};
 constinit Sentence const argument_input{
     "one axis list or machine file (*.json), or - for standard input",
     "eine Achsliste oder Maschinendatei (*.json), oder - für die Standardeingabe"};
@@ -19,10 +19,10 @@ constinit Sentence const option_at{
     "execute a command before that cycle; only for images with kernel banks",
     "vor diesem Zyklus einen Befehl ausführen; nur für Abbilder mit Kernbänken"};
 constinit Sentence const option_level{
-    "instruction set: portable (default) gives the same bits everywhere, auto what a controller like this "
-    "machine takes",
-    "Befehlssatz: portable (Vorgabe) gibt überall dieselben Bits, auto den, den eine Steuerung wie dieser "
-    "Rechner nimmt"};
+    "instruction set: portable (default) gives the same bits everywhere, auto uses what a controller with "
+    "this processor would use",
+    "Befehlssatz: portable (Standardwert) gibt überall dieselben Bits, auto nimmt, was eine Steuerung mit "
+    "diesem Prozessor verwenden würde"};
 
 constinit Sentence const option_group{"only this group (NC channel)", "nur diese Gruppe (NC-Kanal)"};
 

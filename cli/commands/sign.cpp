@@ -8,9 +8,9 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Puts an Ed25519 signature behind an image, so that controllers which hold the public key refuse any other image.
-A signature that the image had before is replaced.)",
-    R"(Setzt eine Ed25519-Signatur hinter ein Abbild, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
+    R"(Appends an Ed25519 signature to an image, so that controllers with the public key refuse any other image.
+A signature that the image already has is replaced.)",
+    R"(Hängt eine Ed25519-Signatur an ein Abbild an, sodass Steuerungen mit dem öffentlichen Schlüssel jedes andere
 ablehnen. Eine Signatur, die das Abbild schon hatte, wird ersetzt.)"};
 constexpr Sentence examples{R"(Examples:
   axisc sign mill.axim --key plant.key
@@ -23,8 +23,9 @@ constexpr Sentence examples{R"(Examples:
 constexpr Sentence cli_signed{"{file}: signed with key {key}, {bytes} bytes",
                               "{file}: mit Schlüssel {key} signiert, {bytes} Bytes"};
 constexpr Sentence option_secret_key{"secret key of `axisc keygen`", "geheimer Schlüssel von `axisc keygen`"};
-constexpr Sentence option_signed_output{"signed image to write (default: IMAGE.axim itself)",
-                                        "zu schreibendes signiertes Abbild (Vorgabe: IMAGE.axim selbst)"};
+constexpr Sentence option_signed_output{
+    "signed image to write (default: IMAGE.axim itself)",
+    "zu schreibendes signiertes Abbild (Standardwert: ABBILD.axim selbst)"};
 constexpr Sentence option_quiet{"no summary line", "keine Zusammenfassung"};
 
 }  // namespace axisc::cli::says
@@ -33,7 +34,7 @@ namespace axisc::cli {
 
 namespace {
 
-struct SignWords {
+struct SignOptions {
   std::optional<std::string> image;
   std::optional<std::string> key;
   std::optional<std::string> output;
@@ -43,25 +44,25 @@ struct SignWords {
 }  // namespace
 
 ExitStatus sign(Invocation const& invocation) {
-  SignWords words;
+  SignOptions options;
   CommandLine command_line("sign", says::purpose, says::examples, invocation.language);
-  command_line.argument("IMAGE.axim", words.image, says::argument_image);
-  command_line.value("--key", "KEY", words.key, says::option_secret_key);
-  command_line.value("-o,--output", "OUT.axim", words.output, says::option_signed_output);
-  command_line.flag("--quiet", words.quiet, says::option_quiet);
+  command_line.argument("IMAGE.axim", options.image, says::argument_image);
+  command_line.value("--key", "KEY", options.key, says::option_secret_key);
+  command_line.value("-o,--output", "OUT.axim", options.output, says::option_signed_output);
+  command_line.flag("--quiet", options.quiet, says::option_quiet);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.image.has_value(), "IMAGE.axim");
-  command_line.require(words.key.has_value(), "--key");
-  command_line.require(words.image != "-" || words.output, "-o");
-  auto const key = load_secret_key(*words.key);
-  auto const file = load_image(*words.image);
+  command_line.require(options.image.has_value(), "IMAGE.axim");
+  command_line.require(options.key.has_value(), "--key");
+  command_line.require(options.image != "-" || options.output, "-o");
+  auto const key = load_secret_key(*options.key);
+  auto const file = load_image(*options.image);
   auto const bytes = image::sign(file.bytes.bytes(), key);
-  auto const& target = words.output ? *words.output : *words.image;
-  refuse_overwriting(target, {*words.key});
+  auto const& target = options.output ? *options.output : *options.image;
+  refuse_overwriting(target, {*options.key});
   OutputFile output(target);
   output.write({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
   output.commit();
-  if (words.quiet) return ExitStatus::success;
+  if (options.quiet) return ExitStatus::success;
   invocation.streams.err.write(render({.sentence = says::cli_signed,
                                        .arguments = {{"file", target},
                                                      {"key", key_name(image::key_id(key.public_key()))},

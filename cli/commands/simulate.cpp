@@ -11,11 +11,11 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Plans the path of an NC program within the axes' limits, executes the filters and says per block and per
-pass (from one #FILTER command to the next) how long it takes and how far the contour bends. With --plant it
+pass (from one #FILTER command to the next) how long it takes and how far the contour deviates. With --plant it
 moves one axis there and back in a closed loop and says what Improved Position Control does to the load.)",
     R"(Plant die Bahn eines NC-Programms in den Grenzen der Achsen, führt die Filter aus und sagt je Satz und je
-Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit sich die Kontur verbiegt. Mit
---plant fährt es eine Achse im geschlossenen Regelkreis hin und zurück und sagt, was die optimierte Lageregelung
+Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit die Kontur abweicht. Mit --plant
+wird eine Achse im geschlossenen Regelkreis hin- und zurückgefahren und gezeigt, was die optimierte Lageregelung
 mit der Last macht.)"};
 constexpr Sentence examples{R"(Examples:
   axisc simulate machine.json --program part.nc
@@ -30,21 +30,20 @@ constexpr Sentence option_program{"the NC program, or - for standard input",
 constexpr Sentence option_output{"also write every NC cycle to this CSV file",
                                  "zusätzlich jeden NC-Zyklus in diese CSV-Datei schreiben"};
 constexpr Sentence option_format{
-    "form of the output: summary as text or json, or every cycle as csv (default text)",
-    "Form der Ausgabe: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Vorgabe text)"};
+    "output format: summary as text or json, or every cycle as csv (default: text)",
+    "Ausgabeformat: Zusammenfassung als text oder json, oder jeder Zyklus als csv (Standardwert: text)"};
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
 constexpr Sentence option_progress{
-    "show progress even where standard error is no terminal",
+    "show progress even where standard error is not a terminal",
     "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
 constexpr Sentence option_no_progress{"show no progress", "keinen Fortschritt zeigen"};
 constexpr Sentence option_plant{
     "drive and mechanics of the axes (JSON): simulate the closed loop",
     "Antrieb und Mechanik der Achsen (JSON): den geschlossenen Regelkreis simulieren"};
-constexpr Sentence option_move{
-    "AXIS:MM[:MM_PER_MIN]: there and back with the plant (default feed: vb_max)",
-    "ACHSE:MM[:MM_PER_MIN]: mit der Strecke hin und zurück (Vorgabe für den Vorschub: vb_max)"};
+constexpr Sentence option_move{"AXIS:MM[:MM_PER_MIN]: there and back with the plant (default: vb_max)",
+                               "ACHSE:MM[:MM_JE_MIN]: mit der Strecke hin und zurück (Standardwert: vb_max)"};
 constexpr Sentence what{"name either --program, or --plant with --move",
                         "entweder --program angeben oder --plant mit --move"};
 
@@ -54,60 +53,61 @@ namespace axisc::cli {
 
 namespace {
 
-struct SimulateWords {
+struct SimulateOptions {
   std::optional<std::string> machine, program, output, group, cycle_time, plant, move;
-  SimulateForm form = SimulateForm::text;
+  SimulateFormat format = SimulateFormat::text;
   bool constant_velocity = false;
   bool progress = false;
   bool no_progress = false;
 };
 
-void declare(CommandLine& command_line, SimulateWords& words) {
-  command_line.argument("MACHINE", words.machine, says::argument_input);
-  command_line.value("--program", "PART.nc", words.program, says::option_program);
-  command_line.value("-o,--output", "FILE.csv", words.output, says::option_output);
-  command_line.value("--group", "NAME", words.group, says::option_group);
-  command_line.flag("--constant-velocity", words.constant_velocity, says::option_constant_velocity);
-  command_line.value("--plant", "PLANT.json", words.plant, says::option_plant);
-  command_line.value("--move", "AXIS:MM[:F]", words.move, says::option_move);
-  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
+void declare(CommandLine& command_line, SimulateOptions& options) {
+  command_line.argument("MACHINE", options.machine, says::argument_input);
+  command_line.value("--program", "PART.nc", options.program, says::option_program);
+  command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
+  command_line.value("--group", "NAME", options.group, says::option_group);
+  command_line.flag("--constant-velocity", options.constant_velocity, says::option_constant_velocity);
+  command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
+  command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.choice(
-      "--format", {{"text", SimulateForm::text}, {"csv", SimulateForm::csv}, {"json", SimulateForm::json}},
-      words.form, says::option_format);
-  command_line.flag("--progress", words.progress, says::option_progress);
-  command_line.flag("--no-progress", words.no_progress, says::option_no_progress);
+      "--format",
+      {{"text", SimulateFormat::text}, {"csv", SimulateFormat::csv}, {"json", SimulateFormat::json}},
+      options.format, says::option_format);
+  command_line.flag("--progress", options.progress, says::option_progress);
+  command_line.flag("--no-progress", options.no_progress, says::option_no_progress);
 }
 
 }  // namespace
 
 ExitStatus simulate(Invocation const& invocation) {
-  SimulateWords words;
+  SimulateOptions options;
   CommandLine command_line("simulate", says::purpose, says::examples, invocation.language);
-  declare(command_line, words);
+  declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(words.machine.has_value(), "MACHINE");
-  bool const closed_loop = words.plant && words.move;
-  if (words.program.has_value() == closed_loop || words.plant.has_value() != words.move.has_value()) {
+  command_line.require(options.machine.has_value(), "MACHINE");
+  bool const closed_loop = options.plant && options.move;
+  if (options.program.has_value() == closed_loop || options.plant.has_value() != options.move.has_value()) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto checked = checked_machine(*words.machine, words.cycle_time, invocation, color);
+  auto checked = checked_machine(*options.machine, options.cycle_time, invocation, color);
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {
-    return simulate_plant({.machine_path = *words.machine,
-                           .plant_path = *words.plant,
-                           .move = *words.move,
-                           .output = words.output,
-                           .form = words.form},
+    return simulate_plant({.machine_path = *options.machine,
+                           .plant_path = *options.plant,
+                           .move = *options.move,
+                           .output = options.output,
+                           .format = options.format},
                           *checked, invocation);
   }
-  return simulate_program({.machine_path = *words.machine,
-                           .program_path = *words.program,
-                           .group = words.group,
-                           .output = words.output,
-                           .form = words.form,
-                           .constant_velocity = words.constant_velocity,
-                           .show_progress = words.progress || (!words.no_progress && progress_is_seen()),
+  return simulate_program({.machine_path = *options.machine,
+                           .program_path = *options.program,
+                           .group = options.group,
+                           .output = options.output,
+                           .format = options.format,
+                           .constant_velocity = options.constant_velocity,
+                           .show_progress = options.progress || (!options.no_progress && progress_is_seen()),
                            .color = color},
                           *std::move(checked), invocation);
 }

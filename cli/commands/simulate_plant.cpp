@@ -14,7 +14,7 @@ namespace axisc::cli::says {
 
 constexpr Sentence bad_move{
     "--move needs AXIS:MM or AXIS:MM:MM_PER_MIN with a distance other than 0, not \"{value}\"",
-    "--move braucht ACHSE:MM oder ACHSE:MM:MM_PER_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
+    "--move braucht ACHSE:MM oder ACHSE:MM:MM_JE_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
 
 }  // namespace axisc::cli::says
 
@@ -56,7 +56,8 @@ std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
   throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
 }
 
-/// The load's acceleration in one phase, there or back. Of a rest its first third: what braking left behind.
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
+/// braking.
 std::vector<double> accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
   std::vector<double> found;
   for (auto const& cycle : record.cycles) {
@@ -66,7 +67,7 @@ std::vector<double> accelerations(motion::LoopRecord const& record, motion::Move
   return found;
 }
 
-/// Ways there and back are alike; the worse one counts.
+/// The moves there and back are alike; the worse one counts.
 motion::Oscillation dominant(motion::LoopRecord const& record, motion::MovePhase phase, double T,
                              double lowest, double highest) {
   motion::Oscillation worst{.frequency = lowest, .amplitude = 0};
@@ -144,14 +145,14 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
     file.commit();
   }
   auto& out = invocation.streams.out;
-  switch (request.form) {
-    case SimulateForm::text:
+  switch (request.format) {
+    case SimulateFormat::text:
       out.write(plant_text(figures, invocation.language));
       break;
-    case SimulateForm::csv:
+    case SimulateFormat::csv:
       out.write(plant_csv(without, with, T));
       break;
-    case SimulateForm::json:
+    case SimulateFormat::json:
       out.write(plant_json(figures));
       break;
   }

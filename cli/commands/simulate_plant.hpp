@@ -15,7 +15,7 @@ struct PlantRequest {
   std::string plant_path;
   std::string move;
   std::optional<std::string> output;
-  SimulateForm form = SimulateForm::text;
+  SimulateFormat format = SimulateFormat::text;
 };
 
 [[nodiscard]] ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,

@@ -16,12 +16,15 @@ namespace axisc::cli::says {
 constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
                                    "das Abbild hat keine Kerne für `{command}`"};
 
-constexpr Sentence not_simulated_first{"only its first place is named", "nur die erste Stelle wird genannt"};
+constexpr Sentence not_simulated_first{"only its first occurrence is named",
+                                       "nur das erste Vorkommen wird genannt"};
 
 constexpr Sentence cannot_simulate_help{
-    "known are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER and "
+    "supported are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
+    "and "
     "M30",
-    "bekannt sind Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
+    "unterstützt werden Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], "
+    "#FILTER "
     "und M30"};
 
 }  // namespace axisc::cli::says
@@ -30,7 +33,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// Remembers which kernels the program calls for.
+/// Records which kernels the program needs.
 class CommandCollector final : public motion::PathListener {
  public:
   void motion(motion::ProgrammedBlock const& /*block*/) override {}
@@ -44,7 +47,7 @@ class CommandCollector final : public motion::PathListener {
   std::vector<machine::FilterParameters> sets;
 };
 
-/// Hands what happens to the summary and to the CSV of cycles.
+/// Passes the simulation's events to the summary and to the CSV of cycles.
 class Recorder final : public motion::SimulationListener {
  public:
   void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) override {
@@ -86,7 +89,7 @@ motion::PathLimits limits_of(machine::Machine const& machine, machine::MachineGr
   return motion::PathLimits(std::move(limits));
 }
 
-/// A program is never held as a whole: its line stands alone, on the line where it is.
+/// A program is never held completely: a source holds only the line in question, with its line number.
 std::string problem_text(motion::ProgramProblem problem, std::string const& path, WriteOptions const& write) {
   std::string padded(problem.line - 1, '\n');
   auto const begin = static_cast<std::uint32_t>(padded.size());
@@ -102,7 +105,7 @@ std::string problem_text(motion::ProgramProblem problem, std::string const& path
   return write_text(problem.finding, sources, write) + "\n";
 }
 
-/// Reads the program once without moving anything: says what is wrong with it, and finds its #FILTER commands.
+/// Reads the program once without moving anything: reports its mistakes and finds its #FILTER commands.
 bool survey(ProgramLines& program, ProgramRequest const& request, motion::ProgramChannel const& channel,
             CommandCollector& collector, Invocation const& invocation) {
   constexpr std::size_t most_errors = 20;
@@ -165,15 +168,15 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
     filed.emplace(path, [&file](std::string_view text) { file->write(text); });
     recorder.cycles.push_back(&*filed);
   }
-  switch (request.form) {
-    case SimulateForm::csv:
+  switch (request.format) {
+    case SimulateFormat::csv:
       printed.emplace(path, to_output);
       recorder.cycles.push_back(&*printed);
       break;
-    case SimulateForm::json:
+    case SimulateFormat::json:
       recorder.summary = json_summary(path, to_output);
       break;
-    case SimulateForm::text:
+    case SimulateFormat::text:
       recorder.summary = text_summary(path, invocation.language, to_output);
       break;
   }

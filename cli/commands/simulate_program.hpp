@@ -10,14 +10,14 @@
 
 namespace axisc::cli {
 
-enum class SimulateForm : std::uint8_t { text, csv, json };
+enum class SimulateFormat : std::uint8_t { text, csv, json };
 
 struct ProgramRequest {
   std::string machine_path;
   std::string program_path;
   std::optional<std::string> group;
   std::optional<std::string> output;
-  SimulateForm form = SimulateForm::text;
+  SimulateFormat format = SimulateFormat::text;
   bool constant_velocity = false;
   bool show_progress = false;
   bool color = false;

@@ -1,4 +1,4 @@
-// An image at work for `axisc run`: what goes in, what comes out, commands in between.
+// Executes an image for `axisc run`: setpoints in, filtered setpoints out, commands in between.
 #pragma once
 
 #include "cli/execution/stimulus.hpp"
@@ -14,7 +14,7 @@
 
 namespace axisc::cli {
 
-/// Cycles in which the same happened.
+/// Cycles with the same event: how many, and the first one.
 struct Occurrences {
   std::uint64_t count = 0;
   std::uint64_t first_cycle = 0;
@@ -23,7 +23,7 @@ struct Occurrences {
   }
 };
 
-/// What the runtime noticed without stopping.
+/// Events that the runtime reported without stopping.
 struct Noticed {
   Occurrences refused;  ///< inputs that were not accepted; it went on with the last good one
   Occurrences jumps;    ///< outputs that moved farther than their axis may
@@ -35,13 +35,13 @@ class Execution {
   Execution(std::string path, image::RuntimeHost host, image::ImageContents const& image, Stimulus& stimulus,
             std::vector<TimedCommand> commands);
 
-  /// Keeps the last cycles from now on. Failure where that does not work.
+  /// Records the last cycles from now on. Failure if that is not possible.
   void record(std::uint32_t cycles);
   [[nodiscard]] std::vector<std::byte> recording() const { return host_.recording(); }
 
   /// Resets all axes: to `position` at the port that the stimulus feeds, to 0 elsewhere.
   void reset(double position, Port fed);
-  /// Runs to the stimulus' end and hands on the table, header first, in pieces. Failure where the runtime stops or a
+  /// Runs to the end of the stimulus and passes on the table in pieces, header first. Failure if the runtime stops or a
   /// command cannot be executed.
   Noticed go(std::function<void(std::string_view)> const& write);
 

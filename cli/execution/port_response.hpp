@@ -1,4 +1,4 @@
-// What the filters at one port of an axis do to a frequency.
+// Frequency response of the filters at one port of an axis.
 #pragma once
 
 #include "cli/files/image_file.hpp"

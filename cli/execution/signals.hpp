@@ -18,7 +18,7 @@ class Signal {
  public:
   enum class Shape : std::uint8_t { step, ramp, sine, impulse };
 
-  /// "step", "ramp:UNITS_PER_S", "sine:HZ" or "impulse"; nothing for any other text.
+  /// "step", "ramp:UNITS_PER_S", "sine:HZ" or "impulse"; none for any other text.
   [[nodiscard]] static std::optional<Signal> parse(std::string_view text);
 
   /// Value in cycle `n`. Cost: constant, so that a signal of any length needs no memory.

@@ -8,7 +8,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// Every column the image has a use for, in image order.
+/// Every column that the image uses, in image order.
 std::vector<Channel> all_channels(image::ImageContents const& image) {
   std::vector<Channel> channels;
   for (std::size_t axis = 0; axis < image.axes.size(); ++axis) {

@@ -1,4 +1,4 @@
-// What `axisc run` feeds into the image, cycle by cycle: a signal or the rows of a CSV file.
+// Input of `axisc run`, cycle by cycle: a signal or the rows of a CSV file.
 #pragma once
 
 #include "cli/execution/signals.hpp"
@@ -13,11 +13,11 @@
 
 namespace axisc::cli {
 
-/// What a column of input is for an axis.
+/// The meaning of an input column for its axis.
 enum class Input : std::uint8_t { setpoint, interface, v_set, v_motor, v_direct };
 inline constexpr std::size_t inputs = 5;
 
-/// One column of input: an axis and where the number goes.
+/// One column of input: an axis and its port.
 struct Channel {
   std::size_t axis = 0;
   Input input = Input::setpoint;
@@ -42,7 +42,7 @@ class Stimulus {
   Stimulus() = default;
 };
 
-/// The same signal for every axis that has the port; at the velocity port for all three velocities.
+/// One signal for every axis that has the port; at the velocity port for all three velocities.
 class SignalStimulus final : public Stimulus {
  public:
   struct Facts {
@@ -63,7 +63,7 @@ class SignalStimulus final : public Stimulus {
   std::uint64_t cycle_ = 0;
 };
 
-/// The columns of a CSV file. A column that the image has no use for is a Failure (AX9005).
+/// The columns of a CSV file. A column that the image does not use is a Failure (AX9005).
 class CsvStimulus final : public Stimulus {
  public:
   CsvStimulus(image::ImageContents const& image, std::string name, ByteSource source);

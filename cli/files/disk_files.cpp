@@ -21,7 +21,7 @@ constexpr Sentence cannot_read_not_readable{
     "cannot read {file}: the system reports a read error; check the medium or the connection",
     "{file} ist nicht lesbar: das System meldet einen Lesefehler; Datenträger oder Verbindung prüfen"};
 constexpr Sentence cannot_read_binary{
-    "cannot read {file}: it is a binary file, not a text; name an axis list or a machine file",
+    "cannot read {file}: it is a binary file, not text; name an axis list or a machine file",
     "{file} ist nicht lesbar: es ist eine Binärdatei, kein Text; eine Achsliste oder Maschinendatei angeben"};
 constexpr Sentence cannot_read_utf16{
     "cannot read {file}: it is UTF-16; save it as UTF-8 or windows-1252",
@@ -49,7 +49,7 @@ using Bytes = std::variant<std::string, FileError>;
 
 constexpr std::size_t first_piece = std::size_t{1} << 16U;
 constexpr std::size_t largest_piece = std::size_t{1} << 24U;
-/// Of a file that is not kept: larger ones are no faster.
+/// Block size for a file that is not kept in memory: larger blocks are not faster.
 constexpr std::size_t block_size = std::size_t{1} << 16U;
 
 FileError error_of(system::Error const& error) {
@@ -65,8 +65,8 @@ FileError error_of(system::Error const& error) {
   }
 }
 
-/// The end of the file decides, whatever size it is said to have. A byte more than that is asked for: a file that gives just
-/// its size has come to its end, and need not be asked again.
+/// Reads to the end of the file, whatever its reported size. One byte more than the size is requested, so that a file
+/// of just that size needs no second call.
 Bytes read_all(system::File const& file, std::optional<std::size_t> size) {
   std::string bytes;
   std::size_t filled = 0;

@@ -1,4 +1,4 @@
-// The disk as the library sees it.
+// Reads files from the disk for the library.
 #pragma once
 
 #include "cli/failure.hpp"
@@ -15,10 +15,10 @@ namespace axisc::cli {
 /// Reads files and pipes.
 class DiskFiles final : public configuration::Files {
  public:
-  /// `dash_is_standard_input`: "-" is no file name. Standard input is read once and kept.
+  /// `dash_is_standard_input`: "-" means standard input, which is read once and kept.
   explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
-  /// Memory: one block; a pipe, which gives its bytes once, is kept whole.
+  /// Memory: one block; a pipe, which can be read only once, is kept completely.
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override;
 

@@ -14,14 +14,14 @@ constexpr Sentence headline{
     "{file} is damaged or was not written by axisc ({status}); compile the lists again",
     "{file} ist beschädigt oder nicht von axisc geschrieben ({status}); die Listen neu übersetzen"};
 constexpr Sentence magic{
-    "{file} is no coefficient image ({status}); `axisc compile` makes one from a list or a machine file",
+    "{file} is not a coefficient image ({status}); `axisc compile` makes one from a list or a machine file",
     "{file} ist kein Koeffizientenabbild ({status}); `axisc compile` erzeugt eines aus Liste oder "
     "Maschinendatei"};
 constexpr Sentence not_an_image_short{
-    "{file} is cut off or no coefficient image ({status}); compile the lists again",
+    "{file} is cut off or not a coefficient image ({status}); compile the lists again",
     "{file} ist abgeschnitten oder kein Koeffizientenabbild ({status}); die Listen neu übersetzen"};
 constexpr Sentence size{
-    "{file} is cut off or has bytes behind its end ({status}); copy it again or compile the lists again",
+    "{file} is cut off or has bytes after its end ({status}); copy it again or compile the lists again",
     "{file} ist abgeschnitten oder zu lang ({status}); neu kopieren oder die Listen neu übersetzen"};
 constexpr Sentence version{
     "{file} has another format version ({status}); compile the lists with this axisc",
@@ -32,7 +32,7 @@ constexpr Sentence checksum{
 
 constexpr Sentence no_level{
     "this processor does not have the instruction set that --level asks for; use --level auto",
-    "Dieser Prozessor hat den mit --level verlangten Befehlssatz nicht; nehmen Sie --level auto"};
+    "dieser Prozessor hat den mit --level verlangten Befehlssatz nicht; --level auto verwenden"};
 
 }  // namespace axisc::cli::says
 

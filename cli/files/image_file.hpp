@@ -21,16 +21,16 @@ struct ImageFile {
 };
 
 /// Reads and verifies; "-" is standard input. Failure AX9001 for a file that cannot be read, AX9004 for a damaged image
-/// or something else.
+/// or a file that is not an image.
 [[nodiscard]] ImageFile load_image(std::string const& path);
 
-/// AX9004 with what the runtime found.
+/// Failure AX9004 with the status of the runtime.
 [[nodiscard]] Failure unusable_image(std::string const& path, axisrt_status status);
 
 /// The axis' name; "axis0" for the first axis of a stripped image.
 [[nodiscard]] std::string axis_label(image::ImageContents const& image, std::size_t axis);
 
-/// Indices of the axes that a command shall show: all of them, or the one that `--axis` names. Failure for another name.
+/// Indices of the axes to show: all of them, or the one that `--axis` names. Failure for an unknown name.
 [[nodiscard]] std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
                                                    std::optional<std::string> const& name);
 
@@ -39,15 +39,15 @@ enum class Port : std::uint8_t { setpoint, interface, velocity };
 /// "setpoint", "interface", "velocity".
 [[nodiscard]] std::string_view port_name(Port port);
 
-/// Words of `--level`, for help and messages.
-inline constexpr std::string_view level_words = "portable|auto|v2|v3|v4|neon";
+/// Values of `--level`, for help and messages.
+inline constexpr std::string_view level_names = "portable|auto|v2|v3|v4|neon";
 
-/// The axisrt_level that a word of `--level` means; portable without one, because its results are the same everywhere.
-/// Failure for another word.
+/// The axisrt_level for a value of `--level`; portable without one, because its results are the same everywhere.
+/// Failure for another value.
 [[nodiscard]] std::uint32_t level_of(std::optional<std::string> const& word);
 
-/// The runtime for an image that was loaded, at an axisrt_level. Failure AX9004 where this processor fails its self-tests,
-/// another one where it does not have that level.
+/// The runtime for a loaded image at an axisrt_level. Failure AX9004 if the self-tests fail on this processor; another
+/// Failure if it does not have that level.
 [[nodiscard]] image::RuntimeHost start_runtime(std::string const& path, ImageFile const& file,
                                                std::uint32_t level = AXISRT_LEVEL_PORTABLE);
 

@@ -13,10 +13,10 @@
 namespace axisc::cli::says {
 
 constexpr Sentence cannot_read_no_secret_key{
-    "{file} is no secret key; name the file that `axisc keygen` wrote, the one without .pub",
+    "{file} is not a secret key; name the file that `axisc keygen` wrote, the one without .pub",
     "{file} ist kein geheimer Schlüssel; die Datei angeben, die `axisc keygen` schrieb, die ohne .pub"};
 constexpr Sentence cannot_read_no_public_key{
-    "{file} is no public key; name the .pub file that `axisc keygen` wrote",
+    "{file} is not a public key; name the .pub file that `axisc keygen` wrote",
     "{file} ist kein öffentlicher Schlüssel; die .pub-Datei angeben, die `axisc keygen` schrieb"};
 constexpr Sentence cannot_read_secret_shared{
     "{file} is a secret key that others may read; take their rights away: chmod 600 {file}",
@@ -71,7 +71,7 @@ class NewFile {
   bool kept_ = false;
 };
 
-/// What is read of a key file, wiped afterwards.
+/// The content of a key file, wiped afterwards.
 class KeyText {
  public:
   explicit KeyText(system::File const& file) {

@@ -15,15 +15,15 @@ constexpr Sentence no_folder{"cannot write {file}: its folder does not exist; cr
 constexpr Sentence is_folder{"cannot write {file}: it is a folder; name a file in it",
                              "{file} ist nicht schreibbar: es ist ein Ordner; eine Datei darin angeben"};
 constexpr Sentence no_permission{
-    "cannot write {file}: permission denied; an old file is unchanged",
-    "{file} ist nicht schreibbar: keine Berechtigung; eine alte Datei ist unverändert"};
+    "cannot write {file}: permission denied; an existing file is unchanged",
+    "{file} ist nicht schreibbar: keine Berechtigung; eine vorhandene Datei bleibt unverändert"};
 constexpr Sentence read_only{"cannot write {file}: the file system is read-only",
                              "{file} ist nicht schreibbar: das Dateisystem ist schreibgeschützt"};
 constexpr Sentence no_space{
-    "cannot write {file}: no space is left; an old file is unchanged",
-    "{file} ist nicht schreibbar: kein Speicherplatz mehr; eine alte Datei ist unverändert"};
-constexpr Sentence closed_pipe{"cannot write {file}: nobody reads the pipe any more",
-                               "{file} ist nicht schreibbar: niemand liest die Pipe mehr"};
+    "cannot write {file}: no space is left; an existing file is unchanged",
+    "{file} ist nicht schreibbar: kein Speicherplatz mehr; eine vorhandene Datei bleibt unverändert"};
+constexpr Sentence closed_pipe{"cannot write {file}: the reader closed the pipe",
+                               "{file} ist nicht schreibbar: die Gegenseite hat die Pipe geschlossen"};
 
 constexpr Sentence is_input{
     "{file} is one of the inputs and would be overwritten; choose another name",
@@ -110,12 +110,12 @@ void OutputFile::take(system::Result<system::File> opened) {
 }
 
 void OutputFile::open_beside(system::FileStatus const* old) {
-  // Renaming needs no right to write the old file, but a write protection is meant.
+  // Renaming does not need write permission for the old file, but its write protection shall be respected.
   if (old != nullptr) require(system::refuses_writing(target_));
   std::string name = folder_of(target_) + "/.axisc-" + unique_name();
   {
     system::WithoutInterruption const made_and_remembered;
-    // In the place of an old file nobody shall read more than before.
+    // The new file is not readable by more users than the old one.
     take(system::File::create(name, old != nullptr ? system::Privacy::owner : system::Privacy::usual));
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());

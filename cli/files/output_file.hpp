@@ -12,14 +12,14 @@
 
 namespace axisc::cli {
 
-/// What survives a power failure: a whole file under its name, or at least that another one is not taken for it (for what
-/// can be made again and carries a checksum, and costs far less).
+/// What a power failure may leave: always a complete file, or possibly a damaged one (much cheaper; for files that can
+/// be rebuilt and carry a checksum).
 enum class Durability : std::uint8_t { of_content, of_name };
 
-/// Writes beside the target, syncs and renames, so that nobody ever sees half of it and an old file stays untouched
-/// when anything fails or the program is interrupted. A symbolic link is followed, the old file's mode kept. A target that is no regular file (a
-/// device, a pipe) is opened and written directly, never renamed over; "-" is standard output.
-/// Every function may throw a Failure (AX9002).
+/// Writes to a temporary file next to the target, syncs and renames, so that no reader sees a partial file and an
+/// existing file is unchanged if anything fails or the program is interrupted. A symbolic link is followed, the old
+/// file's mode kept. A target that is not a regular file (a device, a pipe) is opened and written directly, never
+/// renamed over; "-" is standard output. Every function may throw a Failure (AX9002).
 class OutputFile {
  public:
   explicit OutputFile(std::string path, Durability durability = Durability::of_content);
@@ -28,11 +28,11 @@ class OutputFile {
   ~OutputFile() = default;
 
   void write(std::string_view bytes);
-  /// Puts the file in its place. Nothing can be written any more.
+  /// Moves the file to its final name. Nothing can be written afterwards.
   void commit();
 
  private:
-  /// Removed with this object, or when the program is interrupted, unless it was renamed before.
+  /// Removed with this object, or when the program is interrupted, unless it has been renamed.
   struct TemporaryFile {
     std::string path;  ///< empty where there is none (any more)
     std::optional<system::RemovedWhenInterrupted> interruption;
@@ -54,7 +54,7 @@ class OutputFile {
   system::File file_;
 };
 
-/// `path` is a regular file that holds just these bytes: writing it again would only make it look new.
+/// True if `path` is a regular file with exactly these bytes: writing it again would only change its time.
 [[nodiscard]] bool is_content_of(std::string const& path, std::string_view bytes);
 
 /// Failure where `output` is one of the files that were read, under whatever name.

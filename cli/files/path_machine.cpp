@@ -10,7 +10,7 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence not_a_command{"\"{value}\" is no #FILTER command: {reason}",
+constexpr Sentence not_a_command{"\"{value}\" is not a #FILTER command: {reason}",
                                  "\"{value}\" ist kein #FILTER-Befehl: {reason}"};
 constexpr Sentence no_path_axes{"{file} has no group of axes that could move on a path",
                                 "{file} hat keine Gruppe von Achsen, die eine Bahn fahren könnten"};

@@ -23,7 +23,7 @@ struct CheckedMachine {
 };
 
 /// Checks a list or machine file; findings of severity error go to standard error, and nothing is returned. Failure for
-/// what cannot be read and where the NC cycle time is not known.
+/// an unreadable file and for an unknown NC cycle time.
 [[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& path,
                                                             std::optional<std::string> const& cycle_time,
                                                             Invocation const& invocation, bool color);
@@ -35,11 +35,11 @@ struct CheckedMachine {
 [[nodiscard]] motion::GroupRuntime group_runtime(ImageFile const& image, machine::MachineGroup const& group,
                                                  std::string const& path);
 
-/// The group of that name; the first one without a name. Failure where there is none.
+/// The group of that name; the first one without a name. Failure if there is none.
 [[nodiscard]] std::size_t chosen_group(machine::Machine const& machine,
                                        std::optional<std::string> const& name, std::string const& path);
 
-/// How far the keywords of the group's commands may go.
+/// Limits of the keywords in the group's commands.
 [[nodiscard]] validator::CommandLimits command_limits(machine::Machine const& machine,
                                                       machine::MachineGroup const& group);
 
@@ -52,7 +52,7 @@ struct CheckedMachine {
 [[nodiscard]] motion::FilterCommandReader filter_command_reader(machine::Machine const& machine,
                                                                 machine::MachineGroup const& group);
 
-/// What a program's start would do for `contour`: every FIR and HSC filter that is configured works.
+/// The state that `contour` starts from: every configured FIR and HSC filter is on.
 [[nodiscard]] std::vector<machine::FilterCommand> filters_on();
 
 }  // namespace axisc::cli

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 16U;
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
-/// Places in a program have 32 bits.
+/// Offsets in a program have 32 bits.
 constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::max();
 
 [[noreturn]] void fail(std::string const& path, system::Error const& error) {

@@ -1,4 +1,4 @@
-// An NC program line by line, in constant memory and as often as wanted.
+// Reads an NC program line by line, in constant memory and as often as needed.
 #pragma once
 
 #include "system/file.hpp"
@@ -12,7 +12,7 @@ namespace axisc::cli {
 
 class ProgramLines {
  public:
-  /// "-" is standard input. What cannot be read twice, a pipe, is kept in memory. Failure AX9001, AX9003.
+  /// "-" is standard input. A pipe, which cannot be read twice, is kept in memory. Failure AX9001, AX9003.
   explicit ProgramLines(std::string path);
 
   /// Calls `line` with each line, without its end, and its place in the program, until it returns false.

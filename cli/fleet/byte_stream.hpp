@@ -1,4 +1,4 @@
-// Values as bytes and back, for what this program alone reads again on machines like this one.
+// Values as bytes and back, for files that only this program reads, on machines of the same kind.
 #pragma once
 
 #include "cli/fleet/digest.hpp"
@@ -13,7 +13,7 @@ namespace axisc::cli {
 class ByteWriter {
  public:
   void number(std::uint64_t value) {
-    // Small numbers, which are most of them, take one byte.
+    // Small numbers, which are the most frequent, take one byte.
     for (; value >= 0x80U; value >>= 7U) bytes_ += static_cast<char>((value & 0x7FU) | 0x80U);
     bytes_ += static_cast<char>(value);
   }
@@ -31,8 +31,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Reads what ByteWriter wrote. Behind the end, or where the bytes make no sense, everything is 0 and empty, and ok()
-/// is false.
+/// Reads what ByteWriter wrote. After the end, or if the bytes are invalid, all values are 0 or empty, and ok() is
+/// false.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
@@ -48,7 +48,7 @@ class ByteReader {
     ok_ = false;
     return 0;
   }
-  /// A number of things that take a byte each at least.
+  /// A count of elements that take at least one byte each.
   [[nodiscard]] std::size_t count() {
     auto const value = number();
     if (value <= rest_.size()) return static_cast<std::size_t>(value);

@@ -36,7 +36,7 @@ bool read_at(system::File const& file, std::uint64_t offset, void* target, std::
   return true;
 }
 
-/// For reading, and for the times of last use where it may be written.
+/// For reading, and for updating the times of last use if the file is writable.
 std::optional<system::File> open_pack(std::string const& path) {
   for (auto const access : {system::Access::update, system::Access::read}) {
     auto opened = system::File::open(path, access);
@@ -94,7 +94,7 @@ std::optional<std::string> CachePack::read(std::size_t row) const {
 }
 
 void CachePack::mark_used(std::vector<std::uint32_t> const& rows, std::uint32_t now) {
-  // Exact times matter to nobody, and most runs follow one another quickly.
+  // Exact times do not matter, and most runs follow one another quickly.
   constexpr std::uint32_t minute = 60;
   bool changed = false;
   for (auto const row : rows) {

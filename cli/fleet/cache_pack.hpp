@@ -1,11 +1,11 @@
-// One file of a cache: many entries, written once and never changed but for the times of their last use.
+// One file of a cache: many entries, written once and never changed, except for the times of last use.
 //
 //   "axpack01"  content of the entries, one behind the other
 //   table       one row per entry, by key
 //   last uses   seconds since 1970, 4 bytes per row; the only part that is written again, and not covered by a checksum
 //   footer      number of rows, where the table begins, checksum of the table, "axpkend1"
 //
-// Entries have a checksum each, so a pack that was cut off, or damaged, gives no wrong entry: it gives none.
+// Entries have a checksum each, so a truncated or damaged pack never gives a wrong entry.
 #pragma once
 
 #include "cli/files/output_file.hpp"
@@ -29,7 +29,7 @@ struct PackRow {
 
 class CachePack {
  public:
-  /// None for a file that cannot be read or is no whole pack.
+  /// None for a file that cannot be read or is not a complete pack.
   [[nodiscard]] static std::optional<CachePack> open(std::string const& path);
 
   [[nodiscard]] std::string const& path() const { return path_; }
@@ -37,9 +37,9 @@ class CachePack {
   [[nodiscard]] std::vector<PackRow> const& rows() const { return rows_; }
   [[nodiscard]] std::uint32_t last_use(std::size_t row) const { return last_uses_[row]; }
 
-  /// None where the content is not what was written.
+  /// None if the content does not match its checksum.
   [[nodiscard]] std::optional<std::string> read(std::size_t row) const;
-  /// Writes down that these rows were used now. Best effort: in a cache that may only be read nothing happens.
+  /// Records that these rows were used now. Best effort: does nothing in a read-only cache.
   void mark_used(std::vector<std::uint32_t> const& rows, std::uint32_t now);
 
  private:
@@ -53,10 +53,10 @@ class CachePack {
   std::vector<std::uint32_t> last_uses_;
 };
 
-/// Writes a pack of its own into `folder`. Not for several threads at once.
+/// Writes a new pack into `folder`. Not thread-safe.
 class PackWriter {
  public:
-  /// Failure (AX9002) here and below where the folder cannot be written.
+  /// This and the functions below: Failure (AX9002) if the folder cannot be written.
   explicit PackWriter(std::string const& folder);
 
   void add(Digest const& key, std::string_view content, std::uint32_t last_use);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t largest_pack = std::uint64_t{64} << 20U;
-/// So many files are opened by every run.
+/// Limits the number of files that every run opens.
 constexpr std::size_t most_packs = 64;
 
 }  // namespace
@@ -82,7 +82,7 @@ void CacheStore::add(Digest const& key, std::string_view content) {
     if (writer_->size() < largest_pack) return;
     writer_->commit();
   } catch (Failure const& failure) {
-    // The results are right all the same.
+    // The results are correct nevertheless.
     broken_ = failure;
   }
   writer_.reset();

@@ -1,5 +1,5 @@
-// Entries by key, in the packs of one folder. Several processes may use the folder at once: packs are never changed, new
-// ones appear under names of their own, and one that is removed stays readable for those who have it open.
+// Entries by key, in the packs of one folder. Several processes may use the folder at once: packs are never changed,
+// new packs have unique names, and a removed pack stays readable for processes that have it open.
 #pragma once
 
 #include "cli/failure.hpp"
@@ -17,15 +17,15 @@ namespace axisc::cli {
 
 class CacheStore {
  public:
-  /// Failure where the folder cannot be made. `limit`: bytes of all packs together.
+  /// Failure if the folder cannot be created. `limit`: bytes of all packs together.
   CacheStore(std::string folder, std::uint64_t limit);
 
-  /// May be called by several threads, as add(). A damaged entry is none.
+  /// Like add(), may be called by several threads. A damaged entry counts as missing.
   [[nodiscard]] std::optional<std::string> find(Digest const& key);
-  /// Where the folder cannot be written nothing is kept any more, and finish() says why.
+  /// If the folder cannot be written, nothing more is stored, and finish() reports why.
   void add(Digest const& key, std::string_view content);
-  /// Failure (AX9002) where the folder cannot be written. Puts what was added in its place, notes what was used, and removes what was used longest ago where the folder is
-  /// larger than its limit.
+  /// Writes the added entries, records which entries were used, and removes the least recently used ones if the folder
+  /// is larger than its limit. Failure (AX9002) if the folder cannot be written.
   void finish();
 
  private:
@@ -47,12 +47,12 @@ class CacheStore {
   std::optional<Failure> broken_;
 };
 
-/// Brings the packs of `folder` that are larger than `limit` down to three quarters of it, so that this is rare: what was
-/// used longest ago is removed. Many small packs become one. One process does this at a time; another one leaves it to that. Packs
-/// that are no whole ones are removed, and files that killed processes left, when they are a day old.
+/// If the packs of `folder` are larger than `limit`, removes the least recently used entries down to three quarters of
+/// it, so that this is rare. Many small packs are merged into one. One process does this at a time; others skip it.
+/// Incomplete packs and files left by killed processes are removed when they are a day old.
 void tidy_cache(std::string const& folder, std::uint64_t limit);
 
-/// The whole packs of a folder, by name.
+/// The complete packs of a folder, by name.
 [[nodiscard]] std::vector<CachePack> open_packs(std::string const& folder);
 
 [[nodiscard]] std::uint32_t seconds_now();

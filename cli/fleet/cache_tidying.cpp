@@ -20,7 +20,7 @@ struct Entry {
   std::uint64_t size = 0;
 };
 
-/// Everything in the packs once, what was used last in front. A time that is still to come is no time.
+/// Every entry of the packs once, most recently used first. A time in the future does not count.
 std::vector<Entry> entries_of(std::vector<CachePack> const& packs) {
   auto const now = seconds_now();
   std::set<Digest> known;
@@ -52,7 +52,7 @@ std::vector<std::vector<std::size_t>> choose(std::vector<CachePack> const& packs
   return kept;
 }
 
-/// Packs of which something goes, and small ones, are written anew, in one.
+/// Packs that lose entries, and small packs, are rewritten as one.
 void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
              std::vector<std::vector<std::size_t>> const& kept) {
   std::vector<std::size_t> replaced;
@@ -72,7 +72,7 @@ void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
   for (auto const i : replaced) system::remove(packs[i].path());
 }
 
-/// Files of processes that were killed, and packs that no one can read.
+/// Removes files of killed processes and unreadable packs.
 void remove_rubbish(std::string const& folder, std::vector<CachePack> const& packs) {
   std::set<std::string> whole;
   for (auto const& pack : packs) whole.insert(pack.path());

@@ -59,7 +59,7 @@ void Hasher::text(std::string_view part) {
 }
 
 void Hasher::number(std::uint64_t part) {
-  // The same on processors of either byte order.
+  // Independent of the processor's byte order.
   char eight[sizeof(part)];
   for (char& byte : eight) {
     byte = static_cast<char>(part & 0xFFU);

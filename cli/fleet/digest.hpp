@@ -1,4 +1,4 @@
-// A short name for bytes: who has the same digest has the same bytes.
+// A 128-bit content hash.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace axisc::cli {
 
-/// 128 bits (XXH3). Protects against chance, not against somebody who makes two files of one digest on purpose.
+/// 128 bits (XXH3). Safe against accidental collisions, not against deliberate ones.
 struct Digest {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -22,7 +22,7 @@ struct Digest {
 /// 32 hexadecimal digits.
 [[nodiscard]] std::string hexadecimal(Digest const& digest);
 
-/// The digest of bytes that come in pieces.
+/// Computes the digest of bytes that come in pieces.
 class Hasher {
  public:
   Hasher();
@@ -32,10 +32,10 @@ class Hasher {
   Hasher& operator=(Hasher const&) = delete;
   ~Hasher();
 
-  /// The same digest for the same bytes, however they are cut.
+  /// The digest does not depend on how the bytes are split.
   void bytes(std::string_view piece);
 
-  // Parts of a list: none runs into the next.
+  // Hashes the length, too, so that successive parts cannot be confused.
   void text(std::string_view part);
   void number(std::uint64_t part);
   void digest(Digest const& part);

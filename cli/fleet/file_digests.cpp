@@ -21,7 +21,7 @@ constexpr std::string_view magic = "axfiles1";
 constexpr std::int64_t second = 1'000'000'000;
 constexpr std::int64_t racy = 2 * second;
 constexpr std::int64_t day = 86'400 * second;
-/// 80 MB; the rows that were not asked for longest are dropped.
+/// 80 MB; the least recently used rows are dropped.
 constexpr std::size_t most_rows = 1'000'000;
 
 using Row = FileDigests::Row;
@@ -31,7 +31,7 @@ bool by_path(Row const& left, Row const& right) {
   return left.path < right.path;
 }
 
-/// The rows of a table, in ascending order; none of one that is damaged.
+/// The rows of a table, in ascending order; none if it is damaged.
 std::vector<Row> read_rows(std::string const& table) {
   DiskFiles files;
   auto const read = files.read(table);

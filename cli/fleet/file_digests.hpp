@@ -1,10 +1,10 @@
-// Digests of files, without reading a file again that has not changed since.
+// Digests of files; unchanged files are not read again.
 //
-// What is known stands in one table: for each path (as a digest) device, inode, size, time of the last change of content
-// and of the inode, in nanoseconds, and the digest. A file whose facts are equal is not read. A file that changed within
-// two seconds before it was read is not put into the table: it could change once more within the resolution of its
-// clock, and nobody would see it. The time of the inode's change cannot be set by programs, so a restored time of
-// content deceives nobody.
+// One table stores for each path (as a digest) device, inode, size, time of the last change of content and of the
+// inode, in nanoseconds, and the digest. A file whose facts are equal is not read. A file that changed within two
+// seconds before it was read is not put into the table: another change within the resolution of the clock would go
+// unnoticed. Programs cannot set the time of the inode's change, so restoring the time of the content does not hide a
+// change.
 #pragma once
 
 #include "cli/fleet/digest.hpp"
@@ -18,7 +18,7 @@
 
 namespace axisc::cli {
 
-/// What can be seen of a file without reading it.
+/// Facts about a file that are known without reading it.
 struct FileFacts {
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
@@ -28,11 +28,11 @@ struct FileFacts {
   friend bool operator==(FileFacts const&, FileFacts const&) = default;
 };
 
-/// None for what is no regular file, or not there.
+/// None if the file is missing or not a regular file.
 [[nodiscard]] std::optional<FileFacts> facts_of(std::string const& path);
 [[nodiscard]] std::int64_t nanoseconds_now();
 
-/// The content of a file, or why there is none.
+/// The content of a file, or why it cannot be read.
 struct FileState {
   Digest digest;
   std::optional<configuration::FileError> error;
@@ -42,14 +42,14 @@ struct FileState {
 /// May be used by several threads.
 class FileDigests {
  public:
-  /// Reads the table. One that is missing, damaged or of another version counts as empty.
+  /// Reads the table. A table that is missing, damaged or of another version counts as empty.
   explicit FileDigests(std::string table);
 
-  /// By its facts alone.
+  /// Looks up a file by its facts, without reading it.
   [[nodiscard]] std::optional<Digest> known(std::string const& path, FileFacts const& facts);
-  /// `facts` are those before and after `path` was read, which was begun at `begun`.
+  /// Stores the digest of `path`. `facts` were the same before and after reading it, which began at `begun`.
   void learn(std::string const& path, FileFacts const& facts, std::int64_t begun, Digest const& digest);
-  /// Failure (AX9002) where the table cannot be written. Of two processes that save at once, the later one wins.
+  /// Failure (AX9002) if the table cannot be written. If two processes save at once, the later one wins.
   void save();
 
   struct Row {

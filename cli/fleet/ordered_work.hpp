@@ -1,4 +1,4 @@
-// Work on many things side by side whose results are taken one after another, in the order of the things.
+// Parallel work on many tasks whose results are taken one after another, in the order of the tasks.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ struct OrderedTasks {
   std::function<std::size_t(Result const&)> weight;  ///< bytes of a result
 };
 
-/// Results that are finished and not taken yet weigh at most about this much: then the threads wait.
+/// Finished results that have not been taken occupy at most about this much memory; beyond it the threads wait.
 inline constexpr std::size_t most_waiting_bytes = std::size_t{16} << 20U;
 
 /// The threads of one call of in_order().
@@ -63,7 +63,7 @@ class OrderedWork {
   }
 
  private:
-  /// So many neighbours go to one thread together, because handing over costs more than a small input.
+  /// This many neighbours go to one thread together, because handing over costs more than a small input.
   static constexpr std::size_t largest_piece = 16;
 
   struct Piece {
@@ -89,7 +89,7 @@ class OrderedWork {
     }
   }
 
-  /// Waits for room. The piece that is taken next always has some: else everybody could wait for everybody.
+  /// Waits for room. The piece that is taken next never waits: otherwise the threads could deadlock.
   std::optional<std::size_t> next_to_do() {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] {

@@ -10,7 +10,7 @@ namespace {
 /// Larger files (NC programs) are hashed piece by piece and read twice.
 constexpr std::uint64_t most_kept = std::uint64_t{16} << 20U;
 
-/// There is something that is neither a file nor a folder.
+/// True if the path exists but is neither a file nor a folder.
 bool may_be_pipe(std::string const& path) {
   std::error_code error;
   auto const status = std::filesystem::status(path, error);
@@ -73,7 +73,7 @@ std::optional<configuration::FileError> RecordedFiles::read_pieces(
   bool wanted = true;
   auto const error = disk_.read_pieces(path, [&](std::string_view piece) {
     hasher.bytes(piece);
-    // The rest is read for the digest alone.
+    // The rest is read only for the digest.
     wanted = wanted && receive(piece);
     return true;
   });

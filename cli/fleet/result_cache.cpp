@@ -17,7 +17,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// 0 is no error.
+/// Codes start at 1.
 std::uint64_t as_number(std::optional<configuration::FileError> error) {
   return error ? static_cast<std::uint64_t>(*error) + 1 : 0;
 }

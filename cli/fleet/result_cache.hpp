@@ -1,9 +1,9 @@
-// Results of earlier runs, by what they depend on.
+// Cache of results, keyed by everything they depend on.
 //
-// A result is looked for by everything that is known beforehand (the run, the name of the input, the digest of its
-// content), and is right only where all other files that were read for it (the lists of a machine, its programs) are
-// what they were. So a changed machine file finds an old result again when it is changed back, whereas of several states
-// of a list that a machine names the last one is kept.
+// The key contains everything that is known beforehand (the run, the name of the input, the digest of its content). A
+// result is valid only if all other files that were read for it (the lists of a machine, its programs) are unchanged.
+// So a machine file that is changed back finds its old result again, whereas only the last state of a list that a
+// machine names is kept.
 #pragma once
 
 #include "cli/fleet/cache_store.hpp"
@@ -21,11 +21,11 @@ class ResultCache {
  public:
   static constexpr std::uint64_t usual_size = std::uint64_t{1} << 30U;
 
-  /// Failure (AX9002) where the folder cannot be made.
+  /// Failure (AX9002) if the folder cannot be created.
   ResultCache(std::string const& folder, std::uint64_t limit)
       : store_(folder, limit), digests_(folder + "/files") {}
 
-  /// Failure (AX9002) where the folder cannot be written.
+  /// Failure (AX9002) if the folder cannot be written.
   void finish() {
     store_.finish();
     digests_.save();
@@ -38,15 +38,15 @@ class ResultCache {
   FileDigests digests_;
 };
 
-/// One look-up: asks the cache, and otherwise watches how the result is made.
+/// One look-up: queries the cache; on a miss, records the files read for the result.
 class CachedInput {
  public:
-  /// `run` names everything that the result depends on beside files.
+  /// `run` is a digest of everything that the result depends on besides files.
   CachedInput(ResultCache& cache, Digest const& run, std::string path)
       : cache_(cache), run_(run), path_(std::move(path)), files_(&cache.digests_) {}
 
   [[nodiscard]] std::optional<std::string> find();
-  /// To make the result with.
+  /// Read the files of the result through these, so that they are recorded.
   [[nodiscard]] configuration::Files& files() { return files_; }
   void keep(std::string_view result);
 

@@ -20,23 +20,23 @@ void add_options(Hasher& hasher, validator::CheckOptions const& options) {
   for (auto const code : options.disabled) hasher.number(static_cast<std::uint64_t>(code));
 }
 
-void add_form(Hasher& hasher, ReportForm const& form) {
-  hasher.number(static_cast<std::uint64_t>(form.format));
-  hasher.number(static_cast<std::uint64_t>(form.write.language));
-  hasher.number(form.write.color ? 1 : 0);
-  if (!needs_context(form.format)) return;
-  hasher.text(form.context.paths.root);
-  hasher.text(form.context.paths.folder);
+void add_report_format(Hasher& hasher, ReportFormat const& report_format) {
+  hasher.number(static_cast<std::uint64_t>(report_format.format));
+  hasher.number(static_cast<std::uint64_t>(report_format.write.language));
+  hasher.number(report_format.write.color ? 1 : 0);
+  if (!needs_context(report_format.format)) return;
+  hasher.text(report_format.context.paths.root);
+  hasher.text(report_format.context.paths.folder);
 }
 
 }  // namespace
 
-Digest run_digest(CheckJob const& job, ReportForm const& form) {
+Digest run_digest(CheckJob const& job, ReportFormat const& report_format) {
   Hasher hasher;
   hasher.digest(program_digest());
   add_options(hasher, job.options);
   hasher.number(job.quiet ? 1 : 0);
-  add_form(hasher, form);
+  add_report_format(hasher, report_format);
   return hasher.finish();
 }
 

@@ -1,4 +1,4 @@
-// What decides about a result, as digests.
+// Cache keys: digests of everything a result depends on.
 #pragma once
 
 #include "cli/checking/check_input.hpp"
@@ -9,14 +9,14 @@
 
 namespace axisc::cli {
 
-/// Program, options and form: what decides about the result of an input beside its settings and the files. Relative names
-/// in formats of code hosts begin at the repository, so its folder counts in them.
-[[nodiscard]] Digest run_digest(CheckJob const& job, ReportForm const& form);
+/// Program, options and report format: everything that the result of an input depends on besides its settings and the
+/// files. In formats of code hosts, names are relative to the repository, so its folder is included.
+[[nodiscard]] Digest run_digest(CheckJob const& job, ReportFormat const& report_format);
 
-/// The same for one input, with its settings and schema files.
+/// The run's digest with the settings and schema files of one input.
 [[nodiscard]] Digest input_digest(Digest const& run, CheckJob const& job, std::string const& path);
 
-/// Adds an input and all files that it leads to, as they are now.
+/// Adds the present content of an input and of all files that it refers to.
 void add_files(Hasher& hasher, CheckJob const& job, std::string const& path);
 
 }  // namespace axisc::cli

@@ -16,12 +16,12 @@ struct Shard {
 /// Failure for anything but I/N with 1 <= I <= N <= 1000000.
 [[nodiscard]] Shard parse_shard(std::string_view text);
 
-/// True when `path` belongs to the shard. Depends on nothing but the path: relative to the working folder (absolute ones
-/// too, where they lie below it), without "." and "x/..".
+/// True when `path` belongs to the shard. Depends on nothing but the path: relative to the working folder (absolute
+/// ones too, if they are below it), without "." and "x/..".
 [[nodiscard]] bool is_in_shard(Shard const& shard, std::string const& path,
                                std::string const& working_folder);
 
-/// The rest of a file name behind `folder`; the whole name where it lies elsewhere.
+/// A file name relative to `folder`; the whole name if it is elsewhere.
 [[nodiscard]] std::string path_below(std::string const& folder, std::string const& path);
 
 }  // namespace axisc::cli

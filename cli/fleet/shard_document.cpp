@@ -13,7 +13,7 @@
 namespace axisc::cli::says {
 
 constexpr Sentence merge_no_json{
-    "{file} is damaged: it is no whole JSON document; run its shard again",
+    "{file} is damaged: it is not a complete JSON document; run its shard again",
     "{file} ist beschädigt: es ist kein vollständiges JSON-Dokument; den Teil noch einmal laufen lassen"};
 constexpr Sentence merge_no_shard{
     "{file} was not written by `axisc lint --shard I/N --format json` (or sarif)",

@@ -12,7 +12,7 @@ namespace axisc::cli {
 
 class ShardDocument {
  public:
-  /// Failure for a file that cannot be read, and for one that is no whole result of a shard.
+  /// Failure for a file that cannot be read or is not a complete result of a shard.
   explicit ShardDocument(std::string const& file);
 
   [[nodiscard]] std::string const& file() const { return file_; }
@@ -21,7 +21,7 @@ class ShardDocument {
   [[nodiscard]] Language language() const { return language_; }
   [[nodiscard]] bool has_statistics() const { return has_statistics_; }
 
-  /// What the input at `index` of the record's inputs was found to be; asked for by rising index.
+  /// The result of the input at `index` of the record's inputs; call it with rising indices.
   [[nodiscard]] CheckedInput next_input(std::size_t index);
 
  private:

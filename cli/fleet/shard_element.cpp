@@ -34,7 +34,7 @@ void add_paths(std::set<std::string>& paths, Json const& result, char const* key
   for (auto const& location : result.at(key)) {
     if (!location.contains("physicalLocation")) continue;
     auto const& physical = location.at("physicalLocation");
-    // A finding without a region names a file that is no artifact of its own.
+    // A finding without a region names a file that is not an artifact of its input.
     if (!physical.contains("region")) continue;
     paths.insert(path_of_uri(physical.at("artifactLocation").at("uri").get<std::string>()));
   }

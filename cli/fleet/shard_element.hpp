@@ -1,4 +1,4 @@
-// One finding of a shard's result, with what the whole run needs to know of it.
+// One finding of a shard's result, with the facts that the whole run needs.
 #pragma once
 
 #include "cli/checking/checked_input.hpp"
@@ -10,9 +10,9 @@
 
 namespace axisc::cli {
 
-// None where the text is no finding.
+// None if the text is not a finding.
 [[nodiscard]] std::optional<WrittenFinding> read_json_element(std::string_view element);
-/// `artifacts` are those of the input, of which the finding may name some.
+/// `artifacts` are those of the input; the finding may refer to them.
 [[nodiscard]] std::optional<WrittenFinding> read_sarif_element(std::string_view element,
                                                                std::vector<Artifact> const& artifacts);
 

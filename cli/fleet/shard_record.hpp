@@ -1,4 +1,4 @@
-// What a shard's JSON or SARIF result says about itself, so that `axisc merge` can make one result of several.
+// The record of a shard in its JSON or SARIF result, from which `axisc merge` combines several results.
 //
 //   "shard": {"index": 2, "count": 8, "version": "0.1.0", "run": "0f…", "status": 1, "werror": false, "unjudged": [],
 //             "inputs": [[17, 3, [0]], [40, 1, [0, 1]]], "files": ["a.lis"],
@@ -41,7 +41,7 @@ struct ShardRecord {
 
 /// One line of JSON.
 [[nodiscard]] std::string as_json(ShardRecord const& record);
-/// None for anything that as_json() does not write.
+/// None for a text that as_json() does not write.
 [[nodiscard]] std::optional<ShardRecord> read_shard_record(std::string_view json);
 
 }  // namespace axisc::cli

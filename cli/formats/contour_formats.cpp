@@ -25,7 +25,7 @@ constexpr Sentence parallel{"there and back", "hin und zurück"};
 constexpr Sentence bends{
     "the axes' delays differ (filters or time delays are not the same): straight lines are bent",
     "die Verzögerungen der Achsen sind verschieden (Filter oder Zeitverzögerungen sind nicht gleich): "
-    "Geraden werden krumm"};
+    "Geraden werden gekrümmt"};
 constexpr Sentence allowed_feed{
     "an axis error of {tolerance} mm is kept at the corner up to {feed} mm/min, on the circle up to {circle} "
     "mm/min",
@@ -34,8 +34,8 @@ constexpr Sentence allowed_feed{
 constexpr Sentence any_feed{"any", "beliebig"};
 constexpr Sentence allowed_order{"at {feed} mm/min the corner allows order {order}",
                                  "bei {feed} mm/min lässt die Ecke die Ordnung {order} zu"};
-constexpr Sentence no_order{"at {feed} mm/min no order keeps it at the corner",
-                            "bei {feed} mm/min hält keine Ordnung sie an der Ecke ein"};
+constexpr Sentence no_order{"at {feed} mm/min no order keeps the tolerance at the corner",
+                            "bei {feed} mm/min hält keine Ordnung die Toleranz an der Ecke ein"};
 constexpr Sentence path_group_unnamed{"channel", "Kanal"};
 
 }  // namespace axisc::cli::says
@@ -113,7 +113,7 @@ void put_figures(ordered_json& json, GroupContour const& group, ContourFigures c
   json["contour_deviation_um"] = figures.deviation / units_per_um;
 }
 
-/// The corner's figures stand directly in the case, the others under their names.
+/// The corner's figures are direct members of the case, the others are objects by name.
 void put_case(ordered_json& json, ShownContour const& shown, GroupContour const& group,
               ContourCase const& row) {
   json["feed_mm_per_min"] = row.feed_mm_per_min;

@@ -1,4 +1,4 @@
-// What `axisc contour` found, and its forms of output.
+// Results of `axisc contour`, and their output formats.
 #pragma once
 
 #include "diagnostics/message.hpp"

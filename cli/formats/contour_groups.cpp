@@ -14,7 +14,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// One group's chains, switched as the user wants them.
+/// One group's chains, switched by the given commands.
 class GroupChains {
  public:
   GroupChains(machine::Machine machine, std::size_t group, std::vector<machine::FilterCommand> commands,
@@ -23,7 +23,7 @@ class GroupChains {
     for (auto const& command : commands_) add_set(command.parameters);
   }
 
-  /// Orders that answers() may be asked for.
+  /// Orders that answers() accepts.
   void add_order(std::uint32_t order) {
     auto parameters = commands_.front().parameters;
     parameters.order = order;

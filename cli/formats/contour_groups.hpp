@@ -11,7 +11,7 @@
 
 namespace axisc::cli {
 
-/// What the user asks for.
+/// What to predict, from the command line.
 struct ContourRequest {
   std::vector<double> feeds = {1000};
   std::vector<std::optional<std::uint32_t>> orders = {std::nullopt};
@@ -28,7 +28,7 @@ struct ContourGroup {
   std::string path;  ///< of the machine, for messages
 };
 
-/// Failure for a group whose axes no path could follow.
+/// Failure for a group whose axes cannot follow a path.
 [[nodiscard]] GroupContour predict_contour(ContourGroup const& group, ContourRequest const& wanted);
 
 }  // namespace axisc::cli

@@ -12,14 +12,14 @@ namespace axisc::cli::says {
 constexpr Sentence nothing{"{before} and {after} mean the same", "{before} und {after} bedeuten dasselbe"};
 constexpr Sentence axis{"axis {axis}", "Achse {axis}"};
 constexpr Sentence present{"present", "vorhanden"};
-constexpr Sentence diff_default{"{value} (default)", "{value} (Vorgabe)"};
+constexpr Sentence diff_default{"{value} (default)", "{value} (Standardwert)"};
 constexpr Sentence what{"what", "was"};
 constexpr Sentence parameter{"parameter", "Parameter"};
 constexpr Sentence effect{"effect", "Wirkung"};
 constexpr Sentence before{"before", "vorher"};
 constexpr Sentence after{"after", "nachher"};
 constexpr Sentence delay{"delay", "Verzögerung"};
-constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0.01 %)"};
+constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"};
 constexpr Sentence longer{"longer than {time}", "länger als {time}"};
 constexpr Sentence overshoot{"overshoot of a step", "Überschwingen eines Sprungs"};
 constexpr Sentence gain{"gain at {frequency} Hz", "Verstärkung bei {frequency} Hz"};
@@ -47,7 +47,7 @@ class Lines {
     return render({.sentence = text, .arguments = std::move(arguments)}, language_);
   }
 
-  /// What concerns the machine as a whole.
+  /// Changes of the machine as a whole.
   [[nodiscard]] std::vector<Line> machine() const {
     auto const& difference = shown_.difference;
     std::vector<Line> lines;

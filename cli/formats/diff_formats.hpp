@@ -1,4 +1,4 @@
-// The forms in which `axisc diff` shows what changed.
+// Output formats of `axisc diff`.
 #pragma once
 
 #include "diagnostics/message.hpp"

@@ -13,7 +13,7 @@ namespace axisc::cli {
 /// One code as Markdown, with a heading of level `level` (1 to 3).
 [[nodiscard]] std::string explain_rule(validator::Rule const& rule, std::size_t level, Language language);
 
-/// Every code in one document; in English it stands in the repository as docs/rules.md.
+/// Every code in one document; the English one is docs/rules.md in the repository.
 [[nodiscard]] std::string explain_all(Language language);
 
 /// One row of the catalogue as Markdown.

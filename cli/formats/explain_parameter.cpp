@@ -10,8 +10,8 @@ constexpr Sentence manual{"manual", "Handbuch"};
 constexpr Sentence type{"type", "Typ"};
 constexpr Sentence range{"range", "Wertebereich"};
 constexpr Sentence value{"value", "Wert"};
-constexpr Sentence symbols{"words", "Wörter"};
-constexpr Sentence explain_default{"default", "Vorgabe"};
+constexpr Sentence symbols{"symbols", "Symbole"};
+constexpr Sentence explain_default{"default", "Standardwert"};
 constexpr Sentence unit{"unit of the number", "Einheit der Zahl"};
 constexpr Sentence units{"{translatory} (translatory), {rotary} (rotary)",
                          "{translatory} (translatorisch), {rotary} (rotatorisch)"};
@@ -20,9 +20,8 @@ constexpr Sentence entries{"`{first}` to `{last}`", "`{first}` bis `{last}`"};
 constexpr Sentence longest{"longest text, in characters", "längster Text, in Zeichen"};
 constexpr Sentence axis_types{"axis types", "Achstypen"};
 constexpr Sentence since{"since build", "ab Version"};
-constexpr Sentence rules{"rules that look at it", "Regeln, die darauf schauen"};
-constexpr Sentence example{"As it would stand in a list, with its default:",
-                           "So stünde er in einer Liste, mit seiner Vorgabe:"};
+constexpr Sentence rules{"rules that check it", "Regeln, die ihn prüfen"};
+constexpr Sentence example{"In a list, with its default:", "In einer Liste, mit dem Standardwert:"};
 
 constexpr Sentence file{"from", "aus"};
 

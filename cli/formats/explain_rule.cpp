@@ -9,7 +9,7 @@ constexpr Sentence all_origin{
     "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
 constexpr Sentence column_code{"code", "Code"};
 constexpr Sentence column_name{"name", "Name"};
-constexpr Sentence column_severity{"severity", "Stufe"};
+constexpr Sentence column_severity{"severity", "Schweregrad"};
 constexpr Sentence column_control{"message of the control", "Meldung der Steuerung"};
 
 }  // namespace axisc::cli::says

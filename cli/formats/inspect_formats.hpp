@@ -1,4 +1,4 @@
-// The forms in which `axisc inspect` shows an image.
+// Output formats of `axisc inspect`.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -23,7 +23,7 @@ struct Shown {
 
 [[nodiscard]] std::string inspect_text(Shown const& shown, Language language);
 [[nodiscard]] std::string inspect_json(Shown const& shown);
-/// The axes' lists, one behind the other; a comment behind each value says where it came from.
+/// The axes' lists, one after the other; a comment after each value names its origin.
 [[nodiscard]] std::string inspect_as_list(Shown const& shown, Language language);
 
 }  // namespace axisc::cli

@@ -6,8 +6,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence heading{"axis {axis} as compiled into {file}; behind each value: where it came from",
-                           "Achse {axis}, wie in {file} übersetzt; hinter jedem Wert: woher er kam"};
+constexpr Sentence heading{"axis {axis} as compiled into {file}; after each value: where it came from",
+                           "Achse {axis}, wie in {file} übersetzt; nach jedem Wert: seine Herkunft"};
 
 }  // namespace axisc::cli::says
 

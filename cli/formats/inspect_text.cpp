@@ -17,7 +17,7 @@ constexpr Sentence signature{"signature", "Signatur"};
 constexpr Sentence inspect_unsigned{"none", "keine"};
 constexpr Sentence inspect_signed{"Ed25519, key {key} (not checked)",
                                   "Ed25519, Schlüssel {key} (nicht geprüft)"};
-constexpr Sentence signed_right{"Ed25519, key {key}, right", "Ed25519, Schlüssel {key}, richtig"};
+constexpr Sentence signed_right{"Ed25519, key {key}, valid", "Ed25519, Schlüssel {key}, gültig"};
 constexpr Sentence memory{"memory", "Speicher"};
 constexpr Sentence memory_value{"{bytes} bytes, aligned to {alignment}",
                                 "{bytes} Bytes, ausgerichtet auf {alignment}"};
@@ -28,8 +28,8 @@ constexpr Sentence axis{"axis {axis}, number {number}, {type}", "Achse {axis}, N
 constexpr Sentence translatory{"translatory", "translatorisch"};
 constexpr Sentence rotary{"rotary", "rotatorisch"};
 constexpr Sentence spindle{"spindle", "Spindel"};
-constexpr Sentence velocity{"velocity limit", "Höchstgeschw."};
-constexpr Sentence acceleration{"acceleration limit", "Höchstbeschl."};
+constexpr Sentence velocity{"velocity limit", "Höchstgeschwindigkeit"};
+constexpr Sentence acceleration{"acceleration limit", "Höchstbeschleunigung"};
 constexpr Sentence window{"position window", "Positionsfenster"};
 constexpr Sentence chain{"setpoint chain", "Sollwertkette"};
 constexpr Sentence chain_value{"delay {cycles} cycles ({ms} ms), peak gain {gain}",
@@ -52,7 +52,7 @@ namespace axisc::cli {
 
 namespace {
 
-class TextForm : public InspectWriter {
+class InspectText : public InspectWriter {
  public:
   using InspectWriter::InspectWriter;
 
@@ -168,10 +168,10 @@ class TextForm : public InspectWriter {
 }  // namespace
 
 std::string inspect_text(Shown const& shown, Language language) {
-  TextForm const form(shown.image, language);
-  std::string text = form.header(shown);
-  for (auto const index : shown.axes) text += "\n" + form.axis(index);
-  text += form.kernels_text(shown.axes) + form.channels_text(shown.axes);
+  InspectText const text_writer(shown.image, language);
+  std::string text = text_writer.header(shown);
+  for (auto const index : shown.axes) text += "\n" + text_writer.axis(index);
+  text += text_writer.kernels_text(shown.axes) + text_writer.channels_text(shown.axes);
   return text;
 }
 

@@ -20,7 +20,7 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::size_t label_width = 20;
+constexpr std::size_t label_width = 23;
 constexpr int figures = 5;
 
 }  // namespace

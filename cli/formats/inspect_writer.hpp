@@ -15,9 +15,9 @@ class InspectWriter {
  public:
   InspectWriter(image::ImageContents const& image, Language language) : image_(image), language_(language) {}
 
-  /// The kernels that the axes may execute; empty without any.
+  /// The kernels that the axes may execute; empty if there are none.
   [[nodiscard]] std::string kernels_text(std::span<std::size_t const> axes) const;
-  /// The channels that one of the axes belongs to, with what each command makes of them.
+  /// The channels that one of the axes belongs to, with the effect of each command.
   [[nodiscard]] std::string channels_text(std::span<std::size_t const> axes) const;
 
  protected:

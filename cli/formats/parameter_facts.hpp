@@ -1,4 +1,4 @@
-// Facts about a row of the catalogue that are found out from elsewhere: rules, manuals, number formats.
+// Facts about a row of the catalogue from other sources: rules, manuals, number formats.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -9,10 +9,11 @@
 
 namespace axisc::cli {
 
-/// Codes of the rules that look at the parameter, "AX2005": those whose page names it, and those that follow from the row.
+/// Codes of the rules that check the parameter, "AX2005": those whose page names it, and those that follow from the
+/// row.
 [[nodiscard]] std::vector<std::string> rules_about(schema::Parameter const& parameter);
 
-/// The default as documented, except that 3.000000e+001 is 30; empty where there is none.
+/// The default as documented, except that 3.000000e+001 is 30; empty if there is none.
 [[nodiscard]] std::string default_text(schema::Parameter const& parameter);
 
 /// Where the manuals describe it; empty for parameters outside the filters.

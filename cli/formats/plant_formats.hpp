@@ -1,4 +1,4 @@
-// What `axisc simulate --plant` found, and its forms of output.
+// Results of `axisc simulate --plant`, and their output formats.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -30,7 +30,7 @@ struct ClosedLoopFigures {
 
 [[nodiscard]] std::string plant_text(ClosedLoopFigures const& figures, Language language);
 [[nodiscard]] std::string plant_json(ClosedLoopFigures const& figures);
-/// Both records cycle by cycle.
+/// The two records, cycle by cycle, as CSV.
 [[nodiscard]] std::string plant_csv(motion::LoopRecord const& without, motion::LoopRecord const& with,
                                     double cycle_seconds);
 

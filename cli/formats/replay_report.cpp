@@ -11,8 +11,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, level {level}",
-                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Stufe {level}"};
+constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, instruction set {level}",
+                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Befehlssatz {level}"};
 constexpr Sentence cycle{"cycle", "Zyklus"};
 constexpr Sentence reset{"reset to {value}", "zurückgesetzt auf {value}"};
 constexpr Sentence reset_interface{"additional interface reset to {value}",
@@ -37,7 +37,7 @@ using image::RecordedKind;
 using image::ReplayedEntry;
 using nlohmann::ordered_json;
 
-/// Rows of the text; a recording of a restless controller has thousands.
+/// Most rows of the text; a recording with many events has thousands.
 constexpr std::size_t most_rows = 200;
 
 std::string_view level_name(std::uint32_t level) {
@@ -55,7 +55,7 @@ std::string_view level_name(std::uint32_t level) {
   }
 }
 
-/// As the NC program would have said it.
+/// As an NC program would write it.
 std::string command_text(axisrt_filter_command const& command) {
   std::string words;
   auto const add = [&](std::uint32_t keyword, std::string const& word) {
@@ -93,7 +93,7 @@ std::string ReplayReport::name(ReplayedEntry const& entry, std::size_t axis) con
   return entry.kind == RecordedKind::step_velocity ? label + ".v_add" : label;
 }
 
-/// A status that goes on is one event.
+/// The same status in consecutive cycles is one event.
 void ReplayReport::add_event(ReplayEvent event) {
   for (auto before = events_.rbegin(); before != events_.rend() && before->last + 1 >= event.first;
        ++before) {

@@ -1,4 +1,4 @@
-// What a recording shows: who did what in which cycle, and where the replay gave something else.
+// Report on a recording: what happened in which cycle, and where the replay differs.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -12,7 +12,7 @@
 
 namespace axisc::cli {
 
-/// The same thing in consecutive cycles.
+/// An event, in one or several consecutive cycles.
 struct ReplayEvent {
   std::uint64_t first = 0, last = 0;
   std::string subject;  ///< axis or channel
@@ -35,7 +35,7 @@ class ReplayReport {
   [[nodiscard]] std::uint64_t differences() const { return differences_; }
   [[nodiscard]] std::vector<ReplayEvent> const& events() const { return events_; }
 
-  /// For people.
+  /// As text.
   [[nodiscard]] std::string text(std::uint32_t level) const;
   [[nodiscard]] std::string json(std::uint32_t level) const;
 

@@ -38,7 +38,7 @@ double largest_error(PathSummary const& summary) {
   return *std::max_element(summary.axis_error.begin(), summary.axis_error.end());
 }
 
-/// The fields that blocks and passes have in common.
+/// Fields that blocks and passes share.
 std::string figures_json(PathSummary const& summary, SimulatedPath const& path) {
   std::string text = "\"time_s\": " + json_number(summary.cycles * path.cycle_time.seconds()) +
                      ", \"max_axis_error_um\": " + json_number(largest_error(summary) / units_per_um) +
@@ -178,7 +178,7 @@ CycleWriter::CycleWriter(SimulatedPath const& path, TextSink sink) : path_(path)
 
 void CycleWriter::cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) {
   double const seconds = path_.cycle_time.seconds();
-  // Whole nanoseconds, so that times read as they are meant.
+  // Rounded to whole nanoseconds, so that times have no rounding digits.
   double const time = static_cast<double>(++cycles_ * path_.cycle_time.nanoseconds) / 1e9;
   fmt::format_to(std::back_inserter(text_), "{},", time);
   append_csv_name(text_, block.label);

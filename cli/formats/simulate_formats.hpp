@@ -1,4 +1,4 @@
-// The forms in which `axisc simulate` tells what happened, written while it happens.
+// Output formats of `axisc simulate`, written during the simulation.
 #pragma once
 
 #include "design/units.hpp"
@@ -12,7 +12,7 @@
 
 namespace axisc::cli {
 
-/// Where text goes, piece by piece.
+/// Receives text piece by piece.
 using TextSink = std::function<void(std::string_view)>;
 
 struct SimulatedPath {
@@ -36,7 +36,7 @@ class CycleWriter {
   std::uint64_t cycles_ = 0;
 };
 
-/// Blocks as they end; the passes, which are few, behind them.
+/// Blocks as they end, followed by the passes.
 class SummaryWriter {
  public:
   virtual ~SummaryWriter() = default;

@@ -14,36 +14,37 @@
 namespace axisc::cli::says {
 
 constexpr Sentence bad_build{
-    "\"{value}\" is no build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
-    "\"{value}\" ist kein Stand der Steuerung; schreiben Sie V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
+    "\"{value}\" is not a build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
+    "\"{value}\" ist kein Stand der Steuerung; Schreibweise V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
 constexpr Sentence bad_cycle_time{
-    "\"{value}\" is no cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
-    "\"{value}\" ist keine Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
+    "\"{value}\" is not a valid cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
+    "\"{value}\" ist keine gültige Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
     "Nanosekunden"};
 constexpr Sentence unknown_code{"there is no code \"{code}\"; `axisc explain --all` lists them",
                                 "den Code \"{code}\" gibt es nicht; `axisc explain --all` nennt alle"};
 constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean {meant}?",
                                       "den Code \"{code}\" gibt es nicht; war {meant} gemeint?"};
 constexpr Sentence option_axis_type{
-    "translatory, rotary or spindle, whatever the list says (kenngr.achs_typ)",
-    "translatorisch, rotatorisch oder Spindel, was immer die Liste sagt (kenngr.achs_typ)"};
+    "translatory, rotary or spindle, overriding the list (kenngr.achs_typ)",
+    "translatorisch, rotatorisch oder Spindel, statt der Angabe in der Liste (kenngr.achs_typ)"};
 constexpr Sentence option_build{
-    "build of the control, V3.1.3075.04: warns of what needs a newer one",
-    "Stand der Steuerung, V3.1.3075.04: warnt vor dem, was einen neueren braucht"};
-constexpr Sentence option_finding_format{"form of the findings (default text)",
-                                         "Form der Befunde (Vorgabe text)"};
+    "build of the control, such as V3.1.3075.04; warns about what needs a newer one",
+    "Stand der Steuerung, etwa V3.1.3075.04; warnt vor allem, was einen neueren braucht"};
+constexpr Sentence option_finding_format{"format of the findings (default: text)",
+                                         "Format der Befunde (Standardwert: text)"};
 constexpr Sentence option_werror{"warnings lead to exit status 1 as well",
                                  "auch Warnungen führen zum Rückgabewert 1"};
 constexpr Sentence option_disable{"leave these codes out; may be repeated",
                                   "diese Codes weglassen; mehrmals möglich"};
 constexpr Sentence option_pedantic{"print notes as well", "auch Hinweise zeigen"};
-constexpr Sentence option_jobs{"threads (default: one per core); the output is the same for every number",
-                               "Threads (Vorgabe: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
+constexpr Sentence option_jobs{
+    "threads (default: one per core); the output is the same for every number",
+    "Threads (Standardwert: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
 constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
 
 constexpr Sentence option_schema{
     "add the parameters of FILE to those that are known, or override them (repeatable)",
-    "die Parameter aus FILE zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
+    "die Parameter aus DATEI zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
 
 }  // namespace axisc::cli::says
 
@@ -77,23 +78,23 @@ machine::AxisType parse_axis_type(std::string const& word) {
 
 }  // namespace
 
-void declare_checking(CommandLine& command_line, CheckingWords& words) {
-  command_line.value("--cycle-time", "TIME", words.cycle_time, says::option_cycle_time);
-  command_line.value("--axis-type", "T|R|S", words.axis_type, says::option_axis_type);
-  command_line.value("--build", "VERSION", words.build, says::option_build);
+void declare_checking(CommandLine& command_line, CheckingOptions& options) {
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.value("--axis-type", "T|R|S", options.axis_type, says::option_axis_type);
+  command_line.value("--build", "VERSION", options.build, says::option_build);
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
                        {"json", FindingFormat::json},
                        {"sarif", FindingFormat::sarif},
                        {"github", FindingFormat::github},
                        {"gitlab", FindingFormat::gitlab}},
-                      words.format, says::option_finding_format);
-  command_line.flag("--werror", words.werror, says::option_werror);
-  command_line.values("--disable", "CODE[,CODE]", words.disabled, says::option_disable);
-  declare_schema(command_line, words.schema_files);
-  command_line.flag("--pedantic", words.pedantic, says::option_pedantic);
-  declare_threads(command_line, words.threads);
-  command_line.flag("-q,--quiet", words.quiet, says::option_quiet);
+                      options.format, says::option_finding_format);
+  command_line.flag("--werror", options.werror, says::option_werror);
+  command_line.values("--disable", "CODE[,CODE]", options.disabled, says::option_disable);
+  declare_schema(command_line, options.schema_files);
+  command_line.flag("--pedantic", options.pedantic, says::option_pedantic);
+  declare_threads(command_line, options.threads);
+  command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {
@@ -111,16 +112,16 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
   return time;
 }
 
-validator::CheckOptions check_options(CheckingWords const& words) {
+validator::CheckOptions check_options(CheckingOptions const& given) {
   validator::CheckOptions options;
-  options.pedantic = words.pedantic;
-  options.cycle_time = asked_cycle_time(words.cycle_time);
-  if (words.axis_type) options.axis_type = parse_axis_type(*words.axis_type);
-  if (words.build) {
-    options.build = validator::parse_build_version(*words.build);
-    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *words.build}}});
+  options.pedantic = given.pedantic;
+  options.cycle_time = asked_cycle_time(given.cycle_time);
+  if (given.axis_type) options.axis_type = parse_axis_type(*given.axis_type);
+  if (given.build) {
+    options.build = validator::parse_build_version(*given.build);
+    if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *given.build}}});
   }
-  for (auto const& list : words.disabled) {
+  for (auto const& list : given.disabled) {
     for (auto const& word : split_list(list)) options.disabled.push_back(parse_code(word));
   }
   return options;
@@ -140,8 +141,8 @@ unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks) {
   return tasks <= 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
-bool objectionable(CheckingWords const& words, FindingCounts const& counts) {
-  return counts.errors > 0 || (words.werror && counts.warnings > 0);
+bool objectionable(CheckingOptions const& options, FindingCounts const& counts) {
+  return counts.errors > 0 || (options.werror && counts.warnings > 0);
 }
 
 }  // namespace axisc::cli

@@ -1,4 +1,4 @@
-// What `lint` and `compile` have in common: the options of a check and the form of its findings.
+// Options that `lint` and `compile` share: those of the check and the format of its findings.
 #pragma once
 
 #include "cli/options/command_line.hpp"
@@ -13,8 +13,8 @@ namespace axisc::cli {
 
 enum class FindingFormat : std::uint8_t { text, json, sarif, github, gitlab };
 
-/// As the user wrote them.
-struct CheckingWords {
+/// As written on the command line.
+struct CheckingOptions {
   std::optional<std::string> cycle_time;
   std::optional<std::string> axis_type;
   std::optional<std::string> build;
@@ -27,26 +27,26 @@ struct CheckingWords {
   FindingFormat format = FindingFormat::text;
 };
 
-void declare_checking(CommandLine& command_line, CheckingWords& words);
+void declare_checking(CommandLine& command_line, CheckingOptions& options);
 /// `--schema FILE`, which every command that reads lists has.
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 
-/// `--cycle-time`. Failure for a value that means nothing.
+/// `--cycle-time`. Failure for an invalid value.
 [[nodiscard]] std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> const& word);
 
 /// Failure for a value that means nothing.
-[[nodiscard]] validator::CheckOptions check_options(CheckingWords const& words);
+[[nodiscard]] validator::CheckOptions check_options(CheckingOptions const& given);
 
 /// `-j N`, which every command that works on several inputs has.
 void declare_threads(CommandLine& command_line, std::optional<std::string>& threads);
 
-/// What -j asks for; none without it. Failure where that is no number of threads.
+/// The value of -j; none without the option. Failure if it is not a positive number.
 [[nodiscard]] std::optional<unsigned> asked_threads(std::optional<std::string> const& threads);
-/// For so many tasks: as many as were asked for, otherwise one per processor. A single task needs one, and the system is
-/// not asked for its processors.
+/// Threads for so many tasks: as many as `-j` asks for, otherwise one per processor. A single task needs one, without
+/// asking the system.
 [[nodiscard]] unsigned thread_count(std::optional<unsigned> asked, std::size_t tasks);
 
-/// True when the findings shall end the program with exit status 1.
-[[nodiscard]] bool objectionable(CheckingWords const& words, FindingCounts const& counts);
+/// True if the findings lead to exit status 1.
+[[nodiscard]] bool objectionable(CheckingOptions const& options, FindingCounts const& counts);
 
 }  // namespace axisc::cli

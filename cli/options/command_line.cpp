@@ -9,6 +9,7 @@
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -29,10 +30,10 @@ constexpr Sentence option_without_value{
     "option {option} takes no value; `axisc {command} --help` shows how it is written",
     "Option {option} nimmt keinen Wert; `axisc {command} --help` zeigt die Schreibweise"};
 constexpr Sentence superfluous_argument{
-    "\"{argument}\" is one argument too many; `axisc {command} --help` shows the form",
-    "\"{argument}\" ist ein Argument zu viel; `axisc {command} --help` zeigt die Form"};
-constexpr Sentence argument_missing{"{argument} is missing; `axisc {command} --help` shows the form",
-                                    "{argument} fehlt; `axisc {command} --help` zeigt die Form"};
+    "\"{argument}\" is one argument too many; `axisc {command} --help` shows the usage",
+    "\"{argument}\" ist ein Argument zu viel; `axisc {command} --help` zeigt den Aufruf"};
+constexpr Sentence argument_missing{"{argument} is missing; `axisc {command} --help` shows the usage",
+                                    "{argument} fehlt; `axisc {command} --help` zeigt den Aufruf"};
 constexpr Sentence option_color{"colours; auto: on a terminal, unless NO_COLOR is set",
                                 "Farben; auto: auf einem Terminal, sofern NO_COLOR nicht gesetzt ist"};
 
@@ -54,7 +55,56 @@ std::string joined(std::vector<std::string_view> const& words, std::string_view 
   return text;
 }
 
-/// Whether one of the words could be meant for the option.
+struct Placeholder {
+  std::string_view english;
+  std::string_view german;
+};
+
+/// The placeholders that differ between the languages.
+constexpr std::array<Placeholder, 20> placeholders = {{
+    {"AXIS", "ACHSE"},
+    {"COMMAND", "BEFEHL"},
+    {"CYCLE", "ZYKLUS"},
+    {"DEGREES", "GRAD"},
+    {"FILE", "DATEI"},
+    {"FOLDER", "ORDNER"},
+    {"IMAGE", "ABBILD"},
+    {"INPUT", "EINGABE"},
+    {"KEY", "SCHLÜSSEL"},
+    {"MACHINE", "MASCHINE"},
+    {"MM_PER_MIN", "MM_JE_MIN"},
+    {"NEW", "NEU"},
+    {"OLD", "ALT"},
+    {"OUT", "ZIEL"},
+    {"PART", "TEIL"},
+    {"PLANT", "STRECKE"},
+    {"POSITION", "LAGE"},
+    {"RECORDING", "AUFZEICHNUNG"},
+    {"SIZE", "GRÖSSE"},
+    {"TIME", "ZEIT"},
+}};
+
+/// "FILE.csv" in English, "DATEI.csv" in German. A name such as P-AXIS-00140 stays whole.
+std::string placeholder_in(Language language, std::string_view shown) {
+  if (language == Language::english) return std::string(shown);
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_-";
+  std::string text;
+  while (!shown.empty()) {
+    auto const length = std::min(shown.find_first_not_of(letters), shown.size());
+    auto const word = shown.substr(0, length);
+    auto const* const known =
+        std::find_if(placeholders.begin(), placeholders.end(),
+                     [&](Placeholder const& placeholder) { return placeholder.english == word; });
+    text += known == placeholders.end() ? word : known->german;
+    shown.remove_prefix(length);
+    auto const rest = std::min(shown.find_first_of(letters), shown.size());
+    text += shown.substr(0, rest);
+    shown.remove_prefix(rest);
+  }
+  return text;
+}
+
+/// Whether one of the arguments could be meant for the option.
 bool is_named(std::string_view names, std::span<std::string const> words) {
   auto const known = split_list(names);
   return std::any_of(known.begin(), known.end(), [&](std::string const& name) {
@@ -66,7 +116,7 @@ bool is_named(std::string_view names, std::span<std::string const> words) {
   });
 }
 
-/// The parser's complaints begin with a name; behind it others may go on.
+/// The parser's messages begin with a name, followed by a colon, a blank, or nothing.
 bool is_about(std::string_view complaint, std::string_view name) {
   if (!complaint.starts_with(name)) return false;
   std::string_view const rest = complaint.substr(name.size());
@@ -76,7 +126,14 @@ bool is_about(std::string_view complaint, std::string_view name) {
 }  // namespace
 
 /// What follows an option's name; an argument has none.
-enum class CommandLine::Takes : std::uint8_t { argument, arguments, nothing, word_or_nothing, value, values };
+enum class CommandLine::Takes : std::uint8_t {
+  argument,
+  arguments,
+  nothing,
+  value_or_nothing,
+  value,
+  values
+};
 
 struct CommandLine::Declared {
   Takes takes{};
@@ -139,10 +196,10 @@ void CommandLine::flag(std::string_view names, bool& target, SentenceRef meaning
   };
 }
 
-void CommandLine::flag_with_word(std::string_view names, std::string_view shown,
-                                 std::optional<std::string>& target, SentenceRef meaning) {
-  // The parser's word for a flag that stands alone.
-  declare(Takes::word_or_nothing, names, shown, meaning).take =
+void CommandLine::flag_with_value(std::string_view names, std::string_view shown,
+                                  std::optional<std::string>& target, SentenceRef meaning) {
+  // The parser gives "true" for a flag without a value.
+  declare(Takes::value_or_nothing, names, shown, meaning).take =
       [&target](std::vector<std::string> const& given) {
         target = given.back() == "true" ? std::string() : given.back();
       };
@@ -191,7 +248,7 @@ void CommandLine::build(Declared& row) {
     case Takes::nothing:
       row.option = app.add_flag(row.names)->disable_flag_override();
       break;
-    case Takes::word_or_nothing:
+    case Takes::value_or_nothing:
       row.option = app.add_flag(row.names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
       break;
     case Takes::value:
@@ -244,7 +301,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
   for (auto& row : parser_->declared) {
     if (row.names.empty() || is_named(row.names, arguments)) build(row);
   }
-  // The parser takes them from the back.
+  // The parser reads the vector from its end.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {
     parser_->app.parse(reversed);
@@ -272,7 +329,7 @@ bool CommandLine::answers(Invocation const& invocation) {
 void CommandLine::require(bool given, std::string_view argument) const {
   if (given) return;
   throw Failure({.sentence = says::argument_missing,
-                 .arguments = {{"argument", std::string(argument)}, {"command", command_}}});
+                 .arguments = {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
 }
 
 std::string help_row(std::string_view name, std::string_view meaning) {
@@ -314,14 +371,15 @@ std::string CommandLine::help() const {
   std::string rows;
   std::string options;
   for (auto const& row : parser_->declared) {
+    auto const shown = placeholder_in(language_, row.shown);
     if (row.names.empty()) {
-      usage += " " + row.shown;
-      rows += help_row(row.shown, say(row.meaning));
+      usage += " " + shown;
+      rows += help_row(shown, say(row.meaning));
       continue;
     }
     std::string name = row.names;
     if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
-    if (!row.shown.empty()) name += (row.shown.front() == '[' ? "" : " ") + row.shown;
+    if (!shown.empty()) name += (shown.front() == '[' ? "" : " ") + shown;
     options += help_row(name, say(row.meaning));
   }
   return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(says::help_options_heading) + ":\n" +

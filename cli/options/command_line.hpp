@@ -1,6 +1,6 @@
-// The options of one command, declared one by one and then read. The parser (CLI11) stays behind this interface, and
-// is told only of the options that the words at hand may name: it compares each with all others, and telling it all of one
-// command would cost more than reading a list.
+// The options of one command, declared one by one and then read. The parser (CLI11) is hidden behind this interface.
+// Only the options that the arguments may name are declared to it: it compares each with all others, and declaring all
+// options of a command would take longer than reading a list.
 #pragma once
 
 #include "cli/options/environment.hpp"
@@ -29,23 +29,23 @@ class CommandLine {
   CommandLine& operator=(CommandLine const&) = delete;
   ~CommandLine();
 
-  // Targets must live until read() returns; what the command line does not name stays as it is.
+  // Targets must live until read() returns; the target of an option that is not given is unchanged.
 
-  /// Words that belong to no option, at most one.
+  /// An argument without an option, at most one.
   void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning);
-  /// The same, any number of them.
+  /// Arguments without an option, any number of them.
   void arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning);
-  /// `names` are separated by commas: "-o,--output". `shown` stands for the value in the help.
+  /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in English.
   void flag(std::string_view names, bool& target, SentenceRef meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
              SentenceRef meaning);
-  /// A flag that may carry a word, only behind "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
-  void flag_with_word(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-                      SentenceRef meaning);
+  /// A flag that may have a value, only after "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
+  void flag_with_value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
+                       SentenceRef meaning);
   /// An option that may be repeated.
   void values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
               SentenceRef meaning);
-  /// One of a few words.
+  /// An option whose value is one of a few keywords.
   template <class Enumeration>
   void choice(std::string_view names, std::initializer_list<std::pair<std::string_view, Enumeration>> words,
               Enumeration& target, SentenceRef meaning) {
@@ -60,14 +60,14 @@ class CommandLine {
         meaning);
   }
 
-  /// Text to print instead of doing anything (--help, --version), or nothing: go on. Failure for a command line that
-  /// cannot be understood.
+  /// The text to print instead of executing the command (--help, --version), or none. Failure for an invalid command
+  /// line.
   [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
 
-  /// How every command begins: reads the invocation's words. True where --help or --version was answered on standard output,
-  /// and the command is done.
+  /// Reads the invocation's arguments; every command begins so. True if --help or --version was printed and the command
+  /// is done.
   [[nodiscard]] bool answers(Invocation const& invocation);
-  /// Failure that names `argument` and the command where it was not given.
+  /// Failure that names `argument` and the command if it was not given.
   void require(bool given, std::string_view argument) const;
 
   [[nodiscard]] std::string help() const;
@@ -83,7 +83,7 @@ class CommandLine {
   Declared& declare(Takes takes, std::string_view names, std::string_view shown, SentenceRef meaning);
   void build(Declared& row);
   void refuse_unknown() const;
-  /// What the parser complains about begins with the option's name.
+  /// The parser's message begins with the option's name.
   [[noreturn]] void refuse_value(std::string_view complaint) const;
 
   std::string command_;

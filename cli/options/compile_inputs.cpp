@@ -20,9 +20,9 @@ void refuse_programs(std::vector<std::string> const& paths) {
   }
 }
 
-/// A name of the command line, or the only one of a response file. Whatever else it is shows when it is read.
-CompileInputs choose_one(CompileWords const& words) {
-  auto named = words.inputs;
+/// A name from the command line, or the only one in a response file. What kind of file it is shows when it is read.
+CompileInputs choose_one(CompileOptions const& options) {
+  auto named = options.inputs;
   if (named.front().starts_with('@')) {
     auto inputs = expand_inputs(named);
     if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
@@ -31,28 +31,29 @@ CompileInputs choose_one(CompileWords const& words) {
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
   CompileInputs chosen{.part = choose_part({}, std::move(named)), .images = {}, .failures = {}};
-  if (words.output) chosen.images = {*words.output};
+  if (options.output) chosen.images = {*options.output};
   return chosen;
 }
 
-CompileInputs choose_batch(CompileWords const& words) {
-  auto inputs = expand_inputs(words.inputs);
-  // In folders NC programs lie beside lists; named by hand they are a misunderstanding.
-  std::erase_if(inputs.paths, [&words](std::string const& path) {
-    bool const is_named = std::find(words.inputs.begin(), words.inputs.end(), path) != words.inputs.end();
+CompileInputs choose_batch(CompileOptions const& options) {
+  auto inputs = expand_inputs(options.inputs);
+  // NC programs found in folders are skipped; one that the command line names is a mistake.
+  std::erase_if(inputs.paths, [&options](std::string const& path) {
+    bool const is_named =
+        std::find(options.inputs.begin(), options.inputs.end(), path) != options.inputs.end();
     return has_extension(path, ".nc") && !is_named;
   });
   refuse_programs(inputs.paths);
-  auto images = image_names(inputs.paths, words.input_folder.value_or(""), *words.output_folder);
-  return {.part = choose_part(words.fleet, std::move(inputs.paths)),
+  auto images = image_names(inputs.paths, options.input_folder.value_or(""), *options.output_folder);
+  return {.part = choose_part(options.fleet, std::move(inputs.paths)),
           .images = std::move(images),
           .failures = std::move(inputs.failures)};
 }
 
 }  // namespace
 
-CompileInputs choose_inputs(CompileWords const& words) {
-  return words.is_batch() ? choose_batch(words) : choose_one(words);
+CompileInputs choose_inputs(CompileOptions const& options) {
+  return options.is_batch() ? choose_batch(options) : choose_one(options);
 }
 
 }  // namespace axisc::cli

@@ -1,4 +1,4 @@
-// What `axisc compile` compiles, and where the images go.
+// The inputs of `axisc compile`, and the paths of their images.
 #pragma once
 
 #include "cli/failure.hpp"
@@ -15,7 +15,7 @@ struct CompileInputs {
   std::vector<Failure> failures;    ///< names of a batch that cannot be used
 };
 
-/// Failure for inputs that no image can be made of, and for names that two images would have.
-[[nodiscard]] CompileInputs choose_inputs(CompileWords const& words);
+/// Failure for inputs that cannot become an image, and for two images of the same name.
+[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options);
 
 }  // namespace axisc::cli

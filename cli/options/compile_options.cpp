@@ -13,26 +13,28 @@ constexpr Sentence bad_image_version{
     "--image-version needs a whole number from 0 to 4294967295, not \"{value}\"",
     "--image-version braucht eine ganze Zahl von 0 bis 4294967295, nicht \"{value}\""};
 constexpr Sentence option_image_output{
-    "the image to write, or - for standard output; an image that would be the same is not touched",
-    "das Abbild, das geschrieben wird, oder - für die Standardausgabe; eines, das gleich bliebe, wird nicht "
-    "angefasst"};
+    "the image to write, or - for standard output; an image that would not change is left untouched",
+    "das zu schreibende Abbild, oder - für die Standardausgabe; ein Abbild, das sich nicht ändern würde, "
+    "bleibt unberührt"};
 constexpr Sentence option_depfile{
     "write the files that were read as a rule for make and ninja, one rule per image",
     "die gelesenen Dateien als Regel für make und ninja schreiben, eine Regel je Abbild"};
 constexpr Sentence option_strip{"leave out names, sources and self-tests, for small memories",
                                 "Namen, Quellen und Selbsttests weglassen, für kleine Speicher"};
-constexpr Sentence option_image_version{"counter of the machine's maker, stored in the image (default 0)",
-                                        "Zähler des Maschinenherstellers, der im Abbild steht (Vorgabe 0)"};
+constexpr Sentence option_image_version{
+    "version counter of the machine builder, stored in the image (default: 0)",
+    "Versionszähler des Maschinenherstellers, im Abbild gespeichert (Standardwert: 0)"};
 
 constexpr Sentence option_output_folder{
     "write one image per input below this folder, named like the input, with .axim at the end",
     "je Eingabe ein Abbild unter diesem Ordner schreiben, benannt wie die Eingabe, mit .axim am Ende"};
 constexpr Sentence option_input_folder{
-    "with --output-folder: below it the names of the images begin (default: the working folder)",
-    "mit --output-folder: darunter beginnen die Namen der Abbilder (Vorgabe: der Arbeitsordner)"};
-constexpr Sentence two_outputs{"-o and --output-folder do not go together",
+    "with --output-folder: image names are relative to this folder (default: the working folder)",
+    "mit --output-folder: die Namen der Abbilder sind relativ zu diesem Ordner (Standardwert: der "
+    "Arbeitsordner)"};
+constexpr Sentence two_outputs{"-o and --output-folder cannot be used together",
                                "-o und --output-folder gehen nicht zusammen"};
-constexpr Sentence needs_output_folder{"{option} goes with --output-folder only",
+constexpr Sentence needs_output_folder{"{option} needs --output-folder",
                                        "{option} geht nur mit --output-folder"};
 constexpr Sentence argument_compile_inputs{
     "axis lists, machine files (*.json), folders with any of them, @FILE with one name per line, or - for "
@@ -44,37 +46,38 @@ constexpr Sentence argument_compile_inputs{
 
 namespace axisc::cli {
 
-void declare(CommandLine& command_line, CompileWords& words) {
-  command_line.arguments("INPUT...", words.inputs, says::argument_compile_inputs);
-  command_line.value("-o,--output", "OUT.axim", words.output, says::option_image_output);
-  command_line.value("--output-folder", "FOLDER", words.output_folder, says::option_output_folder);
-  command_line.value("--input-folder", "FOLDER", words.input_folder, says::option_input_folder);
-  command_line.value("--depfile", "FILE", words.depfile, says::option_depfile);
-  command_line.flag("--strip", words.strip, says::option_strip);
-  command_line.value("--image-version", "N", words.image_version, says::option_image_version);
-  declare_checking(command_line, words.checking);
-  declare_fleet(command_line, words.fleet);
+void declare(CommandLine& command_line, CompileOptions& options) {
+  command_line.arguments("INPUT...", options.inputs, says::argument_compile_inputs);
+  command_line.value("-o,--output", "OUT.axim", options.output, says::option_image_output);
+  command_line.value("--output-folder", "FOLDER", options.output_folder, says::option_output_folder);
+  command_line.value("--input-folder", "FOLDER", options.input_folder, says::option_input_folder);
+  command_line.value("--depfile", "FILE", options.depfile, says::option_depfile);
+  command_line.flag("--strip", options.strip, says::option_strip);
+  command_line.value("--image-version", "N", options.image_version, says::option_image_version);
+  declare_checking(command_line, options.checking);
+  declare_fleet(command_line, options.fleet);
 }
 
-void require_sense(CommandLine const& command_line, CompileWords const& words) {
-  command_line.require(!words.inputs.empty(), "INPUT");
-  if (words.output && words.output_folder) throw Failure({.sentence = says::two_outputs, .arguments = {}});
-  if (words.is_batch()) return;
-  for (auto const& [given, option] : {std::pair(words.input_folder.has_value(), "--input-folder"),
-                                      {words.fleet.shard.has_value(), "--shard"}}) {
+void require_sense(CommandLine const& command_line, CompileOptions const& options) {
+  command_line.require(!options.inputs.empty(), "INPUT");
+  if (options.output && options.output_folder)
+    throw Failure({.sentence = says::two_outputs, .arguments = {}});
+  if (options.is_batch()) return;
+  for (auto const& [given, option] : {std::pair(options.input_folder.has_value(), "--input-folder"),
+                                      {options.fleet.shard.has_value(), "--shard"}}) {
     if (given) throw Failure({.sentence = says::needs_output_folder, .arguments = {{"option", option}}});
   }
-  if (words.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
-  command_line.require(words.output || words.fleet.print_key, "-o");
+  if (options.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
+  command_line.require(options.output || options.fleet.print_key, "-o");
 }
 
-codegen::ImageOptions image_options(CompileWords const& words) {
+codegen::ImageOptions image_options(CompileOptions const& given) {
   codegen::ImageOptions options;
-  options.strip = words.strip;
-  if (!words.image_version) return options;
-  auto const version = parse_count(*words.image_version);
+  options.strip = given.strip;
+  if (!given.image_version) return options;
+  auto const version = parse_count(*given.image_version);
   if (!version || *version > std::numeric_limits<std::uint32_t>::max()) {
-    throw Failure({.sentence = says::bad_image_version, .arguments = {{"value", *words.image_version}}});
+    throw Failure({.sentence = says::bad_image_version, .arguments = {{"value", *given.image_version}}});
   }
   options.image_version = static_cast<std::uint32_t>(*version);
   return options;

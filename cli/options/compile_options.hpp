@@ -11,9 +11,9 @@
 
 namespace axisc::cli {
 
-struct CompileWords {
-  CheckingWords checking;
-  FleetWords fleet;
+struct CompileOptions {
+  CheckingOptions checking;
+  FleetOptions fleet;
   std::vector<std::string> inputs;
   std::optional<std::string> output;
   std::optional<std::string> output_folder;
@@ -25,10 +25,10 @@ struct CompileWords {
   [[nodiscard]] bool is_batch() const { return output_folder.has_value(); }
 };
 
-void declare(CommandLine& command_line, CompileWords& words);
-/// Failure for words that do not go together.
-void require_sense(CommandLine const& command_line, CompileWords const& words);
-/// Failure for a value that means nothing.
-[[nodiscard]] codegen::ImageOptions image_options(CompileWords const& words);
+void declare(CommandLine& command_line, CompileOptions& options);
+/// Failure for options that exclude each other.
+void require_sense(CommandLine const& command_line, CompileOptions const& options);
+/// Failure for an invalid value.
+[[nodiscard]] codegen::ImageOptions image_options(CompileOptions const& given);
 
 }  // namespace axisc::cli

@@ -1,4 +1,4 @@
-// What the environment says about language and colours.
+// Language and colours as the environment sets them.
 #pragma once
 
 #include "diagnostics/message.hpp"
@@ -14,11 +14,11 @@ namespace axisc::cli {
 
 enum class ColorChoice : std::uint8_t { automatic, always, never };
 
-/// "en" or "de"; nothing for another word.
+/// "en" or "de"; none for another word.
 [[nodiscard]] std::optional<Language> parse_language(std::string_view word);
 
-/// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English. Looked for
-/// before the options are read, so that complaints about them have the language already.
+/// `--lang` among the arguments, else the first of LC_ALL, LC_MESSAGES and LANG that is set, else English. Read before
+/// the other options, so that messages about them are already in that language.
 [[nodiscard]] Language choose_language(std::span<std::string const> arguments);
 
 /// Automatic: only on a terminal, without NO_COLOR, and not on a dumb one.

@@ -1,4 +1,4 @@
-// The words of the axis list for what an image stores as numbers.
+// Symbols of axis lists for the numbers stored in an image.
 #pragma once
 
 #include "design/filter_kinds.hpp"

@@ -12,27 +12,29 @@ constexpr Sentence option_shard{
     "nur die Eingaben von Teil I von N (1/N bis N/N); ein Pfad liegt immer im selben Teil"};
 constexpr Sentence option_print_key{
     "print a digest of everything that the result depends on, and do nothing else",
-    "einen Fingerabdruck von allem drucken, wovon das Ergebnis abhängt, und sonst nichts tun"};
+    "einen Fingerabdruck von allem ausgeben, wovon das Ergebnis abhängt, und sonst nichts tun"};
 constexpr Sentence option_cache{
-    "keep results there and take those that are still right; may be shared by several processes",
-    "Ergebnisse dort aufheben und die noch richtigen wiederverwenden; mehrere Prozesse dürfen sie teilen"};
+    "store results in this folder and reuse those that are still valid; several processes may share it",
+    "Ergebnisse in diesem Ordner speichern und noch gültige wiederverwenden; mehrere Prozesse dürfen ihn "
+    "teilen"};
 constexpr Sentence option_cache_size{
-    "how large that folder may grow, as in 500M or 2G (default 1G); what was used longest ago is removed",
-    "wie groß der Ordner werden darf, etwa 500M oder 2G (Vorgabe 1G); das am längsten nicht Gebrauchte wird "
-    "gelöscht"};
+    "how large the cache folder may grow, as in 500M or 2G (default: 1G); the least recently used results "
+    "are removed",
+    "wie groß der Cache-Ordner werden darf, etwa 500M oder 2G (Standardwert: 1G); die am längsten nicht "
+    "gebrauchten Ergebnisse werden gelöscht"};
 constexpr Sentence cache_unusable{
-    "the cache {folder} cannot be used: {reason}; going on without",
+    "the cache {folder} cannot be used: {reason}; continuing without it",
     "der Cache {folder} ist nicht verwendbar: {reason}; es geht ohne ihn weiter"};
 
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
-void declare_fleet(CommandLine& command_line, FleetWords& words) {
-  command_line.value("--shard", "I/N", words.shard, says::option_shard);
-  command_line.value("--cache", "FOLDER", words.cache, says::option_cache);
-  command_line.value("--cache-size", "SIZE", words.cache_size, says::option_cache_size);
-  command_line.flag("--print-key", words.print_key, says::option_print_key);
+void declare_fleet(CommandLine& command_line, FleetOptions& options) {
+  command_line.value("--shard", "I/N", options.shard, says::option_shard);
+  command_line.value("--cache", "FOLDER", options.cache, says::option_cache);
+  command_line.value("--cache-size", "SIZE", options.cache_size, says::option_cache_size);
+  command_line.flag("--print-key", options.print_key, says::option_print_key);
 }
 
 std::vector<std::string> Part::paths() const {
@@ -42,9 +44,9 @@ std::vector<std::string> Part::paths() const {
   return paths;
 }
 
-Part choose_part(FleetWords const& words, std::vector<std::string> paths) {
+Part choose_part(FleetOptions const& options, std::vector<std::string> paths) {
   Part part{.shard = {}, .all = std::move(paths), .chosen = {}};
-  if (words.shard) part.shard = parse_shard(*words.shard);
+  if (options.shard) part.shard = parse_shard(*options.shard);
   std::error_code error;
   auto const folder = part.shard ? std::filesystem::current_path(error).generic_string() : std::string();
   for (std::size_t i = 0; i < part.all.size(); ++i) {
@@ -74,29 +76,31 @@ std::optional<ShardRecord> shard_record(Part const& part, Hasher hasher, Digest 
   return record;
 }
 
-std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err, Language language) {
+std::unique_ptr<ResultCache> open_cache(FleetOptions const& options, Console& err, Language language) {
   auto const limit =
-      words.cache_size ? parse_size("--cache-size", *words.cache_size) : ResultCache::usual_size;
-  if (!words.cache) return nullptr;
+      options.cache_size ? parse_size("--cache-size", *options.cache_size) : ResultCache::usual_size;
+  if (!options.cache) return nullptr;
   try {
-    return std::make_unique<ResultCache>(*words.cache, limit);
+    return std::make_unique<ResultCache>(*options.cache, limit);
   } catch (Failure const& failure) {
-    err.write(warning_line({.sentence = says::cache_unusable,
-                            .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
-                           language));
+    err.write(
+        warning_line({.sentence = says::cache_unusable,
+                      .arguments = {{"folder", *options.cache}, {"reason", failure.sentence(language)}}},
+                     language));
     return nullptr;
   }
 }
 
-void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, Console& err,
+void finish_cache(std::unique_ptr<ResultCache> cache, FleetOptions const& options, Console& err,
                   Language language) {
   if (!cache) return;
   try {
     cache->finish();
   } catch (Failure const& failure) {
-    err.write(warning_line({.sentence = says::cache_unusable,
-                            .arguments = {{"folder", *words.cache}, {"reason", failure.sentence(language)}}},
-                           language));
+    err.write(
+        warning_line({.sentence = says::cache_unusable,
+                      .arguments = {{"folder", *options.cache}, {"reason", failure.sentence(language)}}},
+                     language));
   }
 }
 

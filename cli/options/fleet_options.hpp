@@ -18,7 +18,7 @@
 
 namespace axisc::cli {
 
-struct FleetWords {
+struct FleetOptions {
   std::optional<std::string> shard;
   std::optional<std::string> cache;
   std::optional<std::string> cache_size;
@@ -27,9 +27,9 @@ struct FleetWords {
   [[nodiscard]] bool asks_for_digests() const { return shard || cache || print_key; }
 };
 
-void declare_fleet(CommandLine& command_line, FleetWords& words);
+void declare_fleet(CommandLine& command_line, FleetOptions& options);
 
-/// The inputs that this run looks at, with their places among all of them.
+/// The inputs of this run, with their indices among all inputs.
 struct Part {
   std::optional<Shard> shard;
   std::vector<std::string> all;
@@ -39,19 +39,19 @@ struct Part {
   [[nodiscard]] std::vector<std::string> paths() const;
 };
 
-/// Failure for a shard that means nothing.
-[[nodiscard]] Part choose_part(FleetWords const& words, std::vector<std::string> paths);
+/// Failure for an invalid shard.
+[[nodiscard]] Part choose_part(FleetOptions const& options, std::vector<std::string> paths);
 /// Failures that came before any input was read belong to the first shard, so that they are reported once.
 [[nodiscard]] bool reports_names(Part const& part);
 
-/// What `axisc merge` compares: equal for all shards of one run, whose options beside `run` are in `hasher`.
+/// What `axisc merge` compares: equal for all shards of one run, whose options other than `run` are in `hasher`.
 [[nodiscard]] std::optional<ShardRecord> shard_record(Part const& part, Hasher hasher, Digest const& run,
                                                       CheckJob const& job, bool werror);
 
-/// The cache that was asked for; where it cannot be used a warning says so, and there is none.
-[[nodiscard]] std::unique_ptr<ResultCache> open_cache(FleetWords const& words, Console& err,
+/// The requested cache; null, with a warning, if it cannot be used.
+[[nodiscard]] std::unique_ptr<ResultCache> open_cache(FleetOptions const& options, Console& err,
                                                       Language language);
-void finish_cache(std::unique_ptr<ResultCache> cache, FleetWords const& words, Console& err,
+void finish_cache(std::unique_ptr<ResultCache> cache, FleetOptions const& options, Console& err,
                   Language language);
 
 }  // namespace axisc::cli

@@ -9,8 +9,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence bad_frequency{"\"{value}\" is no frequency from 0 to {nyquist} Hz (0.5/T)",
-                                 "\"{value}\" ist keine Frequenz von 0 bis {nyquist} Hz (0.5/T)"};
+constexpr Sentence bad_frequency{"\"{value}\" is not a frequency from 0 to {nyquist} Hz (0.5/T)",
+                                 "\"{value}\" ist keine Frequenz von 0 bis {nyquist} Hz (0,5/T)"};
 
 }  // namespace axisc::cli::says
 

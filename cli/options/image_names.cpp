@@ -13,12 +13,13 @@ constexpr Sentence output_collision{
     "{first} und {second} würden beide nach {file} geschrieben; eine umbenennen oder in verschiedene Ordner "
     "übersetzen"};
 constexpr Sentence outside_input_folder{
-    "{file} does not lie below {folder}, where the names of the images begin; name another folder with "
+    "{file} is not below {folder}, to which image names are relative; give another folder with "
     "--input-folder",
-    "{file} liegt nicht unter {folder}, wo die Namen der Abbilder beginnen; mit --input-folder einen anderen "
+    "{file} liegt nicht unter {folder}, wozu die Namen der Abbilder relativ sind; mit --input-folder einen "
+    "anderen "
     "Ordner angeben"};
-constexpr Sentence no_image_name{"standard input gives an image no name; write it with -o",
-                                 "die Standardeingabe gibt einem Abbild keinen Namen; es mit -o schreiben"};
+constexpr Sentence no_image_name{"an image from standard input has no name; write it with -o",
+                                 "ein Abbild aus der Standardeingabe hat keinen Namen; es mit -o schreiben"};
 
 }  // namespace axisc::cli::says
 

@@ -39,8 +39,7 @@ struct Found {
   std::vector<std::string> named;  ///< the lists and programs of a machine file, as it writes them
 };
 
-/// What a path is behind all links. That of a folder is found once: asking for every file would cost more than reading
-/// them.
+/// A path with all links resolved. A folder is resolved once: resolving every file would cost more than reading it.
 class Identities {
  public:
   [[nodiscard]] std::string of(fs::path const& path) {
@@ -70,8 +69,8 @@ class Identities {
   std::unordered_map<std::string, std::string> folders_;
 };
 
-/// What a machine file names; nothing for a list, and for JSON that is no machine file. One that cannot be read counts,
-/// so that the check complains about it.
+/// The lists that a machine file names; none for a list, and for JSON that is not a machine file. An unreadable file
+/// counts as a machine file, so that the check reports it.
 MachineOutline outline_of(std::string const& path) {
   if (!has_extension(path, ".json")) return {};
   DiskFiles files;
@@ -80,7 +79,7 @@ MachineOutline outline_of(std::string const& path) {
   return text == nullptr ? MachineOutline{.is_machine = true, .named = {}} : read_machine_outline(*text);
 }
 
-/// Folders come before what only begins like them, as paths are compared.
+/// Paths are compared by component: a folder comes before names that merely begin with its name.
 bool is_before(std::string const& left, std::string const& right) {
   auto const rank = [](char character) {
     return character == '/' ? 0U : static_cast<unsigned char>(character) + 1U;
@@ -95,7 +94,7 @@ bool may_be_input(fs::directory_entry const& entry) {
     return false;
   }
   std::error_code error;
-  // A link that leads nowhere is reported when it is read.
+  // A dangling link is reported when it is read.
   return entry.is_regular_file(error) || !entry.exists(error);
 }
 
@@ -120,7 +119,7 @@ class Expansion {
   [[nodiscard]] Inputs result() && {
     Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}};
     if (found_.size() == 1 && found_.front().named.empty()) {
-      // Nothing it could be the same as: what it is behind all links does not matter.
+      // A single input has no duplicate, so its links need not be resolved.
       result.paths.push_back(std::move(found_.front().path));
       return result;
     }

@@ -1,4 +1,4 @@
-// From the names on the command line to the lists and machine files that are checked.
+// Expands the names on the command line to the lists and machine files to check.
 #pragma once
 
 #include "cli/failure.hpp"
@@ -14,10 +14,10 @@ struct Inputs {
   std::string first;               ///< the first name: its settings and its repository are those of the run
 };
 
-/// A folder stands for every list and machine file below it, sorted; `@FILE` for the names in it (response_file.hpp). A
-/// file that is named twice, and a list that one of the machine files names, is checked once. Whether a file that the
-/// command line names exists is found out when it is read. Cost: one system call per file, and those of finding links
-/// per folder.
+/// A folder is replaced by every list and machine file below it, sorted; `@FILE` by the names in it
+/// (response_file.hpp). A file that is named twice, and a list that one of the machine files names, is checked once.
+/// Whether a file that the command line names exists is found out when it is read. Cost: one system call per file, and
+/// resolving links once per folder.
 [[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& words);
 
 }  // namespace axisc::cli

@@ -9,8 +9,8 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence statistics_format{"--statistics goes with --format text and json only",
-                                     "--statistics geht nur mit --format text und json"};
+constexpr Sentence statistics_format{"--statistics needs --format text or json",
+                                     "--statistics geht nur mit --format text oder json"};
 constexpr Sentence option_write_baseline{
     "record the findings in this file; they count as accepted, in this run too",
     "die Befunde in dieser Datei festhalten; sie gelten als hingenommen, auch in diesem Lauf"};
@@ -29,10 +29,11 @@ constexpr Sentence option_print_config{
     "zeigen, welche Einstellungen für jede Eingabe gelten und woher sie kommen"};
 
 constexpr Sentence shard_fix{
-    "--shard does not go with --fix and --diff: machines of several shards may share lists",
-    "--shard geht nicht zusammen mit --fix und --diff: Maschinen mehrerer Teile können sich Listen teilen"};
+    "--shard cannot be used with --fix or --diff: machines of several shards may share lists",
+    "--shard geht nicht zusammen mit --fix oder --diff: Maschinen mehrerer Teile können sich Listen teilen"};
 constexpr Sentence shard_baseline{
-    "--shard does not go with {option}, which counts the findings of all inputs; give the baseline to `axisc "
+    "--shard cannot be used with {option}, which counts the findings of all inputs; give the baseline to "
+    "`axisc "
     "merge`",
     "--shard geht nicht zusammen mit {option}, die die Befunde aller Eingaben zählt; die Baseline `axisc "
     "merge` geben"};
@@ -41,43 +42,43 @@ constexpr Sentence shard_baseline{
 
 namespace axisc::cli {
 
-void declare(CommandLine& command_line, LintWords& words) {
-  command_line.arguments("INPUT...", words.named, says::argument_inputs);
-  declare_checking(command_line, words.checking);
-  command_line.flag_with_word("--fix", "[=all]", words.fix, says::option_fix);
-  command_line.flag("--diff", words.diff, says::option_diff);
-  command_line.value("--baseline", "FILE", words.baseline, says::option_baseline);
-  command_line.value("--write-baseline", "FILE", words.write_baseline, says::option_write_baseline);
-  command_line.flag("--statistics", words.statistics, says::option_statistics);
-  command_line.flag("--print-config", words.print_config, says::option_print_config);
-  declare_fleet(command_line, words.fleet);
+void declare(CommandLine& command_line, LintOptions& options) {
+  command_line.arguments("INPUT...", options.named, says::argument_inputs);
+  declare_checking(command_line, options.checking);
+  command_line.flag_with_value("--fix", "[=all]", options.fix, says::option_fix);
+  command_line.flag("--diff", options.diff, says::option_diff);
+  command_line.value("--baseline", "FILE", options.baseline, says::option_baseline);
+  command_line.value("--write-baseline", "FILE", options.write_baseline, says::option_write_baseline);
+  command_line.flag("--statistics", options.statistics, says::option_statistics);
+  command_line.flag("--print-config", options.print_config, says::option_print_config);
+  declare_fleet(command_line, options.fleet);
 }
 
-void require_sense(CommandLine const& command_line, LintWords const& words) {
-  command_line.require(!words.named.empty(), "INPUT");
+void require_sense(CommandLine const& command_line, LintOptions const& options) {
+  command_line.require(!options.named.empty(), "INPUT");
   bool const countable =
-      words.checking.format == FindingFormat::text || words.checking.format == FindingFormat::json;
-  if (words.statistics && !countable) throw Failure({.sentence = says::statistics_format, .arguments = {}});
-  if (!words.fleet.shard) return;
-  if (words.fix || words.diff) throw Failure({.sentence = says::shard_fix, .arguments = {}});
-  for (auto const& [given, option] : {std::pair(words.baseline.has_value(), "--baseline"),
-                                      {words.write_baseline.has_value(), "--write-baseline"}}) {
+      options.checking.format == FindingFormat::text || options.checking.format == FindingFormat::json;
+  if (options.statistics && !countable) throw Failure({.sentence = says::statistics_format, .arguments = {}});
+  if (!options.fleet.shard) return;
+  if (options.fix || options.diff) throw Failure({.sentence = says::shard_fix, .arguments = {}});
+  for (auto const& [given, option] : {std::pair(options.baseline.has_value(), "--baseline"),
+                                      {options.write_baseline.has_value(), "--write-baseline"}}) {
     if (given) throw Failure({.sentence = says::shard_baseline, .arguments = {{"option", option}}});
   }
 }
 
-FixChoice fix_choice(LintWords const& words) {
-  if (!words.fix) return words.diff ? FixChoice::safe : FixChoice::none;
-  if (words.fix->empty()) return FixChoice::safe;
-  if (*words.fix == "all") return FixChoice::all;
+FixChoice fix_choice(LintOptions const& options) {
+  if (!options.fix) return options.diff ? FixChoice::safe : FixChoice::none;
+  if (options.fix->empty()) return FixChoice::safe;
+  if (*options.fix == "all") return FixChoice::all;
   throw Failure({.sentence = says::bad_choice,
-                 .arguments = {{"option", "--fix"}, {"value", *words.fix}, {"choices", "all"}}});
+                 .arguments = {{"option", "--fix"}, {"value", *options.fix}, {"choices", "all"}}});
 }
 
-bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code) {
+bool is_judged(LintOptions const& given, validator::CheckOptions const& options, Code code) {
   auto const* const rule = validator::find_rule(code);
   if (rule == nullptr) return true;
-  bool const shown = rule->severity != Severity::note || (options.pedantic && !words.checking.quiet);
+  bool const shown = rule->severity != Severity::note || (options.pedantic && !given.checking.quiet);
   return shown && std::find(options.disabled.begin(), options.disabled.end(), code) == options.disabled.end();
 }
 

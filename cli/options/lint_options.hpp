@@ -12,9 +12,9 @@
 
 namespace axisc::cli {
 
-struct LintWords {
-  CheckingWords checking;
-  FleetWords fleet;
+struct LintOptions {
+  CheckingOptions checking;
+  FleetOptions fleet;
   std::vector<std::string> named;
   std::optional<std::string> baseline;
   std::optional<std::string> write_baseline;
@@ -24,11 +24,11 @@ struct LintWords {
   bool print_config = false;
 };
 
-void declare(CommandLine& command_line, LintWords& words);
-/// Failure for words that do not go together.
-void require_sense(CommandLine const& command_line, LintWords const& words);
-[[nodiscard]] FixChoice fix_choice(LintWords const& words);
-/// What this run does not look for cannot be missing.
-[[nodiscard]] bool is_judged(LintWords const& words, validator::CheckOptions const& options, Code code);
+void declare(CommandLine& command_line, LintOptions& options);
+/// Failure for options that exclude each other.
+void require_sense(CommandLine const& command_line, LintOptions const& options);
+[[nodiscard]] FixChoice fix_choice(LintOptions const& options);
+/// True if this run looks for the code: only then can a baseline entry for it be stale.
+[[nodiscard]] bool is_judged(LintOptions const& given, validator::CheckOptions const& options, Code code);
 
 }  // namespace axisc::cli

@@ -32,7 +32,7 @@ void add_programs(std::vector<std::string>& named, json_type const& object) {
 MachineOutline read_machine_outline(std::string_view json) {
   auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);
   if (document.is_discarded()) {
-    // A broken machine file is still one: its mistake is a finding.
+    // A malformed machine file still counts as one: its mistake becomes a finding.
     return {.is_machine = json.find("\"axes\"") != std::string_view::npos, .named = {}};
   }
   MachineOutline outline;

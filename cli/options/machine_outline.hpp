@@ -1,4 +1,4 @@
-// What the command line must know about a machine file before it is checked. The checking itself is the validator's.
+// What the command line needs from a machine file before the validator checks it.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct MachineOutline {
 
 [[nodiscard]] MachineOutline read_machine_outline(std::string_view json);
 
-/// True for a name that ends in `extension` (".json"), in whatever letter case.
+/// True for a name that ends in `extension` (".json"), in upper or lower case.
 [[nodiscard]] bool has_extension(std::string_view path, std::string_view extension);
 
 }  // namespace axisc::cli

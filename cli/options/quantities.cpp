@@ -13,7 +13,7 @@ constexpr double longest_cycle_ns = 1e9;
 /// Rounding of the decimal fraction and of the product, relative.
 constexpr double rounding = 1e-12;
 
-/// Bare numbers are microseconds. Longer suffixes stand before those they end in.
+/// Bare numbers are microseconds. A suffix comes before the shorter ones that it ends with.
 constexpr std::array<std::pair<std::string_view, double>, 6> units = {
     {{"ns", 1}, {"us", 1e3}, {"\u00B5s", 1e3}, {"\u03BCs", 1e3}, {"ms", 1e6}, {"s", 1e9}}};
 

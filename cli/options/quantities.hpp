@@ -1,4 +1,4 @@
-// Numbers and times as the command line and CSV files write them.
+// Numbers and times as written on the command line and in CSV files.
 #pragma once
 
 #include "design/units.hpp"
@@ -9,18 +9,18 @@
 
 namespace axisc::cli {
 
-/// A decimal number, correctly rounded, with an optional sign; "inf" and "nan" count as numbers. Nothing where the text
-/// is anything else or beyond the range of double.
+/// A decimal number, correctly rounded, with an optional sign; "inf" and "nan" count as numbers. None if the text is
+/// anything else or beyond the range of double.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
-/// The same without "inf" and "nan".
+/// A decimal number as parse_number() reads it, without "inf" and "nan".
 [[nodiscard]] std::optional<double> parse_finite(std::string_view text);
 
 /// A decimal integer without sign.
 [[nodiscard]] std::optional<std::uint64_t> parse_count(std::string_view text);
 
-/// NC cycle time: "1ms", "250us", "250µs", "0.5ms", "125000ns", "0.001s", or a bare number of microseconds. Nothing
-/// unless it is a whole number of nanoseconds between 1 ns and 1 s.
+/// NC cycle time: "1ms", "250us", "250µs", "0.5ms", "125000ns", "0.001s", or a bare number of microseconds. None unless
+/// it is a whole number of nanoseconds from 1 ns to 1 s.
 [[nodiscard]] std::optional<design::CycleTime> parse_cycle_time(std::string_view text);
 
 }  // namespace axisc::cli

@@ -5,24 +5,24 @@
 namespace axisc::cli {
 
 void append_element(std::string& text, Finding const& finding, SourceSet const& sources,
-                    ReportForm const& form) {
-  auto const language = form.write.language;
-  switch (form.format) {
+                    ReportFormat const& report_format) {
+  auto const language = report_format.write.language;
+  switch (report_format.format) {
     case FindingFormat::text:
-      append_text(text, finding, sources, form.write);
+      append_text(text, finding, sources, report_format.write);
       text += '\n';
       break;
     case FindingFormat::json:
       append_json_element(text, finding, sources, language);
       break;
     case FindingFormat::sarif:
-      append_sarif_element(text, finding, sources, form.context, language);
+      append_sarif_element(text, finding, sources, report_format.context, language);
       break;
     case FindingFormat::gitlab:
-      text += gitlab_element(finding, sources, form.context, language);
+      text += gitlab_element(finding, sources, report_format.context, language);
       break;
     case FindingFormat::github:
-      text += write_github(finding, sources, form.context, form.write);
+      text += write_github(finding, sources, report_format.context, report_format.write);
       break;
   }
 }

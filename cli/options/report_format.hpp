@@ -1,4 +1,4 @@
-// How the findings of a run are written.
+// The output format of a run's findings.
 #pragma once
 
 #include "cli/options/check_options.hpp"
@@ -9,22 +9,22 @@
 
 namespace axisc::cli {
 
-struct ReportForm {
+struct ReportFormat {
   FindingFormat format = FindingFormat::text;
   WriteOptions write;
   ReportContext context;
 };
 
-/// The format names rules and paths as code hosts do.
+/// True for formats that name rules, and paths relative to the repository.
 [[nodiscard]] constexpr bool needs_context(FindingFormat format) {
   return format != FindingFormat::text && format != FindingFormat::json;
 }
 
-/// One finding behind `text`, with holes (report_elements.hpp) where it depends on the others.
+/// Appends one finding to `text`, with holes (report_elements.hpp) where it depends on the other findings.
 void append_element(std::string& text, Finding const& finding, SourceSet const& sources,
-                    ReportForm const& form);
+                    ReportFormat const& report_format);
 
-/// Findings as text, an empty line behind each.
+/// Findings as text, an empty line after each.
 [[nodiscard]] std::string texts_of(std::vector<Finding> const& findings, SourceSet const& sources,
                                    WriteOptions const& options);
 

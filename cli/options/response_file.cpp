@@ -16,10 +16,10 @@ constexpr Sentence nested{
     "{place}: a response file cannot name another one; write ./{name} for a file of that name",
     "{place}: eine Antwortdatei kann keine weitere nennen; eine Datei dieses Namens als ./{name} angeben"};
 constexpr Sentence response_long{
-    "{place}: a name of {length} bytes is no path; a response file has one path per line, or a NUL behind "
+    "{place}: a name of {length} bytes is not a path; a response file has one path per line, or a NUL after "
     "each",
     "{place}: ein Name von {length} Bytes ist kein Pfad; eine Antwortdatei hat einen Pfad je Zeile oder ein "
-    "NUL hinter jedem"};
+    "NUL nach jedem"};
 constexpr Sentence empty{"{file} names no input", "{file} nennt keine Eingabe"};
 
 }  // namespace axisc::cli::says
@@ -28,7 +28,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// 'it'\''s' is it's, as shells read it.
+/// 'it'\''s' means it's, as in a shell.
 std::string without_quotes(std::string_view name) {
   if (name.size() < 2 || !name.starts_with('\'') || !name.ends_with('\'')) return std::string(name);
   std::string plain(name.substr(1, name.size() - 2));

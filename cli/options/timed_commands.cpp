@@ -14,15 +14,15 @@ constexpr Sentence bad_timed_command{
 constexpr Sentence bad_command{"--at {value}: {reason}", "--at {value}: {reason}"};
 constexpr Sentence no_banks{
     "no axis of a channel in {file} has a FIR or HSC filter that \"{command}\" could switch",
-    "keine Achse eines Kanals in {file} hat ein FIR- oder HSC-Filter, das \"{command}\" schalten könnte"};
+    "keine Achse eines Kanals in {file} hat einen FIR- oder HSC-Filter, den \"{command}\" schalten könnte"};
 constexpr Sentence no_bank{
     "{file} has no kernels for \"{command}\"; it has: {banks}. Name the command in filter_sets of the "
     "machine file",
     "{file} enthält keine Kerne für \"{command}\"; vorhanden: {banks}. Den Befehl in filter_sets der "
     "Maschinendatei nennen"};
 constexpr Sentence command_busy{
-    "\"{command}\" at cycle {cycle}: a filter is still changing over from the command before",
-    "\"{command}\" in Zyklus {cycle}: ein Filter ist noch im Übergang vom Befehl davor"};
+    "\"{command}\" at cycle {cycle}: a filter is still changing over from the previous command",
+    "\"{command}\" in Zyklus {cycle}: ein Filter ist noch im Übergang vom vorherigen Befehl"};
 constexpr Sentence command_standstill{
     "\"{command}\" at cycle {cycle}: no transition within the limits of the axes is possible, only at "
     "standstill",
@@ -42,7 +42,7 @@ namespace {
   throw Failure({.sentence = text, .arguments = std::move(arguments)});
 }
 
-/// "ON, ON [ORDER=20], ON [HSC]": what the image's channels can be switched to, each once.
+/// "ON, ON [ORDER=20], ON [HSC]": the commands that the image's channels can execute, each once.
 std::string banks_of(image::ImageContents const& image) {
   std::vector<std::string> banks;
   for (auto const& group : image.groups) {

@@ -17,14 +17,14 @@ struct TimedCommand {
   machine::FilterCommand command;
 };
 
-/// The commands by rising cycle, those of one cycle in the order of the command line. Failure for words that are no
-/// CYCLE:COMMAND, for a command that is not right, and where nothing in the image could be switched.
+/// The commands by rising cycle, those of one cycle in the order of the command line. Failure for a value that is not
+/// CYCLE:COMMAND, for an invalid command, and if nothing in the image can be switched.
 [[nodiscard]] std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& words,
                                                             ImageFile const& file, std::string const& path,
                                                             Language language);
 
-/// Executes the command in every channel that has kernels for it. Failure, naming the banks, where none has; and where a
-/// filter is still changing over or the axes would have to stand.
+/// Executes the command in every channel that has kernels for it. Failure if no channel has them (the message names the
+/// banks), if a filter is still changing over, or if the change is possible only at standstill.
 void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,
              std::string const& path);
 

@@ -7,8 +7,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence stdout_closed_pipe{
-    "cannot write standard output: nobody reads the pipe any more",
-    "die Standardausgabe ist nicht schreibbar: niemand liest die Pipe mehr"};
+    "cannot write standard output: the reader closed the pipe",
+    "die Standardausgabe ist nicht schreibbar: die Gegenseite hat die Pipe geschlossen"};
 constexpr Sentence stdout_no_space{"cannot write standard output: no space is left",
                                    "die Standardausgabe ist nicht schreibbar: kein Speicherplatz mehr"};
 constexpr Sentence stdout_closed{"cannot write standard output: it is closed",
@@ -24,7 +24,7 @@ namespace axisc::cli {
 
 namespace {
 
-/// Large enough that writing costs nothing beside what is written, small enough to stay in the processor's caches.
+/// Large enough that system calls do not matter, small enough to stay in the processor's caches.
 constexpr std::size_t piece = std::size_t{1} << 15U;
 
 SentenceRef reason(system::Refusal refusal) {
@@ -43,7 +43,7 @@ SentenceRef reason(system::Refusal refusal) {
 }  // namespace
 
 void Console::write(std::string_view text) {
-  // All at once: a buffer that grew step by step would touch twice the memory.
+  // Reserved at once: a buffer that grew step by step would touch twice the memory.
   if (buffer_.capacity() < piece) buffer_.reserve(2 * piece);
   buffer_ += text;
   if (buffer_.size() >= piece) flush();

@@ -15,20 +15,20 @@ class OutputFile;
 /// Collects text and writes it in large pieces. A closed pipe or a full disk is a Failure.
 class Console {
  public:
-  /// A failure of standard output is reported; of standard error there is nobody left to tell.
+  /// A failure of standard output is reported; a failure of standard error cannot be.
   explicit Console(system::Stream stream) : stream_(stream) {}
-  /// For a file that is to be whole or not there; it is committed by its owner.
+  /// For a file that is written completely or not at all; its owner commits it.
   explicit Console(OutputFile& file) : file_(&file) {}
   Console(Console const&) = delete;
   Console& operator=(Console const&) = delete;
   ~Console() = default;
 
   void write(std::string_view text);
-  /// Writes what was collected. Must be called at the end: the destructor writes nothing.
+  /// Writes the collected text. Must be called at the end: the destructor writes nothing.
   void flush();
-  /// Called before something is printed; empty: nothing is.
+  /// Called before something is printed; may be empty.
   void before_printing(std::function<void()> action) { before_printing_ = std::move(action); }
-  /// Forgets what was collected, after a failure.
+  /// Discards the collected text, after a failure.
   void discard() { buffer_.clear(); }
 
  private:
@@ -38,7 +38,7 @@ class Console {
   std::string buffer_;
 };
 
-/// The two streams of the program.
+/// Standard output and standard error of the program.
 struct Streams {
   Console out{system::Stream::output};
   Console err{system::Stream::error};

@@ -18,16 +18,16 @@ constexpr Sentence unnamed_column{"{place}: a column has no name", "{place}: ein
 constexpr Sentence duplicate_column{"{place}: column \"{column}\" occurs twice",
                                     "{place}: Spalte \"{column}\" kommt zweimal vor"};
 constexpr Sentence unknown_column{
-    "{place}: the image has no use for column \"{column}\"; known are {known}",
-    "{place}: das Abbild kann mit Spalte \"{column}\" nichts anfangen; bekannt sind {known}"};
+    "{place}: the image does not use column \"{column}\"; it uses {known}",
+    "{place}: das Abbild verwendet Spalte \"{column}\" nicht; verwendbar sind {known}"};
 constexpr Sentence field_count{"{place}: the line has {fields} fields, the first line names {columns}",
                                "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
 constexpr Sentence number{
-    R"({place}: "{text}" in column "{column}" is no number; write it with a decimal point)",
+    R"({place}: "{text}" in column "{column}" is not a number; write it with a decimal point)",
     R"({place}: "{text}" in Spalte "{column}" ist keine Zahl; mit Dezimalpunkt schreiben)"};
 constexpr Sentence open_quote{"{place}: the quotation mark is not closed",
                               "{place}: das Anführungszeichen ist nicht geschlossen"};
-constexpr Sentence long_line{"{place}: the line is longer than 1 MiB; this is no CSV file",
+constexpr Sentence long_line{"{place}: the line is longer than 1 MiB; this is not a CSV file",
                              "{place}: die Zeile ist länger als 1 MiB; das ist keine CSV-Datei"};
 
 }  // namespace axisc::cli::says

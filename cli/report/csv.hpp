@@ -14,8 +14,8 @@ namespace axisc::cli {
 /// Fills the buffer from its front and returns how many bytes there were; 0 at the end. May throw a Failure.
 using ByteSource = std::function<std::size_t(std::span<char> buffer)>;
 
-/// First line: column names. Fields are separated by commas and may stand in double quotes; blanks around them, CRLF, a
-/// byte order mark and empty lines are accepted. What is wrong is a Failure (AX9005) with line and column.
+/// First line: column names. Fields are separated by commas and may be in double quotes; blanks around them, CRLF, a
+/// byte order mark and empty lines are accepted. A mistake is a Failure (AX9005) with line and column.
 class CsvReader {
  public:
   /// Reads the first line. `name` is the file in messages.
@@ -24,7 +24,7 @@ class CsvReader {
   [[nodiscard]] std::vector<std::string> const& header() const { return header_; }
   /// The next row's numbers, one per column; false at the end.
   [[nodiscard]] bool next(std::span<double> row);
-  /// Complains about column `index` of the header and lists the known ones.
+  /// Failure about column `index` of the header that lists the known columns.
   [[noreturn]] void refuse_column(std::size_t index, std::string_view known) const;
 
  private:
@@ -50,7 +50,7 @@ class CsvReader {
   std::uint64_t header_line_ = 0;
 };
 
-/// Appends `name` as a CSV field, quoted where that is needed.
+/// Appends `name` as a CSV field, quoted if needed.
 void append_csv_name(std::string& line, std::string_view name);
 
 /// Appends a row of numbers so that reading them gives the same doubles, with a line end.

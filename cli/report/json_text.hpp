@@ -6,7 +6,7 @@
 
 namespace axisc::cli {
 
-/// With quotes and escapes; what is no UTF-8 becomes U+FFFD.
+/// With quotes and escapes; invalid UTF-8 becomes U+FFFD.
 [[nodiscard]] std::string json_string(std::string_view text);
 
 /// Reads back as the same double; `null` for NaN and infinities, which JSON lacks.

@@ -1,4 +1,4 @@
-// A line on standard error that says how far a long command is.
+// A progress line on standard error for long commands.
 #pragma once
 
 #include "cli/report/console.hpp"
@@ -12,18 +12,20 @@ namespace axisc::cli {
 
 class Progress {
  public:
-  /// `shown`: else nothing is ever written.
+  /// Without `shown` nothing is ever written.
   Progress(bool shown, Language language) : shown_(shown), language_(language) {}
   Progress(Progress const&) = delete;
   Progress& operator=(Progress const&) = delete;
-  /// Takes the line away.
+  /// Removes the line.
   ~Progress();
 
   /// At most ten times a second: a bar, percent, and the seconds of machine time.
   void show(double share, double seconds);
-  /// The same with a count and how many come per second. Nothing in the first half second: most runs are over then.
+  /// At most ten times a second: a count and the rate per second. Nothing in the first half second, in which most runs
+  /// end.
   void show(std::size_t done, std::size_t count);
-  /// Takes the line away before `console` prints, so that the two do not mix on a terminal. Until this is gone.
+  /// Removes the line before `console` prints, so that the two do not mix on a terminal, for as long as this object
+  /// lives.
   void stand_aside_for(Console& console);
 
  private:

@@ -1,4 +1,4 @@
-// What reports for code hosts need: the rules, the version, and where the repository is.
+// Context of reports for code hosts: the rules, the version, and the repository root.
 #pragma once
 
 #include "diagnostics/writers/writers.hpp"

@@ -11,7 +11,7 @@ namespace axisc::cli {
 namespace {
 
 bool needs_occurrences(ReportPlan const& plan) {
-  auto const format = plan.form.format;
+  auto const format = plan.report_format.format;
   return format == FindingFormat::sarif || format == FindingFormat::gitlab || plan.baseline ||
          plan.write_baseline;
 }
@@ -26,8 +26,8 @@ std::string_view name_of(Code code) {
 ReportStream::ReportStream(ReportPlan plan, Console& out)
     : plan_(std::move(plan)), out_(out), numbers_(needs_occurrences(plan_)) {
   if (plan_.baseline) missing_ = *plan_.baseline;
-  if (plan_.form.format == FindingFormat::json) out_.write(json_head());
-  if (plan_.form.format == FindingFormat::gitlab) out_.write("[");
+  if (plan_.report_format.format == FindingFormat::json) out_.write(json_head());
+  if (plan_.report_format.format == FindingFormat::gitlab) out_.write("[");
 }
 
 void ReportStream::add(std::size_t number, CheckedInput const& checked) {
@@ -54,8 +54,8 @@ void ReportStream::add(WrittenFinding const& finding) {
 }
 
 std::size_t ReportStream::number_of(Artifact const& artifact) {
-  // Machines name one list in many ways.
-  auto const path = shown_path(plan_.form.context.paths, artifact.name);
+  // Different machines may name the same list by different paths.
+  auto const path = shown_path(plan_.report_format.context.paths, artifact.name);
   auto const [number, is_new] = artifact_numbers_.try_emplace(path, artifacts_.size());
   if (is_new) artifacts_.push_back(artifact);
   return number->second;
@@ -83,10 +83,10 @@ bool ReportStream::is_hidden(WrittenFinding const& finding, std::uint32_t occurr
 }
 
 void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence) {
-  auto const format = plan_.form.format;
+  auto const format = plan_.report_format.format;
   bool const has_elements = std::exchange(has_elements_, true);
   if (format == FindingFormat::sarif) {
-    // The holes of the rules stay: which rules are listed is known at the end.
+    // Rule indices stay as holes: which rules are listed is known only at the end.
     std::string filled = finding.text;
     auto const number = std::to_string(occurrence);
     for (auto at = filled.find(occurrence_hole); at != std::string::npos; at = filled.find(occurrence_hole)) {
@@ -105,8 +105,8 @@ void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence
 }
 
 void ReportStream::fail(std::size_t order, Failure const& failure) {
-  auto const language = plan_.form.write.language;
-  plan_.form.context.failures.push_back(failure.sentence(language));
+  auto const language = plan_.report_format.write.language;
+  plan_.report_format.context.failures.push_back(failure.sentence(language));
   if (!plan_.shard) return;
   plan_.shard->failures.push_back(
       {.order = order, .line = failure.line(language), .sentence = failure.sentence(language)});
@@ -125,7 +125,7 @@ std::optional<BaselineFacts> ReportStream::baseline_facts(std::function<bool(Cod
   BaselineFacts facts{.hidden = hidden_, .stale = {}};
   if (plan_.write_baseline) {
     facts.recorded = found_.size();
-  } else if (plan_.form.context.failures.empty()) {
+  } else if (plan_.report_format.context.failures.empty()) {
     facts.stale = missing_.identities();
     std::erase_if(facts.stale, [&](Identity const& identity) { return !judged(identity.code); });
   }
@@ -133,14 +133,14 @@ std::optional<BaselineFacts> ReportStream::baseline_facts(std::function<bool(Cod
 }
 
 void ReportStream::print_sarif() {
-  auto const& form = plan_.form;
+  auto const& report_format = plan_.report_format;
   std::set<Code> codes;
   for (auto const& [code, row] : codes_) codes.insert(code);
-  out_.write(sarif_head(codes, artifacts_, form.context, form.write.language));
+  out_.write(sarif_head(codes, artifacts_, report_format.context, report_format.write.language));
   bool first = true;
   sarif_results_.replay([&](std::uint64_t code, std::string_view element) {
     if (!std::exchange(first, false)) out_.write(",");
-    auto const index = rule_index(codes, static_cast<Code>(code), form.context);
+    auto const index = rule_index(codes, static_cast<Code>(code), report_format.context);
     out_.write(fill_holes(element, {.rule_index = index}));
   });
 }
@@ -159,14 +159,14 @@ void ReportStream::finish(std::optional<FixFacts> fixes, std::function<bool(Code
     shard = as_json(*plan_.shard);
   }
   auto const rows = frequent_codes();
-  switch (plan_.form.format) {
+  switch (plan_.report_format.format) {
     case FindingFormat::text:
       if (run.statistics && !rows.empty()) {
-        out_.write(write_text_statistics(rows, plan_.form.write) + "\n");
+        out_.write(write_text_statistics(rows, plan_.report_format.write) + "\n");
       }
       if (!plan_.quiet && run.files > 0 && (plan_.counts_always || has_elements_)) {
-        out_.write(write_text_facts(run, plan_.form.write) +
-                   write_text_summary(run.files, counts_, plan_.form.write));
+        out_.write(write_text_facts(run, plan_.report_format.write) +
+                   write_text_summary(run.files, counts_, plan_.report_format.write));
       }
       break;
     case FindingFormat::json:

@@ -1,5 +1,4 @@
-// The report of a run, printed while the run goes on: findings leave memory as soon as those of all inputs before are
-// printed.
+// The report of a run, printed during the run: findings are freed as soon as those of all earlier inputs are printed.
 #pragma once
 
 #include "cli/checking/baseline.hpp"
@@ -20,7 +19,7 @@
 namespace axisc::cli {
 
 struct ReportPlan {
-  ReportForm form;
+  ReportFormat report_format;
   bool quiet = false;
   bool statistics = false;
   bool counts_always = false;        ///< the last line of the text form also where nothing was found
@@ -33,26 +32,26 @@ class ReportStream {
  public:
   ReportStream(ReportPlan plan, Console& out);
 
-  /// By rising `number`, that of the input among all inputs of the run.
+  /// Inputs come by rising `number`, their index among all inputs of the run.
   void add(std::size_t number, CheckedInput const& checked);
-  /// A finding of the input that is added next.
+  /// A finding of the input that will be added next.
   void add(WrittenFinding const& finding);
-  /// An input that could not be read, for formats that say so.
+  /// An input that could not be read, for formats that list failures.
   void fail(std::size_t order, Failure const& failure);
 
-  /// What the findings that are shown count to.
+  /// Counts of the findings shown.
   [[nodiscard]] FindingCounts const& counts() const { return counts_; }
   [[nodiscard]] std::unordered_set<std::string> const& files() const { return files_; }
-  /// With `write_baseline`: what was found.
+  /// With `write_baseline`: all findings.
   [[nodiscard]] Baseline const& found() const { return found_; }
 
-  /// Prints what is left. `judged` says of an entry of the baseline whether the run looks for it. `status` is that of the
-  /// run, for a shard.
+  /// Prints the rest. `judged` tells whether the run looks for a baseline entry's code. `status` is the exit status of
+  /// the run, for a shard.
   void finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged, int status);
 
  private:
   void count(WrittenFinding const& finding);
-  /// Its place in the list of artifacts, where it is put if it is not there.
+  /// Its index in the list of artifacts; it is appended if missing.
   [[nodiscard]] std::size_t number_of(Artifact const& artifact);
   [[nodiscard]] bool is_hidden(WrittenFinding const& finding, std::uint32_t occurrence);
   [[nodiscard]] std::optional<BaselineFacts> baseline_facts(std::function<bool(Code)> const& judged) const;
@@ -70,7 +69,7 @@ class ReportStream {
   std::unordered_set<std::string> files_;
   FindingCounts counts_;
   std::map<Code, CodeCount> codes_;
-  /// By a digest of the identity: a fleet has millions of them.
+  /// Keyed by a digest of the identity, because a fleet has millions of them.
   std::unordered_map<std::uint64_t, std::uint32_t> occurrences_;
   Baseline found_;
   Baseline missing_;  ///< entries that nothing has answered to so far

@@ -38,7 +38,7 @@ system::File open_nameless() {
   return std::get<system::File>(std::move(opened));
 }
 
-/// Hands over the whole entries at the beginning of `bytes`; returns their length.
+/// Passes on the complete entries at the beginning of `bytes`; returns their length.
 std::size_t replay_entries(std::string_view bytes,
                            std::function<void(std::uint64_t, std::string_view)> const& take) {
   std::size_t at = 0;
@@ -55,7 +55,8 @@ std::size_t replay_entries(std::string_view bytes,
 }  // namespace
 
 void Spool::add(std::uint64_t mark, std::string_view text) {
-  // At once: memory that is not written to costs nothing, while growth by doubling copies everything again and again.
+  // Reserved at once: memory that is never written costs nothing, while growth by doubling copies everything
+  // repeatedly.
   if (buffer_.capacity() < most_in_memory) buffer_.reserve(most_in_memory + block_size);
   Header const header{.mark = mark, .size = text.size()};
   buffer_.append(reinterpret_cast<char const*>(&header), sizeof(header)).append(text);

@@ -1,4 +1,4 @@
-// Text that is written before its place comes: kept in memory while it is small, else in a file without name.
+// Text that must be written later: kept in memory while it is small, otherwise in an unnamed temporary file.
 #pragma once
 
 #include "system/file.hpp"
@@ -15,7 +15,7 @@ class Spool {
  public:
   /// Failure (AX9002) where the folder for temporary files is full.
   void add(std::uint64_t mark, std::string_view text);
-  /// Hands over what was added, in order.
+  /// Passes on everything added, in order.
   void replay(std::function<void(std::uint64_t, std::string_view)> const& take);
 
  private:

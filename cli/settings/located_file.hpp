@@ -1,4 +1,4 @@
-// A JSON file of the user's, read with the place of everything in it, so that each complaint names line and column.
+// A JSON file written by the user, read with the position of every value, so that each message names line and column.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -15,8 +15,8 @@ namespace axisc::cli {
 
 class LocatedFile {
  public:
-  /// Failure where the file cannot be read, with the sentence `malformed` where it is not JSON, and with the first thing in
-  /// it that is not as `shape` says; these carry `code`.
+  /// Failure if the file cannot be read; with `code`, if it is not JSON (sentence `malformed`) or does not match
+  /// `shape` (the first mistake).
   LocatedFile(std::string path, configuration::JsonShape const& shape, SentenceRef malformed,
               std::optional<Code> code = std::nullopt);
 
@@ -26,10 +26,10 @@ class LocatedFile {
   [[nodiscard]] configuration::JsonValue const& operator[](std::size_t index) const {
     return document_[index];
   }
-  /// A key's value; null where `object` does not have the key.
+  /// A key's value; null if `object` does not have the key.
   [[nodiscard]] configuration::JsonValue const* find(configuration::JsonValue const& object,
                                                      std::string_view key) const;
-  /// Stores what the file, or an object in it, says where the shape's keys say.
+  /// Stores the values of the file, or of an object in it, in the members that the shape's keys name.
   void fill(void* target) const { fill(shape_, root(), target); }
   void fill(configuration::JsonShape const& shape, configuration::JsonValue const& object,
             void* target) const;

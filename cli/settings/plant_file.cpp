@@ -10,7 +10,7 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence json{"the plant file is no valid JSON here",
+constexpr Sentence json{"the plant file is not valid JSON here",
                         "die Streckendatei ist hier kein gültiges JSON"};
 constexpr Sentence axis{"there is no plant for axis {axis}", "für Achse {axis} gibt es keine Strecke"};
 
@@ -31,7 +31,7 @@ using enum configuration::JsonPresence;
 
 constexpr double unit = 1, kilo = 1e3, mega = 1e6, milli = 1e-3, micro = 1e-6, percent = 1e-2;
 
-/// A quantity in the unit that its name carries, `in` SI units.
+/// A quantity in the unit that its name ends with; `in` is that unit in SI units.
 template <double PlantParameters::*member, double const& in = unit>
 void quantity(JsonReading const& /*reading*/, JsonShape const& /*shape*/, JsonValue const& value,
               void* target) {

@@ -8,10 +8,10 @@
 
 namespace axisc::cli {
 
-/// What a plant file may say.
+/// The shape of a plant file.
 extern configuration::JsonShape const plant_file_shape;
 
-/// The plant of one axis. Failure AX9009 for whatever is wrong with the file, AX9001 where it cannot be read.
+/// The plant of one axis. Failure AX9009 for any mistake in the file, AX9001 if it cannot be read.
 [[nodiscard]] motion::PlantParameters read_plant(std::string const& path, std::string const& axis);
 
 }  // namespace axisc::cli

@@ -13,10 +13,9 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence json{"the schema file is no valid JSON here",
+constexpr Sentence json{"the schema file is not valid JSON here",
                         "die Schemadatei ist hier kein gültiges JSON"};
-constexpr Sentence twice{"\"{value}\" stands in this file twice",
-                         "\"{value}\" steht zweimal in dieser Datei"};
+constexpr Sentence twice{"\"{value}\" is in this file twice", "\"{value}\" steht zweimal in dieser Datei"};
 constexpr Sentence too_many{"more than {count} single parameters; reduce the array sizes",
                             "mehr als {count} einzelne Parameter; die Feldgrößen verkleinern"};
 constexpr Sentence limit_unknown{"no parameter has the number {value}; add it to this file",
@@ -56,7 +55,7 @@ Span name_of(LocatedFile const& file, Entry const& entry) {
   return file.find(entry.json, "name")->span;
 }
 
-/// Entries whose sizes differ from those that are known get slots of their own.
+/// Entries whose sizes differ from the known ones get slots of their own.
 void require_room(LocatedFile const& file, schema::Catalogue const& catalogue,
                   std::vector<Entry> const& entries) {
   std::size_t slots = catalogue.slot_count();

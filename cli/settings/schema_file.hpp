@@ -8,8 +8,8 @@
 //     ]
 //   }
 //
-// An entry for a known name says anew what it names and leaves the rest; one with another type begins afresh. A file that
-// is named later wins.
+// An entry for a known name overrides the properties it has and keeps the others; an entry with another type starts
+// from scratch. Later files override earlier ones.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -20,13 +20,13 @@
 
 namespace axisc::cli {
 
-/// What a schema file may say; axis-parameters.json is one.
+/// The shape of a schema file; axis-parameters.json is one.
 extern configuration::JsonShape const schema_file_shape;
 
-/// `catalogue` with the entries of the file. Failure, with line and column, for anything that is no schema file.
+/// `catalogue` with the entries of the file. Failure, with line and column, for anything that is not a schema file.
 [[nodiscard]] schema::Catalogue with_schema_file(schema::Catalogue const& catalogue, std::string const& path);
 
-/// The same for several files, one behind the other.
+/// `catalogue` with the entries of several files, in their order.
 [[nodiscard]] schema::Catalogue with_schema_files(schema::Catalogue catalogue,
                                                   std::vector<std::string> const& paths);
 

@@ -17,7 +17,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence name{
-    "\"{value}\" is no parameter name; write it as lists do, in lower case, with [] where an index stands: "
+    "\"{value}\" is not a parameter name; write it as in a list, in lower case, with [] in place of an "
+    "index: "
     "filter[].order",
     "\"{value}\" ist kein Parametername; Schreibweise wie in Listen, in Kleinbuchstaben, mit [] an der "
     "Stelle eines Index: filter[].order"};
@@ -52,8 +53,8 @@ constexpr Sentence number_names{"\"number_names\" are words with a number from 0
 constexpr Sentence symbols_type{"symbols are for STRING and BOOLEAN; {parameter} is of type {type}",
                                 "Symbole gelten für STRING und BOOLEAN; {parameter} hat den Typ {type}"};
 constexpr Sentence schema_default{
-    R"(the default "{value}" is no value of {parameter}; give it another "default")",
-    R"(die Vorgabe "{value}" ist kein Wert von {parameter}; eine andere ("default") angeben)"};
+    R"(the default "{value}" is not a valid value for {parameter}; give it another "default")",
+    R"(der Standardwert "{value}" ist kein gültiger Wert für {parameter}; einen anderen ("default") angeben)"};
 constexpr Sentence unit{R"(a unit is a text, or an object with "translatory" and "rotary")",
                         R"(eine Einheit ist ein Text oder ein Objekt mit "translatory" und "rotary")"};
 constexpr Sentence max_length{"\"max_length\" is a whole number from 1 to 255, for STRING alone",
@@ -219,7 +220,7 @@ class EntryReader {
   }
 
  private:
-  /// Of a key's value; of the name where the entry does not have the key.
+  /// Position of a key's value; of the name if the entry does not have the key.
   [[nodiscard]] Span span_of(std::string_view key) const {
     auto const* const value = file_.find(entry_, key);
     return value == nullptr ? file_.find(entry_, "name")->span : value->span;
@@ -229,7 +230,7 @@ class EntryReader {
     for (auto const& known : catalogue_.parameters()) {
       if (known.name == wanted) return &known;
     }
-    // Most names exist with one set of indices; lists mean the same parameter by all of them.
+    // A name is known with one set of indices, and lists may spell it with any of them.
     for (auto const& known : catalogue_.parameters()) {
       if (schema::without_brackets(known.name) != schema::without_brackets(wanted)) continue;
       file_.refuse(span_of("name"), says::shape, {{"value", wanted}, {"known", std::string(known.name)}});
@@ -249,7 +250,7 @@ class EntryReader {
                   {"value", problem.value}});
   }
 
-  /// Known arrays can grow, unless images have their entries.
+  /// Known arrays can grow, unless images contain their entries.
   void require_room(schema::Parameter const& known, schema::ParameterRow const& row) const {
     if (known.array == row.array) return;
     std::vector<Argument> const arguments{{"parameter", row.name}, {"size", sizes_text(known.array)}};

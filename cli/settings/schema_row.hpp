@@ -7,13 +7,12 @@
 
 namespace axisc::cli {
 
-/// What an entry may say.
+/// The shape of an entry.
 extern configuration::JsonShape const schema_row_shape;
 
-/// `entry` of `file` as `json` says it too: the row that it makes of the catalogue's row of its name, or a new one. Failure
-/// for what contradicts itself or the catalogue. Parameters that it names may be unknown yet.
-[[nodiscard]] schema::RowReading read_schema_entry(LocatedFile const& file,
-                                                   configuration::JsonValue const& entry,
+/// `entry` of `file`, given a second time as `json`: the catalogue's row of that name with the entry applied, or a new row.
+/// Failure for contradictions in the entry or with the catalogue. Parameters that it refers to may still be unknown.
+[[nodiscard]] schema::RowReading read_schema_entry(LocatedFile const& file, configuration::JsonValue const& entry,
                                                    nlohmann::ordered_json const& json,
                                                    schema::Catalogue const& catalogue);
 

@@ -1,4 +1,4 @@
-// What several sources of this folder say.
+// Sentences that several sources of this folder share.
 #pragma once
 
 #include "diagnostics/sentence.hpp"

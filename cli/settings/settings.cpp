@@ -112,7 +112,7 @@ constexpr JsonShape settings_shape{.kind = Kind::object, .title = "Settings of a
 
 namespace {
 
-/// Paths begin at the settings, wherever the program runs.
+/// Paths are relative to the settings file, wherever the program runs.
 void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings& settings) {
   for (auto const item : list.items) {
     auto const& name = file[item].string;
@@ -126,7 +126,7 @@ void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings&
   }
 }
 
-/// Below `folder`, with slashes; the whole path where it lies elsewhere.
+/// The path relative to `folder`, with slashes; the whole path if it is elsewhere.
 std::string relative_to(std::string const& folder, std::string const& path) {
   std::error_code error;
   auto const absolute = fs::weakly_canonical(fs::absolute(path, error), error);
@@ -154,7 +154,7 @@ void require_unchanged(std::vector<std::string> const& paths, Digest const& befo
   if (digest_of_files(paths) != before) throw configuration::SourceChanged(paths.front());
 }
 
-/// Behind all links; as far as it exists where it does not.
+/// The path with all links resolved; if it does not exist, as far as it does.
 fs::path canonical_folder(std::string const& folder) {
   std::unique_ptr<char, decltype(&std::free)> const found(::realpath(folder.c_str(), nullptr), std::free);
   if (found) return found.get();
@@ -246,7 +246,7 @@ Settings SettingsFinder::read_digested(std::string const& file, std::string cons
 
 validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                       std::string const& input) {
-  // A machine file says its own cycle time, and only the command line knows better.
+  // A machine file has its own cycle time, which only the command line overrides.
   if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
   if (!options.build) options.build = settings.build;
   options.catalogue = settings.catalogue;

@@ -1,4 +1,4 @@
-// `axisc.json`: what a team has agreed on for the lists of a folder and those below it.
+// `axisc.json`: settings of a team for the lists of a folder and its subfolders.
 //
 //   {
 //     "cycle_time_us": 1000,                      for lists alone; a machine file says its own
@@ -10,12 +10,12 @@
 //     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]
 //   }
 //
-// A severity decides about exit statuses, about which finding of a token stands, and about whether an image is made, in
-// every command alike; a code that is given one is looked for without --pedantic, unless it is a note either way. A
-// pattern is compared with the file in which a finding is: a default list and the lists of axes may have different rules.
+// A severity determines the exit status, which finding of a token is kept, and whether an image is written, in every
+// command; a code with a severity is checked without --pedantic, unless it is a note either way. A pattern is matched
+// against the file that a finding is in: a default list and the lists of axes may have different rules.
 //
-// All keys are optional. The file is looked for beside each input and upwards; the nearest one counts alone. What the
-// command line says wins.
+// All keys are optional. The file is searched next to each input and in the folders above; only the nearest one
+// applies. The command line overrides it.
 #pragma once
 
 #include "cli/fleet/digest.hpp"
@@ -53,25 +53,25 @@ struct Settings {
   Digest digest;                ///< of everything above
 };
 
-/// Failure, with line and column, for anything that is no settings file.
+/// Failure, with line and column, for anything that is not a settings file.
 [[nodiscard]] Settings read_settings(std::string const& path, std::string const& folder);
 
-/// What a settings file may say.
+/// The shape of a settings file.
 extern configuration::JsonShape const settings_shape;
 
 /// The settings of each folder, read once. May be used by several threads.
 class SettingsFinder {
  public:
-  /// `schema_files` are those of the command line; they are read behind those of each axisc.json, so that they win.
+  /// `schema_files` are those of the command line; they are read after those of each axisc.json and override them.
   explicit SettingsFinder(std::vector<std::string> schema_files = {})
       : schema_files_(std::move(schema_files)) {}
 
-  /// Those that apply to an input; none where no axisc.json stands beside or above it, and for standard input that of the
-  /// working folder. Lives as long as the finder. Cost: system calls once per folder.
+  /// The settings for an input: the nearest axisc.json, null if there is none; for standard input that of the working
+  /// folder. Valid as long as the finder. Cost: system calls once per folder.
   [[nodiscard]] Settings const* find(std::string const& input);
-  /// What the lists of an input may set.
+  /// The parameters that the lists of an input may set.
   [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
-  /// Of all that the two say: names and contents of settings and schema files.
+  /// Digest of the names and contents of settings and schema files.
   [[nodiscard]] Digest digest(std::string const& input);
   [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }
 
@@ -88,7 +88,7 @@ class SettingsFinder {
   Digest schema_digest_;                                    ///< of the command line's files
 };
 
-/// `options` of the command line, filled up with what the settings say.
+/// `options` of the command line, completed from the settings.
 [[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                                     std::string const& input);
 

@@ -6,9 +6,9 @@
 namespace axisc::cli::says {
 
 constexpr Sentence from_command_line{"command line", "Befehlszeile"};
-constexpr Sentence from_default{"default", "Vorgabe"};
-constexpr Sentence cycle_time_default{"as the machine file says, else 1000 is assumed",
-                                      "wie die Maschinendatei sagt, sonst wird 1000 angenommen"};
+constexpr Sentence from_default{"default", "Standardwert"};
+constexpr Sentence cycle_time_default{"from the machine file; otherwise 1000 is assumed",
+                                      "aus der Maschinendatei; sonst wird 1000 angenommen"};
 
 }  // namespace axisc::cli::says
 

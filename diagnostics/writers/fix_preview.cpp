@@ -40,7 +40,7 @@ std::size_t first_difference(std::string_view left, std::string_view right) {
   return begun - (is_inside ? 1 : 0);
 }
 
-// Leaves only the lines in the middle that differ, and returns how many equal ones stood before them.
+// Leaves only the differing lines in the middle, and returns the number of equal lines before them.
 std::uint32_t drop_equal_lines(Lines& before, Lines& after) {
   while (!before.empty() && !after.empty() && before.back() == after.back()) {
     before.pop_back();
@@ -66,14 +66,14 @@ std::vector<PreviewLine> preview_lines(Lines const& before, Lines const& after, 
   for (std::size_t i = 0; i < before.size(); ++i) {
     add(i, false, before[i], i < after.size() ? first_difference(before[i], after[i]) : 0);
   }
-  // The removed ones stand in front.
+  // Removed lines come first.
   for (std::size_t i = 0; i < after.size(); ++i) {
     add(i, true, after[i], i < before.size() ? lines[i].first_change : 0);
   }
   return lines;
 }
 
-// The edits [first, end) all touch the lines from that of the first to `last_line`.
+// The edits [first, end) touch the lines from that of the first edit to `last_line`.
 template <class Iterator>
 PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, SourceText const& source) {
   Place const place = (*first)->place;
@@ -100,12 +100,12 @@ PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, Sou
   return block;
 }
 
-/// By place; those at one place stay as they are.
+/// Sorted by place; the order of edits at the same place is kept.
 Few<Edit const*> in_order(std::vector<Edit> const& edits) {
   Few<Edit const*> ordered;
   for (Edit const& edit : edits) ordered.push_back(&edit);
   auto const is_before = [](Edit const* left, Edit const* right) { return left->place < right->place; };
-  // Sorting allocates even where nothing is to be done, as for nearly all fixes.
+  // Stable sorting allocates even if nothing needs sorting, as for nearly all fixes.
   if (!std::is_sorted(ordered.begin(), ordered.end(), is_before)) {
     std::stable_sort(ordered.begin(), ordered.end(), is_before);
   }

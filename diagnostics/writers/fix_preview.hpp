@@ -1,4 +1,4 @@
-// What a fix would make of the lines it touches.
+// The lines that a fix would change, before and after.
 #pragma once
 
 #include "diagnostics/finding.hpp"

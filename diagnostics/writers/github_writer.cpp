@@ -9,7 +9,7 @@ namespace axisc {
 namespace {
 
 /// A command ends with its line; percent signs introduce what was escaped. Properties are separated by commas and begin
-/// behind a colon, so both are escaped there too.
+/// after a colon, so both are escaped there too.
 std::string escaped(std::string_view text, bool is_property) {
   std::string result;
   for (char const character : text) {
@@ -43,7 +43,7 @@ std::string_view command_of(Severity severity) {
 std::string numbers(Location const& location) {
   std::string text =
       ",line=" + std::to_string(location.begin.line) + ",endLine=" + std::to_string(location.end.line);
-  // Columns are only allowed for what stands on one line.
+  // Columns are allowed only for a place within one line.
   if (location.begin.line != location.end.line) return text;
   return text + ",col=" + std::to_string(location.begin.column) +
          ",endColumn=" + std::to_string(location.end.column);

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "critical" and "blocker" stay for what a person decides.
+/// "critical" and "blocker" are left to human judgement.
 std::string_view severity_of(Severity severity) {
   switch (severity) {
     case Severity::error:
@@ -29,7 +29,7 @@ std::string_view severity_of(Severity severity) {
 
 /// `element` with the hole where the fingerprint `zeroth` ends with its 0.
 std::string with_hole_for_occurrence(std::string_view element, std::string_view zeroth) {
-  // Quotes inside strings are escaped, so this stands only where it is the end of a whole string.
+  // Quotes inside strings are escaped, so this occurs only at the end of a whole string.
   std::string const end = std::string(zeroth) + '"';
   std::string text;
   while (true) {

@@ -20,7 +20,7 @@ bool needs_no_escape(std::string_view text) {
          (std::none_of(text.begin(), text.end(), is_control) && valid_utf8_prefix(text) == text.size());
 }
 
-/// What stands between the quotes.
+/// The text between the quotes.
 void append_escaped(std::string& out, std::string_view text) {
   if (needs_no_escape(text)) {
     out += text;
@@ -42,7 +42,7 @@ void JsonStream::key(std::string_view name) {
 void JsonStream::string(std::string_view text) {
   begin_value();
   out_ += '"';
-  // Line by line: in a message of several lines nothing else needs an escape.
+  // Line by line: in most messages of several lines only the line ends need an escape.
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     append_escaped(out_, text.substr(0, end));
     out_ += "\\n";

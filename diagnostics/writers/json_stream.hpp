@@ -1,5 +1,5 @@
-// JSON that is written from front to back, without a tree of it. The text is that of nlohmann's dump() with an indentation
-// of two.
+// Writes JSON from front to back, without building a tree. The text equals that of nlohmann's dump() with an
+// indentation of two.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@ namespace axisc {
 
 class JsonStream {
  public:
-  /// Appends to `out` a value whose closing bracket stands behind `indent` blanks.
+  /// Appends to `out` a value whose closing bracket is indented by `indent` blanks.
   JsonStream(std::string& out, std::size_t indent) : out_(out), indent_(indent) {}
 
   void begin_object() { open('{'); }
   void end_object() { close('}'); }
   void begin_array() { open('['); }
   void end_array() { close(']'); }
-  /// In an object: what comes next is the value. `name` is written as it is and needs no escape, in member() too.
+  /// In an object; the value comes next. `name` is written as it is and needs no escape, in member() too.
   void key(std::string_view name);
 
-  /// Becomes well-formed UTF-8 whatever it holds.
+  /// Made well-formed UTF-8.
   void string(std::string_view text);
   /// null for an empty text.
   void string_or_null(std::string_view text);
   void number(std::uint64_t value);
   void boolean(bool value);
   void null();
-  /// A whole value as it is.
+  /// A complete value, written unchanged.
   void raw(std::string_view text);
 
   /// A member of an object that is a string.
@@ -44,7 +44,7 @@ class JsonStream {
  private:
   void open(char bracket);
   void close(char bracket);
-  /// The line break and comma before a value, where it stands in an array.
+  /// The line break and comma before a value, if it is in an array.
   void begin_value();
   void begin_line();
   void break_line();

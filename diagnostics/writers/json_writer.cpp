@@ -81,7 +81,7 @@ class JsonElement {
     out_.end_object();
   }
 
-  // The label is a note whose place is the finding's own; help is a note that advises.
+  // The label is a note at the finding's own place; help is a note with advice.
   void write_notes(Finding const& finding) {
     out_.key("notes");
     out_.begin_array();

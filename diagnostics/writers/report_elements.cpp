@@ -10,7 +10,7 @@ std::string fill_holes(std::string_view element, Numbers const& numbers) {
   std::string const rule_index = std::to_string(numbers.rule_index);
   std::string text;
   text.reserve(element.size() + 16);
-  // Each kind on its own: the search for one byte is a fast one.
+  // One search per kind, because searching for a single byte is fast.
   std::size_t next_occurrence = element.find(occurrence_hole);
   std::size_t next_rule_index = element.find(rule_index_hole);
   std::size_t begin = 0;

@@ -1,5 +1,5 @@
-// The documents of the formats piece by piece: head, one element per finding, tail. A run with more findings than memory
-// holds writes them so; the whole documents (writers.hpp) are made of the same pieces.
+// The documents of the formats piece by piece: head, one element per finding, tail. A run with more findings than fit
+// in memory writes them this way; the whole documents (writers.hpp) are made of the same pieces.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -31,7 +31,7 @@ struct Artifact {
   Encoding encoding = Encoding::utf8;
 };
 
-// Between two elements stands a comma; in front of each the line break and indentation that its format has. Elements are
+// Elements are separated by commas, and each is preceded by the line break and indentation of its format. Elements are
 // appended to `text`.
 
 [[nodiscard]] std::string json_head();
@@ -47,7 +47,7 @@ void append_json_element(std::string& text, Finding const& finding, SourceSet co
 void append_sarif_element(std::string& text, Finding const& finding, SourceSet const& sources,
                           ReportContext const& context, Language language);
 [[nodiscard]] std::string sarif_tail(bool has_elements, std::string_view shard = {});
-/// The place of a rule among those that are listed, for the hole.
+/// The index of a rule among the listed ones, for the hole.
 [[nodiscard]] std::size_t rule_index(std::set<Code> const& codes, Code code, ReportContext const& context);
 /// Sources of a finding's places, each once, ascending.
 [[nodiscard]] std::set<SourceId> sources_of(Finding const& finding);

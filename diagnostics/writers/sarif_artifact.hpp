@@ -8,7 +8,7 @@
 
 namespace axisc {
 
-/// The name that stands for the root of the repository.
+/// The name for the root of the repository.
 inline constexpr std::string_view artifact_root = "SRCROOT";
 
 struct ArtifactName {

@@ -152,7 +152,7 @@ class SarifResult {
     out_.end_array();
   }
 
-  /// All edits of one source.
+  /// The edits of one source.
   void write_change(Fix const& fix, SourceId source) {
     out_.begin_object();
     write_artifact_location(sources_[source].name());

@@ -38,7 +38,7 @@ Json artifact_location(RepositoryPaths const& paths, std::string_view file) {
   return location;
 }
 
-/// What stands in front of the results.
+/// The text before the results.
 class SarifHead {
  public:
   SarifHead(std::set<Code> const& codes, std::vector<Artifact> const& artifacts, ReportContext const& context,
@@ -117,7 +117,7 @@ class SarifHead {
   Language language_;
 };
 
-/// Those of all findings; sources that several inputs share are one.
+/// The artifacts of all findings; a source that several inputs share is listed once.
 std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceSet const& sources,
                                    RepositoryPaths const& paths) {
   std::set<SourceId> used;

@@ -23,7 +23,7 @@ std::size_t count_characters(std::string_view line) {
   return count;
 }
 
-// A third of the window stands before the marked part: names stand left of values.
+// A third of the window is before the marked part, because names are left of values.
 std::size_t begin_of_window(std::size_t mark, std::size_t length) {
   if (length <= longest_shown_line) return 0;
   constexpr std::size_t before = longest_shown_line / 3;

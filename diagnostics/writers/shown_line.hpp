@@ -1,4 +1,4 @@
-// One line of a source as the text form shows it, with what stands under it.
+// One line of a source as the text format shows it, with the markers under it.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@ struct MarkedPart {
   std::size_t end = 0;
 };
 
-/// In code points. Lists are written by people: longer lines are data or accidents.
+/// In code points. Lists are written by hand: longer lines are data or mistakes.
 inline constexpr std::size_t longest_shown_line = 160;
 
-/// Tabs stay tabs, in the line and in the indent, so that any terminal aligns both alike.
+/// Tabs are kept, in the line and in the indent, so that any terminal aligns both alike.
 class ShownLine {
  public:
-  /// `line` is UTF-8 and lives longer.
+  /// `line` is UTF-8 and must outlive this object.
   ShownLine(std::string_view line, MarkedPart marked);
 
-  /// Printable, at most `longest_shown_line` characters of the line, "…" where it was cut.
+  /// Printable, at most `longest_shown_line` characters of the line, "…" where it is cut.
   void append_text(std::string& out) const;
   /// As wide as the text before the marked part: blanks, and the tabs of the line.
   void append_indent(std::string& out) const;

@@ -41,7 +41,7 @@ constexpr Sentence statistics_fixable_many{"{count} with fixes", "{count} mit Ko
 namespace axisc {
 namespace {
 
-/// A run over one of many lists would otherwise name nearly the whole baseline.
+/// Limits the entries named: a run on one of many lists would otherwise name nearly the whole baseline.
 constexpr std::size_t most_stale_entries = 10;
 
 std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Language language) {

@@ -42,14 +42,14 @@ SentenceRef word_of(Severity severity) {
   return says::word_note;
 }
 
-/// How a place is pointed at: the finding's own with carets in its colour, the others with dashes.
+/// How a place is marked: the finding's own with carets in its colour, others with dashes.
 struct Pointer {
   std::string_view arrow;
   char mark;
   Style style;
 };
 
-/// Gutters of lines without a number: blanks, a sign, and what stands behind it.
+/// Gutters of lines without a number: blanks, a sign, and the text after it.
 constexpr std::size_t widest_gutter = 12;
 constexpr std::string_view empty_line = "            |\n";
 constexpr std::string_view line_below = "            | ";
@@ -145,7 +145,7 @@ class TextWriter {
   }
   void write_empty_gutter() { write_gutter(empty_line); }
 
-  /// The number of a line, as wide as the gutter, and what stands behind it.
+  /// The number of a line, as wide as the gutter, and the text after it.
   void write_line_number(std::uint32_t line, std::string_view behind) {
     fmt::format_int const number(line);
     out_.append(gutter_width_ - number.size(), ' ');
@@ -204,7 +204,7 @@ class TextWriter {
     if (finding_.fix) write_fix();
   }
 
-  /// A colon separates `head` from the rest, where there is a head.
+  /// A colon separates `head` from the rest, if there is a head.
   void begin_line_below(std::string_view head) {
     write_gutter(remark);
     if (head.empty()) return;
@@ -224,7 +224,7 @@ class TextWriter {
       bool const replaces = std::any_of(block.lines.begin(), block.lines.end(),
                                         [](PreviewLine const& line) { return line.added; });
       for (PreviewLine const& line : block.lines) {
-        // The finding's own line stands above already.
+        // The finding's own line has been printed above already.
         bool const is_shown_above = replaces && !line.added && is_own_line(block.source, line.number);
         if (!is_shown_above) write_preview_line(line);
       }

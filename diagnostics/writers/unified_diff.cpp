@@ -53,7 +53,7 @@ class Comparison {
     if (step != Step::remove) ++new_;
   }
 
-  /// Goes to the nearest common line; where none is near, past one line on each side.
+  /// Goes to the nearest common line; if none is near, past one line on each side.
   void differ() {
     std::size_t removed = 1;
     std::size_t added = 1;
@@ -99,7 +99,7 @@ class Writer {
       return static_cast<std::size_t>((last - first) - std::count(first, last, step));
     };
     text_ += "@@ -" + range(old_, without(Step::add)) + " +" + range(new_, without(Step::remove)) + " @@\n";
-    // Removed lines stand before added ones, whatever the order in which they were found.
+    // Removed lines come before added ones, in whatever order they were found.
     for (auto step = first; step != last;) {
       auto const change_end = *step == Step::keep ? step + 1 : std::find(step, last, Step::keep);
       if (*step == Step::keep) {

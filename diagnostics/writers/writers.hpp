@@ -18,7 +18,7 @@ struct WriteOptions {
   bool color = false;  ///< ANSI colours in the text form
 };
 
-/// What was done with the findings that are not shown.
+/// Numbers of the findings that are not shown, by reason.
 struct FixFacts {
   std::size_t applied = 0;
   std::size_t left_out = 0;  ///< fixes that would have led to further findings
@@ -29,7 +29,7 @@ struct BaselineFacts {
   std::optional<std::size_t> recorded = std::nullopt;  ///< a baseline was written with so many entries
 };
 
-/// A run as its summary tells it.
+/// The numbers in a run's summary.
 struct RunFacts {
   std::size_t files = 0;
   std::optional<FixFacts> fixes = std::nullopt;
@@ -37,7 +37,7 @@ struct RunFacts {
   bool statistics = false;
 };
 
-/// A rule as other tools want to know it.
+/// A rule as described to other tools.
 struct RuleFacts {
   Code code{};
   std::string_view name;
@@ -46,7 +46,7 @@ struct RuleFacts {
   Page page;                 ///< may be empty
 };
 
-/// What the formats of code hosts need beside the findings.
+/// Context that formats of code hosts need besides the findings.
 struct ReportContext {
   std::vector<RuleFacts> rules;  ///< by rising code
   std::string version;           ///< of the program: "0.1.0"
@@ -66,14 +66,13 @@ struct ReportContext {
 ///        = help: …
 ///        = fix: …
 ///     12 + filter[0].time_constant          5000       # dead time of the drive
-/// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret stands under its
-/// token. Lines above 160 characters are cut around the caret with "…"; control characters are shown as
-/// pictures. Related places follow as further snippets behind ":::", underlined with dashes. A finding
-/// without place shows its file only. Ends with a line end; findings are meant to be separated by an empty
-/// line.
+/// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret is under its token. Lines above
+/// 160 characters are cut around the caret with "…"; control characters are shown as pictures. Related places follow as
+/// further snippets after ":::", underlined with dashes. A finding without place shows its file only. Ends with a line
+/// end; findings are meant to be separated by an empty line.
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,
                                      WriteOptions const& options);
-/// The same behind `out`.
+/// Appends the finding as text to `out`.
 void append_text(std::string& out, Finding const& finding, SourceSet const& sources,
                  WriteOptions const& options);
 
@@ -81,20 +80,18 @@ void append_text(std::string& out, Finding const& finding, SourceSet const& sour
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
                                              WriteOptions const& options);
 
-/// What stands behind the findings and before the last line: entries of the baseline that are not needed any more, what
-/// was fixed. Empty where there is nothing to say.
+/// The lines between the findings and the summary: stale entries of the baseline, and what was fixed. May be empty.
 [[nodiscard]] std::string write_text_facts(RunFacts const& run, WriteOptions const& options);
 
 /// A table, one line per code: count, code, name, and how many of them carry a fix.
 [[nodiscard]] std::string write_text_statistics(std::vector<CodeCount> const& counts,
                                                 WriteOptions const& options);
 
-/// The JSON form of `axisc lint --format json`: all findings and the summary, one document, two-space
-/// indentation, a line end behind it. Strings are well-formed UTF-8 whatever the source holds. What a finding
-/// has not is null (place, parameter, p_axis, axis, control and its parts, fix) or an empty array.
-/// `end_column` is the column behind the last character; `notes` holds the label, the notes and the help, in
-/// this order. Only where the run has them: `fixed` and `baseline` in the summary, `statistics` behind it. Cost: linear
-/// in the findings.
+/// The JSON form of `axisc lint --format json`: all findings and the summary, one document, two-space indentation, a
+/// line end at the end. Strings are well-formed UTF-8 whatever the source contains. Absent properties of a finding are
+/// null (place, parameter, p_axis, axis, control and its parts, fix) or an empty array. `end_column` is the column
+/// after the last character; `notes` holds the label, the notes and the help, in this order. Only if the run has them:
+/// `fixed` and `baseline` in the summary, `statistics` after it. Cost: linear in the findings.
 [[nodiscard]] std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources,
                                      RunFacts const& run, WriteOptions const& options);
 
@@ -116,9 +113,9 @@ void append_text(std::string& out, Finding const& finding, SourceSet const& sour
 /// control, help and fix.
 [[nodiscard]] std::string whole_message(Finding const& finding, Language language);
 
-/// "message 50663: the filter is switched off; runs with 0"; nothing where nothing is known.
+/// "message 50663: the filter is switched off; runs with 0"; empty if nothing is known.
 void append_control_text(std::string& text, Finding const& finding, Language language, Values values);
-/// Something is known.
+/// True if anything is known about the control's reaction.
 [[nodiscard]] bool has_control_text(Finding const& finding);
 
 }  // namespace axisc

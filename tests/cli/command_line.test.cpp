@@ -22,11 +22,11 @@ constexpr Sentence option_disable{"leave these codes out; may be repeated",
                                   "diese Codes weglassen; mehrmals möglich"};
 constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
 constexpr Sentence option_image_output{
-    "the image to write, or - for standard output; an image that would be the same is not touched",
+    "the image to write, or - for standard output; an image that would not change is left untouched",
     "das Abbild, das geschrieben wird, oder - für die Standardausgabe; eines, das gleich bliebe, wird nicht "
     "angefasst"};
-constexpr Sentence option_inspect_format{"form of the output (default text)",
-                                         "Form der Ausgabe (Vorgabe text)"};
+constexpr Sentence option_inspect_format{"output format (default: text)",
+                                         "Ausgabeformat (Standardwert: text)"};
 
 struct Words {
   std::vector<std::string> inputs;
@@ -147,7 +147,7 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   auto const given = [](std::vector<std::string> const& arguments) {
     Given words;
     CommandLine line("lint", purpose, examples, Language::english);
-    line.flag_with_word("--fix", "all", words.word, option_fix);
+    line.flag_with_value("--fix", "all", words.word, option_fix);
     line.value("-o,--output", "FILE", words.output, option_image_output);
     line.value("--output-folder", "FOLDER", words.folder, option_image_output);
     line.flag("-q,--quiet", words.quiet, option_quiet);

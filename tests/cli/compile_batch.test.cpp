@@ -132,12 +132,12 @@ TEST_CASE("names that cannot be are usage errors, and nothing is written") {
         "line/axis1.json and line/axis1.lis would both be written to out/line/axis1.axim");
   // The other one may lie in another shard: it is found all the same.
   check({"line", "--output-folder", "out", "--shard", "1/50"}, "would both be written");
-  check({"mill", "--output-folder", "out", "--input-folder", "line"}, "does not lie below");
-  check({"-", "--output-folder", "out"}, "standard input gives an image no name");
-  check({"mill", "--output-folder", "out", "-o", "x.axim"}, "do not go together");
+  check({"mill", "--output-folder", "out", "--input-folder", "line"}, "is not below");
+  check({"-", "--output-folder", "out"}, "an image from standard input has no name");
+  check({"mill", "--output-folder", "out", "-o", "x.axim"}, "cannot be used together");
   check({"part.nc", "--output-folder", "out"}, "is an NC program");
   check({"mill/x.lis", "-o", "x.axim", "--input-folder", "mill"},
-        "--input-folder goes with --output-folder only");
+        "--input-folder needs --output-folder");
 }
 
 TEST_CASE("a batch without any input that is there fails cleanly") {

@@ -80,10 +80,10 @@ TEST_CASE("every mistake in a CSV file has its place") {
   begins("X,Y\n1,2\n3\n", "in.csv:3:1: the line has 1 fields, the first line names 2");
   begins("X\n1,2\n", "in.csv:2:3: the line has 2 fields");
   begins("X,Y\n1,2,\n", "in.csv:2:5: the line has 3 fields");
-  begins("\xC3\x84,Y\n1,\xC3\xA4\n", "in.csv:2:3: \"\xC3\xA4\" in column \"Y\" is no number");
+  begins("\xC3\x84,Y\n1,\xC3\xA4\n", "in.csv:2:3: \"\xC3\xA4\" in column \"Y\" is not a number");
   begins("\xC3\x84,\xC3\x84\n", "in.csv:1:3: column \"\xC3\x84\" occurs twice");
-  begins("X,Y\n1,1.5e\n", "in.csv:2:3: \"1.5e\" in column \"Y\" is no number");
-  begins("X,Y\n1,\n", "in.csv:2:3: \"\" in column \"Y\" is no number");
+  begins("X,Y\n1,1.5e\n", "in.csv:2:3: \"1.5e\" in column \"Y\" is not a number");
+  begins("X,Y\n1,\n", "in.csv:2:3: \"\" in column \"Y\" is not a number");
   begins("X\n1e999\n", "in.csv:2:1: \"1e999\"");
   begins("X\n\"1\n", "in.csv:2:1: the quotation mark is not closed");
   begins("X\n" + std::string((1U << 20U) + 100000, '1') + "\n", "in.csv:2:1: the line is longer than 1 MiB");

@@ -73,8 +73,8 @@ TEST_CASE("a stripped image has no names") {
   auto const there = compiled(folder, {"--strip", "--image-version", "7"});
   auto const outcome = run_axisc({"inspect", "m.axim"}, there);
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out,
-             Catch::Matchers::Contains("axis axis0") && Catch::Matchers::Contains("image version       7"));
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("axis axis0") &&
+                              Catch::Matchers::Contains("image version          7"));
   CHECK_THAT(run_axisc({"run", "m.axim", "--cycles", "1"}, there).out,
              Catch::Matchers::StartsWith("axis0,axis1\n"));
   CHECK(run_axisc({"inspect", "m.axim", "--as-list"}, there).status == 2);

@@ -187,19 +187,20 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
     CHECK(outcome.out.empty());
     CHECK(outcome.err == "axisc: error: " + expected + "\n");
   };
-  check({}, "a command is missing; `axisc --help` lists them");
+  check({}, "a command is missing; `axisc --help` lists the commands");
   check({"lnit"}, "there is no command \"lnit\"; did you mean \"lint\"?");
-  check({"lint", "x.lis", "--cycle-time", "1,5ms"},
-        "\"1,5ms\" is no cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds");
+  check(
+      {"lint", "x.lis", "--cycle-time", "1,5ms"},
+      "\"1,5ms\" is not a valid cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds");
   check({"lint", "x.lis", "--disable", "AX3O05"}, "there is no code \"AX3O05\"; did you mean AX3005?");
   check({"lint", "x.lis", "--axis-type", "X"}, "--axis-type does not know \"X\"; choose from T, R, S");
   check({"lint", "x.lis", "-j", "0"}, "-j needs a positive whole number, not \"0\"");
-  check({"--color", "never"}, "a command is missing; `axisc --help` lists them");
+  check({"--color", "never"}, "a command is missing; `axisc --help` lists the commands");
 }
 
 TEST_CASE("every command has its own help in both languages") {
   for (std::string const command :
-       {"lint", "fmt", "compile", "merge", "inspect", "run", "response", "explain"}) {
+       {"lint", "fmt", "compile", "merge", "inspect", "run", "response", "explain", "diff"}) {
     auto const english = run_axisc({command, "--help"});
     auto const german = run_axisc({command, "--help", "--lang", "de"});
     CHECK(english.status == 0);
@@ -210,6 +211,17 @@ TEST_CASE("every command has its own help in both languages") {
     CHECK_THAT(run_axisc({"--help"}).out, Catch::Matchers::Contains("  " + command + " "));
     CHECK_THAT(run_axisc({command, "--version"}).out, Catch::Matchers::StartsWith("axisc "));
   }
+}
+
+TEST_CASE("placeholders are in the language of the help") {
+  auto const help = run_axisc({"explain", "--help", "--lang", "de"}).out;
+  CHECK_THAT(help, Catch::Matchers::Contains("[OPTIONEN] CODE|P-AXIS-NNNNN|PARAMETER"));
+  auto const compile = run_axisc({"compile", "--help", "--lang", "de"}).out;
+  CHECK_THAT(compile, Catch::Matchers::Contains("[OPTIONEN] EINGABE...") &&
+                          Catch::Matchers::Contains("--output ZIEL.axim") &&
+                          Catch::Matchers::Contains("--depfile DATEI"));
+  CHECK_THAT(run_axisc({"compile", "--lang", "de"}).err, Catch::Matchers::Contains("EINGABE fehlt"));
+  CHECK_THAT(run_axisc({"compile", "--help"}).out, Catch::Matchers::Contains("[OPTIONS] INPUT..."));
 }
 
 TEST_CASE("a report says which inputs could not be read") {

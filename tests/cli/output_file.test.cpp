@@ -126,7 +126,7 @@ TEST_CASE("a device is written directly") {
   struct stat facts {};
   REQUIRE(::stat("/dev/null", &facts) == 0);
   CHECK(S_ISCHR(facts.st_mode));
-  CHECK(failure_of("/dev/full") == "cannot write /dev/full: no space is left; an old file is unchanged");
+  CHECK(failure_of("/dev/full") == "cannot write /dev/full: no space is left; an existing file is unchanged");
 }
 
 TEST_CASE("what cannot be written is said in one sentence") {

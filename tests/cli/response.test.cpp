@@ -32,7 +32,7 @@ TEST_CASE("what response refuses") {
     auto const outcome = run_axisc({"response", "m.axim", "--frequencies", frequencies}, there);
     INFO(frequencies);
     CHECK(outcome.status == 2);
-    CHECK_THAT(outcome.err, Catch::Matchers::Contains("is no frequency from 0 to 500 Hz"));
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains("is not a frequency from 0 to 500 Hz"));
   }
   CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "Y", "--port", "interface"}, there).err,
              Catch::Matchers::Contains("has a filter on its additional interface"));

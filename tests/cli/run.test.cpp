@@ -105,12 +105,12 @@ TEST_CASE("what run refuses") {
   check({"--input", "bad.csv", "--output", "old.csv"}, "error[AX9005]: bad.csv:3:3: the line has 2 fields");
   CHECK(folder.read("old.csv") == "old");
   check({"--input", "other.csv"},
-        "error[AX9005]: other.csv:1:3: the image has no use for column \"Z\"; known are X, X.interface, Y");
+        "error[AX9005]: other.csv:1:3: the image does not use column \"Z\"; it uses X, X.interface, Y");
   check({"--input", "side.csv"}, "error[AX9005]: side.csv:1:1");
   check({"--input", "missing.csv"}, "error[AX9001]");
   check({"--input", "."}, "error[AX9001]");
   check({"--input", "good.csv", "--signal", "step"}, "--signal belongs to a signal");
-  check({"--signal", "sin:1"}, "\"sin:1\" is no signal");
+  check({"--signal", "sin:1"}, "\"sin:1\" is not a signal");
   check({"--cycles", "-1"}, "--cycles needs a positive whole number");
   check({"--amplitude", "1,5"}, "--amplitude needs a number");
   check({"--port", "velocity"}, "uses velocities");

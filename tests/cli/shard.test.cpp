@@ -152,9 +152,9 @@ TEST_CASE("bad shards are usage errors") {
     CHECK(lines_of(outcome.err) == 1);
     CHECK_THAT(outcome.err, Contains("--shard needs I/N"));
   }
-  CHECK_THAT(plant.run({"lint", ".", "--shard", "1/2", "--fix"}).err, Contains("does not go with --fix"));
+  CHECK_THAT(plant.run({"lint", ".", "--shard", "1/2", "--fix"}).err, Contains("cannot be used with --fix"));
   CHECK_THAT(plant.run({"compile", "b c.lis", "-o", "x.axim", "--shard", "1/2"}).err,
-             Contains("--output-folder only"));
+             Contains("needs --output-folder"));
 }
 
 TEST_CASE("what is no set of shards is refused") {
@@ -187,6 +187,6 @@ TEST_CASE("what is no set of shards is refused") {
     std::vector<std::string> arguments{"lint", ".", "--format", "json", "--shard", "2/3"};
     arguments.insert(arguments.end(), other.begin(), other.end());
     plant.folder.write("other.result", plant.run(arguments).out);
-    check({"1.result", "other.result", "3.result"}, "other.result belongs to another run than 1.result");
+    check({"1.result", "other.result", "3.result"}, "other.result and 1.result are from different runs");
   }
 }

@@ -82,7 +82,7 @@ TEST_CASE("mistakes of plant files and moves") {
     return outcome.err;
   };
   CHECK_THAT(error("[1"), Catch::Matchers::Contains("AX9009") &&
-                              Catch::Matchers::Contains("p.json:1:3: the plant file is no valid JSON"));
+                              Catch::Matchers::Contains("p.json:1:3: the plant file is not valid JSON"));
   CHECK_THAT(error("[]"), Catch::Matchers::Contains("AX9009") &&
                               Catch::Matchers::Contains("an object in braces is expected"));
   CHECK_THAT(error("{}"), Catch::Matchers::Contains("\"plants\" is missing"));

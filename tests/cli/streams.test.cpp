@@ -41,7 +41,7 @@ TEST_CASE("a pipe that nobody reads") {
                 {.folder = ".", .input = {}, .out = {}, .variables = {}, .closed_pipe = true});
   CHECK(outcome.status == 2);
   CHECK(outcome.err ==
-        "axisc: error[AX9002]: cannot write standard output: nobody reads the pipe any more\n");
+        "axisc: error[AX9002]: cannot write standard output: the reader closed the pipe\n");
 }
 
 TEST_CASE("a disk that fills up while a file is written") {
