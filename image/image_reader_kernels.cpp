@@ -12,13 +12,15 @@ ImageBank read_bank(ImageRecords const& image, codegen::ConstRecord<codegen::rec
   std::uint32_t const keywords = record.get(codegen::fields::bank::keywords);
   ImageBank bank;
   if ((keywords & axim_keyword_order) != 0) bank.parameters.order = record.get(codegen::fields::bank::order);
-  if ((keywords & axim_keyword_share) != 0)
+  if ((keywords & axim_keyword_share) != 0) {
     bank.parameters.share_percent = record.get(codegen::fields::bank::share);
+  }
   if ((keywords & axim_keyword_fcut) != 0) {
     bank.parameters.frequency = design::Hertz{record.get(codegen::fields::bank::frequency)};
   }
-  if ((keywords & axim_keyword_quality) != 0)
+  if ((keywords & axim_keyword_quality) != 0) {
     bank.parameters.quality = record.get(codegen::fields::bank::quality);
+  }
   bank.hsc = (keywords & axim_keyword_hsc) != 0;
   bank.fade_cycles = record.get(codegen::fields::bank::fade_cycles);
   for (std::uint32_t i = 0; i < members; ++i) {

@@ -124,8 +124,9 @@ ReportPlan plan_of(Documents const& documents, MergeOptions const& options) {
   if (options.baseline) plan.baseline = Baseline::read(*options.baseline);
   // Names are relative to the repository already; an invented folder keeps them so.
   plan.report_format.context.paths = {.root = "/repository", .folder = "/repository"};
-  for (auto const& failure : failures_of(documents))
+  for (auto const& failure : failures_of(documents)) {
     plan.report_format.context.failures.push_back(failure.sentence);
+  }
   return plan;
 }
 

@@ -11,8 +11,9 @@ namespace axisc::cli {
 Digest program_digest() {
   std::string identity = system::build_identity();
   if (identity.empty()) {
-    if (auto const bytes = system::bytes_of(system::program_path()))
+    if (auto const bytes = system::bytes_of(system::program_path())) {
       identity = hexadecimal(digest_of(*bytes));
+    }
   }
   Hasher hasher;
   hasher.text(version_text());

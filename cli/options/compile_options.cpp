@@ -60,8 +60,9 @@ void declare(CommandLine& command_line, CompileOptions& options) {
 
 void require_sense(CommandLine const& command_line, CompileOptions const& options) {
   command_line.require(!options.inputs.empty(), "INPUT");
-  if (options.output && options.output_folder)
+  if (options.output && options.output_folder) {
     throw Failure({.sentence = says::two_outputs, .arguments = {}});
+  }
   if (options.is_batch()) return;
   for (auto const& [given, option] : {std::pair(options.input_folder.has_value(), "--input-folder"),
                                       {options.fleet.shard.has_value(), "--shard"}}) {

@@ -136,8 +136,7 @@ TEST_CASE("names that cannot be are usage errors, and nothing is written") {
   check({"-", "--output-folder", "out"}, "an image from standard input has no name");
   check({"mill", "--output-folder", "out", "-o", "x.axim"}, "cannot be used together");
   check({"part.nc", "--output-folder", "out"}, "is an NC program");
-  check({"mill/x.lis", "-o", "x.axim", "--input-folder", "mill"},
-        "--input-folder needs --output-folder");
+  check({"mill/x.lis", "-o", "x.axim", "--input-folder", "mill"}, "--input-folder needs --output-folder");
 }
 
 TEST_CASE("a batch without any input that is there fails cleanly") {

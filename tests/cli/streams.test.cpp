@@ -40,8 +40,7 @@ TEST_CASE("a pipe that nobody reads") {
       run_axisc({"run", image, "--cycles", "10000000"},
                 {.folder = ".", .input = {}, .out = {}, .variables = {}, .closed_pipe = true});
   CHECK(outcome.status == 2);
-  CHECK(outcome.err ==
-        "axisc: error[AX9002]: cannot write standard output: the reader closed the pipe\n");
+  CHECK(outcome.err == "axisc: error[AX9002]: cannot write standard output: the reader closed the pipe\n");
 }
 
 TEST_CASE("a disk that fills up while a file is written") {

@@ -29,8 +29,9 @@ machine::PositionController position_controller(LoadedAxis const& axis) {
   if (mode.unusable || is_open_loop(mode)) return machine::PositionController::unknown;
   std::string_view const word = mode.value.text;
   if (word == "CNC_POSITION_CONTROL") return machine::PositionController::cnc;
-  if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL")
+  if (word == "DRIVE_POSITION_CONTROL" || word == "DSC_POSITION_CONTROL") {
     return machine::PositionController::drive;
+  }
   machine::DriveType const* const drive = drive_of(axis);
   if (drive == nullptr) return machine::PositionController::unknown;
   return drive->digital ? machine::PositionController::drive : machine::PositionController::cnc;
