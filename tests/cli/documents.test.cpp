@@ -63,3 +63,9 @@ TEST_CASE("the gallery shows what its commands print") {
   std::string const folder = std::string(AXISC_SOURCE_DIR) + "/samples/mistakes";
   check_golden("docs/mistakes.md", executed(read_source_file("docs/mistakes.md"), folder));
 }
+
+TEST_CASE("the front page shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/tutorial", folder / "try");
+  check_golden("README.md", executed(read_source_file("README.md"), folder / "try"));
+}
