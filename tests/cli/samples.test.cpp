@@ -102,7 +102,10 @@ TEST_CASE("every sample differs from itself in nothing") {
     // What a machine file names is compared with it.
     bool const is_input = path.ends_with("machine.json") || path.find("manual/") != std::string::npos;
     bool const is_text = path.ends_with(".lis") || path.ends_with(".json");
-    if (!is_input || !is_text || path.find("synchronous/") != std::string::npos) continue;
+    // The tutorial begins with a list that has mistakes.
+    bool const is_left_out =
+        path.find("synchronous/") != std::string::npos || path.find("tutorial/") != std::string::npos;
+    if (!is_input || !is_text || is_left_out) continue;
     INFO(path);
     auto const outcome = run_axisc({"diff", path, path, "--exit-code", "--lang", "en"});
     CHECK(outcome.status == 0);
