@@ -3,6 +3,7 @@
 
 #include "support/catch.hpp"
 #include "support/map_files.hpp"
+#include "validator/views/gantry.hpp"
 
 #include <deque>
 
@@ -16,7 +17,10 @@ validator::LoadedMachine loaded(std::map<std::string, std::string> contents, std
   tests::MapFiles files(std::move(contents));
   // A machine looks into its sources.
   static std::deque<SourceSet> sources;
-  return std::get<validator::LoadedMachine>(validator::load(files, path, options, sources.emplace_back()));
+  auto machine =
+      std::get<validator::LoadedMachine>(validator::load(files, path, options, sources.emplace_back()));
+  machine.gantries = validator::gantries_of(machine);
+  return machine;
 }
 
 /// Four axes X, Y, X2 and a spindle S; `more` are keys of the machine file.
