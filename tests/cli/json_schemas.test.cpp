@@ -118,7 +118,7 @@ TEST_CASE("a file with every key is right for reader and schema") {
 TEST_CASE("the samples are as the schemas say") {
   namespace fs = std::filesystem;
   std::size_t machines = 0;
-  for (std::string const folder : {"samples", "tests/cli/data", "tests/data/rules"}) {
+  for (std::string const folder : {"samples", "tests/cli/data", "validator/rules"}) {
     for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / folder)) {
       auto const path = entry.path().lexically_relative(AXISC_SOURCE_DIR).generic_string();
       bool const broken_on_purpose = path.find(".fail/") != std::string::npos;
