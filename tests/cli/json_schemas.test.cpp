@@ -121,7 +121,7 @@ TEST_CASE("the samples are as the schemas say") {
   for (std::string const folder : {"samples", "tests/cli/data", "validator/rules"}) {
     for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / folder)) {
       auto const path = entry.path().lexically_relative(AXISC_SOURCE_DIR).generic_string();
-      bool const broken_on_purpose = path.find(".fail/") != std::string::npos;
+      bool const broken_on_purpose = path.find("/fail/") != std::string::npos;
       if (entry.path().filename() != "machine.json" || broken_on_purpose) continue;
       ++machines;
       CHECK(accepted(kinds()[0], read_source_file(path)));
