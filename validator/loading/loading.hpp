@@ -74,7 +74,7 @@ struct LoadedMachine {
   std::vector<configuration::LocatedText>
       filter_sets;                  ///< from the machine file: commands in addition to those of the programs
   std::vector<LoadedGroup> groups;  ///< if the machine file has none: one of all axes except spindles
-  std::vector<LoadedGantry> gantries;  ///< of gantries_of(), once everything is loaded
+  std::vector<LoadedGantry> gantries;      ///< of gantries_of(), once everything is loaded
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list
   bool inch = false;                       ///< lengths in programs are inches
