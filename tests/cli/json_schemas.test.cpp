@@ -124,6 +124,7 @@ TEST_CASE("the samples are as the schemas say") {
       bool const broken_on_purpose = path.find("/fail/") != std::string::npos;
       if (entry.path().filename() != "machine.json" || broken_on_purpose) continue;
       ++machines;
+      INFO(path);
       CHECK(accepted(kinds()[0], read_source_file(path)));
     }
   }
