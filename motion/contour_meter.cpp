@@ -8,6 +8,9 @@
 namespace axisc::motion {
 namespace {
 
+/// Position units: sums of the steps of a path of hundreds of metres.
+constexpr double rounding_of_ways = 1e-3;
+
 /// The vector from `p` to the nearest point of a line a..b, where it is shorter than the best so far.
 void consider(Point const& p, Point const& a, Point const& b, std::size_t axes, double& squared,
               Point& away) {
@@ -58,31 +61,40 @@ void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& posi
   delay_ = whole ? std::optional(static_cast<std::uint64_t>(earliest)) : std::nullopt;
   reach = std::min(reach, longest_reach);
   reach_ = static_cast<std::uint64_t>(reach);
+  middle_ = static_cast<std::int64_t>((earliest + latest) / 2);
   from_ = static_cast<std::int64_t>(std::floor(earliest) - reach) - 1;
   to_ = static_cast<std::int64_t>(std::ceil(latest) + reach) + 1;
   auto const needed = static_cast<std::uint64_t>(to_ - std::min<std::int64_t>(from_, 0)) + reach_ + 4;
   passed_.assign(std::bit_ceil(needed), {});
   mask_ = passed_.size() - 1;
   // The rest before the first setpoint is one point of the path.
-  Passed const rest{.nominal = position, .filtered = position, .straight = 0, .direction = {}};
+  Passed const rest{.nominal = position, .filtered = position, .way = 0, .straight = 0, .direction = {}};
   first_ = cycles_;
   passed_[cycles_ & mask_] = rest;
   ++cycles_;
 }
 
 void ContourMeter::cycle(ContourPoint point, Point const& filtered) {
+  point.cycle = cycles_;
+  pending_.push_back(point);
+  pass(point.nominal, filtered);
+}
+
+void ContourMeter::pass(Point const& nominal, Point const& filtered) {
   Passed const& before = at(cycles_ - 1);
-  Passed now{.nominal = point.nominal, .filtered = filtered, .straight = 0, .direction = {}};
-  Point const way = minus(point.nominal, before.nominal);
+  Passed now{.nominal = nominal,
+             .filtered = filtered,
+             .way = before.way + length(minus(filtered, before.filtered)),
+             .straight = 0,
+             .direction = {}};
+  Point const way = minus(nominal, before.nominal);
   if (double const distance = length(way); distance > 0) {
     now.direction = plus({}, 1 / distance, way);
     bool const goes_on = dot(now.direction, before.direction) > 1 - 1e-12;
     now.straight = goes_on ? before.straight + 1 : 1;
   }
-  point.cycle = cycles_;
   passed_[cycles_ & mask_] = now;
   ++cycles_;
-  pending_.push_back(point);
   while (!pending_.empty() &&
          static_cast<std::int64_t>(pending_.front().cycle) + to_ < static_cast<std::int64_t>(cycles_)) {
     measure(pending_.front());
@@ -111,11 +123,27 @@ void ContourMeter::measure(ContourPoint const& point) {
   auto const last = std::min(cycle + to_, newest);
   double squared = std::numeric_limits<double>::infinity();
   Point away{};
-  consider(point.nominal, at(static_cast<std::uint64_t>(first)).filtered,
-           at(static_cast<std::uint64_t>(first)).filtered, axes_, squared, away);
-  for (auto n = first; n < last; ++n) {
-    auto const k = static_cast<std::uint64_t>(n);
-    consider(point.nominal, at(k).filtered, at(k + 1).filtered, axes_, squared, away);
+  if (first == last) {
+    auto const& only = at(static_cast<std::uint64_t>(first)).filtered;
+    consider(point.nominal, only, only, axes_, squared, away);
+  }
+  // Away from the middle to either side; what lies so far along the path that it cannot be nearer is left out.
+  auto const passed = [&](std::int64_t n) -> Passed const& { return at(static_cast<std::uint64_t>(n)); };
+  auto const spare = [&](Passed const& from) {
+    return length(minus(from.filtered, point.nominal)) - std::sqrt(squared) - rounding_of_ways;
+  };
+  auto const middle = std::clamp(cycle + middle_, first, last);
+  for (auto n = middle; n < last;) {
+    auto const& end = passed(n + 1);
+    consider(point.nominal, passed(n).filtered, end.filtered, axes_, squared, away);
+    double const out_of_reach = end.way + spare(end);
+    for (++n; n < last && passed(n + 1).way < out_of_reach;) ++n;
+  }
+  for (auto n = middle; n > first;) {
+    auto const& end = passed(n - 1);
+    consider(point.nominal, end.filtered, passed(n).filtered, axes_, squared, away);
+    double const out_of_reach = end.way - spare(end);
+    for (--n; n > first && passed(n - 1).way > out_of_reach;) --n;
   }
   MeasuredPoint measured{.point = point,
                          .filtered = at(point.cycle).filtered,

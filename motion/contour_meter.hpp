@@ -54,6 +54,8 @@ class ContourMeter {
   void begin(std::span<ChainAnswer const> answers, Point const& position);
   /// The setpoint of the next cycle, and what came out in that cycle.
   void cycle(ContourPoint point, Point const& filtered);
+  /// A setpoint that is not measured itself, and what came out.
+  void pass(Point const& nominal, Point const& filtered);
   /// A corner behind the last setpoint. Filters that only delay, all axes alike, leave it where it is: it is not
   /// measured.
   void corner(ContourPoint point);
@@ -66,6 +68,7 @@ class ContourMeter {
  private:
   struct Passed {
     Point nominal{}, filtered{};
+    double way = 0;              ///< along the filtered path
     std::uint64_t straight = 0;  ///< setpoints on one straight line up to this one
     Point direction{};
   };
@@ -80,6 +83,7 @@ class ContourMeter {
   std::uint64_t first_ = 0;   ///< cycle of the oldest one that may be looked at
   std::vector<Passed> passed_;
   std::uint64_t mask_ = 0;
+  std::int64_t middle_ = 0;             ///< cycles from a point to where it is likely to be nearest
   std::int64_t from_ = 0, to_ = 1;      ///< surroundings of a point in the filtered path, in cycles behind it
   bool alike_delays_ = true;            ///< the chains do nothing but delay all axes alike
   std::optional<std::uint64_t> delay_;  ///< the same whole number in all axes

@@ -30,6 +30,7 @@ class Interpolator final : public PathSink {
 
   void piece(PathBlock const& block, PathPiece const& piece) override;
   void block_end(PathBlock const& block, PathBlock const* next) override;
+  void rest(PathBlock const& block, std::uint64_t cycles) override;
 
  private:
   SampleSink& sink_;

@@ -12,6 +12,8 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double no_length = 1e-9;
 /// Acceleration that reaches any velocity at once.
 constexpr double at_once = 1e200;
+/// A smaller change of direction comes from rounded end points.
+constexpr double no_turn = 1e-12;
 
 }  // namespace
 
@@ -19,6 +21,7 @@ void LookAhead::begin(Point const& position, ToleranceMonitor monitor, double ac
   position_ = position;
   monitor_ = constant_velocity_ ? ToleranceMonitor() : std::move(monitor);
   acceleration_factor_ = acceleration_factor;
+  full_ = window_;
 }
 
 void LookAhead::add(ProgrammedBlock const& block) {
@@ -37,50 +40,63 @@ void LookAhead::add(ProgrammedBlock const& block) {
   added.label = block.label;
   position_ = block.end;
   blocks_.push_back(std::move(added));
-  if (blocks_.size() >= window) plan(window / 2, false);
+  if (blocks_.size() >= full_) plan(false);
 }
 
 void LookAhead::stop() {
-  if (!blocks_.empty()) plan(blocks_.size(), true);
+  if (!blocks_.empty()) plan(true);
   last_block_ = {};
   velocity_ = 0;
   corners_.clear();
   passed_corners_ = 0;
+  path_.clear();
+  passed_pieces_ = 0;
+  time_ = valid_from_ = 0;
+  kept_.clear();
+  kept_blocks_ = 0;
 }
 
+/// Corners of blocks that were in the window already keep what is known of them.
 void LookAhead::collect_corners() {
-  corners_.resize(passed_corners_);
   places_.assign(1, 0);
-  PathBlock before = last_block_;
-  bool const moving = velocity_ > 0;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    auto const& block = blocks_[i];
-    if (i > 0 || moving) {
-      corners_.push_back({.place = places_.back(),
-                          .before = before.direction,
-                          .turn = minus(block.direction, before.direction),
-                          .velocity_before = before.velocity,
-                          .velocity_behind = block.velocity,
-                          .acceleration_before = before.acceleration,
-                          .acceleration_behind = block.acceleration,
-                          .velocity = unlimited});
-    }
-    before = block;
-    places_.push_back(places_.back() + block.length);
-  }
+  for (auto const& block : blocks_) places_.push_back(places_.back() + block.length);
   if (!monitor_.active()) return;
-  for (std::size_t i = passed_corners_; i < corners_.size(); ++i) {
-    corners_[i].velocity = monitor_.velocity(corners_, i);
+  std::size_t const known = corners_.size() - passed_corners_;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (i < known) {
+      corners_[passed_corners_ + i].place = places_[i];
+      continue;
+    }
+    auto const& block = blocks_[i];
+    auto const& before = i > 0 ? blocks_[i - 1] : last_block_;
+    Corner corner;
+    corner.place = places_[i];
+    Point const turn = minus(block.direction, before.direction);
+    corner.turns = (i > 0 || velocity_ > 0) &&
+                   std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; });
+    corner.fastest = std::max(before.velocity, block.velocity);
+    corners_.push_back(corner);
   }
+}
+
+std::pair<double, double> LookAhead::plateau_of(std::size_t index) const {
+  auto const& corner = corners_[index];
+  double from = corner.place;
+  double to = corner.place;
+  if (corner.wide) {
+    from = index > 0 ? (from + corners_[index - 1].place) / 2 : places_.front();
+    to = index + 1 < corners_.size() ? (to + corners_[index + 1].place) / 2 : places_.back();
+  }
+  double const aside = corner.velocity * monitor_.plateau();
+  return {from - aside, to + aside};
 }
 
 void LookAhead::cut_into_stretches() {
   cuts_ = places_;
-  double const cycles = monitor_.plateau();
-  for (auto const& corner : corners_) {
-    if (corner.velocity == unlimited) continue;
-    for (double const end :
-         {corner.place - corner.velocity * cycles, corner.place + corner.velocity * cycles}) {
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (corners_[i].velocity == unlimited) continue;
+    auto const [from, to] = plateau_of(i);
+    for (double const end : {from, to}) {
       if (end > 0 && end < places_.back()) cuts_.push_back(end);
     }
   }
@@ -104,24 +120,23 @@ void LookAhead::cut_into_stretches() {
 }
 
 void LookAhead::limit_by_plateaus() {
-  double const cycles = monitor_.plateau();
   cuts_.clear();
   double place = 0;
   for (auto const& stretch : stretches_) cuts_.push_back(place += stretch.piece.length);
-  for (auto const& corner : corners_) {
-    if (corner.velocity == unlimited) continue;
-    double const begin = corner.place - corner.velocity * cycles;
-    double const end = corner.place + corner.velocity * cycles;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    if (corners_[i].velocity == unlimited) continue;
+    auto const [begin, end] = plateau_of(i);
     auto at = static_cast<std::size_t>(std::upper_bound(cuts_.begin(), cuts_.end(), begin + no_length) -
                                        cuts_.begin());
     for (; at < stretches_.size() && cuts_[at] - stretches_[at].piece.length < end - no_length; ++at) {
       auto& piece = stretches_[at].piece;
-      piece.velocity_limit = std::min(piece.velocity_limit, corner.velocity);
+      piece.velocity_limit = std::min(piece.velocity_limit, corners_[i].velocity);
     }
   }
 }
 
-void LookAhead::choose_velocities() {
+/// False where the path would have to brake harder than it can.
+bool LookAhead::choose_velocities() {
   std::size_t const count = stretches_.size();
   velocities_.assign(count + 1, unlimited);
   velocities_[count] = constant_velocity_ ? unlimited : 0;
@@ -134,12 +149,24 @@ void LookAhead::choose_velocities() {
         minus(blocks_[stretches_[i + 1].block].direction, blocks_[stretches_[i].block].direction);
     velocities_[i + 1] = std::min(velocities_[i + 1], limits_.corner(turn, acceleration_factor_));
   }
-  if (!constant_velocity_) velocities_[0] = velocity_;
-  for (std::size_t i = count; i-- > 1;) {
+  auto const before = [&](std::size_t i) {
     auto const& piece = stretches_[i].piece;
     double const next = velocities_[i + 1];
-    velocities_[i] = std::min(velocities_[i], std::sqrt(next * next + 2 * piece.acceleration * piece.length));
+    return std::sqrt(next * next + 2 * piece.acceleration * piece.length);
+  };
+  touched_ = count;
+  for (std::size_t i = count; i-- > 1;) {
+    double const braking = before(i);
+    if (touched_ == i + 1 && braking <= velocities_[i]) touched_ = i;
+    velocities_[i] = std::min(velocities_[i], braking);
   }
+  bool feasible = true;
+  if (!constant_velocity_) {
+    velocities_[0] = velocity_;
+    feasible = velocity_ <= before(0) * (1 + 1e-9);
+  }
+  // The stretch before the first that brakes for the stop ends with another velocity without it.
+  if (touched_ > 0) --touched_;
   for (std::size_t i = 0; i < count; ++i) {
     auto& piece = stretches_[i].piece;
     double const now = velocities_[i];
@@ -148,14 +175,82 @@ void LookAhead::choose_velocities() {
     piece.velocity_in = now;
     piece.velocity_out = velocities_[i + 1];
   }
+  return feasible;
 }
 
-void LookAhead::plan(std::size_t handed_on, bool stops) {
-  collect_corners();
+void LookAhead::make_plan() {
   cut_into_stretches();
   if (monitor_.active()) limit_by_plateaus();
-  choose_velocities();
-  for (std::size_t i = 0; i < stretches_.size() && stretches_[i].block < handed_on; ++i) {
+  feasible_ = choose_velocities();
+}
+
+/// When the plan passes its stretches and corners.
+void LookAhead::time_plan() {
+  path_.resize(passed_pieces_);
+  double time = time_;
+  double within = 0;  // the block
+  for (auto const& stretch : stretches_) {
+    auto const& block = blocks_[stretch.block];
+    if (within == 0) corners_[passed_corners_ + stretch.block].time = time;
+    TimedPiece piece;
+    piece.begin = plus(block.begin, within, block.direction);
+    piece.direction = block.direction;
+    piece.length = stretch.piece.length;
+    piece.profile = VelocityProfile(stretch.piece);
+    piece.place = places_[stretch.block] + within;
+    piece.start = time;
+    piece.duration = piece.profile.duration();
+    piece.ends_block = stretch.ends_block;
+    time += piece.duration;
+    within = stretch.ends_block ? 0 : within + stretch.piece.length;
+    path_.push_back(piece);
+  }
+}
+
+/// Plans until the tolerance is kept. False where that does not come about.
+bool LookAhead::keep_tolerance() {
+  for (int round = 0; feasible_; ++round) {
+    time_plan();
+    auto const verdict = monitor_.judge({.pieces = path_, .valid_from = valid_from_}, corners_, round);
+    if (verdict == ToleranceMonitor::Verdict::keeps) return true;
+    if (verdict == ToleranceMonitor::Verdict::fails && kept_blocks_ > 0) return false;
+    make_plan();
+  }
+  return false;
+}
+
+/// Blocks that end so early that no later plan changes what is measured on them.
+std::size_t LookAhead::untouched_blocks() const {
+  double const end = path_[passed_pieces_ + touched_].start - monitor_.cycles_after();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    if (!stretches_[i].ends_block) continue;
+    if (path_[passed_pieces_ + i].end() > end) break;
+    count = stretches_[i].block + 1;
+  }
+  return std::min(count, blocks_.size() - 1);
+}
+
+void LookAhead::plan(bool stops) {
+  while (!blocks_.empty()) {
+    collect_corners();
+    make_plan();
+    if (!monitor_.active()) return hand_on(stops ? blocks_.size() : window_ / 2, stops);
+    if (!keep_tolerance()) {
+      drive_kept_plan();
+      continue;
+    }
+    if (stops) return hand_on(blocks_.size(), true);
+    auto const count = untouched_blocks();
+    full_ = std::max(blocks_.size() - count + window_ / 2, window_);
+    if (count > 0) hand_on(count, false);
+    return;
+  }
+}
+
+void LookAhead::hand_on(std::size_t count, bool stops) {
+  std::size_t i = 0;
+  for (; i < stretches_.size() && stretches_[i].block < count; ++i) {
     auto const& stretch = stretches_[i];
     auto const& block = blocks_[stretch.block];
     sink_.piece(block, stretch.piece);
@@ -164,23 +259,71 @@ void LookAhead::plan(std::size_t handed_on, bool stops) {
     sink_.block_end(block, last ? nullptr : &blocks_[stretch.block + 1]);
     velocity_ = stretch.piece.velocity_out;
   }
-  last_block_ = blocks_[handed_on - 1];
-  remember_corners(places_[handed_on]);
-  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(handed_on));
+  if (monitor_.active()) {
+    kept_.assign(stretches_.begin() + static_cast<std::ptrdiff_t>(i), stretches_.end());
+    for (auto& stretch : kept_) stretch.block -= count;
+    kept_blocks_ = blocks_.size() - count;
+    remember(count);
+  }
+  last_block_ = blocks_[count - 1];
+  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-/// The tolerance may still look at them, and their plateaus may reach into the window.
-void LookAhead::remember_corners(double passed) {
-  std::vector<Corner> kept;
-  for (auto& corner : corners_) {
-    corner.place -= passed;
-    if (corner.place < 0) kept.push_back(corner);
+/// The rest of the last plan that kept the tolerance, until the filters have settled where it stops.
+void LookAhead::drive_kept_plan() {
+  for (auto const& stretch : kept_) {
+    auto const& block = blocks_[stretch.block];
+    sink_.piece(block, stretch.piece);
+    if (!stretch.ends_block) continue;
+    bool const last = stretch.block + 1 == kept_blocks_;
+    sink_.block_end(block, last ? nullptr : &blocks_[stretch.block + 1]);
   }
-  if (kept.size() > ToleranceMonitor::most_neighbours) {
-    kept.erase(kept.begin(), kept.end() - static_cast<std::ptrdiff_t>(ToleranceMonitor::most_neighbours));
+  last_block_ = blocks_[kept_blocks_ - 1];
+  sink_.rest(last_block_, static_cast<std::uint64_t>(monitor_.cycles_before() + monitor_.cycles_after()));
+  blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(kept_blocks_));
+  velocity_ = 0;
+  corners_.clear();
+  passed_corners_ = 0;
+  path_.clear();
+  passed_pieces_ = 0;
+  time_ = valid_from_ = 0;
+  kept_.clear();
+  kept_blocks_ = 0;
+}
+
+/// What the next plan has to look back at: times count from the last whole cycle, places from the window.
+void LookAhead::remember(std::size_t count) {
+  std::size_t pieces = passed_pieces_;
+  for (auto const& stretch : stretches_) {
+    if (stretch.block >= count) break;
+    ++pieces;
   }
-  corners_ = std::move(kept);
-  passed_corners_ = corners_.size();
+  double const time = path_[pieces].start;
+  double const whole = std::floor(time);
+  double const passed = places_[count];
+  double const oldest = time - monitor_.cycles_after();
+  std::size_t first = 0;
+  while (first < pieces && path_[first].end() < oldest - monitor_.cycles_before() - 1) ++first;
+  path_.erase(path_.begin() + static_cast<std::ptrdiff_t>(pieces), path_.end());
+  path_.erase(path_.begin(), path_.begin() + static_cast<std::ptrdiff_t>(first));
+  if (first > 0) valid_from_ = oldest;
+  for (auto& piece : path_) {
+    piece.start -= whole;
+    piece.place -= passed;
+  }
+  passed_pieces_ = path_.size();
+  time_ = time - whole;
+  valid_from_ -= whole;
+  std::size_t const window_corner = passed_corners_ + count;
+  std::size_t first_corner = window_corner;
+  while (first_corner > 0 && corners_[first_corner].time > oldest) --first_corner;
+  corners_.erase(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(first_corner));
+  passed_corners_ = window_corner - first_corner;
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    corners_[i].place -= passed;
+    corners_[i].time -= whole;
+    corners_[i].passed = i < passed_corners_;
+  }
 }
 
 }  // namespace axisc::motion

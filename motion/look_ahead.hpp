@@ -3,6 +3,10 @@
 // The planner holds a window of blocks within which the path can always stop: velocities are chosen backwards from rest at
 // its end,  v_k² ≤ v_{k+1}² + 2 a L,  and forwards from the velocity that was reached. Of a full window the first half is
 // handed on.
+//
+// With tolerance monitoring a plan is changed until it keeps the tolerance, the stop at its end included. Handed on is what no
+// later plan touches: blocks that end so long before the stop that neither its ramp nor a kernel reaches them. Should no
+// longer plan keep the tolerance for them, the last one that did is driven to its end, where the path stops.
 #pragma once
 
 #include "motion/path_block.hpp"
@@ -11,16 +15,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <utility>
 #include <vector>
 
 namespace axisc::motion {
-
-/// A stretch of one block: from one velocity to another, in between as fast as limit and acceleration allow.
-struct PathPiece {
-  double length = 0;  ///< position units
-  double velocity_in = 0, velocity_out = 0, velocity_limit = 0;
-  double acceleration = 0;
-};
 
 /// Receives the planned path in its order.
 class PathSink {
@@ -29,6 +27,8 @@ class PathSink {
   virtual void piece(PathBlock const& block, PathPiece const& piece) = 0;
   /// Behind the last piece of a block. `next` is null where the path stops.
   virtual void block_end(PathBlock const& block, PathBlock const* next) = 0;
+  /// The path rests at the end of a block where it stopped.
+  virtual void rest(PathBlock const& block, std::uint64_t cycles) = 0;
 
  protected:
   PathSink() = default;
@@ -39,8 +39,8 @@ class PathSink {
 class LookAhead {
  public:
   /// `constant_velocity`: neither ramps nor slower corners.
-  LookAhead(PathLimits limits, bool constant_velocity, PathSink& sink)
-      : limits_(std::move(limits)), constant_velocity_(constant_velocity), sink_(sink) {}
+  LookAhead(PathLimits limits, bool constant_velocity, PathSink& sink, std::size_t window = full_window)
+      : limits_(std::move(limits)), constant_velocity_(constant_velocity), sink_(sink), window_(window) {}
 
   /// For the blocks to come; the path stands. `monitor` may refer to answers that live as long as it is used.
   void begin(Point const& position, ToleranceMonitor monitor, double acceleration_factor);
@@ -49,7 +49,7 @@ class LookAhead {
   /// The path stops behind the last block.
   void stop();
 
-  static constexpr std::size_t window = 2048;  ///< blocks
+  static constexpr std::size_t full_window = 2048;  ///< blocks
 
  private:
   struct Stretch {
@@ -59,15 +59,24 @@ class LookAhead {
   };
 
   void collect_corners();
+  [[nodiscard]] std::pair<double, double> plateau_of(std::size_t corner) const;
   void cut_into_stretches();
   void limit_by_plateaus();
-  void choose_velocities();
-  void plan(std::size_t handed_on, bool stops);
-  void remember_corners(double passed);
+  [[nodiscard]] bool choose_velocities();
+  void make_plan();
+  void time_plan();
+  void plan(bool stops);
+  [[nodiscard]] bool keep_tolerance();
+  [[nodiscard]] std::size_t untouched_blocks() const;
+  void hand_on(std::size_t blocks, bool stops);
+  void drive_kept_plan();
+  void remember(std::size_t blocks);
 
   PathLimits limits_;
   bool constant_velocity_;
   PathSink& sink_;
+  std::size_t window_;
+  std::size_t full_ = 0;  ///< blocks with which the next plan is made
   ToleranceMonitor monitor_;
   double acceleration_factor_ = 1;
   Point position_{};  ///< behind the last block
@@ -75,12 +84,22 @@ class LookAhead {
   std::deque<PathBlock> blocks_;
   PathBlock last_block_;         ///< the one before the window
   double velocity_ = 0;          ///< at the beginning of the window
-  std::vector<Corner> corners_;  ///< those passed lately at places below 0, then those of the window
+  bool feasible_ = true;         ///< the plan begins with that velocity
+  std::vector<Corner> corners_;  ///< those passed lately at places below 0, then the beginning of each block
   std::size_t passed_corners_ = 0;
   std::vector<double> places_;  ///< where each block of the window begins, and the end
   std::vector<double> cuts_;
   std::vector<Stretch> stretches_;
   std::vector<double> velocities_;  ///< before each stretch, and at the end
+  std::size_t touched_ = 0;         ///< the first stretch that the stop at the end slows down
+
+  // With tolerance monitoring:
+  std::vector<TimedPiece> path_;  ///< what was passed lately, then the plan
+  std::size_t passed_pieces_ = 0;
+  double time_ = 0;            ///< at the beginning of the window, cycles
+  double valid_from_ = 0;      ///< see TriedPath
+  std::vector<Stretch> kept_;  ///< of the last plan that kept the tolerance, what was not handed on
+  std::size_t kept_blocks_ = 0;
 };
 
 }  // namespace axisc::motion

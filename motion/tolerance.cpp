@@ -1,127 +1,279 @@
 #include "motion/tolerance.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 
 namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// The probe looks at a few phases only; between them the error may be this much larger.
-constexpr double between_phases = 1.004;
-/// The same where corners stand so close that no probe of one of them tells.
-constexpr double among_others = 1.02;
-constexpr std::size_t remembered = 64;
+/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they may still be a
+/// little larger. A velocity is found where it leaves errors between the next two, so that a few more or less do no harm
+/// when the path passes a corner at another time in its cycle. The last one is aimed at.
+constexpr double largest = 0.997;
+constexpr double largest_found = 0.989;
+constexpr double smallest_found = 0.975;
+constexpr double aimed_at = 0.982;
+/// Corners are raised in the first plans only; then they are lowered until every one holds.
+constexpr int refining_rounds = 12;
+constexpr int most_raises = 6;
+/// So often the path ahead is slowed down for a corner behind the machine.
+constexpr int most_tries_behind = 20;
+/// And so often for any: long before, it would have come to rest.
+constexpr int most_tries = 40;
+constexpr std::size_t proved_together = 16;
+constexpr double beside_worse = 0.9;
+constexpr double same_phase = 1e-7;
 
-bool alike(Corner const& a, Corner const& b) {
-  auto const close = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
-  Point const before = minus(a.before, b.before);
-  Point const turn = minus(a.turn, b.turn);
-  return dot(before, before) < 1e-18 && dot(turn, turn) < 1e-18 &&
-         close(a.velocity_before, b.velocity_before) && close(a.velocity_behind, b.velocity_behind) &&
-         close(a.acceleration_before, b.acceleration_before) &&
-         close(a.acceleration_behind, b.acceleration_behind);
+std::uint64_t mixed(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+std::uint64_t digest(TimedPiece const& piece) {
+  std::uint64_t sum = 0;
+  auto const add = [&](double x) { sum = mixed(sum ^ std::bit_cast<std::uint64_t>(x)); };
+  for (double const x : piece.begin) add(x);
+  add(piece.length);
+  add(piece.duration);
+  add(piece.profile.velocity_at(0));
+  add(piece.profile.velocity_at(piece.duration / 2));
+  add(piece.profile.velocity_at(piece.duration));
+  return sum;
+}
+
+double phase_of(double time) {
+  return time - std::floor(time);
+}
+
+bool is_same_phase(double a, double b) {
+  double const apart = std::abs(a - b);
+  return std::min(apart, 1 - apart) < same_phase;
+}
+
+/// Power of the velocity with which the error grows, from the last two trials; 1 where they do not tell.
+double growth(Corner const& corner, double velocity) {
+  if (!(corner.velocity_before > 0) || !(corner.error_before > 0) || !(corner.error > 0)) return 1;
+  double const apart = std::log(velocity / corner.velocity_before);
+  if (std::abs(apart) < 1e-4) return 1;
+  double const power = std::log(corner.error / corner.error_before) / apart;
+  return power > 0.3 ? std::min(power, 3.0) : 1;
 }
 
 }  // namespace
 
 ToleranceMonitor::ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer> const& answers,
-                                   double tolerance) {
-  for (auto const& answer : answers) reach_ = std::max(reach_, answer.reach);
-  if (reach_ == 0) return;
-  answers_ = answers;
-  tolerance_ = tolerance;
-  probe_.emplace(probe, answers_);
+                                   double tolerance)
+    : tolerance_(tolerance) {
+  bool const delayed_alike = std::all_of(answers.begin(), answers.end(), [&](ChainAnswer const& answer) {
+    return answer.only_delays() && answer.delay == answers.front().delay;
+  });
+  if (!(tolerance > 0) || delayed_alike) return;
+  trial_ = std::make_unique<PathTrial>(probe, answers);
+  plateau_ = trial_->reach();
 }
 
-double ToleranceMonitor::at_corner(Corner const& corner) const {
-  double largest = 0;
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
-    largest = std::max(largest, std::abs(corner.turn[i] * answers_[i].corner));
-  }
-  return largest;
-}
-
-double ToleranceMonitor::enlarged(Corner const& corner) {
-  for (auto const& known : known_) {
-    if (alike(known.corner, corner)) return known.enlarged;
-  }
-  double const alone = at_corner(corner);
-  if (!(alone > 0)) return 1;
-  double ratio = 1;
-  // The share of the ramps depends on the velocity, but not much: it settles at once.
-  for (int const phases : {4, 8}) {
-    double const plateau = tolerance_ / (alone * ratio);
-    double const error = probe_->largest_axis_error(corner, plateau, phases);
-    ratio = std::max(1.0, error / (plateau * alone)) * between_phases;
-  }
-  if (known_.size() < remembered) known_.emplace_back();
-  known_[replaced_] = {.corner = corner, .enlarged = ratio};
-  replaced_ = (replaced_ + 1) % remembered;
-  return ratio;
-}
-
-double ToleranceMonitor::largest_error(std::span<Corner const> near, std::size_t index,
-                                       double velocity) const {
-  Point sum{};
-  for (std::size_t i = 0; i < answers_.size(); ++i) sum[i] = near[index].turn[i] * answers_[i].corner;
-  auto const add = [&](Corner const& corner) {
-    double const cycles = (near[index].place - corner.place) / velocity;
-    if (std::abs(cycles) >= reach_) return false;
-    for (std::size_t i = 0; i < answers_.size(); ++i) {
-      sum[i] += corner.turn[i] * answers_[i].remainder(cycles);
+/// The surroundings of each cell as a number: another one where the path is passed otherwise.
+void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corners) {
+  auto const pieces = path.pieces;
+  sums_.assign(1, 0);
+  for (auto const& piece : pieces) sums_.push_back(sums_.back() + digest(piece));
+  signatures_.clear();
+  double const before = trial_->reach() + cycles_before();
+  double const after = trial_->reach() + cycles_after();
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    double from = corners[cells_[i]].time;
+    double to = from;
+    if (!trial_->alike()) {
+      from = i > 0 ? corners[cells_[i - 1]].time : path.valid_from;
+      to = i + 1 < cells_.size() ? corners[cells_[i + 1]].time : pieces.back().end();
     }
-    return true;
-  };
-  for (std::size_t m = index; m > 0 && add(near[m - 1]);) --m;
-  for (std::size_t m = index + 1; m < near.size() && add(near[m]);) ++m;
-  double largest = 0;
-  for (double const error : sum) largest = std::max(largest, std::abs(error));
-  return velocity * largest;
+    while (begin < pieces.size() && pieces[begin].end() < from - before) ++begin;
+    while (end < pieces.size() && pieces[end].start <= to + after) ++end;
+    signatures_.push_back(mixed(sums_[end] - sums_[begin]) + (end - begin));
+  }
 }
 
-double ToleranceMonitor::velocity(std::span<Corner const> corners, std::size_t index) {
-  double const fastest = std::max(corners[index].velocity_before, corners[index].velocity_behind);
-  double const horizon = fastest * reach_;
-  std::size_t first = index;
-  std::size_t last = index;
-  while (first > 0 && index - first < most_neighbours &&
-         corners[index].place - corners[first - 1].place < horizon) {
-    --first;
+/// Tries what is new.
+void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners, Trial trial) {
+  tried_.clear();
+  wanted_.assign(cells_.size(), 0);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    auto const& corner = corners[cells_[i]];
+    tried_.push_back({.place = corner.place, .time = corner.time, .error = 0, .fastest = 0});
+    bool const is_proved = corner.proved && is_same_phase(corner.phase, phase_of(corner.time));
+    wanted_[i] = corner.tried_path != signatures_[i] || (trial == Trial::proof && !is_proved) ? 1 : 0;
   }
-  while (last + 1 < corners.size() && last - index < most_neighbours &&
-         corners[last + 1].place - corners[index].place < horizon) {
-    ++last;
+  double const end = path.pieces.back().end();
+  auto const from = [&](std::size_t i) {
+    double const near = tried_[i].time - trial_->reach();
+    if (trial_->alike()) return std::max(near, path.valid_from);
+    return i == 0 ? path.valid_from : std::max(path.valid_from, std::min(near, tried_[i - 1].time));
+  };
+  auto const to = [&](std::size_t i) {
+    double const near = tried_[i].time + trial_->reach();
+    if (trial_->alike()) return near;
+    return i + 1 == cells_.size() ? end : std::max(near, tried_[i + 1].time);
+  };
+  for (std::size_t i = 0; i < cells_.size();) {
+    if (wanted_[i] == 0) {
+      ++i;
+      continue;
+    }
+    double const first = from(i);
+    double last = to(i);
+    if (last < first) {
+      wanted_[i++] = 0;
+      continue;
+    }
+    // Cells whose surroundings meet are tried together.
+    std::size_t const most = trial == Trial::proof ? i + proved_together : cells_.size();
+    std::size_t next = i + 1;
+    for (; next < std::min(most, cells_.size()) && wanted_[next] != 0 && from(next) <= last + cycles_before();
+         ++next) {
+      last = std::max(last, to(next));
+    }
+    // A corner bends most where it lies on a cycle: found so, its velocity holds for any time.
+    bool const is_slowed = corners[cells_[i]].velocity != unlimited;
+    bool const aligns = trial == Trial::search && is_slowed;
+    trial_->run(path.pieces, tried_,
+                {.from = first,
+                 .to = last,
+                 .phase = aligns ? phase_of(tried_[i].time) : 0,
+                 .looks_between = trial == Trial::proof});
+    bool const exceeds = std::any_of(
+        tried_.begin() + static_cast<std::ptrdiff_t>(i), tried_.begin() + static_cast<std::ptrdiff_t>(next),
+        [&](TriedCorner const& cell) { return cell.error > largest * tolerance_; });
+    i = next;
+    if (trial != Trial::proof || !exceeds) continue;
+    // Slowed down, these corners shift the time at which the path passes all later ones.
+    std::fill(wanted_.begin() + static_cast<std::ptrdiff_t>(i), wanted_.end(), char{0});
+    unproved_ = true;
   }
-  auto const near = corners.subspan(first, last - first + 1);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    auto& corner = corners[cells_[i]];
+    if (wanted_[i] != 0) {
+      corner.error = tried_[i].error;
+      corner.tried_fastest = tried_[i].fastest;
+      corner.tried_velocity = std::min(corner.velocity, tried_[i].fastest);
+      corner.tried_path = signatures_[i];
+      corner.proved = trial == Trial::proof;
+      corner.phase = phase_of(corner.time);
+    } else {
+      corner.error = std::max(corner.error, tried_[i].error);
+    }
+  }
+}
 
-  // No velocity up to this one can reach the tolerance: all corners together, each at its worst, and beside a corner no
-  // axis is twice as far away as at it.
-  double worst = 0;
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
-    double sum = 0;
-    for (auto const& corner : near) sum += std::abs(corner.turn[i]);
-    worst = std::max(worst, sum * std::abs(answers_[i].corner));
+void ToleranceMonitor::lower(Corner& corner) const {
+  // What a slower corner does not mend, a slower path around it does.
+  if (!trial_->alike() && !corner.wide && corner.lowered > 0 && corner.error > 0.9 * corner.error_before) {
+    corner.wide = true;
+    corner.velocity = unlimited;
+    corner.tried_velocity = corner.tried_fastest;
+    corner.kept = corner.velocity_before = 0;
+    corner.exceeded = unlimited;
   }
-  if (!(worst > 0) || tolerance_ / worst >= 2 * fastest) return unlimited;
-  double const tolerance = tolerance_ / among_others;
-  double low = tolerance / worst;
-  double high = low;
-  do {
-    if (high >= fastest) return unlimited;
-    low = high;
-    high = std::min(high * 1.1, fastest);
-  } while (largest_error(near, index - first, high) <= tolerance);
-  for (int i = 0; i < 30; ++i) {
-    double const middle = (low + high) / 2;
-    (largest_error(near, index - first, middle) <= tolerance ? low : high) = middle;
+  ++corner.lowered;
+  double const from = corner.tried_velocity > 0 ? std::min(corner.tried_velocity, corner.velocity)
+                                                : std::min(corner.fastest, corner.velocity);
+  double next = from * std::pow(aimed_at * tolerance_ / corner.error, 1 / growth(corner, from));
+  corner.exceeded = std::min(corner.exceeded, from);
+  if (corner.kept >= from) corner.kept = 0;
+  if (corner.lowered <= refining_rounds) {
+    if (next <= corner.kept) next = (corner.kept + from) / 2;
+  } else {
+    // Each time a little harder, so that this comes to its end.
+    next *= std::max(0.5, 1 - 0.02 * (corner.lowered - refining_rounds));
   }
-  double const reached = low * plateau();
-  bool const others = (index > first && corners[index].place - corners[index - 1].place < reached) ||
-                      (index < last && corners[index + 1].place - corners[index].place < reached);
-  if (!others) low = std::min(low * among_others / enlarged(corners[index]), fastest);
-  return low;
+  corner.velocity_before = from;
+  corner.error_before = corner.error;
+  corner.velocity = std::min(next, 0.998 * from);
+}
+
+double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::size_t cell) const {
+  auto const& corner = corners[cells_[cell]];
+  double const aside = std::min(corner.velocity, corner.fastest) * plateau_;
+  double found = 0;
+  for (std::size_t i = cell; i-- > 0 && corner.place - corners[cells_[i]].place < aside;) {
+    found = std::max(found, corners[cells_[i]].error);
+  }
+  for (std::size_t i = cell + 1; i < cells_.size() && corners[cells_[i]].place - corner.place < aside; ++i) {
+    found = std::max(found, corners[cells_[i]].error);
+  }
+  return found;
+}
+
+bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const {
+  auto& corner = corners[cells_[cell]];
+  if (corner.passed || corner.raised >= most_raises || corner.tried_velocity < 0.999 * corner.velocity)
+    return false;
+  corner.kept = std::max(corner.kept, corner.velocity);
+  if (corner.exceeded <= corner.kept) corner.exceeded = unlimited;
+  if (corner.exceeded < corner.kept * 1.004) return false;
+  // A neighbour that is at the tolerance needs this plateau, too.
+  if (largest_around(corners, cell) > smallest_found * tolerance_) return false;
+  ++corner.raised;
+  double const share = std::clamp(aimed_at * tolerance_ / std::max(corner.error, 1e-9), 1.0, 4.0);
+  double next = corner.velocity * std::pow(share, 1 / growth(corner, corner.velocity));
+  if (next >= corner.exceeded) next = (corner.kept + corner.exceeded) / 2;
+  corner.velocity_before = corner.velocity;
+  corner.error_before = corner.error;
+  corner.velocity = next < corner.fastest ? next : unlimited;
+  return true;
+}
+
+bool ToleranceMonitor::adjust(std::span<Corner> corners, double limit, bool raises) const {
+  bool exceeded = false;
+  std::vector<std::size_t> lowered;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    auto const& corner = corners[cells_[i]];
+    // What nothing slows down need not leave room.
+    double const allowed = corner.velocity == unlimited ? largest : limit;
+    if (!(corner.error > allowed * tolerance_)) continue;
+    exceeded = true;
+    // Beside a corner that is worse, its plateau may do.
+    if (corner.error >= beside_worse * largest_around(corners, i)) lowered.push_back(cells_[i]);
+  }
+  for (auto const i : lowered) lower(corners[i]);
+  bool raised = false;
+  for (std::size_t i = 0; raises && i < cells_.size(); ++i) {
+    auto const& corner = corners[cells_[i]];
+    bool const is_slow = corner.velocity != unlimited && corner.error < smallest_found * tolerance_;
+    if (is_slow && raise(corners, i)) raised = true;
+  }
+  return exceeded || raised;
+}
+
+ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::span<Corner> corners,
+                                                  int round) {
+  cells_.clear();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (corners[i].turns || !trial_->alike()) cells_.push_back(i);
+  }
+  if (path.pieces.empty() || cells_.empty()) return Verdict::keeps;
+  if (round == 0) proving_ = false;
+  sign(path, corners);
+  // First what is passed otherwise; where that holds, everything as the machine will pass it.
+  measure(path, corners, Trial::search);
+  bool const refines = round <= refining_rounds && !proving_;
+  bool changes = adjust(corners, proving_ ? largest : largest_found, refines);
+  if (!changes) {
+    proving_ = true;
+    unproved_ = false;
+    measure(path, corners, Trial::proof);
+    changes = adjust(corners, largest, false) || unproved_;
+  }
+  if (!changes) return Verdict::keeps;
+  bool const is_lost = std::any_of(corners.begin(), corners.end(), [](Corner const& corner) {
+    return corner.lowered > (corner.passed ? most_tries_behind : most_tries);
+  });
+  return is_lost ? Verdict::fails : Verdict::changed;
 }
 
 }  // namespace axisc::motion

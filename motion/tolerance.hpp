@@ -1,21 +1,49 @@
 // Tolerance monitoring (AX_DEV): how fast corners and curvature may be passed.
 //
-// With path velocity v in units per cycle and the directions' changes Δu_m at the distances d_m from a corner, axis i is
-//     E_i = v Σ_m Δu_m,i R_i(d_m / v)
-// away from its setpoint at that corner (chain_answer.hpp). The velocity is the first at which some |E_i| reaches the
-// tolerance, rising from 0. It holds on a plateau of h cycles to either side (corner_probe.hpp). Beside the corner an axis may
-// be a little further away than at it, because the ramps shift the path along the blocks and because it is straight
-// from one cycle to the next: how much, the probe measures, and the tolerance is reached with that.
+// Nothing is assumed of a path: it is planned, tried (path_trial.hpp), slowed down around the corners whose surroundings
+// exceed the tolerance, planned and tried again, until none does. So a corner never relies on another one that a slower
+// path moves out of reach, and nothing is slower that keeps the tolerance anyway. A slow corner's velocity holds on a plateau
+// of h cycles to either side, where its kernels' R is 0, and one cycle more, because setpoints on either side of a corner may
+// lie away from it.
 #pragma once
 
-#include "motion/corner_probe.hpp"
+#include "motion/path_trial.hpp"
 
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace axisc::motion {
+
+/// The beginning of a block, and how fast the path may be around it.
+struct Corner {
+  double place = 0;    ///< along the path, units
+  bool turns = false;  ///< the direction changes
+  double fastest = 0;  ///< most that the blocks beside it allow, units per cycle
+  double velocity = std::numeric_limits<double>::infinity();  ///< of its plateau; infinite: none
+  bool wide = false;  ///< the plateau covers everything that is nearer to this corner than to others
+
+  bool passed = false;  ///< the machine is beyond it
+  double time = 0;      ///< when the path planned last passes it, cycles
+  /// What was tried last, and its result.
+  std::uint64_t tried_path = 0;
+  bool proved = false;  ///< at the time at which the machine will pass it
+  double phase = 0;     ///< of that time in its cycle
+  double error = 0, tried_velocity = 0, tried_fastest = 0;
+  /// How the velocity was searched.
+  double kept = 0, exceeded = std::numeric_limits<double>::infinity();
+  double error_before = 0, velocity_before = 0;
+  int lowered = 0, raised = 0;
+};
+
+struct TriedPath {
+  std::span<TimedPiece const> pieces;
+  /// Points from here on can be tried: the beginning of a path that begins at rest, otherwise cycles_before() after it.
+  double valid_from = 0;
+};
 
 class ToleranceMonitor {
  public:
@@ -24,35 +52,46 @@ class ToleranceMonitor {
   /// `tolerance` in units; 0: no monitoring. Runtime and answers live longer.
   ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer> const& answers, double tolerance);
 
-  [[nodiscard]] bool active() const { return probe_.has_value() && tolerance_ > 0; }
+  [[nodiscard]] bool active() const { return trial_ != nullptr; }
   /// Cycles on either side of a corner.
-  [[nodiscard]] double plateau() const { return plateau_cycles(answers_); }
-  /// Velocity for corners[index], or infinite where the fastest of its blocks keeps the tolerance. Corners further away
-  /// than most_neighbours are not looked at. Cost: for a corner that stands alone and has to be slower some 0.3 ms, unless
-  /// one like it was seen lately.
-  [[nodiscard]] double velocity(std::span<Corner const> corners, std::size_t index);
+  [[nodiscard]] double plateau() const { return plateau_; }
+  /// Cycles around a point of the path within which another plan changes what is measured there.
+  [[nodiscard]] double cycles_before() const { return trial_->cycles_before(); }
+  [[nodiscard]] double cycles_after() const { return trial_->cycles_after(); }
 
-  static constexpr std::size_t most_neighbours = 128;
+  /// What to do with a plan.
+  enum class Verdict : std::uint8_t {
+    keeps,    ///< the tolerance everywhere
+    changed,  ///< velocities of corners: plan once more
+    fails,    ///< where it can no longer be mended, because the machine has passed it or cannot brake for it
+  };
+  /// Tries a plan where it is new, and changes the velocities of corners; `round` counts the plans of this path from 0.
+  /// Cost: that of simulating the surroundings of new or changed corners.
+  [[nodiscard]] Verdict judge(TriedPath const& path, std::span<Corner> corners, int round);
 
  private:
-  /// What was measured at a corner like this one.
-  struct Known {
-    Corner corner;
-    double enlarged = 1;
+  void sign(TriedPath const& path, std::span<Corner const> corners);
+  enum class Trial : std::uint8_t {
+    search,  ///< of what is new, at setpoints and corners
+    proof,   ///< of everything, also between them
   };
+  void measure(TriedPath const& path, std::span<Corner> corners, Trial trial);
+  [[nodiscard]] bool adjust(std::span<Corner> corners, double limit, bool raises) const;
+  void lower(Corner& corner) const;
+  [[nodiscard]] bool raise(std::span<Corner> corners, std::size_t cell) const;
+  /// The largest error of the corners that a plateau of this one covers.
+  [[nodiscard]] double largest_around(std::span<Corner const> corners, std::size_t cell) const;
 
-  /// How much larger the error around a corner alone is than at the corner, where it reaches the tolerance.
-  [[nodiscard]] double enlarged(Corner const& corner);
-  /// At one unit per cycle:  max |Δu_i| R_i(0).
-  [[nodiscard]] double at_corner(Corner const& corner) const;
-  [[nodiscard]] double largest_error(std::span<Corner const> near, std::size_t index, double velocity) const;
-
-  std::optional<CornerProbe> probe_;
-  std::span<ChainAnswer const> answers_;
+  std::unique_ptr<PathTrial> trial_;
   double tolerance_ = 0;
-  double reach_ = 0;
-  std::vector<Known> known_;
-  std::size_t replaced_ = 0;
+  double plateau_ = 0;
+  std::vector<std::size_t> cells_;         ///< corners that points of the path are counted to
+  std::vector<std::uint64_t> sums_;        ///< of the pieces' digests
+  std::vector<std::uint64_t> signatures_;  ///< of the cells' surroundings
+  std::vector<TriedCorner> tried_;         ///< cells
+  bool unproved_ = false;                  ///< the proof ended early
+  bool proving_ = false;                   ///< velocities have been found: they are only lowered
+  std::vector<char> wanted_;               ///< cells
 };
 
 }  // namespace axisc::motion

@@ -140,22 +140,29 @@ std::vector<Distances> distances(std::vector<Place> const& contour, std::vector<
   setpoints.insert(setpoints.end(), longest + 1, setpoints.back());
   auto const filtered = convolved(setpoints, contour.front(), taps);
 
+  std::vector<double> ways = {0};
+  for (std::size_t n = 1; n < filtered.size(); ++n) {
+    ways.push_back(ways.back() + distance(filtered[n - 1], filtered[n]));
+  }
   std::vector<Distances> found(contour.size() - 1);
   auto const look = [&](std::size_t line, Place const& point, std::size_t cycle) {
     std::size_t const first = cycle > longest ? cycle - longest : 0;
-    std::size_t const last = std::min(filtered.size() - 1, cycle + 2 * longest + 2);
+    std::size_t const last = std::min(filtered.size() - 1, cycle + longest + longest / 2 + 2);
     double best = std::numeric_limits<double>::infinity();
     Place nearest{};
-    for (std::size_t n = first; n < last; ++n) {
-      // Nothing on this line can be nearer.
-      double const length = distance(filtered[n], filtered[n + 1]);
-      if (distance(filtered[n], point) - length > best) continue;
+    for (std::size_t n = first; n < last;) {
       Place const here = between(filtered[n], filtered[n + 1], foot(point, filtered[n], filtered[n + 1]));
       double const away = distance(here, point);
       if (away < best) {
         best = away;
         nearest = here;
       }
+      // So far along the path nothing can be nearer.
+      double const spare = (distance(filtered[n + 1], point) - best) * (1 - 1e-9);
+      ++n;
+      auto const next =
+          std::lower_bound(ways.begin() + static_cast<std::ptrdiff_t>(n), ways.end(), ways[n] + spare);
+      n = std::max(n, static_cast<std::size_t>(next - ways.begin()) - 1);
     }
     found[line].deviation = std::max(found[line].deviation, best);
     for (std::size_t i = 0; i < point.size(); ++i) {

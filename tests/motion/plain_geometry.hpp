@@ -8,7 +8,8 @@
 
 namespace axisc::test {
 
-using Place = std::array<double, 8>;
+/// Paths here move three axes at most.
+using Place = std::array<double, 3>;
 
 /// Taps b[n], n = 0, 1, …, of h = ceil(order / 2) cycles of delay.
 [[nodiscard]] std::vector<double> average_taps(int order);

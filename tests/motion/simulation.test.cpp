@@ -34,7 +34,10 @@ void check_limits(test::Recorded const& found, std::size_t axes, double velocity
 
 std::vector<test::Place> setpoints_of(test::Recorded const& found) {
   std::vector<test::Place> setpoints;
-  for (auto const& cycle : found.cycles) setpoints.push_back(cycle.point.point.nominal);
+  for (auto const& cycle : found.cycles) {
+    auto const& nominal = cycle.point.point.nominal;
+    setpoints.push_back({nominal[0], nominal[1], nominal[2]});
+  }
   return setpoints;
 }
 

@@ -1,0 +1,72 @@
+// Lets the runtime pass a planned path before the machine does, and says how far each corner's surroundings bend.
+//
+// Setpoints are those that the interpolator will give: the path's times count from its beginning, whole ones are NC cycles.
+#pragma once
+
+#include "motion/contour_meter.hpp"
+#include "motion/group_runtime.hpp"
+#include "motion/velocity_profile.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace axisc::motion {
+
+/// A stretch of a planned path.
+struct TimedPiece {
+  Point begin{}, direction{};
+  double length = 0;  ///< position units
+  VelocityProfile profile;
+  double place = 0;     ///< of its beginning along the path, position units
+  double start = 0;     ///< cycles
+  double duration = 0;  ///< cycles
+  bool ends_block = false;
+
+  [[nodiscard]] double end() const { return start + duration; }
+};
+
+/// A corner, to which the points of the path are counted that are nearest to it along the path.
+struct TriedCorner {
+  double place = 0;    ///< position units
+  double time = 0;     ///< cycles
+  double error = 0;    ///< the largest axis error found, position units
+  double fastest = 0;  ///< path velocity within the kernels' reach, units per cycle
+};
+
+/// What to measure of a path.
+struct TrialSpan {
+  double from = 0, to = 0;     ///< cycles
+  double phase = 0;            ///< setpoints come so much after whole cycles, 0..1
+  bool looks_between = false;  ///< also halfway between setpoints and corners
+};
+
+class PathTrial final : private MeasuredSink {
+ public:
+  /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again.
+  PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers);
+
+  /// Cycles before and after a point of the path within which setpoints change what is measured there.
+  [[nodiscard]] double cycles_before() const { return 2 * reach_ + spread_ + 3; }
+  [[nodiscard]] double cycles_after() const { return latest_ + reach_ + 3; }
+  /// Cycles on either side of a corner beyond which nothing is left of it.
+  [[nodiscard]] double reach() const { return reach_ + spread_ + 1; }
+  /// All axes have the same chain: what lies straight stays straight.
+  [[nodiscard]] bool alike() const { return alike_; }
+
+  /// Measures a span of the path and raises the figures of their corners. Behind its end the path rests;
+  /// before its beginning, too, unless it lies cycles_before() ahead of it. Cost: as for a simulation of these cycles.
+  void run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span);
+
+ private:
+  void measured(MeasuredPoint const& point) override;
+
+  GroupRuntime* runtime_;
+  std::span<ChainAnswer const> answers_;
+  ContourMeter meter_;
+  std::span<TriedCorner> corners_;
+  double reach_ = 0, spread_ = 0, latest_ = 0;
+  bool alike_ = true;
+};
+
+}  // namespace axisc::motion

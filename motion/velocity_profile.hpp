@@ -1,0 +1,63 @@
+// How a stretch of a path is passed: up to a velocity, along, down to the last one.
+//
+//     t1 = |v - v_in| / a,  t3 = |v - v_out| / a,  t2 = (L - s1 - s3) / v
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace axisc::motion {
+
+/// Cycles: rounding of the times of pieces.
+inline constexpr double same_time = 1e-9;
+
+/// A stretch of one block: from one velocity to another, in between as fast as limit and acceleration allow.
+struct PathPiece {
+  double length = 0;  ///< position units
+  double velocity_in = 0, velocity_out = 0, velocity_limit = 0;
+  double acceleration = 0;
+};
+
+class VelocityProfile {
+ public:
+  VelocityProfile() = default;
+  explicit VelocityProfile(PathPiece const& piece)
+      : a_(piece.acceleration), v0_(piece.velocity_in), length_(piece.length) {
+    double const v1 = piece.velocity_out;
+    double const peak = std::sqrt((v0_ * v0_ + v1 * v1) / 2 + a_ * length_);
+    v_ = std::max({std::min(piece.velocity_limit, peak), std::min(v0_, v1)});
+    if (v_ < v1) v_ = v1;
+    t1_ = std::abs(v_ - v0_) / a_;
+    t3_ = std::abs(v_ - v1) / a_;
+    s1_ = (v0_ + v_) / 2 * t1_;
+    double const s3 = (v_ + v1) / 2 * t3_;
+    double const s2 = std::max(0.0, length_ - s1_ - s3);
+    t2_ = v_ > 0 ? s2 / v_ : 0;
+  }
+
+  /// Cycles.
+  [[nodiscard]] double duration() const { return t1_ + t2_ + t3_; }
+  /// So many cycles after its beginning.
+  [[nodiscard]] double velocity_at(double t) const {
+    if (t < t1_) return v0_ + (v_ > v0_ ? a_ : -a_) * t;
+    if (t <= t1_ + t2_) return v_;
+    return std::max(0.0, v_ - a_ * (t - t1_ - t2_));
+  }
+  [[nodiscard]] double way_at(double t) const {
+    double s = 0;
+    if (t < t1_) {
+      s = (v0_ + velocity_at(t)) / 2 * t;
+    } else if (t <= t1_ + t2_) {
+      s = s1_ + v_ * (t - t1_);
+    } else {
+      s = s1_ + v_ * t2_ + (v_ + velocity_at(t)) / 2 * (t - t1_ - t2_);
+    }
+    return std::min(s, length_);
+  }
+
+ private:
+  double a_ = 0, v0_ = 0, length_ = 0;
+  double v_ = 0, t1_ = 0, t2_ = 0, t3_ = 0, s1_ = 0;
+};
+
+}  // namespace axisc::motion
