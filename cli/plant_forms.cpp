@@ -23,8 +23,46 @@ std::string say(Language language, Text text, std::vector<Argument> arguments = 
   return render({.text = text, .arguments = std::move(arguments)}, language);
 }
 
-std::string kv_text(double kv) {
-  return fmt::format("{:.1f}", kv);
+std::string kv_text(std::optional<double> kv, Language language) {
+  if (!kv) return say(language, Text::plant_kv_above, {{"kv", format_exact(motion::kv_search_end)}});
+  if (*kv == 0) return say(language, Text::plant_kv_none);
+  return say(language, Text::plant_kv_found, {{"kv", fmt::format("{:.1f}", *kv)}});
+}
+
+std::string oscillations_text(ClosedLoopFigures const& figures, Language language) {
+  std::vector<std::vector<std::string>> rows = {
+      {say(language, Text::plant_frequency), say(language, Text::plant_phase),
+       say(language, Text::plant_without), say(language, Text::plant_with)}};
+  for (auto const& found : figures.oscillations) {
+    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
+                    say(language, found.phase == MovePhase::travel ? Text::plant_travel : Text::plant_ramps),
+                    fmt::format("{:.3f}", found.without.amplitude),
+                    found.with ? fmt::format("{:.3f}", *found.with) : "-"});
+  }
+  return text_table(rows, 2);
+}
+
+std::string divergence_text(ClosedLoopFigures const& figures, Language language) {
+  if (!figures.diverges_without && !figures.diverges_with) return {};
+  Text which = Text::plant_diverges_with;
+  if (!figures.has_function) {
+    which = Text::plant_diverges;
+  } else if (figures.diverges_without) {
+    which = figures.diverges_with ? Text::plant_diverges_always : Text::plant_diverges_without;
+  }
+  return say(language, which) + "\n";
+}
+
+std::string highest_kv_text(ClosedLoopFigures const& figures, Language language) {
+  auto const without = kv_text(figures.highest_kv_without, language);
+  std::string text = figures.has_function
+                         ? say(language, Text::plant_kv,
+                               {{"without", without}, {"with", kv_text(figures.highest_kv_with, language)}})
+                         : say(language, Text::plant_kv_alone, {{"kv", without}});
+  if (!figures.highest_kv_without || !figures.highest_kv_with) {
+    text += " " + say(language, Text::plant_kv_searched, {{"kv", format_exact(motion::kv_search_end)}});
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -36,16 +74,7 @@ std::string plant_text(ClosedLoopFigures const& figures, Language language) {
                           {"feed", fmt::format("{:.0f}", figures.feed_mm_per_min)},
                           {"kv", format_exact(figures.kv)}}) +
                      "\n";
-  std::vector<std::vector<std::string>> rows = {
-      {say(language, Text::plant_frequency), say(language, Text::plant_phase),
-       say(language, Text::plant_without), say(language, Text::plant_with)}};
-  for (auto const& found : figures.oscillations) {
-    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
-                    say(language, found.phase == MovePhase::travel ? Text::plant_travel : Text::plant_ramps),
-                    fmt::format("{:.3f}", found.without.amplitude),
-                    fmt::format("{:.3f}", found.with.amplitude)});
-  }
-  text += text_table(rows, 2);
+  if (!figures.oscillations.empty()) text += oscillations_text(figures, language);
   if (figures.has_function) {
     text += say(language, Text::plant_v_add,
                 {{"velocity", fmt::format("{:.0f}", figures.largest_additive)},
@@ -55,18 +84,15 @@ std::string plant_text(ClosedLoopFigures const& figures, Language language) {
     text += say(language, Text::plant_no_function, {{"axis", figures.axis}}) + "\n";
   }
   if (figures.limit_hit) text += say(language, Text::plant_limit_hit) + "\n";
-  if (figures.diverges_without || figures.diverges_with) {
-    Text const which = figures.diverges_without ? Text::plant_which_without : Text::plant_which_with;
-    text += say(language, Text::plant_diverges, {{"which", say(language, which)}}) + "\n";
-  }
-  text +=
-      say(language, Text::plant_kv,
-          {{"without", kv_text(figures.highest_kv_without)}, {"with", kv_text(figures.highest_kv_with)}}) +
-      "\n";
+  text += divergence_text(figures, language);
+  text += highest_kv_text(figures, language);
   return text;
 }
 
 std::string plant_json(ClosedLoopFigures const& figures) {
+  auto const optional = [](std::optional<double> const& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
   ordered_json json{{"version", 1},
                     {"axis", figures.axis},
                     {"distance_mm", figures.distance_mm},
@@ -78,16 +104,16 @@ std::string plant_json(ClosedLoopFigures const& figures) {
     json["oscillations"].push_back({{"phase", found.phase == MovePhase::travel ? "travel" : "after_braking"},
                                     {"frequency_hz", found.without.frequency},
                                     {"amplitude_without_m_per_s2", found.without.amplitude},
-                                    {"frequency_with_hz", found.with.frequency},
-                                    {"amplitude_with_m_per_s2", found.with.amplitude}});
+                                    {"amplitude_with_m_per_s2", optional(found.with)}});
   }
   json["max_additive_velocity_um_per_s"] = figures.largest_additive;
   json["additive_velocity_limit_um_per_s"] = figures.limit;
   json["limit_hit"] = figures.limit_hit;
   json["diverges"] = figures.diverges_with;
   json["diverges_without"] = figures.diverges_without;
-  json["highest_kv_without_per_s"] = figures.highest_kv_without;
-  json["highest_kv_with_per_s"] = figures.highest_kv_with;
+  json["highest_kv_without_per_s"] = optional(figures.highest_kv_without);
+  json["highest_kv_with_per_s"] = optional(figures.highest_kv_with);
+  json["kv_searched_to_per_s"] = motion::kv_search_end;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
