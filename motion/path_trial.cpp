@@ -100,7 +100,9 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
   static_cast<void>(runtime_->reset(point.nominal));
   meter_.begin(answers_, point.nominal);
   Point filtered{};
-  for (double cycle = first + 1; cycle <= last; cycle += 1) {
+  auto const cycles = static_cast<std::int64_t>(std::floor(last - first));
+  for (std::int64_t n = 1; n <= cycles; ++n) {
+    double const cycle = first + static_cast<double>(n);
     double const half = cycle - 0.5;
     pass_ends(half);
     look_between(half);

@@ -211,8 +211,8 @@ double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::si
 
 bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const {
   auto& corner = corners[cells_[cell]];
-  if (corner.passed || corner.raised >= most_raises || corner.tried_velocity < 0.999 * corner.velocity)
-    return false;
+  bool const slows_the_path = corner.tried_velocity >= 0.999 * corner.velocity;
+  if (corner.passed || corner.raised >= most_raises || !slows_the_path) return false;
   corner.kept = std::max(corner.kept, corner.velocity);
   if (corner.exceeded <= corner.kept) corner.exceeded = unlimited;
   if (corner.exceeded < corner.kept * 1.004) return false;
@@ -220,11 +220,12 @@ bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const 
   if (largest_around(corners, cell) > smallest_found * tolerance_) return false;
   ++corner.raised;
   double const share = std::clamp(aimed_at * tolerance_ / std::max(corner.error, 1e-9), 1.0, 4.0);
-  double next = corner.velocity * std::pow(share, 1 / growth(corner, corner.velocity));
+  double next = corner.velocity * std::pow(share, 1.0 / growth(corner, corner.velocity));
   if (next >= corner.exceeded) next = (corner.kept + corner.exceeded) / 2;
   corner.velocity_before = corner.velocity;
   corner.error_before = corner.error;
-  corner.velocity = next < corner.fastest ? next : unlimited;
+  if (next >= corner.fastest) next = unlimited;
+  corner.velocity = next;
   return true;
 }
 

@@ -93,8 +93,8 @@ std::vector<test::Place> random_contour(Random& random, int kind) {
     }
     case 4: {
       double const size = random.logarithmic(0.005, 0.2);
-      for (int i = random.whole(20, 60); i > 0; --i)
-        go(random.number(0.1, 1) * size, random.number(-0.4, 0.4));
+      int const blocks = random.whole(20, 60);
+      for (int i = 0; i < blocks; ++i) go(random.number(0.1, 1) * size, random.number(-0.4, 0.4));
       break;
     }
     default:
@@ -141,7 +141,7 @@ TEST_CASE("no axis error of any path exceeds the tolerance") {
   for (int round = 0; round < 1000; ++round) {
     Random random{std::mt19937_64(static_cast<unsigned>(round))};
     double const seconds = random.whole(1, 8) * 0.0005;
-    design::CycleTime const cycle_time{static_cast<std::uint32_t>(seconds * 1e9 + 0.5)};
+    design::CycleTime const cycle_time{static_cast<std::uint32_t>(std::lround(seconds * 1e9))};
     int const order = random.whole(2, round % 4 == 0 ? 160 : 60);
     KernelSpecification kernel{.order = static_cast<std::uint32_t>(order)};
     auto taps = test::average_taps(order);
