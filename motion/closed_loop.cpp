@@ -115,8 +115,8 @@ bool diverges(LoopRecord const& record, double cycle_seconds) {
   return late > still && late > 0.7 * early;
 }
 
-double highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
-                  bool with_function) {
+std::optional<double> highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
+                                 bool with_function) {
   double const T = runtime.cycle_time().seconds();
   auto const keeps = [&](double kv) {
     plant.kv = kv;
@@ -124,11 +124,12 @@ double highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParame
   };
   double low = 0;
   double high = 1;
-  while (high <= 1000 && keeps(high)) {
+  while (keeps(high)) {
+    if (high == kv_search_end) return std::nullopt;
     low = high;
-    high *= 1.2;
+    high = std::min(high * 1.2, kv_search_end);
   }
-  if (low == 0 || high > 1000) return low;
+  if (low == 0) return 0;
   while (high - low > 0.01 * low) {
     double const middle = (low + high) / 2;
     (keeps(middle) ? low : high) = middle;

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace axisc::motion {
@@ -48,9 +49,12 @@ inline constexpr double rest_seconds = 1.5;
 /// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
 [[nodiscard]] bool diverges(LoopRecord const& record, double cycle_seconds);
 
-/// The largest Kv, up to a thousand times the plant's smallest, at which the loop does not diverge; 0 where there is none.
-/// Within 1 %.
-[[nodiscard]] double highest_kv(image::RuntimeHost& runtime, AxisMove const& move, PlantParameters plant,
-                                bool with_function);
+/// Kv in 1/s beyond which no loop is tried.
+inline constexpr double kv_search_end = 1000;
+
+/// The largest Kv from 1 to kv_search_end at which the loop does not diverge, within 1 %; 0 where it diverges at 1 already.
+/// None where it does not diverge at the end of the search.
+[[nodiscard]] std::optional<double> highest_kv(image::RuntimeHost& runtime, AxisMove const& move,
+                                               PlantParameters plant, bool with_function);
 
 }  // namespace axisc::motion

@@ -54,7 +54,7 @@ class ContourMeter {
   void begin(std::span<ChainAnswer const> answers, Point const& position);
   /// The setpoint of the next cycle, and what came out in that cycle.
   void cycle(ContourPoint point, Point const& filtered);
-  /// The same for a setpoint that is not measured itself.
+  /// A setpoint that is not measured itself, and what came out.
   void pass(Point const& nominal, Point const& filtered);
   /// A corner behind the last setpoint. Filters that only delay, all axes alike, leave it where it is: it is not
   /// measured.

@@ -56,7 +56,8 @@ struct Corner {
   /// From cycle `first` to cycle `last`, both whole.
   [[nodiscard]] SearchedPath path(Plane const& plane, double first, double last) const {
     std::vector<Point> points;
-    for (double cycle = first; cycle <= last; cycle += 1) points.push_back(filtered(plane, cycle));
+    auto const cycles = static_cast<int>(last - first);
+    for (int n = 0; n <= cycles; ++n) points.push_back(filtered(plane, first + n));
     return SearchedPath(std::move(points));
   }
 };
@@ -71,10 +72,11 @@ void take_largest(ContourFigures& figures, NearestPoint const& nearest) {
 ContourFigures measure(Corner const& corner, Plane const& plane) {
   auto const reach = static_cast<int>(std::ceil(plane.reach()));
   double const middle = std::round(plane.latest());
-  auto const path = corner.path(plane, middle - 2 * reach, middle + 2 * reach);
+  int const first = -2 * reach;
+  auto const path = corner.path(plane, middle + first, middle - first);
   ContourFigures figures;
   for (int n = -reach; n <= reach; ++n) {
-    take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(2 * reach + n)));
+    take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(n - first)));
   }
   return figures;
 }

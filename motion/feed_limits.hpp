@@ -12,7 +12,7 @@ namespace axisc::motion {
 [[nodiscard]] std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, double turn,
                                                     double tolerance);
 
-/// The same on a circle, where the error need not grow with the velocity: every lower velocity keeps the tolerance, too. None
+/// Highest velocity on a circle up to which every velocity keeps the tolerance; the error need not grow with it. None
 /// where any does up to half a turn per cycle, beyond which setpoints describe no circle. Cost: some thousand predictions
 /// where the tolerance is never exceeded.
 [[nodiscard]] std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius,

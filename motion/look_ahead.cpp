@@ -14,8 +14,6 @@ constexpr double no_length = 1e-9;
 constexpr double at_once = 1e200;
 /// A smaller change of direction comes from rounded end points.
 constexpr double no_turn = 1e-12;
-/// Plans that are tried before the last one that kept the tolerance is driven to its end.
-constexpr int most_rounds = 40;
 
 }  // namespace
 
@@ -215,7 +213,7 @@ bool LookAhead::keep_tolerance() {
     time_plan();
     auto const verdict = monitor_.judge({.pieces = path_, .valid_from = valid_from_}, corners_, round);
     if (verdict == ToleranceMonitor::Verdict::keeps) return true;
-    if (round >= most_rounds && kept_blocks_ > 0) return false;
+    if (verdict == ToleranceMonitor::Verdict::fails && kept_blocks_ > 0) return false;
     make_plan();
   }
   return false;

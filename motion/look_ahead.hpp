@@ -59,7 +59,7 @@ class LookAhead {
   };
 
   void collect_corners();
-  [[nodiscard]] std::pair<double, double> plateau_of(std::size_t corner) const;
+  [[nodiscard]] std::pair<double, double> plateau_of(std::size_t index) const;
   void cut_into_stretches();
   void limit_by_plateaus();
   [[nodiscard]] bool choose_velocities();
@@ -68,9 +68,9 @@ class LookAhead {
   void plan(bool stops);
   [[nodiscard]] bool keep_tolerance();
   [[nodiscard]] std::size_t untouched_blocks() const;
-  void hand_on(std::size_t blocks, bool stops);
+  void hand_on(std::size_t count, bool stops);
   void drive_kept_plan();
-  void remember(std::size_t blocks);
+  void remember(std::size_t count);
 
   PathLimits limits_;
   bool constant_velocity_;

@@ -46,11 +46,11 @@ PathTrial::PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers
   spread_ = latest_ - earliest;
 }
 
-void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, double from,
-                    double to) {
+void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span) {
   corners_ = corners;
-  double const first = std::ceil(std::max(path.front().start, from - cycles_before()) - same_time);
-  double const last = std::ceil(to + cycles_after());
+  double const oldest = std::max(path.front().start, span.from - cycles_before());
+  double const first = std::ceil(oldest - span.phase - same_time) + span.phase;
+  double const last = span.to + cycles_after() + 1;
   Walk walk{.path = path, .corners = corners, .piece = 0, .corner = 0};
   auto const later = std::upper_bound(path.begin(), path.end(), first + same_time,
                                       [](double t, TimedPiece const& piece) { return t < piece.start; });
@@ -72,13 +72,15 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     point.velocity = piece.profile.velocity_at(within);
     place = piece.place + way;
   };
-  auto const is_wanted = [&](double time) { return time >= from - same_time && time <= to + same_time; };
+  auto const is_wanted = [&](double time) {
+    return time >= span.from - same_time && time <= span.to + same_time;
+  };
   // Between setpoints and corners the path may be a little further away than at them.
   double seen = first;
   auto const look_between = [&](double time) {
     double const middle = (seen + time) / 2;
     seen = time;
-    if (!is_wanted(middle)) return;
+    if (!span.looks_between || !is_wanted(middle)) return;
     go_to(middle);
     point.block = walk.nearest(place);
     meter_.corner(point);
@@ -98,12 +100,13 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
   static_cast<void>(runtime_->reset(point.nominal));
   meter_.begin(answers_, point.nominal);
   Point filtered{};
-  for (double cycle = first + 1; cycle <= last; cycle += 1) {
-    // Between two setpoints the path may be a little further away than at them.
+  auto const cycles = static_cast<std::int64_t>(std::floor(last - first));
+  for (std::int64_t n = 1; n <= cycles; ++n) {
+    double const cycle = first + static_cast<double>(n);
     double const half = cycle - 0.5;
     pass_ends(half);
     look_between(half);
-    if (is_wanted(half)) {
+    if (span.looks_between && is_wanted(half)) {
       go_to(half);
       point.block = walk.nearest(place);
       meter_.corner(point);

@@ -34,6 +34,13 @@ struct TriedCorner {
   double fastest = 0;  ///< path velocity within the kernels' reach, units per cycle
 };
 
+/// What to measure of a path.
+struct TrialSpan {
+  double from = 0, to = 0;     ///< cycles
+  double phase = 0;            ///< setpoints come so much after whole cycles, 0..1
+  bool looks_between = false;  ///< also halfway between setpoints and corners
+};
+
 class PathTrial final : private MeasuredSink {
  public:
   /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again.
@@ -47,9 +54,9 @@ class PathTrial final : private MeasuredSink {
   /// All axes have the same chain: what lies straight stays straight.
   [[nodiscard]] bool alike() const { return alike_; }
 
-  /// Measures the points from one time to another and raises the figures of their corners. Behind its end the path rests;
-  /// before its beginning, too, unless it lies cycles_before() ahead of `from`. Cost: as for a simulation of these cycles.
-  void run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, double from, double to);
+  /// Measures a span of the path and raises the figures of their corners. Behind its end the path rests;
+  /// before its beginning, too, unless it lies cycles_before() ahead of it. Cost: as for a simulation of these cycles.
+  void run(std::span<TimedPiece const> path, std::span<TriedCorner> corners, TrialSpan const& span);
 
  private:
   void measured(MeasuredPoint const& point) override;

@@ -8,14 +8,21 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// Shares of the tolerance: errors above the first are too large (between two setpoints they may still be a little larger),
-/// those below the last are too small; the second is aimed at.
+/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they may still be a
+/// little larger. A velocity is found where it leaves errors between the next two, so that a few more or less do no harm
+/// when the path passes a corner at another time in its cycle. The last one is aimed at.
 constexpr double largest = 0.997;
-constexpr double aimed_at = 0.988;
-constexpr double smallest = 0.978;
-/// Corners are raised as long as plans are refined; then they are lowered until every one holds.
+constexpr double largest_found = 0.989;
+constexpr double smallest_found = 0.975;
+constexpr double aimed_at = 0.982;
+/// Corners are raised in the first plans only; then they are lowered until every one holds.
 constexpr int refining_rounds = 12;
 constexpr int most_raises = 6;
+/// So often the path ahead is slowed down for a corner behind the machine.
+constexpr int most_tries_behind = 20;
+/// And so often for any: long before, it would have come to rest.
+constexpr int most_tries = 40;
+constexpr std::size_t proved_together = 16;
 constexpr double beside_worse = 0.9;
 constexpr double same_phase = 1e-7;
 
@@ -93,14 +100,14 @@ void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corne
 }
 
 /// Tries what is new.
-void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners, bool every_phase) {
+void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners, Trial trial) {
   tried_.clear();
   wanted_.assign(cells_.size(), 0);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
     tried_.push_back({.place = corner.place, .time = corner.time, .error = 0, .fastest = 0});
-    bool const is_late = every_phase && !is_same_phase(corner.tried_phase, phase_of(corner.time));
-    wanted_[i] = corner.tried_phase < 0 || corner.tried_path != signatures_[i] || is_late ? 1 : 0;
+    bool const is_proved = corner.proved && is_same_phase(corner.phase, phase_of(corner.time));
+    wanted_[i] = corner.tried_path != signatures_[i] || (trial == Trial::proof && !is_proved) ? 1 : 0;
   }
   double const end = path.pieces.back().end();
   auto const from = [&](std::size_t i) {
@@ -125,12 +132,28 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
       continue;
     }
     // Cells whose surroundings meet are tried together.
+    std::size_t const most = trial == Trial::proof ? i + proved_together : cells_.size();
     std::size_t next = i + 1;
-    for (; next < cells_.size() && wanted_[next] != 0 && from(next) <= last + cycles_before(); ++next) {
+    for (; next < std::min(most, cells_.size()) && wanted_[next] != 0 && from(next) <= last + cycles_before();
+         ++next) {
       last = std::max(last, to(next));
     }
-    trial_->run(path.pieces, tried_, first, last);
+    // A corner bends most where it lies on a cycle: found so, its velocity holds for any time.
+    bool const is_slowed = corners[cells_[i]].velocity != unlimited;
+    bool const aligns = trial == Trial::search && is_slowed;
+    trial_->run(path.pieces, tried_,
+                {.from = first,
+                 .to = last,
+                 .phase = aligns ? phase_of(tried_[i].time) : 0,
+                 .looks_between = trial == Trial::proof});
+    bool const exceeds = std::any_of(
+        tried_.begin() + static_cast<std::ptrdiff_t>(i), tried_.begin() + static_cast<std::ptrdiff_t>(next),
+        [&](TriedCorner const& cell) { return cell.error > largest * tolerance_; });
     i = next;
+    if (trial != Trial::proof || !exceeds) continue;
+    // Slowed down, these corners shift the time at which the path passes all later ones.
+    std::fill(wanted_.begin() + static_cast<std::ptrdiff_t>(i), wanted_.end(), char{0});
+    unproved_ = true;
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto& corner = corners[cells_[i]];
@@ -139,14 +162,15 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
       corner.tried_fastest = tried_[i].fastest;
       corner.tried_velocity = std::min(corner.velocity, tried_[i].fastest);
       corner.tried_path = signatures_[i];
-      corner.tried_phase = phase_of(corner.time);
+      corner.proved = trial == Trial::proof;
+      corner.phase = phase_of(corner.time);
     } else {
       corner.error = std::max(corner.error, tried_[i].error);
     }
   }
 }
 
-void ToleranceMonitor::lower(Corner& corner, int round) const {
+void ToleranceMonitor::lower(Corner& corner) const {
   // What a slower corner does not mend, a slower path around it does.
   if (!trial_->alike() && !corner.wide && corner.lowered > 0 && corner.error > 0.9 * corner.error_before) {
     corner.wide = true;
@@ -161,11 +185,11 @@ void ToleranceMonitor::lower(Corner& corner, int round) const {
   double next = from * std::pow(aimed_at * tolerance_ / corner.error, 1 / growth(corner, from));
   corner.exceeded = std::min(corner.exceeded, from);
   if (corner.kept >= from) corner.kept = 0;
-  if (round <= refining_rounds) {
+  if (corner.lowered <= refining_rounds) {
     if (next <= corner.kept) next = (corner.kept + from) / 2;
   } else {
-    // Each round a little harder, so that this comes to its end.
-    next *= std::max(0.5, 1 - 0.02 * (round - refining_rounds));
+    // Each time a little harder, so that this comes to its end.
+    next *= std::max(0.5, 1 - 0.02 * (corner.lowered - refining_rounds));
   }
   corner.velocity_before = from;
   corner.error_before = corner.error;
@@ -187,39 +211,41 @@ double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::si
 
 bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const {
   auto& corner = corners[cells_[cell]];
-  if (corner.passed || corner.raised >= most_raises || corner.tried_velocity < 0.999 * corner.velocity) {
-    return false;
-  }
+  bool const slows_the_path = corner.tried_velocity >= 0.999 * corner.velocity;
+  if (corner.passed || corner.raised >= most_raises || !slows_the_path) return false;
   corner.kept = std::max(corner.kept, corner.velocity);
   if (corner.exceeded <= corner.kept) corner.exceeded = unlimited;
   if (corner.exceeded < corner.kept * 1.004) return false;
   // A neighbour that is at the tolerance needs this plateau, too.
-  if (largest_around(corners, cell) > smallest * tolerance_) return false;
+  if (largest_around(corners, cell) > smallest_found * tolerance_) return false;
   ++corner.raised;
   double const share = std::clamp(aimed_at * tolerance_ / std::max(corner.error, 1e-9), 1.0, 4.0);
-  double next = corner.velocity * std::pow(share, 1 / growth(corner, corner.velocity));
+  double next = corner.velocity * std::pow(share, 1.0 / growth(corner, corner.velocity));
   if (next >= corner.exceeded) next = (corner.kept + corner.exceeded) / 2;
   corner.velocity_before = corner.velocity;
   corner.error_before = corner.error;
-  corner.velocity = next < corner.fastest ? next : unlimited;
+  if (next >= corner.fastest) next = unlimited;
+  corner.velocity = next;
   return true;
 }
 
-bool ToleranceMonitor::adjust(std::span<Corner> corners, int round) const {
+bool ToleranceMonitor::adjust(std::span<Corner> corners, double limit, bool raises) const {
   bool exceeded = false;
   std::vector<std::size_t> lowered;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
-    if (!(corner.error > largest * tolerance_)) continue;
+    // What nothing slows down need not leave room.
+    double const allowed = corner.velocity == unlimited ? largest : limit;
+    if (!(corner.error > allowed * tolerance_)) continue;
     exceeded = true;
     // Beside a corner that is worse, its plateau may do.
     if (corner.error >= beside_worse * largest_around(corners, i)) lowered.push_back(cells_[i]);
   }
-  for (auto const i : lowered) lower(corners[i], round);
+  for (auto const i : lowered) lower(corners[i]);
   bool raised = false;
-  for (std::size_t i = 0; round <= refining_rounds && i < cells_.size(); ++i) {
+  for (std::size_t i = 0; raises && i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
-    bool const is_slow = corner.velocity != unlimited && corner.error < smallest * tolerance_;
+    bool const is_slow = corner.velocity != unlimited && corner.error < smallest_found * tolerance_;
     if (is_slow && raise(corners, i)) raised = true;
   }
   return exceeded || raised;
@@ -232,13 +258,23 @@ ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::sp
     if (corners[i].turns || !trial_->alike()) cells_.push_back(i);
   }
   if (path.pieces.empty() || cells_.empty()) return Verdict::keeps;
+  if (round == 0) proving_ = false;
   sign(path, corners);
-  // First what is passed otherwise; where that holds, also what is only passed at another time.
-  for (bool const every_phase : {false, true}) {
-    measure(path, corners, every_phase);
-    if (adjust(corners, round)) return Verdict::changed;
+  // First what is passed otherwise; where that holds, everything as the machine will pass it.
+  measure(path, corners, Trial::search);
+  bool const refines = round <= refining_rounds && !proving_;
+  bool changes = adjust(corners, proving_ ? largest : largest_found, refines);
+  if (!changes) {
+    proving_ = true;
+    unproved_ = false;
+    measure(path, corners, Trial::proof);
+    changes = adjust(corners, largest, false) || unproved_;
   }
-  return Verdict::keeps;
+  if (!changes) return Verdict::keeps;
+  bool const is_lost = std::any_of(corners.begin(), corners.end(), [](Corner const& corner) {
+    return corner.lowered > (corner.passed ? most_tries_behind : most_tries);
+  });
+  return is_lost ? Verdict::fails : Verdict::changed;
 }
 
 }  // namespace axisc::motion

@@ -30,7 +30,8 @@ struct Corner {
   double time = 0;      ///< when the path planned last passes it, cycles
   /// What was tried last, and its result.
   std::uint64_t tried_path = 0;
-  double tried_phase = -1;
+  bool proved = false;  ///< at the time at which the machine will pass it
+  double phase = 0;     ///< of that time in its cycle
   double error = 0, tried_velocity = 0, tried_fastest = 0;
   /// How the velocity was searched.
   double kept = 0, exceeded = std::numeric_limits<double>::infinity();
@@ -40,7 +41,7 @@ struct Corner {
 
 struct TriedPath {
   std::span<TimedPiece const> pieces;
-  /// Points from here on can be tried: the beginning of a path that begins at rest, otherwise cycles_before() behind it.
+  /// Points from here on can be tried: the beginning of a path that begins at rest, otherwise cycles_before() after it.
   double valid_from = 0;
 };
 
@@ -62,6 +63,7 @@ class ToleranceMonitor {
   enum class Verdict : std::uint8_t {
     keeps,    ///< the tolerance everywhere
     changed,  ///< velocities of corners: plan once more
+    fails,    ///< where it can no longer be mended, because the machine has passed it or cannot brake for it
   };
   /// Tries a plan where it is new, and changes the velocities of corners; `round` counts the plans of this path from 0.
   /// Cost: that of simulating the surroundings of new or changed corners.
@@ -69,9 +71,13 @@ class ToleranceMonitor {
 
  private:
   void sign(TriedPath const& path, std::span<Corner const> corners);
-  void measure(TriedPath const& path, std::span<Corner> corners, bool every_phase);
-  [[nodiscard]] bool adjust(std::span<Corner> corners, int round) const;
-  void lower(Corner& corner, int round) const;
+  enum class Trial : std::uint8_t {
+    search,  ///< of what is new, at setpoints and corners
+    proof,   ///< of everything, also between them
+  };
+  void measure(TriedPath const& path, std::span<Corner> corners, Trial trial);
+  [[nodiscard]] bool adjust(std::span<Corner> corners, double limit, bool raises) const;
+  void lower(Corner& corner) const;
   [[nodiscard]] bool raise(std::span<Corner> corners, std::size_t cell) const;
   /// The largest error of the corners that a plateau of this one covers.
   [[nodiscard]] double largest_around(std::span<Corner const> corners, std::size_t cell) const;
@@ -83,6 +89,8 @@ class ToleranceMonitor {
   std::vector<std::uint64_t> sums_;        ///< of the pieces' digests
   std::vector<std::uint64_t> signatures_;  ///< of the cells' surroundings
   std::vector<TriedCorner> tried_;         ///< cells
+  bool unproved_ = false;                  ///< the proof ended early
+  bool proving_ = false;                   ///< velocities have been found: they are only lowered
   std::vector<char> wanted_;               ///< cells
 };
 

@@ -67,29 +67,24 @@ std::vector<double> accelerations(motion::LoopRecord const& record, motion::Move
   return found;
 }
 
-/// The moves there and back are alike; the worse one counts.
-motion::Oscillation dominant(motion::LoopRecord const& record, motion::MovePhase phase, double T,
-                             double lowest, double highest) {
-  motion::Oscillation worst{.frequency = lowest, .amplitude = 0};
-  for (bool const back : {false, true}) {
-    auto const found = motion::dominant_oscillation(accelerations(record, phase, back), T, lowest, highest);
-    if (found.amplitude > worst.amplitude) worst = found;
-  }
-  return worst;
-}
-
 void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& without,
                        motion::LoopRecord const& with, double T) {
   constexpr double lowest = 4;
-  constexpr double next_to = 0.15;
   double const highest = std::min(200.0, 0.4 / T);
   for (auto const phase : {motion::MovePhase::travel, motion::MovePhase::rest}) {
-    PhaseOscillation found{
-        .phase = phase, .without = dominant(without, phase, T, lowest, highest), .with = {}};
-    if (!(found.without.amplitude > 0)) continue;
-    double const f = found.without.frequency;
-    found.with = dominant(with, phase, T, f * (1 - next_to), f * (1 + next_to));
-    figures.oscillations.push_back(found);
+    // Ways there and back are alike; the worse one counts.
+    PhaseOscillation worst{.phase = phase, .without = {}, .with = {}};
+    for (bool const back : {false, true}) {
+      auto const record = accelerations(without, phase, back);
+      auto const found = motion::dominant_oscillation(record, T, lowest, highest);
+      if (!(found.amplitude > worst.without.amplitude)) continue;
+      worst.without = found;
+      auto const same = accelerations(with, phase, back);
+      worst.with = same.size() == record.size()
+                       ? std::optional(motion::amplitude_at(same, T, found.frequency))
+                       : std::nullopt;
+    }
+    if (worst.without.amplitude > 0) figures.oscillations.push_back(worst);
   }
 }
 
@@ -122,8 +117,8 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
   figures.kv = plant.kv;
   figures.has_function = control.has_value();
   auto const without = motion::simulate_loop(runtime, move, plant, false);
-  auto const with = motion::simulate_loop(runtime, move, plant, true);
-  find_oscillations(figures, without, with, T);
+  auto const with = control ? motion::simulate_loop(runtime, move, plant, true) : without;
+  if (control) find_oscillations(figures, without, with, T);
   for (auto const& cycle : with.cycles) {
     figures.largest_additive = std::max(figures.largest_additive, std::abs(cycle.additive_velocity));
   }
@@ -134,7 +129,8 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
   figures.diverges_without = motion::diverges(without, T);
   figures.diverges_with = motion::diverges(with, T);
   figures.highest_kv_without = motion::highest_kv(runtime, move, plant, false);
-  figures.highest_kv_with = motion::highest_kv(runtime, move, plant, true);
+  figures.highest_kv_with =
+      control ? motion::highest_kv(runtime, move, plant, true) : figures.highest_kv_without;
 
   if (request.output) {
     auto sources = checked.files;

@@ -26,18 +26,31 @@ constexpr Sentence v_add{"largest additive velocity {velocity} µm/s of {limit} 
                          "größte additive Geschwindigkeit {velocity} µm/s von {limit} µm/s"};
 constexpr Sentence limit_hit{"the additive velocity is limited (P-AXIS-00757)",
                              "die additive Geschwindigkeit wird begrenzt (P-AXIS-00757)"};
-constexpr Sentence diverges{
-    "the loop DIVERGES {which}: the oscillation grows; lower the weights (P-AXIS-00754/00755), or move fg_f0",
-    "der Regelkreis schwingt AUF {which}: die Schwingung wächst; Gewichte verkleinern (P-AXIS-00754/00755) "
-    "oder fg_f0 verschieben"};
-constexpr Sentence which_with{"with Improved Position Control", "mit optimierter Lageregelung"};
-constexpr Sentence which_without{"even without Improved Position Control",
-                                 "auch ohne optimierte Lageregelung"};
-constexpr Sentence kv{
-    "highest Kv without oscillation: {without} 1/s without, {with} 1/s with Improved Position Control",
-    "höchstes Kv ohne Schwingung: {without} 1/s ohne, {with} 1/s mit optimierter Lageregelung"};
 constexpr Sentence no_function{"axis {axis} has no active Improved Position Control",
                                "Achse {axis} hat keine aktive optimierte Lageregelung"};
+
+constexpr Sentence diverges{"the loop DIVERGES: the oscillation grows; lower kv_per_s",
+                            "der Regelkreis schwingt AUF: die Schwingung wächst; kv_per_s verkleinern"};
+constexpr Sentence diverges_with{
+    "the loop DIVERGES with Improved Position Control: the oscillation grows; lower the weights "
+    "(P-AXIS-00754/00755), or move fg_f0",
+    "der Regelkreis schwingt AUF mit optimierter Lageregelung: die Schwingung wächst; Gewichte verkleinern "
+    "(P-AXIS-00754/00755) oder fg_f0 verschieben"};
+constexpr Sentence diverges_without{
+    "the loop DIVERGES without Improved Position Control; with it the oscillation dies down",
+    "der Regelkreis schwingt AUF ohne optimierte Lageregelung; mit ihr klingt die Schwingung ab"};
+constexpr Sentence diverges_always{
+    "the loop DIVERGES with and without Improved Position Control: the oscillation grows; lower kv_per_s",
+    "der Regelkreis schwingt AUF mit und ohne optimierte Lageregelung: die Schwingung wächst; kv_per_s "
+    "verkleinern"};
+constexpr Sentence kv{
+    "highest Kv without oscillation: {without} without, {with} with Improved Position Control",
+    "höchstes Kv ohne Schwingung: {without} ohne, {with} mit optimierter Lageregelung"};
+constexpr Sentence kv_alone{"highest Kv without oscillation: {kv}", "höchstes Kv ohne Schwingung: {kv}"};
+constexpr Sentence kv_found{"{kv} 1/s", "{kv} 1/s"};
+constexpr Sentence kv_above{"above {kv} 1/s", "über {kv} 1/s"};
+constexpr Sentence kv_none{"below 1 1/s", "unter 1 1/s"};
+constexpr Sentence kv_searched{"(searched up to {kv} 1/s)", "(gesucht bis {kv} 1/s)"};
 
 }  // namespace axisc::cli::says
 
@@ -52,8 +65,45 @@ std::string say(Language language, SentenceRef text, std::vector<Argument> argum
   return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
-std::string kv_text(double kv) {
-  return fmt::format("{:.1f}", kv);
+std::string kv_text(std::optional<double> kv, Language language) {
+  if (!kv) return say(language, says::kv_above, {{"kv", format_exact(motion::kv_search_end)}});
+  if (*kv == 0) return say(language, says::kv_none);
+  return say(language, says::kv_found, {{"kv", fmt::format("{:.1f}", *kv)}});
+}
+
+std::string oscillations_text(ClosedLoopFigures const& figures, Language language) {
+  std::vector<std::vector<std::string>> rows = {{say(language, says::frequency), say(language, says::phase),
+                                                 say(language, says::without), say(language, says::with)}};
+  for (auto const& found : figures.oscillations) {
+    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
+                    say(language, found.phase == MovePhase::travel ? says::travel : says::ramps),
+                    fmt::format("{:.3f}", found.without.amplitude),
+                    found.with ? fmt::format("{:.3f}", *found.with) : "-"});
+  }
+  return text_table(rows, 2);
+}
+
+std::string divergence_text(ClosedLoopFigures const& figures, Language language) {
+  if (!figures.diverges_without && !figures.diverges_with) return {};
+  SentenceRef which = says::diverges_with;
+  if (!figures.has_function) {
+    which = says::diverges;
+  } else if (figures.diverges_without) {
+    which = figures.diverges_with ? says::diverges_always : says::diverges_without;
+  }
+  return say(language, which) + "\n";
+}
+
+std::string highest_kv_text(ClosedLoopFigures const& figures, Language language) {
+  auto const without = kv_text(figures.highest_kv_without, language);
+  std::string text = figures.has_function
+                         ? say(language, says::kv,
+                               {{"without", without}, {"with", kv_text(figures.highest_kv_with, language)}})
+                         : say(language, says::kv_alone, {{"kv", without}});
+  if (!figures.highest_kv_without || !figures.highest_kv_with) {
+    text += " " + say(language, says::kv_searched, {{"kv", format_exact(motion::kv_search_end)}});
+  }
+  return text + "\n";
 }
 
 }  // namespace
@@ -65,15 +115,7 @@ std::string plant_text(ClosedLoopFigures const& figures, Language language) {
                           {"feed", fmt::format("{:.0f}", figures.feed_mm_per_min)},
                           {"kv", format_exact(figures.kv)}}) +
                      "\n";
-  std::vector<std::vector<std::string>> rows = {{say(language, says::frequency), say(language, says::phase),
-                                                 say(language, says::without), say(language, says::with)}};
-  for (auto const& found : figures.oscillations) {
-    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
-                    say(language, found.phase == MovePhase::travel ? says::travel : says::ramps),
-                    fmt::format("{:.3f}", found.without.amplitude),
-                    fmt::format("{:.3f}", found.with.amplitude)});
-  }
-  text += text_table(rows, 2);
+  if (!figures.oscillations.empty()) text += oscillations_text(figures, language);
   if (figures.has_function) {
     text += say(language, says::v_add,
                 {{"velocity", fmt::format("{:.0f}", figures.largest_additive)},
@@ -83,18 +125,15 @@ std::string plant_text(ClosedLoopFigures const& figures, Language language) {
     text += say(language, says::no_function, {{"axis", figures.axis}}) + "\n";
   }
   if (figures.limit_hit) text += say(language, says::limit_hit) + "\n";
-  if (figures.diverges_without || figures.diverges_with) {
-    SentenceRef const which = figures.diverges_without ? says::which_without : says::which_with;
-    text += say(language, says::diverges, {{"which", say(language, which)}}) + "\n";
-  }
-  text +=
-      say(language, says::kv,
-          {{"without", kv_text(figures.highest_kv_without)}, {"with", kv_text(figures.highest_kv_with)}}) +
-      "\n";
+  text += divergence_text(figures, language);
+  text += highest_kv_text(figures, language);
   return text;
 }
 
 std::string plant_json(ClosedLoopFigures const& figures) {
+  auto const optional = [](std::optional<double> const& value) {
+    return value ? ordered_json(*value) : ordered_json(nullptr);
+  };
   ordered_json json{{"version", 1},
                     {"axis", figures.axis},
                     {"distance_mm", figures.distance_mm},
@@ -106,16 +145,16 @@ std::string plant_json(ClosedLoopFigures const& figures) {
     json["oscillations"].push_back({{"phase", found.phase == MovePhase::travel ? "travel" : "after_braking"},
                                     {"frequency_hz", found.without.frequency},
                                     {"amplitude_without_m_per_s2", found.without.amplitude},
-                                    {"frequency_with_hz", found.with.frequency},
-                                    {"amplitude_with_m_per_s2", found.with.amplitude}});
+                                    {"amplitude_with_m_per_s2", optional(found.with)}});
   }
   json["max_additive_velocity_um_per_s"] = figures.largest_additive;
   json["additive_velocity_limit_um_per_s"] = figures.limit;
   json["limit_hit"] = figures.limit_hit;
   json["diverges"] = figures.diverges_with;
   json["diverges_without"] = figures.diverges_without;
-  json["highest_kv_without_per_s"] = figures.highest_kv_without;
-  json["highest_kv_with_per_s"] = figures.highest_kv_with;
+  json["highest_kv_without_per_s"] = optional(figures.highest_kv_without);
+  json["highest_kv_with_per_s"] = optional(figures.highest_kv_with);
+  json["kv_searched_to_per_s"] = motion::kv_search_end;
   return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

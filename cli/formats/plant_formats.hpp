@@ -5,27 +5,30 @@
 #include "motion/closed_loop.hpp"
 #include "motion/spectrum.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc::cli {
 
-/// The dominant oscillation of the load in one phase of the move.
+/// The load's dominant oscillation in one phase of the move.
 struct PhaseOscillation {
   motion::MovePhase phase = motion::MovePhase::travel;
-  motion::Oscillation without, with;  ///< the latter next to the frequency of the former
+  motion::Oscillation without;
+  /// Amplitude with the function, m/s²: the same frequency in the same window. None where the loop was lost before.
+  std::optional<double> with;
 };
 
 struct ClosedLoopFigures {
   std::string axis;
   double distance_mm = 0, feed_mm_per_min = 0, kv = 0;
   bool has_function = false;
-  std::vector<PhaseOscillation> oscillations;
-  double largest_additive = 0;  ///< µm/s
-  double limit = 0;             ///< µm/s
+  std::vector<PhaseOscillation> oscillations;  ///< none without function: there is nothing to compare
+  double largest_additive = 0;                 ///< µm/s
+  double limit = 0;                            ///< µm/s
   bool limit_hit = false;
   bool diverges_without = false, diverges_with = false;
-  double highest_kv_without = 0, highest_kv_with = 0;
+  std::optional<double> highest_kv_without, highest_kv_with;  ///< 1/s; see motion::highest_kv
 };
 
 [[nodiscard]] std::string plant_text(ClosedLoopFigures const& figures, Language language);

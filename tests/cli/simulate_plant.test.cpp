@@ -49,7 +49,47 @@ TEST_CASE("the manual's damping: 53 Hz directly, 11 Hz indirectly, both at once"
   CHECK(rest["amplitude_with_m_per_s2"].get<double>() <= 0.28);
   CHECK(found["diverges"] == false);
   CHECK(found["limit_hit"] == false);
-  CHECK(found["highest_kv_without_per_s"].get<double>() > found["kv_per_s"].get<double>());
+  // The drive follows up to more than this plant's search tries.
+  CHECK(found["highest_kv_without_per_s"].is_null());
+  CHECK(found["kv_searched_to_per_s"] == 1000);
+  CHECK_THAT(
+      run_axisc({"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move", "X:800:31800"})
+          .out,
+      Catch::Matchers::Contains(
+          "highest Kv without oscillation: above 1000 1/s without, above 1000 1/s with Improved Position "
+          "Control (searched up to 1000 1/s)"));
+}
+
+TEST_CASE("a function without effect leaves every figure as it is") {
+  TemporaryFolder const folder;
+  auto const found = with_weights(folder, "4000000000");
+  REQUIRE(found["oscillations"].size() == 2);
+  for (auto const& phase : found["oscillations"]) {
+    CHECK(phase["amplitude_with_m_per_s2"].get<double>() ==
+          Approx(phase["amplitude_without_m_per_s2"].get<double>()).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("without an active stage nothing is compared") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "getriebe[0].dynamik.vb_max 500000\ngetriebe[0].dynamik.a_max 3000\n");
+  folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})");
+  auto const plant = [&](std::string const& kv, std::string const& bandwidth) {
+    folder.write(
+        "p.json",
+        R"({"plants": [{"name": "X", "motor_mass_kg": 500, "load_mass_kg": 800, "stiffness_n_per_um": 90,
+                     "damping_n_s_per_mm": 8, "dead_time_us": 2000, "velocity_bandwidth_hz": )" +
+            bandwidth + R"(, "kv_per_s": )" + kv + "}]}");
+    return run_axisc({"simulate", "m.json", "--plant", "p.json", "--move", "X:300"}, in_folder(folder.path()))
+        .out;
+  };
+  using Catch::Matchers::Contains;
+  auto const calm = plant("20", "50");
+  CHECK_THAT(calm, Contains("no active Improved Position Control") && !Contains("travelling") &&
+                       !Contains("with Improved Position Control"));
+  CHECK_THAT(calm, Contains("highest Kv without oscillation: "));
+  auto const wild = plant("900", "50");
+  CHECK_THAT(wild, Contains("DIVERGES") && Contains("lower kv_per_s") && !Contains("weights"));
 }
 
 TEST_CASE("weights raised far enough make the loop diverge, and the command says so") {

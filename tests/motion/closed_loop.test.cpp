@@ -115,12 +115,30 @@ TEST_CASE("a position loop has a highest Kv") {
   auto host = runtime(0.01, 40);
   auto slow = two_masses();
   slow.velocity_bandwidth = 15;
-  double const kv = highest_kv(host, move_of(50), slow, false);
+  auto const found = highest_kv(host, move_of(50), slow, false);
+  REQUIRE(found.has_value());
+  double const kv = *found;
   CHECK(kv > 10);
   slow.kv = kv * 1.1;
   CHECK(diverges(simulate_loop(host, move_of(50), slow, false), 0.001));
   slow.kv = kv * 0.9;
   CHECK_FALSE(diverges(simulate_loop(host, move_of(50), slow, false), 0.001));
+}
+
+TEST_CASE("a loop that outlives the search has no highest Kv") {
+  // Load and motor are one, and the drive follows at once: a sampled integrator, stable up to Kv T = 2.
+  auto stiff = two_masses();
+  stiff.stiffness = 1e11;
+  stiff.damping = 1e6;
+  stiff.velocity_bandwidth = 1500;
+  stiff.dead_time = 0;
+  auto host = runtime(0.01, 40);
+  CHECK_FALSE(highest_kv(host, move_of(50), stiff, false).has_value());
+  // Two cycles of dead time more: x[n+1] = x[n] - Kv T x[n-2] is stable up to Kv T = 2 sin(π/10).
+  stiff.dead_time = 0.002;
+  auto const found = highest_kv(host, move_of(50), stiff, false);
+  REQUIRE(found.has_value());
+  CHECK(*found == Approx(1000 * 2 * std::sin(pi / 10)).epsilon(0.1));
 }
 
 }  // namespace axisc::motion

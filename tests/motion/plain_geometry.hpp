@@ -33,11 +33,12 @@ struct Distances {
 };
 
 /// Distances of the contour's points from the filtered path, per straight line of the contour. `contour` begins where the
-/// axes rest, setpoints lie on it in their order. Looked at are its corners, the setpoints and `between` points from each
+/// axes rest; the setpoints `given` lie on it in their order. Looked at are its corners, the setpoints and points from each
 /// to the next.
 [[nodiscard]] std::vector<Distances> distances(std::vector<Place> const& contour,
-                                               std::vector<Place> const& setpoints,
-                                               std::vector<std::vector<double>> const& taps, int between = 3);
+                                               std::vector<Place> const& given,
+                                               std::vector<std::vector<double>> const& taps,
+                                               int points_between = 3);
 /// The largest of them.
 [[nodiscard]] Distances largest_of(std::vector<Distances> const& all);
 
