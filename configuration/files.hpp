@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace axisc::configuration {
 
@@ -41,6 +42,13 @@ class Files {
   /// and passes it in one piece.
   [[nodiscard]] virtual std::optional<FileError> read_pieces(std::string const& path,
                                                              PieceReceiver const& receive);
+  /// True for a file that could be read. The default implementation reads it.
+  [[nodiscard]] virtual bool is_file(std::string const& path);
+  /// The names in a folder, in any order; `folder` ends in a separator or is empty for the working folder. None where it
+  /// cannot be read, and from the default implementation.
+  [[nodiscard]] virtual std::vector<std::string> names_in(std::string const& folder);
+  /// True for two names of one file. The default implementation compares the names.
+  [[nodiscard]] virtual bool is_same(std::string const& one, std::string const& other);
 
  protected:
   Files() = default;

@@ -3,6 +3,7 @@
 
 #include "configuration/json_shape.hpp"
 #include "configuration/located_json.hpp"
+#include "configuration/located_text.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 
@@ -13,12 +14,6 @@
 #include <vector>
 
 namespace axisc::configuration {
-
-/// A text of a file with its place; a keyword of a table in the table's spelling.
-struct LocatedText {
-  std::string text;
-  Place place;
-};
 
 class JsonReading {
  public:

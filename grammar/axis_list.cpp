@@ -1,5 +1,6 @@
 #include "grammar/axis_list.hpp"
 
+#include "diagnostics/utf8.hpp"
 #include "grammar/axis_list_def.hpp"
 #include "grammar/axis_list_reader.hpp"
 #include "grammar/character_class.hpp"
@@ -187,6 +188,13 @@ AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool 
   LineSplitter splitter(bytes.substr(text_begin));
   for (std::string_view line; splitter.next(line);) reader.read(line, splitter.number(), windows_1252);
   return std::move(reader).finish(splitter.number());
+}
+
+AxisList parse_axis_list(SourceText const& source) {
+  // The encoding is determined only if a byte depends on it.
+  bool const is_ascii = ascii_prefix(source.bytes()) == source.bytes().size();
+  return parse_axis_list(source.bytes(), source.text_begin(),
+                         !is_ascii && source.encoding() == Encoding::windows_1252);
 }
 
 Span free_text(std::string_view bytes, Assignment const& assignment) {

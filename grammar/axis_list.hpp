@@ -7,6 +7,7 @@
 // line.
 #pragma once
 
+#include "diagnostics/source_text.hpp"
 #include "diagnostics/span.hpp"
 #include "grammar/directive.hpp"
 
@@ -84,6 +85,9 @@ inline constexpr std::size_t longest_line = 1U << 20U;
 /// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has
 /// checked that no line is longer than `longest_line` (see `longest_line_in`).
 [[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
+
+/// The list of a source, in its encoding.
+[[nodiscard]] AxisList parse_axis_list(SourceText const& source);
 
 /// Length of the longest line of `bytes`.
 [[nodiscard]] std::size_t longest_line_in(std::string_view bytes);

@@ -49,7 +49,7 @@ bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading
 class Layout {
  public:
   Layout(SourceText const& source, schema::Catalogue const& catalogue)
-      : source_(source), list_(judge_list(source, parse_list(source), catalogue)) {}
+      : source_(source), list_(judge_list(source, grammar::parse_axis_list(source), catalogue)) {}
 
   std::string write() && {
     auto const rows = this->rows();

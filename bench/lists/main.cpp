@@ -187,7 +187,7 @@ void compare(std::size_t count, std::size_t rounds, std::string_view only) {
       reading("axisc, grammar alone", texts, parse),
       values("axisc, values, by the grammar",
              [](SourceText const& source) {
-               return validator::judge_list(source, validator::parse_list(source));
+               return validator::judge_list(source, grammar::parse_axis_list(source));
              }),
       values("axisc, values", [](SourceText const& source) { return validator::read_list(source); }),
       whole_check("axisc, single parameters", texts, ranges),

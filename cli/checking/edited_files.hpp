@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -27,6 +28,16 @@ class EditedFiles final : public configuration::Files {
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override {
     return edited_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
+  }
+
+  [[nodiscard]] bool is_file(std::string const& path) override {
+    return edited_.contains(path) || disk_.is_file(path);
+  }
+  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override {
+    return disk_.names_in(folder);
+  }
+  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override {
+    return disk_.is_same(one, other);
   }
 
  private:

@@ -4,7 +4,9 @@
 #include "system/file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <span>
+#include <system_error>
 
 namespace axisc::cli::says {
 
@@ -177,6 +179,27 @@ std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
   }
   receive(held->second);
   return std::nullopt;
+}
+
+bool DiskFiles::is_file(std::string const& path) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error);
+}
+
+std::vector<std::string> DiskFiles::names_in(std::string const& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    names.push_back(entry->path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool DiskFiles::is_same(std::string const& one, std::string const& other) {
+  std::error_code error;
+  return std::filesystem::equivalent(one, other, error);
 }
 
 Failure unreadable(std::string const& path, FileError error) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -21,6 +22,9 @@ class DiskFiles final : public configuration::Files {
   /// Memory: one block; a pipe, which can be read only once, is kept completely.
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override;
+  [[nodiscard]] bool is_file(std::string const& path) override;
+  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override;
+  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override;
 
  private:
   bool dash_is_standard_input_;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -22,6 +23,14 @@ class RecordedFiles final : public configuration::Files {
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override;
+  /// Not recorded: a result that depends on a folder is not complete.
+  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override {
+    complete_ = false;
+    return disk_.names_in(folder);
+  }
+  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override {
+    return disk_.is_same(one, other);
+  }
 
   /// State of a file: from the table if it has not changed, otherwise it is read. A file that is not too large is kept,
   /// so that read() does not read it again. None if it is not a regular file: a pipe can be read only once.

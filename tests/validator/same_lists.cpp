@@ -57,7 +57,7 @@ bool same_lists(validator::ReadList const& a, validator::ReadList const& b,
 bool reads_as_by_the_grammar(SourceText const& source, schema::Catalogue const& catalogue) {
   bool const is_windows = source.encoding() == Encoding::windows_1252;
   auto tree = grammar::parse_axis_list(source.bytes(), source.text_begin(), is_windows);
-  return tree == validator::parse_list(source) &&
+  return tree == grammar::parse_axis_list(source) &&
          same_lists(validator::read_list(source, catalogue),
                     validator::judge_list(source, std::move(tree), catalogue), catalogue);
 }

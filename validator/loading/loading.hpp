@@ -4,6 +4,7 @@
 #include "configuration/machine_file.hpp"
 #include "grammar/nc_program.hpp"
 #include "validator/loading/program_reading.hpp"
+#include "validator/loading/start_up.hpp"
 #include "validator/options.hpp"
 #include "validator/values/effective_values.hpp"
 #include "validator/values/merge_lists.hpp"
@@ -77,6 +78,7 @@ struct LoadedMachine {
   std::vector<LoadedGantry> gantries;      ///< of gantries_of(), once everything is loaded
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list
+  std::optional<StartUp> start_up;         ///< the machine is that of a start-up list
   bool inch = false;                       ///< lengths in programs are inches
   std::optional<BuildVersion> build;       ///< of the control, where the options name it
   std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest

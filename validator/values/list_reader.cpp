@@ -231,13 +231,6 @@ ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue)
   return ListReader(source, catalogue).read();
 }
 
-grammar::AxisList parse_list(SourceText const& source) {
-  // The encoding is determined only if a byte depends on it.
-  bool const is_ascii = ascii_prefix(source.bytes()) == source.bytes().size();
-  return grammar::parse_axis_list(source.bytes(), source.text_begin(),
-                                  !is_ascii && source.encoding() == Encoding::windows_1252);
-}
-
 ReadList judge_list(SourceText const& source, grammar::AxisList tree, schema::Catalogue const& catalogue) {
   return ListReader(source, catalogue).judge(std::move(tree));
 }

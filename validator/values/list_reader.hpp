@@ -17,9 +17,7 @@ struct ReadList {
 /// the first thousand unknown names only.
 [[nodiscard]] ReadList read_list(SourceText const& source, schema::Catalogue const& catalogue = {});
 
-/// The list as the grammar reads it, line by line, whatever it means.
-[[nodiscard]] grammar::AxisList parse_list(SourceText const& source);
-/// What the assignments of a list mean that parse_list() has read. Cost: twice to three times that of read_list(), together.
+/// What the assignments of a list mean that grammar::parse_axis_list() has read. Cost: twice to three times that of read_list(), together.
 [[nodiscard]] ReadList judge_list(SourceText const& source, grammar::AxisList tree,
                                   schema::Catalogue const& catalogue = {});
 

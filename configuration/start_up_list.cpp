@@ -1,0 +1,131 @@
+#include "configuration/start_up_list.hpp"
+
+#include "configuration/listed_values.hpp"
+#include "diagnostics/ascii.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace axisc::configuration {
+namespace {
+
+struct EntryArray {
+  std::string_view pattern;
+  std::vector<ListEntry> StartUpList::*entries;
+};
+constexpr std::array entry_arrays = {EntryArray{"achs_mds[]", &StartUpList::axes},
+                                     EntryArray{"sda_mds[]", &StartUpList::channels}};
+
+struct Count {
+  std::string_view name;
+  std::optional<ListCount> StartUpList::*count;
+};
+constexpr std::array counts = {Count{"zahl_mds", &StartUpList::axis_count},
+                               Count{"kanal_anzahl", &StartUpList::channel_count},
+                               Count{"zahl_kw", &StartUpList::compensation_count}};
+
+struct Single {
+  std::string_view name;
+  std::optional<LocatedText> StartUpList::*text;
+};
+constexpr std::array singles = {Single{"default_achs_mds", &StartUpList::default_axis_list},
+                                Single{"default_sda_mds", &StartUpList::default_channel},
+                                Single{"rtconf_lis", &StartUpList::real_time},
+                                Single{"scheduling_position_controller", &StartUpList::position_control}};
+
+/// Lists that do not decide which axes there are.
+constexpr std::array<std::string_view, 8> other_lists = {
+    "werkz_data[]", "nullp_data[]",          "pzv_data[]",  "ve_var[]",
+    "hand_mds",     "hw_configuration_list", "scene_mds[]", "techno_mds"};
+
+/// The entry of that index, which is new where there was none.
+template <typename Entry, typename IndexOf>
+Entry& entry_at(std::vector<Entry>& entries, std::uint32_t index, IndexOf index_of) {
+  auto const at =
+      std::lower_bound(entries.begin(), entries.end(), index,
+                       [&](Entry& each, std::uint32_t wanted) { return index_of(each) < wanted; });
+  if (at != entries.end() && index_of(*at) == index) return *at;
+  auto const added = entries.insert(at, Entry{});
+  index_of(*added) = index;
+  return *added;
+}
+
+std::uint32_t& index_of_list(ListEntry& entry) {
+  return entry.index;
+}
+std::uint32_t& index_of_compensation(CompensationEntry& entry) {
+  return entry.list.index;
+}
+
+std::optional<ListCount> as_count(ListedValue const& listed) {
+  auto const number = as_number(listed.value);
+  if (!number) return std::nullopt;
+  return ListCount{.number = *number, .place = listed.value.place};
+}
+
+void read_line(ListedValue& listed, StartUpList& list) {
+  for (EntryArray const& array : entry_arrays) {
+    if (auto const indices = match_name(listed.name, array.pattern)) {
+      entry_at(list.*array.entries, (*indices)[0], index_of_list).file = std::move(listed.value);
+      return;
+    }
+  }
+  for (Count const& count : counts) {
+    if (match_name(listed.name, count.name)) list.*count.count = as_count(listed);
+  }
+  for (Single const& single : singles) {
+    if (match_name(listed.name, single.name)) list.*single.text = listed.value;
+  }
+  if (auto const indices = match_name(listed.name, "achs_kw[]")) {
+    entry_at(list.compensations, (*indices)[0], index_of_compensation).list.file = listed.value;
+  }
+  if (auto const indices = match_name(listed.name, "achs_kw_log_ax_nr[]")) {
+    entry_at(list.compensations, (*indices)[0], index_of_compensation).axis = as_count(listed);
+  }
+  bool const is_other = std::any_of(other_lists.begin(), other_lists.end(), [&](std::string_view pattern) {
+    return match_name(listed.name, pattern).has_value();
+  });
+  if (is_other) list.others.push_back(std::move(listed.value));
+}
+
+constexpr std::array<std::string_view, 6> own_names = {"achs_mds[",  "sda_mds[",         "zahl_mds",
+                                                       "rtconf_lis", "default_achs_mds", "kanal_anzahl"};
+
+}  // namespace
+
+bool is_read(ListEntry const& entry, std::optional<ListCount> const& count) {
+  return entry.index < (count ? count->number : 0);
+}
+
+StartUpList read_start_up_list(SourceText const& text, SourceId source) {
+  StartUpList list;
+  for (ListedValue& listed : listed_values(text, source)) read_line(listed, list);
+  std::erase_if(list.compensations,
+                [](CompensationEntry const& entry) { return entry.list.file.text.empty(); });
+  return list;
+}
+
+std::vector<LocatedText const*> named_lists(StartUpList const& list) {
+  std::vector<LocatedText const*> named;
+  for (ListEntry const& entry : list.axes) named.push_back(&entry.file);
+  for (ListEntry const& entry : list.channels) named.push_back(&entry.file);
+  for (CompensationEntry const& entry : list.compensations) named.push_back(&entry.list.file);
+  for (auto const* const single : {&list.default_axis_list, &list.default_channel, &list.real_time}) {
+    if (*single) named.push_back(&**single);
+  }
+  for (LocatedText const& other : list.others) named.push_back(&other);
+  return named;
+}
+
+bool looks_like_start_up_list(std::string_view bytes) {
+  return std::any_of(own_names.begin(), own_names.end(), [bytes](std::string_view name) {
+    for (std::size_t at = bytes.find(name); at != std::string_view::npos; at = bytes.find(name, at + 1)) {
+      std::size_t const line = at == 0 ? 0 : bytes.find_last_of("\n\r", at - 1) + 1;
+      if (ascii::trimmed(bytes.substr(line, at - line)).empty()) return true;
+    }
+    return false;
+  });
+}
+
+}  // namespace axisc::configuration

@@ -1,0 +1,180 @@
+#include "validator/loading/loader.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "grammar/axis_list.hpp"
+#include "validator/commands/command_check.hpp"
+#include "validator/values/list_reader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+constexpr std::string_view separators = "/\\";
+
+bool ends_in(std::string_view path, std::string_view extension) {
+  if (path.size() < extension.size()) return false;
+  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+}
+
+std::string key_of(std::string const& path) {
+  return std::filesystem::path(path).lexically_normal().generic_string();
+}
+
+LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
+  SourceText const& text = sources[source];
+  LoadedList list;
+  list.source = source;
+  list.catalogue = catalogue;
+  ReadList read = read_list(text, catalogue);
+  list.tree = std::move(read.tree);
+  list.readings = std::move(read.readings);
+  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
+  return list;
+}
+
+}  // namespace
+
+std::string_view file_name(std::string_view path) {
+  std::size_t const separator = path.find_last_of(separators);
+  return separator == std::string_view::npos ? path : path.substr(separator + 1);
+}
+
+std::string_view without_extension(std::string_view name) {
+  std::size_t const point = name.find_last_of('.');
+  return point == std::string_view::npos || point == 0 ? name : name.substr(0, point);
+}
+
+bool is_absolute(std::string_view path) {
+  bool const drive = path.size() > 1 && path[1] == ':';
+  return drive || (!path.empty() && separators.find(path.front()) != std::string_view::npos);
+}
+
+std::string beside(std::string const& path, std::string const& name) {
+  if (is_absolute(name)) return name;
+  return path.substr(0, path.size() - file_name(path).size()) + name;
+}
+
+bool runs_in(LoadedGroup const& group, std::size_t program) {
+  return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
+}
+
+std::optional<configuration::FileError> Loader::load(std::string const& path) {
+  machine_.path = path;
+  machine_.name = without_extension(file_name(path));
+  machine_.files.push_back(path);
+  if (auto const error = ends_in(path, ".nc") ? load_program() : load_text()) return *error;
+  if (machine_.groups.empty()) add_default_group();
+  for (LoadedGroup& group : machine_.groups) {
+    for (std::size_t const program : common_programs_) {
+      if (!runs_in(group, program)) group.programs.push_back(program);
+    }
+  }
+  if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
+  machine_.build = options_.build;
+  return std::nullopt;
+}
+
+std::optional<configuration::FileError> Loader::load_program() {
+  auto const program = add_program(std::string(file_name(machine_.path)), machine_.path);
+  if (auto const* const error = std::get_if<configuration::FileError>(&program)) return *error;
+  return std::nullopt;
+}
+
+std::optional<configuration::FileError> Loader::load_text() {
+  std::variant<std::string, configuration::FileError> bytes = read_text(machine_.path);
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
+  auto& text = std::get<std::string>(bytes);
+  bool const is_machine = ends_in(machine_.path, ".json") && configuration::looks_like_machine_file(text);
+  bool const is_start_up = !is_machine && configuration::looks_like_start_up_list(text);
+  SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
+  if (is_machine) {
+    load_machine_file(source);
+  } else if (is_start_up) {
+    load_start_up_list(source);
+  } else {
+    load_single(source);
+  }
+  return std::nullopt;
+}
+
+void Loader::load_single(SourceId source) {
+  machine_.lists.push_back(
+      {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
+  LoadedAxis& axis = add_axis(0, std::nullopt);
+  EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
+  bool const named = name.set() && !name.unusable && !name.value.text.empty();
+  axis.name = named ? std::string(name.value.text) : machine_.name;
+  machine_.name = axis.name;
+}
+
+void Loader::add_default_group() {
+  LoadedGroup group;
+  for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) {
+    if (machine_.axes[axis].type != machine::AxisType::spindle) group.axes.push_back(axis);
+  }
+  if (!group.axes.empty()) machine_.groups.push_back(std::move(group));
+}
+
+LoadedAxis& Loader::add_axis(std::size_t list, std::optional<machine::AxisType> type) {
+  if (options_.axis_type) type = options_.axis_type;
+  std::optional<bool> rotary;
+  if (type) rotary = *type != machine::AxisType::translatory;
+  MergedValues merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
+  machine::AxisType const known_type = type.value_or(axis_type_of(merged.values));
+  machine_.axes.push_back(
+      {.name = {}, .type = known_type, .list = list, .drive = {}, .merged = std::move(merged)});
+  return machine_.axes.back();
+}
+
+std::variant<std::string, configuration::FileError> Loader::read_text(std::string const& path) {
+  std::variant<std::string, configuration::FileError> bytes = files_.read(path);
+  if (auto const* const text = std::get_if<std::string>(&bytes)) {
+    std::variant<std::monostate, configuration::FileError> const problem = configuration::check_text(*text);
+    if (auto const* const error = std::get_if<configuration::FileError>(&problem)) return *error;
+  }
+  return bytes;
+}
+
+std::variant<std::size_t, configuration::FileError> Loader::add_list(std::string const& path,
+                                                                     std::string shown) {
+  std::string const key = key_of(path);
+  auto const known = by_path_.find(key);
+  if (known != by_path_.end()) return known->second;
+  std::variant<std::string, configuration::FileError> bytes = read_text(path);
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
+  machine_.files.push_back(path);
+  SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+  machine_.lists.push_back({.name = std::move(shown), .list = parse(sources_, source, options_.catalogue)});
+  by_path_.emplace(key, machine_.lists.size() - 1);
+  return machine_.lists.size() - 1;
+}
+
+std::variant<std::size_t, configuration::FileError> Loader::add_program(std::string name,
+                                                                        std::string const& path) {
+  std::string const key = key_of(path);
+  auto const known = programs_by_path_.find(key);
+  if (known != programs_by_path_.end()) return known->second;
+  std::variant<ReadProgram, configuration::FileError> read =
+      read_program(files_, path, options_.whole_programs ? ProgramText::whole : ProgramText::excerpt);
+  if (auto const* const error = std::get_if<configuration::FileError>(&read)) return *error;
+  auto& content = std::get<ReadProgram>(read);
+  LoadedProgram program;
+  program.name = std::move(name);
+  program.path = path;
+  program.mark = content.mark;
+  program.source = sources_.add(std::move(content.text));
+  program.tree = std::move(content.tree);
+  std::string_view const text = sources_[program.source].bytes();
+  program.gives_order =
+      std::any_of(program.tree.commands.begin(), program.tree.commands.end(),
+                  [&](grammar::NcCommand const& command) { return gives_order(command, text); });
+  machine_.programs.push_back(std::move(program));
+  if (path != machine_.path) machine_.files.push_back(path);
+  programs_by_path_.emplace(key, machine_.programs.size() - 1);
+  return machine_.programs.size() - 1;
+}
+
+}  // namespace axisc::validator

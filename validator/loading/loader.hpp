@@ -1,0 +1,82 @@
+// Reads the files of an input, each once, into the machine that is being loaded.
+#pragma once
+
+#include "validator/loading/loading.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace axisc::validator {
+
+/// The last part of a path; what comes before its last point; `name` relative to the folder of `path`.
+[[nodiscard]] std::string_view file_name(std::string_view path);
+[[nodiscard]] std::string_view without_extension(std::string_view name);
+[[nodiscard]] std::string beside(std::string const& path, std::string const& name);
+[[nodiscard]] bool is_absolute(std::string_view path);
+
+class Loader {
+ public:
+  /// All arguments outlive the loader.
+  Loader(configuration::Files& files, CheckOptions const& options, SourceSet& sources, LoadedMachine& machine)
+      : files_(files), options_(options), sources_(sources), machine_(machine) {}
+
+  /// The input, and everything that it names.
+  std::optional<configuration::FileError> load(std::string const& path);
+
+ private:
+  std::optional<configuration::FileError> load_program();
+  /// A list, a machine file, or a start-up list.
+  std::optional<configuration::FileError> load_text();
+  void load_single(SourceId source);
+  void add_default_group();
+
+  // machine_file_loading.cpp
+  void load_machine_file(SourceId source);
+  /// None for an axis whose list could not be read.
+  [[nodiscard]] std::optional<std::size_t> axis_named(configuration::LocatedText const& name) const;
+  void add_group(configuration::MachineFileGroup const& named);
+  void add_claims(configuration::MachineFileGantry const& gantry);
+  /// Index of the list, of the program; a file that is named several times is read once.
+  std::optional<std::size_t> list_named(configuration::LocatedText const& name);
+  std::optional<std::size_t> program_named(configuration::LocatedText const& name);
+  void missing(configuration::LocatedText const& name, configuration::FileError error);
+
+  // start_up_loading.cpp
+  void load_start_up_list(SourceId source);
+  void load_channels(StartUp& start_up);
+  void add_channel(StartUp& start_up, configuration::ListEntry const& entry);
+  void add_channel_programs(StartUp const& start_up, configuration::ChannelList const& channel,
+                            LoadedGroup& group);
+  void load_compensations(StartUp& start_up);
+  void name_axes(StartUp const& start_up);
+  /// Index of the list; none where it is missing or cannot be read.
+  std::optional<std::size_t> list_found(StartUp& start_up, configuration::LocatedText const& named);
+  /// Where a list lies; noted, so that what is missing can be told.
+  std::optional<std::string> search(StartUp& start_up, configuration::LocatedText const& named);
+  /// The path as seen from the folder of the start-up list.
+  [[nodiscard]] std::string shown(std::string const& path) const;
+  /// The source of a list that has no place among the axes' lists.
+  std::optional<SourceId> add_source(std::string const& path);
+
+  LoadedAxis& add_axis(std::size_t list, std::optional<machine::AxisType> type);
+  /// Index of the list; a file is read once.
+  std::variant<std::size_t, configuration::FileError> add_list(std::string const& path, std::string shown);
+  std::variant<std::size_t, configuration::FileError> add_program(std::string name, std::string const& path);
+  std::variant<std::string, configuration::FileError> read_text(std::string const& path);
+
+  configuration::Files& files_;
+  CheckOptions const& options_;
+  SourceSet& sources_;
+  LoadedMachine& machine_;
+  std::map<std::string, std::size_t> by_path_;
+  std::map<std::string, std::size_t> programs_by_path_;
+  std::vector<std::size_t> common_programs_;  ///< those that every group runs
+};
+
+/// True where the channel runs the program.
+[[nodiscard]] bool runs_in(LoadedGroup const& group, std::size_t program);
+
+}  // namespace axisc::validator

@@ -1,0 +1,45 @@
+// What a controller's start-up list and the lists that it names say about the machine.
+#pragma once
+
+#include "configuration/channel_list.hpp"
+#include "configuration/list_search.hpp"
+#include "configuration/real_time_list.hpp"
+#include "configuration/start_up_list.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace axisc::validator {
+
+/// A list that the start-up list names, and where it was found.
+struct ListSearch {
+  configuration::LocatedText named;
+  std::optional<configuration::FoundList> found;  ///< none where it is missing or cannot be read
+};
+
+struct StartUpChannel {
+  std::uint32_t index = 0;  ///< i of sda_mds[i]
+  configuration::ChannelList list;
+  std::size_t group = 0;  ///< index into LoadedMachine::groups
+};
+
+/// A compensation list with the axis number that it names itself (kopf.achs_nr).
+struct StartUpCompensation {
+  configuration::CompensationEntry entry;
+  std::optional<configuration::ListCount> own_axis;
+};
+
+struct StartUp {
+  SourceId source{};
+  configuration::StartUpList list;
+  configuration::RealTimeList real_time;
+  std::vector<std::size_t> entries;     ///< of each of LoadedMachine::axes: index into list.axes
+  std::deque<StartUpChannel> channels;  ///< those that the control reads, with a list that was found
+  std::vector<StartUpCompensation> compensations;  ///< the same
+  std::vector<ListSearch> searches;                ///< in the order in which lists were looked for
+};
+
+}  // namespace axisc::validator

@@ -1,0 +1,191 @@
+#include "configuration/listed_values.hpp"
+#include "diagnostics/ascii.hpp"
+#include "validator/loading/loader.hpp"
+#include "validator/views/gantry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+using configuration::ChannelAxis;
+using configuration::ListEntry;
+using configuration::LocatedText;
+
+struct Scheduling {
+  std::string_view word;
+  machine::PositionController controller;
+};
+constexpr std::array schedulings = {Scheduling{"OPT_DRIVE_POS_CONTROL", machine::PositionController::drive},
+                                    Scheduling{"OPT_CNC_POS_CONTROL", machine::PositionController::cnc}};
+
+machine::PositionController scheduled_controller(std::optional<LocatedText> const& word) {
+  for (Scheduling const& scheduling : schedulings) {
+    if (word && ascii::equal_ignoring_case(word->text, scheduling.word)) return scheduling.controller;
+  }
+  return machine::PositionController::unknown;
+}
+
+/// What a channel calls the axis with this number; null where none does.
+LocatedText const* name_in_channels(StartUp const& start_up, double number) {
+  for (StartUpChannel const& channel : start_up.channels) {
+    for (auto const* const axes : {&channel.list.axes, &channel.list.spindles}) {
+      auto const axis = std::find_if(axes->begin(), axes->end(), [number](ChannelAxis const& each) {
+        return each.name && each.number->number == number;
+      });
+      if (axis != axes->end()) return &*axis->name;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void Loader::load_start_up_list(SourceId source) {
+  StartUp& start_up = machine_.start_up.emplace();
+  start_up.source = source;
+  start_up.list = configuration::read_start_up_list(sources_[source], source);
+  if (start_up.list.default_axis_list) {
+    machine_.default_list = list_found(start_up, *start_up.list.default_axis_list);
+    machine_.default_list_missing = !machine_.default_list;
+    if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
+    by_path_.clear();
+  }
+  machine::PositionController const controller = scheduled_controller(start_up.list.position_control);
+  for (std::size_t i = 0; i < start_up.list.axes.size(); ++i) {
+    ListEntry const& entry = start_up.list.axes[i];
+    if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.axis_count)) continue;
+    auto const list = list_found(start_up, entry.file);
+    if (!list) continue;
+    add_axis(*list, std::nullopt).position_control = controller;
+    start_up.entries.push_back(i);
+  }
+  if (start_up.list.real_time) {
+    auto const path = search(start_up, *start_up.list.real_time);
+    auto const real_time = path ? add_source(*path) : std::nullopt;
+    if (real_time) start_up.real_time = configuration::read_real_time_list(sources_[*real_time], *real_time);
+    machine_.cycle_time = start_up.real_time.cycle_time;
+  }
+  load_channels(start_up);
+  load_compensations(start_up);
+  name_axes(start_up);
+}
+
+void Loader::load_channels(StartUp& start_up) {
+  for (ListEntry const& entry : start_up.list.channels) {
+    if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.channel_count)) continue;
+    add_channel(start_up, entry);
+  }
+  // The default list says what channels leave open, and names no axes.
+  if (start_up.list.default_channel) search(start_up, *start_up.list.default_channel);
+  for (LocatedText const& other : start_up.list.others) search(start_up, other);
+}
+
+void Loader::add_channel(StartUp& start_up, ListEntry const& entry) {
+  auto const path = search(start_up, entry.file);
+  auto const source = path ? add_source(*path) : std::nullopt;
+  if (!source) return;
+  StartUpChannel& channel = start_up.channels.emplace_back();
+  channel.index = entry.index;
+  channel.list = configuration::read_channel_list(sources_[*source], *source);
+  channel.group = machine_.groups.size();
+  LoadedGroup& group = machine_.groups.emplace_back();
+  if (channel.list.name) group.name = channel.list.name->text;
+  for (ChannelAxis const& named : channel.list.axes) {
+    auto const axis = axis_numbered(machine_, named.number->number);
+    bool const is_new = axis && std::find(group.axes.begin(), group.axes.end(), *axis) == group.axes.end();
+    if (is_new) group.axes.push_back(*axis);
+  }
+  std::sort(group.axes.begin(), group.axes.end());
+  add_channel_programs(start_up, channel.list, group);
+}
+
+/// Exported folders often lack the programs, so what is not found is no mistake.
+void Loader::add_channel_programs(StartUp const& /*start_up*/, configuration::ChannelList const& channel,
+                                  LoadedGroup& group) {
+  for (LocatedText const& program : channel.programs) {
+    std::vector<std::string> names{program.text};
+    for (LocatedText const& folder : channel.folders) names.push_back(folder.text + "/" + program.text);
+    for (std::string const& name : names) {
+      auto const found = configuration::find_list(files_, machine_.path, name);
+      if (!found) continue;
+      auto const read = add_program(shown(found->path), found->path);
+      auto const* const index = std::get_if<std::size_t>(&read);
+      if (index != nullptr && !runs_in(group, *index)) group.programs.push_back(*index);
+      break;
+    }
+  }
+}
+
+void Loader::load_compensations(StartUp& start_up) {
+  for (configuration::CompensationEntry const& entry : start_up.list.compensations) {
+    if (!configuration::is_read(entry.list, start_up.list.compensation_count)) continue;
+    auto const path = search(start_up, entry.list.file);
+    auto const source = path ? add_source(*path) : std::nullopt;
+    if (!source) continue;
+    StartUpCompensation& compensation = start_up.compensations.emplace_back();
+    compensation.entry = entry;
+    for (configuration::ListedValue const& listed :
+         configuration::listed_values(sources_[*source], *source)) {
+      auto const number = configuration::as_number(listed.value);
+      if (!number || !configuration::match_name(listed.name, "kopf.achs_nr")) continue;
+      compensation.own_axis = configuration::ListCount{.number = *number, .place = listed.value.place};
+    }
+  }
+}
+
+/// Programs use the channel's name. Two axes never get one name.
+void Loader::name_axes(StartUp const& start_up) {
+  std::set<std::string> taken;
+  for (LoadedAxis& axis : machine_.axes) {
+    EffectiveValue const& number = axis.merged.values.at("kopf.achs_nr");
+    EffectiveValue const& own = axis.merged.values.at("kopf.log_achs_name");
+    LocatedText const* const called =
+        number.unusable ? nullptr : name_in_channels(start_up, number.value.number);
+    std::string name(without_extension(file_name(machine_.lists[axis.list].name)));
+    if (own.set() && !own.unusable && !own.value.text.empty()) name = own.value.text;
+    if (called != nullptr) name = called->text;
+    std::string unique = name;
+    for (std::size_t count = 2; !taken.insert(unique).second; ++count)
+      unique = name + "_" + std::to_string(count);
+    axis.name = std::move(unique);
+  }
+}
+
+std::optional<std::size_t> Loader::list_found(StartUp& start_up, LocatedText const& named) {
+  if (auto const path = search(start_up, named)) {
+    auto const list = add_list(*path, shown(*path));
+    if (auto const* const index = std::get_if<std::size_t>(&list)) return *index;
+    start_up.searches.back().found.reset();
+  }
+  machine_.complete = false;
+  return std::nullopt;
+}
+
+std::optional<std::string> Loader::search(StartUp& start_up, LocatedText const& named) {
+  if (named.text.empty()) return std::nullopt;
+  ListSearch& search = start_up.searches.emplace_back();
+  search.named = named;
+  search.found = configuration::find_list(files_, machine_.path, named.text);
+  if (!search.found) return std::nullopt;
+  return search.found->path;
+}
+
+std::string Loader::shown(std::string const& path) const {
+  if (is_absolute(path) != is_absolute(machine_.path)) return std::string(file_name(path));
+  auto const folder = std::filesystem::path(machine_.path).parent_path();
+  return std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder).generic_string();
+}
+
+std::optional<SourceId> Loader::add_source(std::string const& path) {
+  std::variant<std::string, configuration::FileError> bytes = read_text(path);
+  if (std::holds_alternative<configuration::FileError>(bytes)) return std::nullopt;
+  machine_.files.push_back(path);
+  return sources_.add(SourceText(path, std::get<std::string>(std::move(bytes))));
+}
+
+}  // namespace axisc::validator
