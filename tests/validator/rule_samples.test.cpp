@@ -2,9 +2,9 @@
 // one that it passes.
 //
 // The samples are in the rule's folder. `fail.lis` is a list, for rules about NC programs `fail.nc`, or a folder `fail` with
-// machine.json where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
+// machine.json or hochlauf.lis where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
 // `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
-// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis.
+// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis or hochlauf.lis.
 #include "diagnostics/message.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -120,11 +120,11 @@ Outcome run_sample(validator::Rule const& rule, std::string const& name) {
   std::string input = name + (fs::exists(base.string() + ".nc") ? ".nc" : ".lis");
   validator::CheckOptions options;
   if (fs::is_directory(base)) {
-    input = "machine.json";
+    input = fs::exists(base / "hochlauf.lis") ? "hochlauf.lis" : "machine.json";
     for (fs::directory_entry const& entry : fs::directory_iterator(base)) {
       contents[entry.path().filename().string()] = read(entry.path());
     }
-    options = options_of(contents["x.lis"]);
+    options = options_of(contents[input == "machine.json" ? "x.lis" : input]);
   } else {
     contents[input] = read(folder / input);
     options = options_of(contents[input]);

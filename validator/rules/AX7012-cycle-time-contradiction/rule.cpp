@@ -1,0 +1,41 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"the real-time list says {list}, checked was with {used}",
+                            "die Echtzeitliste sagt {list}, geprüft wurde mit {used}"};
+constexpr Sentence note{"the option or the settings win over the list",
+                        "die Option oder die Einstellungen gehen der Liste vor"};
+constexpr Sentence help{"leave out the cycle time, and the list's counts",
+                        "die Zykluszeit weglassen, dann gilt die der Liste"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+void cycle_time_contradiction(MachineContext const& context, Report& report) {
+  LoadedMachine const& machine = context.machine;
+  if (!machine.start_up || !machine.start_up->real_time.cycle_time || !machine.cycle_time) return;
+  configuration::RealTimeList const& real_time = machine.start_up->real_time;
+  if (*real_time.cycle_time == *machine.cycle_time) return;
+  Finding& finding =
+      report.add(real_time.place, {says::headline,
+                                   {{"list", microseconds(real_time.cycle_time->microseconds())},
+                                    {"used", microseconds(machine.cycle_time->microseconds())}}});
+  finding.notes.push_back({says::note, {}});
+  finding.help.push_back({says::help, {}});
+}
+
+}  // namespace
+
+extern constinit Rule const ax7012{
+    .code = Code{7012},
+    .name = "cycle-time-contradiction",
+    .severity = Severity::warning,
+    .check = cycle_time_contradiction,
+};
+
+}  // namespace axisc::validator::checks
