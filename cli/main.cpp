@@ -74,6 +74,9 @@ constexpr Sentence diff_meaning{
     "say what changed between two lists, machines or images",
     "sagen, was sich zwischen zwei Listen, Maschinen oder Abbildern geändert hat"};
 
+constexpr Sentence machine_meaning{
+    "show the machine that a start-up list or a machine file describes",
+    "die Maschine zeigen, die eine Hochlaufliste oder Maschinendatei beschreibt"};
 constexpr Sentence contour_meaning{"predict axis errors and contour deviations",
                                    "Achsfehler und Bahnabweichungen vorhersagen"};
 constexpr Sentence simulate_meaning{
@@ -98,9 +101,10 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 14> commands = {{{"lint", cli::says::lint_meaning, lint},
+constexpr std::array<Command, 15> commands = {{{"lint", cli::says::lint_meaning, lint},
                                                {"fmt", cli::says::fmt_meaning, fmt},
                                                {"compile", cli::says::compile_meaning, compile},
+                                               {"machine", cli::says::machine_meaning, cli::machine},
                                                {"inspect", cli::says::inspect_meaning, inspect},
                                                {"run", cli::says::run_meaning, run},
                                                {"response", cli::says::response_meaning, response},

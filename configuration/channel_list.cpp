@@ -78,8 +78,10 @@ class ChannelReader {
   }
 
   void read_rest(ListedValue const& listed) {
-    if (match_name(listed.name, "gruppe[0].bezeichnung")) channel_.name = as_name(listed);
-    if (match_name(listed.name, "gruppe[0].achs_anzahl")) channel_.axis_count = as_count(listed);
+    auto const group = match_name(listed.name, "gruppe[].bezeichnung");
+    if (group && (*group)[0] == 0) channel_.name = as_name(listed);
+    auto const count = match_name(listed.name, "gruppe[].achs_anzahl");
+    if (count && (*count)[0] == 0) channel_.axis_count = as_count(listed);
     if (match_name(listed.name, "spdl_anzahl")) channel_.spindle_count = as_count(listed);
     if (match_name(listed.name, "path[].dir")) channel_.folders.push_back(listed.value);
     bool const is_program =

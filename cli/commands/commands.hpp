@@ -20,6 +20,7 @@ struct Invocation {
 [[nodiscard]] ExitStatus lint(Invocation const& invocation);
 [[nodiscard]] ExitStatus fmt(Invocation const& invocation);
 [[nodiscard]] ExitStatus compile(Invocation const& invocation);
+[[nodiscard]] ExitStatus machine(Invocation const& invocation);
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);

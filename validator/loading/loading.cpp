@@ -7,6 +7,14 @@
 
 namespace axisc::validator {
 
+std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number) {
+  for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
+    EffectiveValue const& own = machine.axes[axis].merged.values.at("kopf.achs_nr");
+    if (!own.unusable && own.value.number == number) return axis;
+  }
+  return std::nullopt;
+}
+
 bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
   auto const belongs = [axis](LoadedGroup const& group) {
     return std::find(group.axes.begin(), group.axes.end(), axis) != group.axes.end();

@@ -89,6 +89,9 @@ struct LoadedMachine {
   }
 };
 
+/// The axis with this logical number, kopf.achs_nr.
+[[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
+
 /// True if a #FILTER command of an NC program or of `filter_sets` gives the FIR filter of the axis an order.
 [[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 

@@ -1,7 +1,6 @@
 #include "configuration/listed_values.hpp"
 #include "diagnostics/ascii.hpp"
 #include "validator/loading/loader.hpp"
-#include "validator/views/gantry.hpp"
 
 #include <algorithm>
 #include <array>

@@ -43,14 +43,6 @@ std::optional<std::uint32_t> GantryView::named_master() const {
   return static_cast<std::uint32_t>(master_number.value.number);
 }
 
-std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number) {
-  for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
-    EffectiveValue const& own = machine.axes[axis].merged.values.at("kopf.achs_nr");
-    if (!own.unusable && own.value.number == number) return axis;
-  }
-  return std::nullopt;
-}
-
 GantryClaim const* slave_claim(LoadedMachine const& machine, std::size_t axis) {
   return find_claim(machine, [axis](GantryClaim const& claim) { return claim.axis == axis && claim.master; });
 }

@@ -24,9 +24,6 @@ struct GantryView {
   [[nodiscard]] std::optional<std::uint32_t> named_master() const;
 };
 
-/// The axis with this logical number.
-[[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
-
 /// What the machine file says about the axis as a slave, or as a master; null if it says nothing.
 [[nodiscard]] GantryClaim const* slave_claim(LoadedMachine const& machine, std::size_t axis);
 [[nodiscard]] GantryClaim const* master_claim(LoadedMachine const& machine, std::size_t axis);

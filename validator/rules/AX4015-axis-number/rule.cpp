@@ -72,13 +72,20 @@ void check_zero(std::vector<Numbered> const& axes, Report& report) {
   }
 }
 
-void check_twice(std::vector<Numbered> const& axes, Report& report) {
+/// One line gives all of them their number: a start-up list names their list twice, which is AX7011.
+bool is_one_line(std::vector<Numbered> const& sharing) {
+  return std::all_of(sharing.begin(), sharing.end(), [&](Numbered const& each) {
+    return *each.value.value_place() == *sharing.front().value.value_place();
+  });
+}
+
+void check_twice(std::vector<Numbered> const& axes, bool start_up, Report& report) {
   std::map<double, std::vector<Numbered>> by_number;
   for (Numbered const& numbered : axes) {
     if (numbered.value.value.number != 0) by_number[numbered.value.value.number].push_back(numbered);
   }
   for (auto const& [value, sharing] : by_number) {
-    if (sharing.size() < 2) continue;
+    if (sharing.size() < 2 || (start_up && is_one_line(sharing))) continue;
     auto const last =
         std::max_element(sharing.begin(), sharing.end(), [](Numbered const& left, Numbered const& right) {
           return *left.value.value_place() < *right.value.value_place();
@@ -102,7 +109,7 @@ void axis_number(MachineContext const& context, Report& report) {
   check_default_list(context.machine, report);
   std::vector<Numbered> const axes = numbered_axes(context.machine);
   check_zero(axes, report);
-  check_twice(axes, report);
+  check_twice(axes, context.machine.start_up.has_value(), report);
 }
 
 }  // namespace

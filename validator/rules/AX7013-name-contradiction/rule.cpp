@@ -1,7 +1,6 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/filter_words.hpp"
-#include "validator/views/gantry.hpp"
 
 namespace axisc::validator::says {
 

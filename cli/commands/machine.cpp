@@ -1,0 +1,63 @@
+#include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/formats/machine_formats.hpp"
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/sentences.hpp"
+
+#include <variant>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Shows the machine as it was understood: axes with number, list, type, drive, channel and gantry, the NC cycle
+time, the channels and the programs that run without being called, and where each was read.)",
+    R"(Zeigt die Maschine, wie sie verstanden wurde: Achsen mit Nummer, Liste, Typ, Antrieb, Kanal und Gantry, die
+NC-Zykluszeit, die Kanäle und die Programme, die ohne Aufruf laufen, und wo das jeweils steht.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc machine listen/hochlauf.lis
+  axisc machine hochlauf.lis --format json > machine.json)",
+                            R"(Beispiele:
+  axisc machine listen/hochlauf.lis
+  axisc machine hochlauf.lis --format json > maschine.json)"};
+constexpr Sentence option_format{"output format (default: text); json is a machine file",
+                                 "Ausgabeformat (Standardwert: text); json ist eine Maschinendatei"};
+constexpr Sentence argument_machine{"a start-up list, a machine file, or a list",
+                                    "eine Hochlaufliste, eine Maschinendatei oder eine Liste"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Format : std::uint8_t { text, json };
+
+}  // namespace
+
+ExitStatus machine(Invocation const& invocation) {
+  std::optional<std::string> path;
+  std::optional<std::string> cycle_time;
+  Format format = Format::text;
+  CommandLine command_line("machine", says::purpose, says::examples, invocation.language);
+  command_line.argument("INPUT", path, says::argument_machine);
+  command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
+  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
+                      says::option_format);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(path.has_value(), "INPUT");
+  DiskFiles files(*path == "-");
+  SourceSet sources;
+  validator::CheckOptions options;
+  options.cycle_time = asked_cycle_time(cycle_time);
+  auto const loaded = validator::load(files, *path, options, sources);
+  if (auto const* const error = std::get_if<configuration::FileError>(&loaded))
+    throw unreadable(*path, *error);
+  auto const& machine = std::get<validator::LoadedMachine>(loaded);
+  invocation.streams.out.write(format == Format::json ? machine_json(machine, sources)
+                                                      : machine_text(machine, sources, invocation.language));
+  return machine.complete ? ExitStatus::success : ExitStatus::findings;
+}
+
+}  // namespace axisc::cli
