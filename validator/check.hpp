@@ -19,6 +19,8 @@ struct CheckResult {
   /// Present only if wanted, without errors, not for an NC program, and not for a machine file that is only partly
   /// understood, even if AX4020 is silenced.
   std::optional<machine::Machine> machine;
+  /// The input is a list of another kind than axis lists (AX7001): it says nothing about a machine.
+  bool is_other_list = false;
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file set it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it

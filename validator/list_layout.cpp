@@ -2,11 +2,13 @@
 
 #include "diagnostics/utf8.hpp"
 #include "grammar/axis_list.hpp"
+#include "validator/values/kind_of_list.hpp"
 #include "validator/values/list_reader.hpp"
 #include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc::validator {
@@ -50,6 +52,10 @@ class Layout {
  public:
   Layout(SourceText const& source, schema::Catalogue const& catalogue)
       : source_(source), list_(judge_list(source, grammar::parse_axis_list(source), catalogue)) {}
+
+  [[nodiscard]] bool is_axis_list() const {
+    return kind_of_list(source_, list_.tree, list_.readings) == configuration::ListKind::axis;
+  }
 
   std::string write() && {
     auto const rows = this->rows();
@@ -137,7 +143,8 @@ class Layout {
 }  // namespace
 
 std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue) {
-  return Layout(source, catalogue).write();
+  Layout layout(source, catalogue);
+  return layout.is_axis_list() ? std::move(layout).write() : std::string(source.bytes());
 }
 
 }  // namespace axisc::validator

@@ -19,6 +19,8 @@ constexpr Sentence machine_cycle_time_missing{
 constexpr Sentence machine_file_silenced{
     "{file} has mistakes that are silenced (AX4020), and no machine can be made of it; correct them",
     "{file} hat Fehler, die unterdrückt sind (AX4020), und daraus entsteht keine Maschine; sie beheben"};
+constexpr Sentence other_list{"{file} is not an axis list, so there is nothing to compile",
+                              "{file} ist keine Achsliste, also gibt es nichts zu übersetzen"};
 constexpr Sentence not_compiled{
     "{place}: this version cannot compile {feature}; switch it off to compile the rest",
     "{place}: diese Version kann {feature} nicht übersetzen; abschalten, um den Rest zu übersetzen"};
@@ -29,6 +31,7 @@ namespace axisc::cli {
 
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
   bool const is_machine = has_extension(input, ".json");
+  if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
   // Mistakes in the machine file are reported first: the cycle time may be one of them.
   if (result.cycle_time_known || (is_machine && !result.machine)) return;
   throw Failure({.sentence = is_machine ? says::machine_cycle_time_missing : says::cycle_time_missing,
@@ -37,6 +40,7 @@ void require_cycle_time(std::string const& input, validator::CheckResult const& 
 
 void require_machine(std::string const& input, validator::CheckResult const& result, SourceSet const& sources,
                      Language language) {
+  if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
   if (!result.machine) {
     bool const is_program = has_extension(input, ".nc");
     throw Failure({.sentence = is_program ? says::nc_program : says::machine_file_silenced,

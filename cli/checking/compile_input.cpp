@@ -27,10 +27,11 @@ void compile(CompileJob const& job, std::string const& path, configuration::File
   std::deque<WrittenFinding> findings;
   auto judged = judge_input(job.check, path, files, job.report_format, sources, keep_in(findings));
   if (judged.checked.failure) throw Failure(*judged.checked.failure);
-  require_cycle_time(path, judged.result);
+  compiled.skipped = judged.result.is_other_list && job.skips_other_lists;
+  if (!compiled.skipped) require_cycle_time(path, judged.result);
   compiled.checked = std::move(judged.checked);
   compiled.checked.findings = std::move(findings);
-  if (objectionable(job.checking, judged.counts)) return;
+  if (compiled.skipped || objectionable(job.checking, judged.counts)) return;
   require_machine(path, judged.result, sources, job.report_format.write.language);
   compiled.image = image_of(*judged.result.machine, job);
 }
@@ -50,6 +51,7 @@ CompiledInput compile_input(CompileJob const& job, std::string const& path, conf
 std::string to_bytes(CompiledInput const& compiled) {
   ByteWriter bytes;
   write_bytes(bytes, compiled.checked);
+  bytes.number(compiled.skipped ? 1 : 0);
   bytes.number(compiled.image ? 1 : 0);
   if (compiled.image) {
     bytes.number(compiled.image->axes);
@@ -63,7 +65,7 @@ std::optional<CompiledInput> read_compiled_input(std::string_view text) {
   ByteReader bytes(text);
   auto checked = read_checked_input(bytes);
   if (!checked) return std::nullopt;
-  CompiledInput compiled{.checked = *std::move(checked), .image = {}};
+  CompiledInput compiled{.checked = *std::move(checked), .image = {}, .skipped = bytes.number() != 0};
   if (bytes.number() != 0) {
     CompiledImage image;
     image.axes = static_cast<std::size_t>(bytes.number());

@@ -16,6 +16,7 @@ struct CompileJob {
   codegen::ImageOptions image;
   ReportFormat report_format;
   codegen::KnownDesigns& designs;  ///< of all inputs of the run
+  bool skips_other_lists = false;  ///< instead of refusing them: what else is in a folder
 };
 
 struct CompiledImage {
@@ -27,6 +28,7 @@ struct CompiledImage {
 struct CompiledInput {
   CheckedInput checked;  ///< a failure may stand beside findings: what they describe cannot be compiled
   std::optional<CompiledImage> image;
+  bool skipped = false;  ///< a list of another kind: it has no image
 };
 
 /// May be called by several threads.

@@ -42,6 +42,7 @@ WrittenImage write_image(CompiledInput compiled, ImageTarget const& target,
   WrittenImage written{.checked = std::move(compiled.checked), .sources = {}};
   written.sources = written.checked.files;
   written.sources.insert(written.sources.end(), more_sources.begin(), more_sources.end());
+  if (compiled.skipped) written.fate = ImageFate::skipped;
   if (!compiled.image) return written;
   written.bytes = compiled.image->bytes.size();
   written.axes = compiled.image->axes;

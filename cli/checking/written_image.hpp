@@ -8,7 +8,12 @@
 
 namespace axisc::cli {
 
-enum class ImageFate : std::uint8_t { missing, unchanged, written };
+enum class ImageFate : std::uint8_t {
+  missing,
+  unchanged,
+  written,
+  skipped,  ///< the input is a list of another kind, of which no image is made
+};
 
 struct ImageTarget {
   std::string path;

@@ -77,7 +77,8 @@ class Compile {
              .checking = options.checking,
              .image = image_options(options),
              .report_format = {},
-             .designs = designs_} {
+             .designs = designs_,
+             .skips_other_lists = options.is_batch()} {
     job_.check.options = check_options(options.checking);
     job_.check.quiet = options.checking.quiet;
     job_.check.settings = &settings_;
@@ -206,6 +207,7 @@ class Compile {
 
   /// A failed image keeps its rule: it must be rebuilt when one of its sources changes.
   [[nodiscard]] std::string rule_of(std::size_t index, WrittenImage const& image) const {
+    if (image.fate == ImageFate::skipped) return {};
     auto sources = image.sources;
     if (image.checked.files.empty()) sources.insert(sources.begin(), part_.path(index));
     return dependency_rule(names_[part_.chosen[index]], sources);
@@ -247,7 +249,7 @@ class Compile {
   std::vector<std::string> names_;  ///< of the images, by input
   std::vector<Failure> name_failures_;
   Digest run_;
-  std::array<std::size_t, 3> fates_{};  ///< how many images had it
+  std::array<std::size_t, 4> fates_{};  ///< how many images had it
   bool failed_ = false;
   std::string failure_lines_;
   std::string summary_;

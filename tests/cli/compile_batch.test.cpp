@@ -69,6 +69,30 @@ TEST_CASE("a batch mirrors the folders of its inputs") {
   CHECK(plant.images("below").contains("machine.axim"));
 }
 
+TEST_CASE("a list of another kind has no image") {
+  TemporaryFolder const folder;
+  folder.write("lists/x.lis", list(30));
+  folder.write("lists/wz.lis", "wz[1].laenge 0 ( P-TOOL-00003\n");
+  auto const compile = [&folder](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"compile", "--cycle-time", "1ms"});
+    return run_axisc(arguments, in_folder(folder.path()));
+  };
+  auto const batch = compile({"lists", "--output-folder", "out", "--depfile", "out.d", "--cache", "cache"});
+  CHECK(batch.status == 0);
+  CHECK_THAT(batch.err, Catch::Matchers::Contains("note[AX7001]") &&
+                            Catch::Matchers::EndsWith("images: 1 written, 0 unchanged, 0 not written\n"));
+  CHECK(fs::exists(folder / "out/lists/x.axim"));
+  CHECK_FALSE(fs::exists(folder / "out/lists/wz.axim"));
+  CHECK_THAT(folder.read("out.d"), !Catch::Matchers::Contains("wz"));
+  auto const again = compile({"lists", "--output-folder", "out", "--cache", "cache"});
+  CHECK(again.status == 0);
+  CHECK_THAT(again.err, Catch::Matchers::EndsWith("images: 0 written, 1 unchanged, 0 not written\n"));
+  auto const alone = compile({"lists/wz.lis", "-o", "wz.axim"});
+  CHECK(alone.status == 2);
+  CHECK_THAT(alone.err, Catch::Matchers::Contains("is not an axis list"));
+  CHECK_FALSE(fs::exists(folder / "wz.axim"));
+}
+
 TEST_CASE("an image that would be the same is not touched") {
   Plant const plant;
   REQUIRE(plant.compile({".", "--output-folder", "out"}).status == 0);

@@ -17,8 +17,8 @@ bool contains(std::vector<Code> const& codes, Code code) {
 Policy::Policy(CheckOptions const& options, SourceSet const& sources)
     : options_(options), sources_(sources), enabled_(rules().table_size()) {
   for (Rule const& rule : rules()) {
-    bool const only_notes =
-        rule.severity == Severity::note && severity(rule.code, rule.severity) == Severity::note;
+    bool const only_notes = rule.severity == Severity::note && !rule.always &&
+                            severity(rule.code, rule.severity) == Severity::note;
     enabled_[number_of(rule)] = static_cast<char>(options.pedantic || !only_notes);
   }
   for (Code const code : options.disabled) {

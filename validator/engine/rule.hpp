@@ -128,6 +128,7 @@ struct Rule {
   Code code{};
   std::string_view name = {};  ///< as in the folder's name
   Severity severity = Severity::error;
+  bool always = false;  ///< a note that is reported without `pedantic` as well
   std::string_view control =
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
   Needs needs = Needs::nothing;

@@ -3,6 +3,7 @@
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/commands/command_check.hpp"
+#include "validator/values/kind_of_list.hpp"
 #include "validator/values/list_reader.hpp"
 
 #include <algorithm>
@@ -29,6 +30,8 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   list.source = source;
   list.catalogue = catalogue;
   ReadList read = read_list(text, catalogue);
+  list.kind = kind_of_list(text, read.tree, read.readings);
+  if (list.kind != configuration::ListKind::axis) read = judge_list(text, {}, catalogue);
   list.tree = std::move(read.tree);
   list.readings = std::move(read.readings);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
@@ -103,6 +106,7 @@ std::optional<configuration::FileError> Loader::load_text() {
 void Loader::load_single(SourceId source) {
   machine_.lists.push_back(
       {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
+  if (machine_.lists.front().list.kind != configuration::ListKind::axis) return;
   LoadedAxis& axis = add_axis(0, std::nullopt);
   EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
   bool const named = name.set() && !name.unusable && !name.value.text.empty();

@@ -1,15 +1,18 @@
 // A list in memory.
 #pragma once
 
+#include "configuration/list_kind.hpp"
 #include "validator/values/lost_assignment.hpp"
 
 #include <vector>
 
 namespace axisc::validator {
 
-/// A list that was read: its source, its tree, its role, and what each assignment means.
+/// A list that was read: its source, its tree, its role, and what each assignment means. A list of another kind than
+/// `axis` has an empty tree: its lines mean nothing to an axis.
 struct LoadedList {
   SourceId source{};
+  configuration::ListKind kind = configuration::ListKind::axis;
   schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;

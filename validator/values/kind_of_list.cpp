@@ -1,0 +1,23 @@
+#include "validator/values/kind_of_list.hpp"
+
+namespace axisc::validator {
+
+configuration::ListKind kind_of_list(SourceText const& source, grammar::AxisList const& list,
+                                     Readings const& readings) {
+  constexpr std::size_t most_asked = 100;
+  configuration::KindVote vote;
+  std::size_t asked = 0;
+  for (std::uint32_t const number : readings.doubtful()) {
+    if (readings.closer(number).row_known()) continue;
+    grammar::Assignment const& line = list.assignments[number];
+    vote.unknown(source.slice(line.name), source.slice(line.trailer));
+    if (++asked == most_asked) break;
+  }
+  if (vote.is_undisputed()) return configuration::ListKind::axis;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (readings.slot(i)) vote.known(source.slice(list.assignments[i].name));
+  }
+  return vote.winner();
+}
+
+}  // namespace axisc::validator
