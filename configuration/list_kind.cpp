@@ -1,6 +1,8 @@
 #include "configuration/list_kind.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "grammar/axis_list.hpp"
+#include "schema/catalogue.hpp"
 
 #include <algorithm>
 
@@ -187,6 +189,10 @@ std::optional<ListKind> kind_named_by(std::string_view name) {
 
 }  // namespace
 
+std::string number_prefix(ListKind kind) {
+  return "P-" + std::string(rows[static_cast<std::size_t>(kind)].family);
+}
+
 std::optional<ListKind> kind_numbered_in(std::string_view comment) {
   constexpr std::string_view prefix = "P-";
   constexpr std::size_t family_size = 4;
@@ -220,11 +226,29 @@ void KindVote::unknown(std::string_view name, std::string_view comment) {
   foreign_ += *kind == ListKind::axis ? 0 : 1;
 }
 
+bool KindVote::is_open() const {
+  return std::all_of(votes_.begin(), votes_.end(), [](std::size_t votes) { return votes == 0; });
+}
+
 ListKind KindVote::winner() const {
   auto const* const most = std::max_element(votes_.begin(), votes_.end());
   auto const kind = static_cast<ListKind>(most - votes_.begin());
   bool const has_heads = kind == ListKind::compensation;
   return *most > votes_.front() + (has_heads ? 0 : heads_) ? kind : ListKind::axis;
+}
+
+std::optional<ListKind> decided_kind(SourceText const& list) {
+  KindVote vote;
+  for (grammar::Assignment const& line : grammar::parse_axis_list(list).assignments) {
+    std::string_view const name = list.slice(line.name);
+    if (schema::find_exact(name)) {
+      vote.known(name);
+    } else {
+      vote.unknown(name, list.slice(line.trailer));
+    }
+  }
+  if (vote.is_open()) return std::nullopt;
+  return vote.winner();
 }
 
 }  // namespace axisc::configuration

@@ -34,10 +34,15 @@ constexpr std::array singles = {Single{"default_achs_mds", &StartUpList::default
                                 Single{"rtconf_lis", &StartUpList::real_time},
                                 Single{"scheduling_position_controller", &StartUpList::position_control}};
 
-/// Lists that do not decide which axes there are.
-constexpr std::array<std::string_view, 8> other_lists = {
-    "werkz_data[]", "nullp_data[]",          "pzv_data[]",  "ve_var[]",
-    "hand_mds",     "hw_configuration_list", "scene_mds[]", "techno_mds"};
+struct OtherName {
+  std::string_view pattern;
+  std::optional<ListKind> kind;
+};
+constexpr std::array other_names = {
+    OtherName{"werkz_data[]", ListKind::tool},       OtherName{"nullp_data[]", ListKind::zero_offset},
+    OtherName{"pzv_data[]", ListKind::clamp_offset}, OtherName{"ve_var[]", ListKind::external_variables},
+    OtherName{"hand_mds", ListKind::manual},         OtherName{"hw_configuration_list", ListKind::hardware},
+    OtherName{"scene_mds[]", std::nullopt},          OtherName{"techno_mds", std::nullopt}};
 
 /// The entry of that index, which is new where there was none.
 template <typename Entry, typename IndexOf>
@@ -75,7 +80,7 @@ void read_line(ListedValue& listed, StartUpList& list) {
     if (match_name(listed.name, count.name)) list.*count.count = as_count(listed);
   }
   for (Single const& single : singles) {
-    if (match_name(listed.name, single.name)) list.*single.text = listed.value;
+    if (match_name(listed.name, single.name) && !listed.value.text.empty()) list.*single.text = listed.value;
   }
   if (auto const indices = match_name(listed.name, "achs_kw[]")) {
     entry_at(list.compensations, (*indices)[0], index_of_compensation).list.file = listed.value;
@@ -83,10 +88,11 @@ void read_line(ListedValue& listed, StartUpList& list) {
   if (auto const indices = match_name(listed.name, "achs_kw_log_ax_nr[]")) {
     entry_at(list.compensations, (*indices)[0], index_of_compensation).axis = as_count(listed);
   }
-  bool const is_other = std::any_of(other_lists.begin(), other_lists.end(), [&](std::string_view pattern) {
-    return match_name(listed.name, pattern).has_value();
-  });
-  if (is_other) list.others.push_back(std::move(listed.value));
+  for (OtherName const& other : other_names) {
+    bool const is_it = match_name(listed.name, other.pattern).has_value();
+    if (is_it && !listed.value.text.empty())
+      list.others.push_back({.file = listed.value, .kind = other.kind});
+  }
 }
 
 constexpr std::array<std::string_view, 6> own_names = {"achs_mds[",  "sda_mds[",         "zahl_mds",
@@ -114,7 +120,7 @@ std::vector<LocatedText const*> named_lists(StartUpList const& list) {
   for (auto const* const single : {&list.default_axis_list, &list.default_channel, &list.real_time}) {
     if (*single) named.push_back(&**single);
   }
-  for (LocatedText const& other : list.others) named.push_back(&other);
+  for (OtherList const& other : list.others) named.push_back(&other.file);
   return named;
 }
 

@@ -1,6 +1,7 @@
 // A controller's start-up list: which lists make its machine. Parameters P-STUP.
 #pragma once
 
+#include "configuration/list_kind.hpp"
 #include "configuration/located_text.hpp"
 
 #include <cstdint>
@@ -28,6 +29,12 @@ struct CompensationEntry {
   std::optional<ListCount> axis;  ///< achs_kw_log_ax_nr[i]
 };
 
+/// A list that does not decide which axes there are.
+struct OtherList {
+  LocatedText file;
+  std::optional<ListKind> kind;  ///< what belongs here; none where any does
+};
+
 /// The entries of each array by rising index; of an entry that is given twice the last line counts. Lines without a file
 /// name say nothing.
 struct StartUpList {
@@ -41,7 +48,7 @@ struct StartUpList {
   std::optional<ListCount> compensation_count;   ///< zahl_kw
   std::optional<LocatedText> real_time;          ///< rtconf_lis
   std::optional<LocatedText> position_control;   ///< scheduling_position_controller
-  std::vector<LocatedText> others;               ///< tools, offsets, variables, manual mode, hardware
+  std::vector<OtherList> others;                 ///< tools, offsets, variables, manual mode, hardware
 };
 
 /// True where the control reads the entry: its index is below the count, and a count that is missing is 0.

@@ -52,14 +52,16 @@ class Loader {
                             LoadedGroup& group);
   void load_compensations(StartUp& start_up);
   void name_axes(StartUp const& start_up);
-  /// Index of the list; none where it is missing or cannot be read.
-  std::optional<std::size_t> list_found(StartUp& start_up, configuration::LocatedText const& named);
+  /// Index of the axis list; none where it is missing, cannot be read, or is of another kind.
+  std::optional<std::size_t> axis_list_found(StartUp& start_up, configuration::LocatedText const& named);
+  /// The source of a list of the kind `wanted`; none where it is missing, cannot be read, or is of another kind.
+  std::optional<SourceId> source_found(StartUp& start_up, configuration::LocatedText const& named,
+                                       std::optional<configuration::ListKind> wanted);
   /// Where a list lies; noted, so that what is missing can be told.
-  std::optional<std::string> search(StartUp& start_up, configuration::LocatedText const& named);
+  ListSearch& search(StartUp& start_up, configuration::LocatedText const& named,
+                     std::optional<configuration::ListKind> wanted);
   /// The path as seen from the folder of the start-up list.
   [[nodiscard]] std::string shown(std::string const& path) const;
-  /// The source of a list that has no place among the axes' lists.
-  std::optional<SourceId> add_source(std::string const& path);
 
   LoadedAxis& add_axis(std::size_t list, std::optional<machine::AxisType> type);
   /// Index of the list; a file is read once.

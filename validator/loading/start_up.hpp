@@ -17,7 +17,9 @@ namespace axisc::validator {
 /// A list that the start-up list names, and where it was found.
 struct ListSearch {
   configuration::LocatedText named;
-  std::optional<configuration::FoundList> found;  ///< none where it is missing or cannot be read
+  std::optional<configuration::FoundList> found;       ///< none where it is missing or cannot be read
+  std::optional<configuration::ListKind> wanted = {};  ///< the kind that belongs here; none where any does
+  std::optional<configuration::ListKind> kind = {};    ///< of the file; none where nothing decides
 };
 
 struct StartUpChannel {

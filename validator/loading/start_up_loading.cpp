@@ -13,6 +13,7 @@ namespace {
 
 using configuration::ChannelAxis;
 using configuration::ListEntry;
+using configuration::ListKind;
 using configuration::LocatedText;
 
 struct Scheduling {
@@ -49,7 +50,7 @@ void Loader::load_start_up_list(SourceId source) {
   start_up.source = source;
   start_up.list = configuration::read_start_up_list(sources_[source], source);
   if (start_up.list.default_axis_list) {
-    machine_.default_list = list_found(start_up, *start_up.list.default_axis_list);
+    machine_.default_list = axis_list_found(start_up, *start_up.list.default_axis_list);
     machine_.default_list_missing = !machine_.default_list;
     if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
     by_path_.clear();
@@ -58,14 +59,13 @@ void Loader::load_start_up_list(SourceId source) {
   for (std::size_t i = 0; i < start_up.list.axes.size(); ++i) {
     ListEntry const& entry = start_up.list.axes[i];
     if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.axis_count)) continue;
-    auto const list = list_found(start_up, entry.file);
+    auto const list = axis_list_found(start_up, entry.file);
     if (!list) continue;
     add_axis(*list, std::nullopt).position_control = controller;
     start_up.entries.push_back(i);
   }
   if (start_up.list.real_time) {
-    auto const path = search(start_up, *start_up.list.real_time);
-    auto const real_time = path ? add_source(*path) : std::nullopt;
+    auto const real_time = source_found(start_up, *start_up.list.real_time, ListKind::real_time);
     if (real_time) start_up.real_time = configuration::read_real_time_list(sources_[*real_time], *real_time);
     machine_.cycle_time = start_up.real_time.cycle_time;
   }
@@ -80,13 +80,16 @@ void Loader::load_channels(StartUp& start_up) {
     add_channel(start_up, entry);
   }
   // The default list says what channels leave open, and names no axes.
-  if (start_up.list.default_channel) search(start_up, *start_up.list.default_channel);
-  for (LocatedText const& other : start_up.list.others) search(start_up, other);
+  if (start_up.list.default_channel) {
+    source_found(start_up, *start_up.list.default_channel, ListKind::channel);
+  }
+  for (configuration::OtherList const& other : start_up.list.others) {
+    source_found(start_up, other.file, other.kind);
+  }
 }
 
 void Loader::add_channel(StartUp& start_up, ListEntry const& entry) {
-  auto const path = search(start_up, entry.file);
-  auto const source = path ? add_source(*path) : std::nullopt;
+  auto const source = source_found(start_up, entry.file, ListKind::channel);
   if (!source) return;
   StartUpChannel& channel = start_up.channels.emplace_back();
   channel.index = entry.index;
@@ -123,8 +126,7 @@ void Loader::add_channel_programs(StartUp const& /*start_up*/, configuration::Ch
 void Loader::load_compensations(StartUp& start_up) {
   for (configuration::CompensationEntry const& entry : start_up.list.compensations) {
     if (!configuration::is_read(entry.list, start_up.list.compensation_count)) continue;
-    auto const path = search(start_up, entry.list.file);
-    auto const source = path ? add_source(*path) : std::nullopt;
+    auto const source = source_found(start_up, entry.list.file, ListKind::compensation);
     if (!source) continue;
     StartUpCompensation& compensation = start_up.compensations.emplace_back();
     compensation.entry = entry;
@@ -155,36 +157,50 @@ void Loader::name_axes(StartUp const& start_up) {
   }
 }
 
-std::optional<std::size_t> Loader::list_found(StartUp& start_up, LocatedText const& named) {
-  if (auto const path = search(start_up, named)) {
-    auto const list = add_list(*path, shown(*path));
-    if (auto const* const index = std::get_if<std::size_t>(&list)) return *index;
-    start_up.searches.back().found.reset();
+std::optional<std::size_t> Loader::axis_list_found(StartUp& start_up, LocatedText const& named) {
+  ListSearch& noted = search(start_up, named, ListKind::axis);
+  if (noted.found) {
+    auto const list = add_list(noted.found->path, shown(noted.found->path));
+    if (auto const* const index = std::get_if<std::size_t>(&list)) {
+      noted.kind = machine_.lists[*index].list.kind;
+      if (noted.kind == ListKind::axis) return *index;
+    } else {
+      noted.found.reset();
+    }
   }
   machine_.complete = false;
   return std::nullopt;
 }
 
-std::optional<std::string> Loader::search(StartUp& start_up, LocatedText const& named) {
-  if (named.text.empty()) return std::nullopt;
-  ListSearch& search = start_up.searches.emplace_back();
-  search.named = named;
-  search.found = configuration::find_list(files_, machine_.path, named.text);
-  if (!search.found) return std::nullopt;
-  return search.found->path;
+std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText const& named,
+                                             std::optional<ListKind> wanted) {
+  ListSearch& noted = search(start_up, named, wanted);
+  if (!noted.found) return std::nullopt;
+  std::variant<std::string, configuration::FileError> bytes = read_text(noted.found->path);
+  if (std::holds_alternative<configuration::FileError>(bytes)) {
+    noted.found.reset();
+    return std::nullopt;
+  }
+  machine_.files.push_back(noted.found->path);
+  SourceId const source =
+      sources_.add(SourceText(noted.found->path, std::get<std::string>(std::move(bytes))));
+  noted.kind = configuration::decided_kind(sources_[source]);
+  bool const fits = !wanted || !noted.kind || noted.kind == wanted;
+  return fits ? std::optional(source) : std::nullopt;
+}
+
+ListSearch& Loader::search(StartUp& start_up, LocatedText const& named, std::optional<ListKind> wanted) {
+  ListSearch& noted = start_up.searches.emplace_back();
+  noted.named = named;
+  noted.wanted = wanted;
+  noted.found = configuration::find_list(files_, machine_.path, named.text);
+  return noted;
 }
 
 std::string Loader::shown(std::string const& path) const {
   if (is_absolute(path) != is_absolute(machine_.path)) return std::string(file_name(path));
   auto const folder = std::filesystem::path(machine_.path).parent_path();
   return std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder).generic_string();
-}
-
-std::optional<SourceId> Loader::add_source(std::string const& path) {
-  std::variant<std::string, configuration::FileError> bytes = read_text(path);
-  if (std::holds_alternative<configuration::FileError>(bytes)) return std::nullopt;
-  machine_.files.push_back(path);
-  return sources_.add(SourceText(path, std::get<std::string>(std::move(bytes))));
 }
 
 }  // namespace axisc::validator
