@@ -25,6 +25,11 @@ constexpr Sentence line_too_long{"the file \"{file}\" has a line of more than 1 
 constexpr Sentence binary{"the file \"{file}\" is not a text file", "die Datei „{file}“ ist keine Textdatei"};
 constexpr Sentence utf16{"the file \"{file}\" is UTF-16; lists are UTF-8 or windows-1252",
                          "die Datei „{file}“ ist UTF-16; Listen sind UTF-8 oder windows-1252"};
+constexpr Sentence not_regular{"\"{file}\" is not a regular file", "„{file}“ ist keine gewöhnliche Datei"};
+constexpr Sentence link_loop{"the symbolic links of \"{file}\" lead in a circle",
+                             "die symbolischen Links von „{file}“ führen im Kreis"};
+constexpr Sentence is_machine{"\"{file}\" is a machine file; machine files do not name one another",
+                              "„{file}“ ist eine Maschinendatei; Maschinendateien nennen einander nicht"};
 constexpr Sentence image{"the file \"{file}\" is a coefficient image, not a list",
                          "die Datei „{file}“ ist ein Koeffizientenabbild, keine Liste"};
 
@@ -71,6 +76,10 @@ std::variant<std::string, configuration::FileError> read_text(configuration::Fil
   return bytes;
 }
 
+bool is_machine_file(std::string_view path, std::string_view text) {
+  return ends_in(path, ".json") && configuration::looks_like_machine_file(text);
+}
+
 LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
   SourceText const& text = sources[source];
   LoadedList list;
@@ -103,6 +112,10 @@ SentenceRef text_of(configuration::FileError error) {
       return says::utf16;
     case configuration::FileError::image:
       return says::image;
+    case configuration::FileError::not_regular:
+      return says::not_regular;
+    case configuration::FileError::link_loop:
+      return says::link_loop;
   }
   return says::not_readable;
 }
@@ -140,7 +153,7 @@ class Loader {
     std::variant<std::string, configuration::FileError> bytes = read_text(files_, machine_.path);
     if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
     auto& text = std::get<std::string>(bytes);
-    bool const is_machine = ends_in(machine_.path, ".json") && configuration::looks_like_machine_file(text);
+    bool const is_machine = is_machine_file(machine_.path, text);
     SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
     if (is_machine) {
       load_machine(source);
@@ -257,6 +270,10 @@ class Loader {
       return std::nullopt;
     }
     machine_.files.push_back(path);
+    if (is_machine_file(path, std::get<std::string>(bytes))) {
+      refuse(name, says::is_machine);
+      return std::nullopt;
+    }
     SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
     std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
     machine_.lists.push_back({.name = shown, .list = parse(sources_, source, options_.catalogue)});
@@ -290,6 +307,10 @@ class Loader {
     std::string const key = std::filesystem::path(path).lexically_normal().generic_string();
     auto const known = programs_by_path_.find(key);
     if (known != programs_by_path_.end()) return known->second;
+    if (names_machine_file(path)) {
+      refuse(name, says::is_machine);
+      return std::nullopt;
+    }
     std::variant<std::size_t, configuration::FileError> const program = add_program(name.text, path);
     if (auto const* const error = std::get_if<configuration::FileError>(&program)) {
       missing(name, *error);
@@ -304,12 +325,23 @@ class Loader {
     return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
   }
 
+  [[nodiscard]] bool names_machine_file(std::string const& path) {
+    if (!ends_in(path, ".json")) return false;
+    auto const bytes = files_.read(path);
+    auto const* const text = std::get_if<std::string>(&bytes);
+    return text != nullptr && is_machine_file(path, *text);
+  }
+
   void missing(configuration::LocatedText const& name, configuration::FileError error) {
+    refuse(name, text_of(error));
+  }
+
+  void refuse(configuration::LocatedText const& name, SentenceRef text) {
     machine_.complete = false;
     Finding& finding = machine_.findings.emplace_back();
     finding.code = configuration::machine_file_code;
     finding.place = name.place;
-    finding.message = {.sentence = text_of(error), .arguments = {{"file", name.text}}};
+    finding.message = {.sentence = text, .arguments = {{"file", name.text}}};
   }
 
   configuration::Files& files_;
