@@ -1,6 +1,7 @@
 #include "cli/failure.hpp"
 
 #include "diagnostics/sentences.hpp"
+#include "diagnostics/terminal.hpp"
 
 #include <string_view>
 #include <utility>
@@ -9,18 +10,11 @@ namespace axisc::cli {
 
 namespace {
 
-/// One line, whatever a file name contains.
-std::string without_line_ends(std::string text) {
-  for (char& character : text) {
-    if (static_cast<unsigned char>(character) < 0x20U || character == 0x7F) character = '?';
-  }
-  return text;
-}
-
-std::string line_of(SentenceRef severity, std::optional<Code> code, std::string sentence, Language language) {
+std::string line_of(SentenceRef severity, std::optional<Code> code, std::string const& sentence,
+                    Language language) {
   std::string line = "axisc: " + std::string(severity.in(language));
   if (code) line += "[" + code_text(*code) + "]";
-  return line + ": " + without_line_ends(std::move(sentence)) + "\n";
+  return line + ": " + printable(sentence) + "\n";
 }
 
 }  // namespace

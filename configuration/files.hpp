@@ -23,7 +23,9 @@ enum class FileError : std::uint8_t {
   line_too_long,
   binary,
   utf16,
-  image
+  image,
+  not_regular,  ///< a pipe or a device
+  link_loop     ///< symbolic links in a circle
 };
 
 /// Longest file that is read.

@@ -27,6 +27,8 @@ constexpr Sentence list_of_texts{"\"{key}\" must be a list of texts",
                                  "\"{key}\" muss eine Liste von Texten sein"};
 constexpr Sentence list_of_objects{"\"{key}\" must be a list of objects in braces",
                                    "\"{key}\" muss eine Liste von Objekten in geschweiften Klammern sein"};
+constexpr Sentence too_many{"\"{key}\" may have at most {limit} entries",
+                            "\"{key}\" darf höchstens {limit} Einträge haben"};
 constexpr Sentence object{"an object in braces is expected here",
                           "hier wird ein Objekt in geschweiften Klammern erwartet"};
 constexpr Sentence one_of{"\"{key}\" must be one of {values}", "\"{key}\" muss eines von {values} sein"};
@@ -198,6 +200,9 @@ class Checker {
 
   void check_list(JsonShape const& shape, JsonValue const& list, std::string_view key) {
     if (list.items.size() < shape.fewest) refuse(shape, list.span, key, {}, says::empty_text);
+    if (list.items.size() > shape.most) {
+      add(list.span, says::too_many, {{"key", std::string(key)}, {"limit", std::to_string(shape.most)}});
+    }
     std::set<std::string_view> seen;
     for (std::size_t const item : list.items) {
       JsonValue const& value = document_[item];

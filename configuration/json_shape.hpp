@@ -64,6 +64,7 @@ struct JsonShape {
   JsonShape const* items = nullptr;  ///< list, map: each value
   JsonShape const* names = nullptr;  ///< map: each key, a text
   std::size_t fewest = 0;            ///< list, map
+  std::size_t most = SIZE_MAX;       ///< list
   bool distinct = false;             ///< list of texts: none of them twice
 
   std::span<JsonKey const> keys = {};                   ///< object

@@ -4,6 +4,7 @@
 #include "configuration/located_json.hpp"
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/terminal.hpp"
 #include "machine/drive_type.hpp"
 #include "schema/closest_word.hpp"
 
@@ -26,6 +27,9 @@ constexpr Sentence repeated_axis{"the axis name \"{name}\" is used twice",
 constexpr Sentence unknown_axis{"this machine has no axis \"{name}\"",
                                 "diese Maschine hat keine Achse \"{name}\""};
 
+constexpr Sentence invisible_name{
+    "\"{key}\" must not contain control characters, line breaks or other invisible characters",
+    "\"{key}\" darf keine Steuerzeichen, Zeilenumbrüche oder andere unsichtbare Zeichen enthalten"};
 constexpr Sentence json_fix{"write \"{replacement}\"", "\"{replacement}\" schreiben"};
 constexpr Sentence json_first{"first here", "zuerst hier"};
 
@@ -46,6 +50,10 @@ constexpr auto drive_words = [] {
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
 constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
 
+constexpr JsonShape name_shape{
+    .accepts = [](std::string_view name) { return is_visible(name); },
+    .pattern = R"(^[^\u0000-\u001F\u007F-\u009F\u00AD\u200B-\u200F\u2028-\u202E\u2060-\u206F\uFEFF]+$)",
+    .sentence = says::invisible_name};
 constexpr JsonShape drive_shape{.words = drive_words, .ignores_case = true};
 constexpr JsonShape position_control_shape{.words = position_controls, .ignores_case = true};
 constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
@@ -57,7 +65,7 @@ void store_axis_type(JsonDocument const& /*document*/, JsonValue const& value, M
 }
 
 constexpr std::array axis_keys = {
-    JsonKey{"name", &json_text, required, "Name of the axis, unique in the machine.",
+    JsonKey{"name", &name_shape, required, "Name of the axis, unique in the machine.",
             into<&MachineFileAxis::name>},
     JsonKey{"list", &json_text, required, "Its parameter list, relative to the machine file.",
             into<&MachineFileAxis::list>},
@@ -72,7 +80,7 @@ constexpr JsonShape axes_shape{
     .kind = Kind::list, .items = &axis_shape, .fewest = 1, .sentence = says::no_axes};
 
 constexpr std::array group_keys = {
-    JsonKey{"name", &json_text, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
+    JsonKey{"name", &name_shape, optional, "Name of the group, for messages.", into<&MachineFileGroup::name>},
     JsonKey{"axes", &json_texts, required, "Names of the axes that move together.",
             into<&MachineFileGroup::axes>},
     JsonKey{"programs", &json_texts, optional, "Programs that are checked against this group alone.",
@@ -87,8 +95,11 @@ constexpr std::array gantry_keys = {
 constexpr JsonShape gantry_shape{.kind = Kind::object, .title = "Gantry", .keys = gantry_keys};
 constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
 
+/// Each becomes a bank of kernels, and the transitions between all of them are computed.
+constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = 1000};
+
 constexpr std::array machine_keys = {
-    JsonKey{"machine", &json_text, optional, "Name of the machine.", into<&MachineFile::machine>},
+    JsonKey{"machine", &name_shape, optional, "Name of the machine.", into<&MachineFile::machine>},
     JsonKey{"cycle_time_us", &json_cycle_time, optional, "Cycle time of the control in microseconds.",
             into<&MachineFile::cycle_time>},
     JsonKey{"default_list", &json_text, optional,
@@ -99,7 +110,7 @@ constexpr std::array machine_keys = {
             into<&MachineFile::gantries>},
     JsonKey{"programs", &json_texts, optional, "Programs that are checked against every group.",
             into<&MachineFile::programs>},
-    JsonKey{"filter_sets", &json_texts, optional,
+    JsonKey{"filter_sets", &filter_sets_shape, optional,
             "#FILTER commands that programs may use beside those of `programs`.",
             into<&MachineFile::filter_sets>},
     JsonKey{"inch", &json_flag, optional, "Lengths in programs are inches.", into<&MachineFile::inch>}};

@@ -41,9 +41,9 @@ void append_rendered(std::string& text, Message const& message, Language languag
   append_rendered(text, message.sentence, message.arguments, language, values);
 }
 
-std::string render(Message const& message, Language language) {
+std::string render(Message const& message, Language language, Values values) {
   std::string text;
-  append_rendered(text, message, language);
+  append_rendered(text, message, language, values);
   return text;
 }
 

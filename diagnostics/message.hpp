@@ -29,13 +29,14 @@ struct Message {
   std::vector<Argument> arguments;
 };
 
-/// The sentence with its values. A placeholder without a value stays as `{name}` (tests look for it).
-[[nodiscard]] std::string render(Message const& message, Language language);
 /// Treatment of a sentence's values, which may come from a file; the sentence itself is printable.
 enum class Values : std::uint8_t {
   as_given,
   printable,  ///< see printable() in terminal.hpp
 };
+/// The sentence with its values. A placeholder without a value stays as `{name}` (tests look for it).
+[[nodiscard]] std::string render(Message const& message, Language language,
+                                 Values values = Values::printable);
 /// Appends the rendered sentence to `text`.
 void append_rendered(std::string& text, Message const& message, Language language,
                      Values values = Values::as_given);

@@ -5,22 +5,22 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 namespace axisc {
 namespace {
 
-bool is_control(char32_t character) {
-  return character < 0x20 || (character >= 0x7F && character < 0xA0) || character == 0x2028 ||
-         character == 0x2029;
-}
+struct Range {
+  char32_t first;
+  char32_t last;
+};
 
-// A reader must see the characters in the order in which the control reads them.
-bool turns_direction(char32_t character) {
-  return (character >= 0x202A && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069) ||
-         character == 0x200E || character == 0x200F || character == 0x061C;
-}
+/// Control characters, separators of lines, and characters without width or that turn the direction of writing.
+constexpr Range invisible[] = {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},      {0x61C, 0x61C},
+                               {0x180E, 0x180E}, {0x200B, 0x200F}, {0x2028, 0x202E},  {0x2060, 0x206F},
+                               {0xFEFF, 0xFEFF}, {0xFFF9, 0xFFFB}, {0xE0000, 0xE007F}};
 
 bool are_eight_plain(char const* text) {
   constexpr std::uint64_t ones = 0x0101010101010101U;
@@ -53,6 +53,22 @@ std::string_view escape_of(Style style) {
 
 }  // namespace
 
+bool is_visible(char32_t character) {
+  return std::none_of(std::begin(invisible), std::end(invisible), [character](Range const& range) {
+    return character >= range.first && character <= range.last;
+  });
+}
+
+bool is_visible(std::string_view text) {
+  if (is_plain(text)) return true;
+  while (!text.empty()) {
+    DecodedCharacter const character = decode_utf8(text);
+    if (!is_visible(character.value)) return false;
+    text.remove_prefix(character.size);
+  }
+  return true;
+}
+
 void append_printable(std::string& shown, char32_t character) {
   constexpr char32_t picture_of_null = 0x2400;
   constexpr char32_t picture_of_delete = 0x2421;
@@ -60,10 +76,8 @@ void append_printable(std::string& shown, char32_t character) {
     append_utf8(shown, picture_of_null + character);
   } else if (character == 0x7F) {
     append_utf8(shown, picture_of_delete);
-  } else if (is_control(character) || turns_direction(character)) {
-    append_utf8(shown, replacement_character);
   } else {
-    append_utf8(shown, character);
+    append_utf8(shown, is_visible(character) ? character : replacement_character);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 namespace axisc::image {
@@ -31,6 +32,9 @@ bool equal_in_meaning(std::string const& name, std::string const& a, std::string
   auto const found = schema::find(name);
   if (found.status != schema::NameLookup::Status::found) return false;
   auto const& parameter = schema::parameter(found.parameter);
+  // Not every symbol has a number, and letter case does not matter.
+  auto const* const symbol = schema::read_symbol(parameter, a).symbol;
+  if (symbol != nullptr && symbol == schema::read_symbol(parameter, b).symbol) return true;
   auto const number_a = number_of(parameter, a);
   auto const number_b = number_of(parameter, b);
   return number_a && number_b && *number_a == *number_b;
@@ -121,15 +125,24 @@ std::string label(ImageContents const& contents, std::size_t axis) {
   return name.empty() ? "axis" + std::to_string(axis) : name;
 }
 
-/// A list alone may name its axis by its file: where both sides have one axis, they are compared.
-std::optional<std::size_t> find_axis(ImageContents const& contents, ImageContents const& of,
-                                     std::string const& name) {
-  if (contents.axes.size() == 1 && of.axes.size() == 1) return 0;
-  for (std::size_t axis = 0; axis < contents.axes.size(); ++axis) {
-    if (label(contents, axis) == name) return axis;
+/// The axes of an image by name; the first one of equal names.
+class AxesByName {
+ public:
+  explicit AxesByName(ImageContents const& contents) : count_(contents.axes.size()) {
+    for (std::size_t axis = 0; axis < count_; ++axis) axes_.try_emplace(label(contents, axis), axis);
   }
-  return std::nullopt;
-}
+
+  /// A list alone may name its axis by its file: where both sides have one axis, they are compared.
+  [[nodiscard]] std::optional<std::size_t> find(ImageContents const& other, std::string const& name) const {
+    if (count_ == 1 && other.axes.size() == 1) return 0;
+    auto const found = axes_.find(name);
+    return found == axes_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  std::size_t count_;
+  std::unordered_map<std::string, std::size_t> axes_;
+};
 
 }  // namespace
 
@@ -139,13 +152,15 @@ ImageDifference compare_images(ImageSide const& before, ImageSide const& after) 
                              .axes_removed = {},
                              .axes_added = {},
                              .axes = {}};
+  AxesByName const old_axes(before.contents);
+  AxesByName const new_axes(after.contents);
   for (std::size_t axis = 0; axis < before.contents.axes.size(); ++axis) {
     auto const name = label(before.contents, axis);
-    if (!find_axis(after.contents, before.contents, name)) difference.axes_removed.push_back(name);
+    if (!new_axes.find(before.contents, name)) difference.axes_removed.push_back(name);
   }
   for (std::size_t axis = 0; axis < after.contents.axes.size(); ++axis) {
     auto const name = label(after.contents, axis);
-    auto const old_axis = find_axis(before.contents, after.contents, name);
+    auto const old_axis = old_axes.find(after.contents, name);
     if (!old_axis) {
       difference.axes_added.push_back(name);
       continue;

@@ -43,6 +43,11 @@ std::size_t size_of(std::uint64_t kind, std::size_t axes) {
   }
 }
 
+/// No status of the runtime is above the last one.
+bool is_status(std::uint64_t number) {
+  return number <= AXISRT_NOT_WARM;
+}
+
 bool same_bits(std::vector<double> const& a, std::vector<double> const& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
@@ -103,7 +108,9 @@ void Recording::take_status(ReplayedEntry& entry, bool given) {
   std::uint64_t word = 0;
   for (std::size_t i = 0; i < axis_count(); ++i) {
     if (i % statuses_in_word == 0) word = take();
-    if (given) entry.status.push_back(static_cast<std::uint8_t>(word >> 8 * (i % statuses_in_word)));
+    auto const status = static_cast<std::uint8_t>(word >> 8 * (i % statuses_in_word));
+    damaged_ = damaged_ || (given && !is_status(status));
+    if (given) entry.status.push_back(status);
   }
 }
 
@@ -174,11 +181,12 @@ bool Recording::next(ReplayedEntry& entry) {
   std::uint64_t const kind = head & 0xFFU;
   std::uint64_t const flags = head >> 8U & 0xFFU;
   std::size_t const size = size_of(kind, axis_count());
-  damaged_ = size == 0 || size > end - at_ - 1;
+  std::uint64_t const status = head >> 16U & 0xFFFFU;
+  damaged_ = size == 0 || size > end - at_ - 1 || !is_status(status);
   if (damaged_) return false;
   at_ += 1;
   entry.kind = static_cast<RecordedKind>(kind - axrd_step);
-  entry.recorded_status = static_cast<axisrt_status>(head >> 16U & 0xFFFFU);
+  entry.recorded_status = static_cast<axisrt_status>(status);
   entry.index = static_cast<std::uint32_t>(head >> 32U);
   entry.cycle = cycle_;
   switch (entry.kind) {
@@ -195,7 +203,7 @@ bool Recording::next(ReplayedEntry& entry) {
       call(entry);
       break;
   }
-  return true;
+  return !damaged_;
 }
 
 }  // namespace axisc::image

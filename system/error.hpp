@@ -17,6 +17,7 @@ enum class Refusal : std::uint8_t {
   no_space,
   closed_pipe,
   not_open,
+  link_loop,
   other,
 };
 

@@ -31,8 +31,11 @@ enum class Access : std::uint8_t {
   read,
   read_now,  ///< a pipe without a writer is not waited for
   write,
-  update,  ///< read and write
+  update_now,  ///< read and write, without waiting
 };
+
+/// A symbolic link as the last component of a path.
+enum class Link : std::uint8_t { followed, refused };
 
 /// Who may read a file that is made.
 enum class Privacy : std::uint8_t {
@@ -54,10 +57,10 @@ class File {
   File& operator=(File const&) = delete;
   ~File();
 
-  [[nodiscard]] static Result<File> open(std::string const& path, Access access);
+  [[nodiscard]] static Result<File> open(std::string const& path, Access access, Link link = Link::followed);
   /// A file that was not there.
   [[nodiscard]] static Result<File> create(std::string const& path, Privacy privacy);
-  /// Opens a file for update and makes it where it is missing.
+  /// Opens a file for update and makes it where it is missing. Neither follows a link nor waits for a pipe.
   [[nodiscard]] static Result<File> open_or_create(std::string const& path);
   /// A file without a name in `folder`: it is gone when it is closed, however the program ends.
   [[nodiscard]] static Result<File> nameless(std::string const& folder);
@@ -81,6 +84,8 @@ class File {
 
   /// Owner, group and permissions of `other`, as far as the user may give them away.
   [[nodiscard]] std::optional<Error> take_over_owner(FileStatus const& other) const;
+  /// Access control lists and other extended attributes of the file `path`. Best effort.
+  void take_over_attributes(std::string const& path) const;
   /// False where another process holds the lock; it goes with the file.
   [[nodiscard]] bool lock() const;
 
@@ -91,11 +96,19 @@ class File {
   std::intptr_t handle_ = none;
 };
 
+/// A file, not a folder, a pipe or a device.
+[[nodiscard]] inline bool is_regular(File const& file) {
+  auto const status = file.status();
+  auto const* const facts = std::get_if<FileStatus>(&status);
+  return facts != nullptr && facts->kind == FileKind::regular;
+}
 [[nodiscard]] Result<FileStatus> status_of(std::string const& path);
 /// Nothing where `path` may be written; it exists.
 [[nodiscard]] std::optional<Error> refuses_writing(std::string const& path);
 /// Puts `from` in the place of `to`, at once.
 [[nodiscard]] std::optional<Error> replace(std::string const& from, std::string const& to);
+/// Gives `from` the name `to`, at once, if nothing has it yet.
+[[nodiscard]] std::optional<Error> rename_to_new(std::string const& from, std::string const& to);
 /// Best effort.
 void remove(std::string const& path);
 /// The names in a folder survive a power failure. Best effort.

@@ -12,7 +12,7 @@ namespace axisc::system {
 
 enum class Stream : std::uint8_t { output = 1, error = 2 };
 
-/// Called once at the start: a closed pipe is an error of write() from then on, and standard input, output and error are
+/// Called once at the start: a closed pipe and a file beyond the user's limit are errors of write() from then on, and standard input, output and error are
 /// open, so that no file takes the place of one that the caller closed.
 void prepare_streams();
 /// Memory that one input needed waits for the next one instead of going back to the system, which would hand it out again

@@ -1,10 +1,26 @@
 #include "cli/checking/depfile.hpp"
 
+#include "cli/codes.hpp"
+#include "cli/failure.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence line_break_in_name{
+    "the name {file} has a line break, which a dependency file cannot express; rename the file",
+    "der Name {file} enthält einen Zeilenumbruch, den keine Abhängigkeitsdatei ausdrücken kann; die Datei "
+    "umbenennen"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
 
 namespace {
 
 std::string escaped(std::string_view name) {
+  if (name.find_first_of("\r\n") != std::string_view::npos) {
+    throw Failure({.sentence = says::line_break_in_name, .arguments = {{"file", std::string(name)}}},
+                  cannot_write);
+  }
   std::string result;
   for (char const character : name) {
     if (character == ' ' || character == '#' || character == ':') result += '\\';

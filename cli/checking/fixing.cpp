@@ -4,9 +4,10 @@
 #include "diagnostics/fix_batch.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <span>
+#include <string>
+#include <unordered_map>
 #include <variant>
 
 namespace axisc::cli {
@@ -41,14 +42,13 @@ bool is_better(Counts const& after, Counts const& before) {
 
 class Fixer {
  public:
-  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline)
-      : job_(job), choice_(choice), baseline_(baseline) {
+  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, ChangeableFiles const& changeable)
+      : job_(job), choice_(choice), baseline_(baseline), changeable_(changeable) {
     result_.edited = job.edited;
   }
 
   void fix(std::string const& path) {
-    std::error_code error;
-    if (path == "-" || !std::filesystem::is_regular_file(path, error)) keep(path);
+    if (path == "-") keep(path);
     whole_programs_ = false;
     std::size_t left_out = 0;
     while (round(path, left_out)) {
@@ -59,7 +59,7 @@ class Fixer {
   FixedInputs result() && { return std::move(result_); }
 
  private:
-  /// Standard input and pipes can be read only once.
+  /// Standard input can be read only once.
   void keep(std::string const& path) {
     if (result_.edited.contains(path)) return;
     DiskFiles files(path == "-");
@@ -78,13 +78,25 @@ class Fixer {
     return validator::check(files, path, options, sources);
   }
 
-  [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {
+  /// Bytes that the caller gave are his to change.
+  [[nodiscard]] bool may_change(std::string const& path) {
+    auto const [known, is_new] = may_change_.try_emplace(path, path == "-" || job_.edited.contains(path));
+    if (is_new && !known->second) known->second = changeable_.contains(path);
+    return known->second;
+  }
+
+  [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) {
     if (!finding.fix || baseline_.mentions(identity_of(finding, sources))) return false;
+    auto const& edits = finding.fix->edits;
+    bool const stays_inside = std::all_of(edits.begin(), edits.end(), [&](Edit const& edit) {
+      return may_change(sources[edit.place.source].name());
+    });
+    if (!stays_inside) return false;
     return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
   }
 
   /// Long NC programs are held in memory only where there is something to repair in one.
-  [[nodiscard]] bool repairs_excerpt(validator::CheckResult const& found, SourceSet const& sources) const {
+  [[nodiscard]] bool repairs_excerpt(validator::CheckResult const& found, SourceSet const& sources) {
     return std::any_of(found.findings.begin(), found.findings.end(), [&](Finding const& finding) {
       return may_apply(finding, sources) &&
              std::any_of(finding.fix->edits.begin(), finding.fix->edits.end(),
@@ -166,6 +178,8 @@ class Fixer {
   CheckJob const& job_;
   FixChoice choice_;
   Baseline const& baseline_;
+  ChangeableFiles const& changeable_;
+  std::unordered_map<std::string, bool> may_change_;  ///< by name of the source
   bool whole_programs_ = false;
   FixedInputs result_;
 };
@@ -173,8 +187,8 @@ class Fixer {
 }  // namespace
 
 FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths, FixChoice choice,
-                       Baseline const& baseline) {
-  Fixer fixer(job, choice, baseline);
+                       Baseline const& baseline, ChangeableFiles const& changeable) {
+  Fixer fixer(job, choice, baseline, changeable);
   for (auto const& path : paths) fixer.fix(path);
   return std::move(fixer).result();
 }

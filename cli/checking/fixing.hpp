@@ -3,6 +3,7 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/check_input.hpp"
+#include "cli/files/changeable_files.hpp"
 
 #include <cstdint>
 #include <string>
@@ -13,15 +14,17 @@ namespace axisc::cli {
 enum class FixChoice : std::uint8_t { none, safe, all };
 
 struct FixedInputs {
-  EditedBytes edited;    ///< to be read instead of the files; standard input and pipes stand here in any case
+  EditedBytes edited;    ///< to be read instead of the files; standard input is here in any case
   EditedBytes original;  ///< the bytes before, of the same paths
   FixFacts facts;
 };
 
-/// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline are not fixed.
+/// A fix that leads to another finding, or does not end its own, is taken back. Findings in the baseline, and files
+/// that are not in `changeable`, are not fixed.
 /// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost: a check
 /// per round, and some more for each fix that is taken back, at most two hundred.
 [[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
-                                     FixChoice choice, Baseline const& baseline);
+                                     FixChoice choice, Baseline const& baseline,
+                                     ChangeableFiles const& changeable);
 
 }  // namespace axisc::cli

@@ -2,6 +2,7 @@
 
 #include "cli/checking/depfile.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -20,7 +21,9 @@ void write_depfile(ImageTarget const& target, std::vector<std::string> const& so
 }
 
 ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<std::string> const& sources) {
-  refuse_overwriting(target.path, sources);
+  std::vector<std::string> outputs{target.path};
+  if (target.depfile) outputs.push_back(*target.depfile);
+  refuse_overwriting(outputs, sources);
   if (is_content_of(target.path, bytes)) {
     write_depfile(target, sources);
     return ImageFate::unchanged;

@@ -1,14 +1,18 @@
+#include "axisrt.h"
 #include "cli/checking/depfile.hpp"
 #include "cli/checking/written_image.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/fleet/ordered_work.hpp"
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
+#include "codegen/aligned_bytes.hpp"
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -65,6 +69,13 @@ std::string summary(WrittenImage const& image, std::string const& path, Language
          "\n";
 }
 
+/// A cache may lie where others write: an image from it is verified like one from anywhere else.
+bool is_sound(CompiledInput const& cached) {
+  if (!cached.image) return true;
+  codegen::AlignedBytes const bytes(std::as_bytes(std::span(cached.image->bytes)));
+  return axisrt_verify(bytes.data(), bytes.size()) == AXISRT_OK;
+}
+
 /// One execution of `axisc compile`.
 class Compile {
  public:
@@ -88,6 +99,7 @@ class Compile {
     part_ = std::move(inputs.part);
     names_ = std::move(inputs.images);
     name_failures_ = std::move(inputs.failures);
+    sources_ = std::move(inputs.sources);
     if (needs_context(job_.report_format.format)) {
       job_.report_format.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
     }
@@ -103,7 +115,8 @@ class Compile {
   }
 
   [[nodiscard]] ExitStatus run() {
-    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
+    for (auto const& path : part_.paths()) add_settings_files(settings_, path, sources_);
+    protect_sources();
     ReportStream report({.report_format = job_.report_format,
                          .quiet = options_.checking.quiet,
                          .statistics = false,
@@ -125,6 +138,14 @@ class Compile {
   }
 
  private:
+  /// Known before anything is written: an image of one input must not replace a list of another one.
+  void protect_sources() const {
+    std::vector<std::string> outputs;
+    for (auto const index : part_.chosen) outputs.push_back(names_[index]);
+    if (options_.depfile) outputs.push_back(*options_.depfile);
+    refuse_overwriting(outputs, sources_);
+  }
+
   [[nodiscard]] ExitStatus exit_status() const {
     if (failed_) return ExitStatus::failure;
     return fates_[static_cast<std::size_t>(ImageFate::missing)] > 0 ? ExitStatus::findings
@@ -187,7 +208,7 @@ class Compile {
     }
     CachedInput cached(*cache, input_digest(run_, job_.check, path), path);
     if (auto const known = cached.find()) {
-      if (auto result = read_compiled_input(*known)) return *std::move(result);
+      if (auto result = read_compiled_input(*known); result && is_sound(*result)) return *std::move(result);
     }
     auto result = compile_input(job_, path, cached.files());
     if (!result.checked.failure) cached.keep(to_bytes(result));
@@ -197,11 +218,7 @@ class Compile {
   /// Settings and schema files affect the result, so a build system must watch them too.
   [[nodiscard]] std::vector<std::string> more_sources(std::string const& path) {
     std::vector<std::string> files;
-    if (auto const* const settings = settings_.find(path)) {
-      files.push_back(settings->file);
-      files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
-    }
-    files.insert(files.end(), options_.checking.schema_files.begin(), options_.checking.schema_files.end());
+    add_settings_files(settings_, path, files);
     return files;
   }
 
@@ -248,6 +265,7 @@ class Compile {
   Part part_;
   std::vector<std::string> names_;  ///< of the images, by input
   std::vector<Failure> name_failures_;
+  std::vector<std::string> sources_;  ///< that no output may replace
   Digest run_;
   std::array<std::size_t, 4> fates_{};  ///< how many images had it
   bool failed_ = false;

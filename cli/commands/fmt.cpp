@@ -1,6 +1,9 @@
+#include "cli/codes.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/files/changeable_files.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/path_identity.hpp"
 #include "cli/fleet/ordered_work.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
@@ -41,6 +44,10 @@ Rückgabewert: 0 erledigt, 1 --check fand eine Liste zum Ausrichten, 2 etwas war
 constexpr Sentence option_check{"write nothing; exit status 1 when a list would change",
                                 "nichts schreiben; Rückgabewert 1, wenn sich eine Liste ändern würde"};
 constexpr Sentence option_diff{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
+constexpr Sentence elsewhere{
+    "{file} is not formatted: it is neither named nor below a named folder; name it as well",
+    "{file} wird nicht formatiert: sie ist nicht genannt und liegt unter keinem genannten Ordner; sie "
+    "ebenfalls nennen"};
 constexpr Sentence would_change{"{file} would be formatted", "{file} würde formatiert"};
 
 }  // namespace axisc::cli::says
@@ -65,9 +72,10 @@ struct FmtOptions {
 /// The lists to format: a machine file is replaced by the lists that it names.
 std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   std::vector<std::string> lists;
+  PathIdentities identities;
   std::unordered_set<std::string> known;
   auto const add = [&](std::string list) {
-    if (known.insert(list).second) lists.push_back(std::move(list));
+    if (known.insert(identities.of(list)).second) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
     if (is_program(input)) continue;
@@ -81,11 +89,19 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
       throw unreadable(input, *error);
     }
     auto const folder = std::filesystem::path(input).parent_path();
-    for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).named) {
-      if (!is_program(named)) add((folder / named).string());
+    for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).lists) {
+      if (!is_program(named) && !has_extension(named, ".json")) add((folder / named).string());
     }
   }
   return lists;
+}
+
+void require_changeable(std::string const& path, ChangeableFiles const& changeable) {
+  if (path == "-" || changeable.contains(path)) return;
+  std::error_code error;
+  // A missing file is reported when it is read.
+  if (!std::filesystem::exists(path, error)) return;
+  throw Failure({.sentence = says::elsewhere, .arguments = {{"file", path}}}, cannot_write);
 }
 
 std::string read_list(std::string const& path) {
@@ -120,9 +136,7 @@ Formatted format_list(std::string const& path, FmtOptions const& options, schema
     result.out += render({.sentence = says::would_change, .arguments = {{"file", path}}}, language) + "\n";
   }
   if (path != "-" && !options.check && !options.diff) {
-    OutputFile file(path);
-    file.write(after);
-    file.commit();
+    replace_content(path, before, after);
   }
   return result;
 }
@@ -141,11 +155,13 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.require(!options.named.empty(), "INPUT");
   auto const asked = asked_threads(options.threads);
   auto inputs = expand_inputs(options.named);
+  ChangeableFiles const changeable(inputs.named);
   SettingsFinder settings(options.schema_files);
   bool changed = false;
   auto const lists = lists_of(inputs.paths);
   auto const format = [&](std::size_t i) {
     try {
+      require_changeable(lists[i], changeable);
       return format_list(lists[i], options, settings.catalogue(lists[i]), invocation.language);
     } catch (Failure const& failure) {
       // The other lists are still formatted.

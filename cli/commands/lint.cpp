@@ -2,6 +2,7 @@
 #include "cli/checking/fixing.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/fleet/ordered_work.hpp"
 #include "cli/options/lint_options.hpp"
 #include "cli/report/report_context.hpp"
@@ -108,6 +109,7 @@ class Lint {
 
   [[nodiscard]] ExitStatus run() {
     prepare();
+    if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
     if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
     // Standard output is used for the patch or the fixed standard input.
@@ -235,7 +237,7 @@ class Lint {
 
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
-    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
+    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline, ChangeableFiles(inputs_.named));
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {
@@ -244,9 +246,7 @@ class Lint {
       } else if (path == "-") {
         streams_.out.write(after);
       } else if (after != before) {
-        OutputFile file(path);
-        file.write(after);
-        file.commit();
+        replace_content(path, before, after);
       }
     }
     fixes_ = fixed.facts;
@@ -255,8 +255,14 @@ class Lint {
     fixed_standard_input_ = job_.edited.contains("-");
   }
 
-  void write_baseline(ReportStream const& report) const {
-    refuse_overwriting(*options_.write_baseline, {report.files().begin(), report.files().end()});
+  /// The baseline must not replace what was read.
+  void protect(std::vector<std::string> sources) {
+    for (auto const& path : part_.paths()) add_settings_files(settings_, path, sources);
+    refuse_overwriting({*options_.write_baseline}, sources);
+  }
+
+  void write_baseline(ReportStream const& report) {
+    protect({report.files().begin(), report.files().end()});
     OutputFile file(*options_.write_baseline);
     file.write(report.found().text());
     file.commit();

@@ -2,6 +2,7 @@
 #include "cli/codes.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/fleet/shard_document.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/response_file.hpp"
@@ -160,6 +161,17 @@ ExitStatus status_of(Documents const& documents, FindingCounts const& counts) {
   return static_cast<ExitStatus>(worst);
 }
 
+void protect_inputs(std::vector<NamedInput> const& inputs, MergeOptions const& options) {
+  if (!options.output) return;
+  std::vector<std::string> sources;
+  for (auto const& input : inputs) sources.push_back(input.path);
+  for (auto const& word : options.files) {
+    if (word.starts_with('@')) sources.push_back(word.substr(1));
+  }
+  if (options.baseline) sources.push_back(*options.baseline);
+  refuse_overwriting({*options.output}, sources);
+}
+
 ExitStatus print(Documents& documents, MergeOptions const& options, Console& out) {
   ReportStream report(plan_of(documents, options), out);
   add_inputs(documents, report);
@@ -182,8 +194,10 @@ ExitStatus merge(Invocation const& invocation) {
   command_line.value("-o,--output", "FILE", options.output, says::option_output);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(!options.files.empty(), "FILE");
+  auto const inputs = read_response_files(options.files);
+  protect_inputs(inputs, options);
   Documents documents;
-  for (auto const& file : read_response_files(options.files)) documents.emplace_back(file.path);
+  for (auto const& file : inputs) documents.emplace_back(file.path);
   require_whole_run(documents);
   for (auto const& failure : failures_of(documents)) invocation.streams.err.write(failure.line);
   if (!options.output) return print(documents, options, invocation.streams.out);

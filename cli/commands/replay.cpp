@@ -4,6 +4,7 @@
 #include "cli/files/disk_files.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/formats/replay_report.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/report/csv.hpp"
@@ -132,7 +133,7 @@ ExitStatus replay(Invocation const& invocation) {
   command_line.require(options.recording.has_value(), "RECORDING");
   auto const image = load_image(*options.image);
   auto recording = open_recording(*options.recording, image);
-  if (options.output) refuse_overwriting(*options.output, {*options.image, *options.recording});
+  if (options.output) refuse_overwriting({*options.output}, {*options.image, *options.recording});
   std::optional<CycleTable> table;
   if (options.output) table.emplace(*options.output, image.contents);
   ReplayReport report(image.contents, invocation.language);

@@ -6,6 +6,7 @@
 #include "cli/execution/stimulus.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
@@ -170,6 +171,14 @@ void refuse_mixture(RunOptions const& options) {
   }
 }
 
+void protect_inputs(RunOptions const& options) {
+  std::vector<std::string> outputs;
+  for (auto const& output : {options.output, options.record}) {
+    if (output) outputs.push_back(*output);
+  }
+  refuse_overwriting(outputs, {*options.image, options.input.value_or("-")});
+}
+
 /// Reads a file piece by piece; it is open as long as the source lives.
 ByteSource open_source(std::string const& path) {
   auto const fail = [path](system::Error const& error) {
@@ -230,6 +239,7 @@ ExitStatus run(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.image.has_value(), "IMAGE.axim");
   refuse_mixture(options);
+  protect_inputs(options);
   auto const port = port_of(options);
   double const position = number(options.reset, "--reset", 0);
   auto const recorded_cycles = cycles_to_record(options);

@@ -3,6 +3,7 @@
 #include "cli/files/image_file.hpp"
 #include "cli/files/key_file.hpp"
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {
@@ -58,10 +59,16 @@ ExitStatus sign(Invocation const& invocation) {
   auto const file = load_image(*options.image);
   auto const bytes = image::sign(file.bytes.bytes(), key);
   auto const& target = options.output ? *options.output : *options.image;
-  refuse_overwriting(target, {*options.key});
-  OutputFile output(target);
-  output.write({reinterpret_cast<char const*>(bytes.data()), bytes.size()});
-  output.commit();
+  refuse_overwriting({target}, {*options.key});
+  std::string_view const content(reinterpret_cast<char const*>(bytes.data()), bytes.size());
+  if (options.output) {
+    OutputFile output(target);
+    output.write(content);
+    output.commit();
+  } else {
+    auto const before = file.bytes.bytes();
+    replace_content(target, {reinterpret_cast<char const*>(before.data()), before.size()}, content);
+  }
   if (options.quiet) return ExitStatus::success;
   invocation.streams.err.write(render({.sentence = says::cli_signed,
                                        .arguments = {{"file", target},

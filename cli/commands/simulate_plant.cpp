@@ -1,6 +1,7 @@
 #include "cli/commands/simulate_plant.hpp"
 
 #include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/formats/plant_formats.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
@@ -135,7 +136,7 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
   if (request.output) {
     auto sources = checked.files;
     sources.push_back(request.plant_path);
-    refuse_overwriting(*request.output, sources);
+    refuse_overwriting({*request.output}, sources);
     OutputFile file(*request.output);
     file.write(plant_csv(without, with, T));
     file.commit();

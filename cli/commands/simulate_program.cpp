@@ -2,6 +2,7 @@
 
 #include "cli/files/output_file.hpp"
 #include "cli/files/program_lines.hpp"
+#include "cli/files/protected_files.hpp"
 #include "cli/formats/simulate_formats.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
@@ -163,7 +164,7 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
   if (request.output) {
     auto sources = checked.files;
     sources.push_back(request.program_path);
-    refuse_overwriting(*request.output, sources);
+    refuse_overwriting({*request.output}, sources);
     file.emplace(*request.output);
     filed.emplace(path, [&file](std::string_view text) { file->write(text); });
     recorder.cycles.push_back(&*filed);

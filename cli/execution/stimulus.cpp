@@ -54,7 +54,10 @@ CsvStimulus::CsvStimulus(image::ImageContents const& image, std::string name, By
   auto const known = all_channels(image);
   for (std::size_t column = 0; column < reader_.header().size(); ++column) {
     auto const found = std::find_if(known.begin(), known.end(), [&](Channel const& channel) {
-      return channel_name(image, channel) == reader_.header()[column];
+      // As a person writes it, or as `run` does.
+      auto const known_name = channel_name(image, channel);
+      auto const& wanted = reader_.header()[column];
+      return known_name == wanted || csv_name(known_name) == wanted;
     });
     if (found == known.end()) {
       std::string names;

@@ -32,12 +32,19 @@ constexpr Sentence cannot_read_image{
     "cannot read {file} as a list: it is a coefficient image; `axisc inspect` shows it",
     "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; `axisc inspect` zeigt es"};
 
+constexpr Sentence cannot_read_not_regular{
+    "cannot read {file}: it is a pipe or a device, not a regular file; use - for standard input",
+    "{file} ist nicht lesbar: eine Pipe oder ein Gerät, keine gewöhnliche Datei; - ist die "
+    "Standardeingabe"};
+constexpr Sentence cannot_read_link_loop{"cannot read {file}: its symbolic links lead in a circle",
+                                         "{file} ist nicht lesbar: ihre symbolischen Links führen im Kreis"};
+
 constexpr Sentence too_large{
     "cannot read {file}: it is larger than 1 GiB; an axis list has a few thousand lines",
     "{file} ist nicht lesbar: die Datei ist größer als 1 GiB; eine Achsliste hat einige tausend Zeilen"};
 constexpr Sentence too_large_line{
-    "cannot read {file}: a line is longer than 1 MiB; an axis list has one parameter per line",
-    "{file} ist nicht lesbar: eine Zeile ist länger als 1 MiB; eine Achsliste hat einen Parameter je Zeile"};
+    "cannot read {file}: a line is longer than 1 MiB; break it into shorter lines",
+    "{file} ist nicht lesbar: eine Zeile ist länger als 1 MiB; sie in kürzere Zeilen teilen"};
 
 }  // namespace axisc::cli::says
 
@@ -62,6 +69,8 @@ FileError error_of(system::Error const& error) {
       return FileError::is_folder;
     case system::Refusal::no_permission:
       return FileError::no_permission;
+    case system::Refusal::link_loop:
+      return FileError::link_loop;
     default:
       return FileError::not_readable;
   }
@@ -95,25 +104,36 @@ struct OpenFile {
   std::optional<std::size_t> size;  ///< none for a pipe
 };
 
-std::variant<OpenFile, FileError> open_file(std::string const& path) {
-  auto opened = system::File::open(path, system::Access::read);
+enum class Pipes : std::uint8_t { refused, read };
+
+std::variant<OpenFile, FileError> open_file(std::string const& path, Pipes pipes) {
+  bool const waits = pipes == Pipes::read;
+  auto opened = system::File::open(path, waits ? system::Access::read : system::Access::read_now);
   if (auto const* const error = std::get_if<system::Error>(&opened)) return error_of(*error);
   OpenFile file{.file = std::get<system::File>(std::move(opened)), .size = {}};
   auto const status = file.file.status();
   if (std::holds_alternative<system::Error>(status)) return FileError::not_readable;
   auto const& facts = std::get<system::FileStatus>(status);
   if (facts.kind == system::FileKind::folder) return FileError::is_folder;
-  if (facts.kind != system::FileKind::regular) return file;
+  if (facts.kind != system::FileKind::regular) {
+    if (!waits) return FileError::not_regular;
+    return file;
+  }
   if (facts.size > configuration::largest_file) return FileError::too_large;
   file.size = static_cast<std::size_t>(facts.size);
   return file;
 }
 
-Bytes read_path(std::string const& path) {
-  auto const opened = open_file(path);
+Bytes read_path(std::string const& path, Pipes pipes) {
+  auto const opened = open_file(path, pipes);
   if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
   auto const& file = std::get<OpenFile>(opened);
   return read_all(file.file, file.size);
+}
+
+std::string require(std::string const& path, Bytes bytes) {
+  if (auto const* const error = std::get_if<FileError>(&bytes)) throw unreadable(path, *error);
+  return std::get<std::string>(std::move(bytes));
 }
 
 std::optional<FileError> read_blocks(system::File const& file, configuration::PieceReceiver const& receive) {
@@ -146,6 +166,10 @@ SentenceRef sentence(FileError error) {
       return says::cannot_read_utf16;
     case FileError::image:
       return says::cannot_read_image;
+    case FileError::not_regular:
+      return says::cannot_read_not_regular;
+    case FileError::link_loop:
+      return says::cannot_read_link_loop;
   }
   return says::cannot_read_not_readable;
 }
@@ -153,7 +177,7 @@ SentenceRef sentence(FileError error) {
 }  // namespace
 
 Bytes DiskFiles::read(std::string const& path) {
-  if (!dash_is_standard_input_ || path != "-") return read_path(path);
+  if (!dash_is_standard_input_ || path != "-") return read_path(path, Pipes::refused);
   if (!standard_input_) {
     auto const input = system::File::standard_input();
     if (auto const* const error = std::get_if<system::Error>(&input)) return error_of(*error);
@@ -167,18 +191,9 @@ Bytes DiskFiles::read(std::string const& path) {
 std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
                                                 configuration::PieceReceiver const& receive) {
   if (dash_is_standard_input_ && path == "-") return Files::read_pieces(path, receive);
-  auto held = pipes_.find(path);
-  if (held == pipes_.end()) {
-    auto const opened = open_file(path);
-    if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
-    auto const& file = std::get<OpenFile>(opened);
-    if (file.size) return read_blocks(file.file, receive);
-    auto bytes = read_all(file.file, file.size);
-    if (auto const* const error = std::get_if<FileError>(&bytes)) return *error;
-    held = pipes_.emplace(path, std::get<std::string>(std::move(bytes))).first;
-  }
-  receive(held->second);
-  return std::nullopt;
+  auto const opened = open_file(path, Pipes::refused);
+  if (auto const* const error = std::get_if<FileError>(&opened)) return *error;
+  return read_blocks(std::get<OpenFile>(opened).file, receive);
 }
 
 bool DiskFiles::is_file(std::string const& path) {
@@ -209,10 +224,12 @@ Failure unreadable(std::string const& path, FileError error) {
 }
 
 std::string read_whole(std::string const& path, Dash dash) {
-  DiskFiles files(dash == Dash::is_standard_input && path == "-");
-  auto bytes = files.read(path);
-  if (auto const* const error = std::get_if<FileError>(&bytes)) throw unreadable(path, *error);
-  return std::get<std::string>(std::move(bytes));
+  bool const is_input = dash == Dash::is_standard_input && path == "-";
+  return require(path, is_input ? DiskFiles(true).read(path) : read_path(path, Pipes::read));
+}
+
+std::string read_regular(std::string const& path) {
+  return require(path, read_path(path, Pipes::refused));
 }
 
 }  // namespace axisc::cli

@@ -5,7 +5,6 @@
 #include "configuration/files.hpp"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -13,13 +12,13 @@
 
 namespace axisc::cli {
 
-/// Reads files and pipes.
+/// Reads regular files: no list, program or settings file shall make the program wait, or read a device without end.
 class DiskFiles final : public configuration::Files {
  public:
   /// `dash_is_standard_input`: "-" means standard input, which is read once and kept.
   explicit DiskFiles(bool dash_is_standard_input = false) : dash_is_standard_input_(dash_is_standard_input) {}
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
-  /// Memory: one block; a pipe, which can be read only once, is kept completely.
+  /// Memory: one block; standard input, which can be read only once, is kept completely.
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override;
   [[nodiscard]] bool is_file(std::string const& path) override;
@@ -29,7 +28,6 @@ class DiskFiles final : public configuration::Files {
  private:
   bool dash_is_standard_input_;
   std::optional<std::string> standard_input_;
-  std::map<std::string, std::string> pipes_;  ///< what those gave that were read in pieces
 };
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
@@ -37,7 +35,9 @@ class DiskFiles final : public configuration::Files {
 
 enum class Dash : std::uint8_t { is_standard_input, is_a_name };
 
-/// The bytes of a file that a command needs whole. Failure where it cannot be read.
+/// The bytes of a file or pipe that a command needs whole. Failure where it cannot be read.
 [[nodiscard]] std::string read_whole(std::string const& path, Dash dash = Dash::is_standard_input);
+/// The bytes of a file that must not be a pipe. Failure where it cannot be read.
+[[nodiscard]] std::string read_regular(std::string const& path);
 
 }  // namespace axisc::cli

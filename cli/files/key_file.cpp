@@ -3,11 +3,14 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/disk_files.hpp"
+#include "cli/fleet/unique_name.hpp"
 #include "cli/options/filter_symbols.hpp"
 #include "cli/sentences.hpp"
 #include "system/file.hpp"
+#include "system/interruption.hpp"
 
 #include <array>
+#include <filesystem>
 #include <span>
 
 namespace axisc::cli::says {
@@ -44,31 +47,40 @@ constexpr std::size_t longest_key_file = 256;
       cannot_write);
 }
 
-/// Removed again unless it is kept.
+/// A file that gets its name when it is complete. Without a name it is removed again, also when the program is
+/// interrupted.
 class NewFile {
  public:
-  NewFile(std::string path, system::Privacy privacy) : path_(std::move(path)) {
-    auto made = system::File::create(path_, privacy);
+  NewFile(std::string path, system::Privacy privacy)
+      : path_(std::move(path)), temporary_(beside(path_)), interruption_(temporary_.c_str()) {
+    auto made = system::File::create(temporary_, privacy);
     if (auto const* const error = std::get_if<system::Error>(&made)) refuse_to_write(path_, *error);
     file_ = std::get<system::File>(std::move(made));
   }
   NewFile(NewFile const&) = delete;
   NewFile& operator=(NewFile const&) = delete;
-  ~NewFile() {
-    if (!kept_) system::remove(path_);
-  }
+  ~NewFile() { system::remove(temporary_); }
+
   void write(std::string_view text) {
     auto error = file_.write(text);
     if (!error) error = file_.sync();
     if (!error) error = file_.close();
     if (error) refuse_to_write(path_, *error);
   }
-  void keep() { kept_ = true; }
+  void give_name() {
+    if (auto const error = system::rename_to_new(temporary_, path_)) refuse_to_write(path_, *error);
+  }
+  void take_name_back() { system::remove(path_); }
 
  private:
+  [[nodiscard]] static std::string beside(std::string const& path) {
+    return (std::filesystem::path(path).parent_path() / (".axisc-" + unique_name())).string();
+  }
+
   std::string path_;
+  std::string temporary_;
+  system::RemovedWhenInterrupted interruption_;
   system::File file_;
-  bool kept_ = false;
 };
 
 /// The content of a key file, wiped afterwards.
@@ -116,8 +128,15 @@ void write_keys(std::string const& path, image::SecretKey const& key) {
     throw;
   }
   image::wipe(text);
-  open.keep();
-  secret.keep();
+  // Both names or none.
+  system::WithoutInterruption const uninterrupted;
+  open.give_name();
+  try {
+    secret.give_name();
+  } catch (...) {
+    open.take_name_back();
+    throw;
+  }
 }
 
 image::SecretKey load_secret_key(std::string const& path) {
@@ -143,6 +162,12 @@ image::PublicKey load_public_key(std::string const& path) {
     throw Failure({.sentence = says::cannot_read_no_public_key, .arguments = {{"file", path}}}, cannot_read);
   }
   return *key;
+}
+
+bool is_secret_key(std::string const& path) {
+  auto const opened = system::File::open(path, system::Access::read_now);
+  auto const* const file = std::get_if<system::File>(&opened);
+  return file != nullptr && image::read_secret_key(KeyText(*file).text()).has_value();
 }
 
 std::string key_name(image::KeyId const& id) {

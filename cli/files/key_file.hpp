@@ -18,6 +18,9 @@ void write_keys(std::string const& path, image::SecretKey const& key);
 /// Failure AX9001 for a file that cannot be read or is not a public key.
 [[nodiscard]] image::PublicKey load_public_key(std::string const& path);
 
+/// True for a file that load_secret_key() would read, or refuse only for its permissions.
+[[nodiscard]] bool is_secret_key(std::string const& path);
+
 /// Sixteen hexadecimal digits.
 [[nodiscard]] std::string key_name(image::KeyId const& id);
 

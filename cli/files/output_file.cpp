@@ -2,6 +2,7 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/path_identity.hpp"
 #include "cli/fleet/unique_name.hpp"
 #include "cli/sentences.hpp"
 
@@ -25,9 +26,12 @@ constexpr Sentence no_space{
 constexpr Sentence closed_pipe{"cannot write {file}: the reader closed the pipe",
                                "{file} ist nicht schreibbar: die Gegenseite hat die Pipe geschlossen"};
 
-constexpr Sentence is_input{
-    "{file} is one of the inputs and would be overwritten; choose another name",
-    "{file} ist eine der Eingaben und würde überschrieben; einen anderen Namen wählen"};
+constexpr Sentence changed{
+    "cannot write {file}: it was changed while axisc worked on it; it stays as it is, run the command again",
+    "{file} ist nicht schreibbar: während axisc daran arbeitete, wurde sie geändert; sie bleibt so, den "
+    "Befehl wiederholen"};
+constexpr Sentence link_loop{"cannot write {file}: its symbolic links lead in a circle",
+                             "{file} ist nicht schreibbar: ihre symbolischen Links führen im Kreis"};
 
 }  // namespace axisc::cli::says
 
@@ -36,8 +40,6 @@ namespace axisc::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int most_links = 40;
 
 SentenceRef sentence(system::Refusal refusal) {
   switch (refusal) {
@@ -53,21 +55,11 @@ SentenceRef sentence(system::Refusal refusal) {
       return says::no_space;
     case system::Refusal::closed_pipe:
       return says::closed_pipe;
+    case system::Refusal::link_loop:
+      return says::link_loop;
     default:
       return says::cannot_write;
   }
-}
-
-/// Where a symbolic link leads, even if nothing is there yet.
-std::string behind_links(std::string const& path) {
-  fs::path target = path;
-  std::error_code error;
-  for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
-    auto const next = fs::read_symlink(target, error);
-    if (error) break;
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return target.string();
 }
 
 std::string folder_of(std::string const& path) {
@@ -85,6 +77,11 @@ OutputFile::OutputFile(std::string path, Durability durability)
     : path_(std::move(path)), durability_(durability) {
   if (path_ == "-") {
     take(system::File::standard_output());
+    return;
+  }
+  if (durability_ == Durability::of_name) {
+    target_ = path_;
+    open_beside(nullptr);
     return;
   }
   auto const status = system::status_of(path_);
@@ -120,7 +117,9 @@ void OutputFile::open_beside(system::FileStatus const* old) {
     temporary_.path = std::move(name);
     temporary_.interruption.emplace(temporary_.path.c_str());
   }
-  if (old != nullptr) require(file_.take_over_owner(*old));
+  if (old == nullptr) return;
+  require(file_.take_over_owner(*old));
+  file_.take_over_attributes(target_);
 }
 
 void OutputFile::fail(system::Error const& error) const {
@@ -138,6 +137,14 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::commit() {
+  finish(nullptr);
+}
+
+void OutputFile::commit_over(std::string_view before) {
+  finish(&before);
+}
+
+void OutputFile::finish(std::string_view const* before) {
   if (temporary_.path.empty()) {
     require(file_.close());
     return;
@@ -145,6 +152,9 @@ void OutputFile::commit() {
   bool const syncs = durability_ == Durability::of_content;
   if (syncs) require(file_.sync());
   require(file_.close());
+  if (before != nullptr && !is_content_of(target_, *before)) {
+    throw Failure({.sentence = says::changed, .arguments = {{"file", path_}}}, cannot_write);
+  }
   require(system::replace(temporary_.path, target_));
   temporary_.interruption.reset();
   temporary_.path.clear();
@@ -173,13 +183,12 @@ bool is_content_of(std::string const& path, std::string_view bytes) {
   return true;
 }
 
-void refuse_overwriting(std::string const& output, std::vector<std::string> const& sources) {
-  for (auto const& source : sources) {
-    std::error_code error;
-    if (output != "-" && fs::equivalent(output, source, error)) {
-      throw Failure({.sentence = says::is_input, .arguments = {{"file", output}}}, cannot_write);
-    }
-  }
+void replace_content(std::string const& path, std::string_view before, std::string_view after) {
+  // Several inputs may name one file in different ways.
+  if (is_content_of(path, after)) return;
+  OutputFile file(path);
+  file.write(after);
+  file.commit_over(before);
 }
 
 }  // namespace axisc::cli

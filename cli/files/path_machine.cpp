@@ -42,6 +42,7 @@ std::optional<CheckedMachine> checked_machine(std::string const& path,
   auto result = check_machine(job, path, *disk, invocation, color);
   if (!result) return std::nullopt;
   require_cycle_time(path, *result);
+  add_settings_files(settings, path, result->files);
   return CheckedMachine{
       .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
 }

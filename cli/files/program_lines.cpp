@@ -28,6 +28,8 @@ constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::ma
       throw unreadable(path, FileError::is_folder);
     case system::Refusal::no_permission:
       throw unreadable(path, FileError::no_permission);
+    case system::Refusal::link_loop:
+      throw unreadable(path, FileError::link_loop);
     default:
       throw Failure(
           {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
@@ -47,10 +49,12 @@ Value require(std::string const& path, system::Result<Value> result) {
 ProgramLines::ProgramLines(std::string path) : path_(std::move(path)) {
   bool const is_input = path_ == "-";
   file_ = require(
-      path_, is_input ? system::File::standard_input() : system::File::open(path_, system::Access::read));
+      path_, is_input ? system::File::standard_input() : system::File::open(path_, system::Access::read_now));
   auto const facts = require(path_, file_.status());
   if (facts.kind == system::FileKind::folder) throw unreadable(path_, configuration::FileError::is_folder);
-  if (!is_input && facts.kind == system::FileKind::regular) {
+  if (!is_input) {
+    if (facts.kind != system::FileKind::regular)
+      throw unreadable(path_, configuration::FileError::not_regular);
     size_ = facts.size;
   } else {
     in_memory_ = true;

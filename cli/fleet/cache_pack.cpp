@@ -12,6 +12,9 @@ namespace axisc::cli {
 namespace {
 
 constexpr std::string_view magic = "axpack01";
+/// Larger files are not the cache's: a writer begins a new pack at `full_pack`, and entries are results of one input.
+constexpr std::uint64_t largest_pack = std::uint64_t{1} << 30U;
+constexpr std::uint64_t most_rows = std::uint64_t{1} << 21U;
 constexpr std::size_t buffered = std::size_t{1} << 18U;
 
 struct Footer {
@@ -38,8 +41,8 @@ bool read_at(system::File const& file, std::uint64_t offset, void* target, std::
 
 /// For reading, and for updating the times of last use if the file is writable.
 std::optional<system::File> open_pack(std::string const& path) {
-  for (auto const access : {system::Access::update, system::Access::read}) {
-    auto opened = system::File::open(path, access);
+  for (auto const access : {system::Access::update_now, system::Access::read_now}) {
+    auto opened = system::File::open(path, access, system::Link::refused);
     if (auto* const file = std::get_if<system::File>(&opened)) return std::move(*file);
   }
   return std::nullopt;
@@ -62,13 +65,13 @@ std::optional<CachePack> CachePack::open(std::string const& path) {
   if (facts == nullptr || facts->kind != system::FileKind::regular) return std::nullopt;
   pack.file_size_ = facts->size;
   Footer footer;
-  if (pack.file_size_ < magic.size() + sizeof(Footer)) return std::nullopt;
+  if (pack.file_size_ < magic.size() + sizeof(Footer) || pack.file_size_ > largest_pack) return std::nullopt;
   auto const end = pack.file_size_ - sizeof(Footer);
   if (!read_at(pack.file_, end, &footer, sizeof(footer))) return std::nullopt;
   constexpr std::uint64_t per_row = sizeof(PackRow) + sizeof(std::uint32_t);
   bool const fits = std::memcmp(footer.mark, Footer{}.mark, sizeof(footer.mark)) == 0 &&
-                    footer.table_begin >= magic.size() && footer.table_begin <= end &&
-                    (end - footer.table_begin) % per_row == 0 &&
+                    footer.rows <= most_rows && footer.table_begin >= magic.size() &&
+                    footer.table_begin <= end && (end - footer.table_begin) % per_row == 0 &&
                     (end - footer.table_begin) / per_row == footer.rows;
   if (!fits) return std::nullopt;
   pack.rows_.resize(footer.rows);

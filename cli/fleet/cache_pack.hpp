@@ -20,6 +20,11 @@
 
 namespace axisc::cli {
 
+inline constexpr std::string_view pack_extension = ".axpack";
+/// A pack of this size, or with this many entries, is complete.
+inline constexpr std::uint64_t full_pack = std::uint64_t{64} << 20U;
+inline constexpr std::size_t full_table = std::size_t{1} << 20U;
+
 struct PackRow {
   Digest key;
   std::uint64_t offset = 0;
@@ -29,7 +34,7 @@ struct PackRow {
 
 class CachePack {
  public:
-  /// None for a file that cannot be read or is not a complete pack.
+  /// None for a file that cannot be read or is not a complete pack, and for a link, a pipe or a device.
   [[nodiscard]] static std::optional<CachePack> open(std::string const& path);
 
   [[nodiscard]] std::string const& path() const { return path_; }
@@ -60,7 +65,7 @@ class PackWriter {
   explicit PackWriter(std::string const& folder);
 
   void add(Digest const& key, std::string_view content, std::uint32_t last_use);
-  [[nodiscard]] std::uint64_t size() const { return offset_; }
+  [[nodiscard]] bool is_full() const { return offset_ >= full_pack || entries_.size() >= full_table; }
   void commit();
 
  private:
@@ -74,7 +79,5 @@ class PackWriter {
   std::string buffer_;
   std::vector<Entry> entries_;
 };
-
-inline constexpr std::string_view pack_extension = ".axpack";
 
 }  // namespace axisc::cli

@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t largest_pack = std::uint64_t{64} << 20U;
 /// Limits the number of files that every run opens.
 constexpr std::size_t most_packs = 64;
 
@@ -79,7 +78,7 @@ void CacheStore::add(Digest const& key, std::string_view content) {
   try {
     if (!writer_) writer_ = std::make_unique<PackWriter>(folder_);
     writer_->add(key, content, seconds_now());
-    if (writer_->size() < largest_pack) return;
+    if (!writer_->is_full()) return;
     writer_->commit();
   } catch (Failure const& failure) {
     // The results are correct nevertheless.

@@ -52,7 +52,7 @@ std::vector<std::vector<std::size_t>> choose(std::vector<CachePack> const& packs
   return kept;
 }
 
-/// Packs that lose entries, and small packs, are rewritten as one.
+/// Packs that lose entries, and small packs, are rewritten as few.
 void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
              std::vector<std::vector<std::size_t>> const& kept) {
   std::vector<std::size_t> replaced;
@@ -66,6 +66,9 @@ void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
       if (!content) continue;
       if (!writer) writer = std::make_unique<PackWriter>(folder);
       writer->add(packs[i].rows()[row].key, *content, packs[i].last_use(row));
+      if (!writer->is_full()) continue;
+      writer->commit();
+      writer.reset();
     }
   }
   if (writer) writer->commit();
@@ -93,7 +96,7 @@ void remove_rubbish(std::string const& folder, std::vector<CachePack> const& pac
 void tidy_cache(std::string const& folder, std::uint64_t limit) {
   auto const opened = system::File::open_or_create(folder + "/lock");
   auto const* const lock = std::get_if<system::File>(&opened);
-  if (lock == nullptr || !lock->lock()) return;
+  if (lock == nullptr || !is_regular(*lock) || !lock->lock()) return;
   auto const packs = open_packs(folder);
   remove_rubbish(folder, packs);
   std::uint64_t size = 0;

@@ -1,6 +1,5 @@
 #include "cli/fleet/file_digests.hpp"
 
-#include "cli/files/disk_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "system/file.hpp"
 
@@ -8,6 +7,7 @@
 #include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -31,13 +31,32 @@ bool by_path(Row const& left, Row const& right) {
   return left.path < right.path;
 }
 
+constexpr std::size_t head = magic.size() + sizeof(std::uint64_t);
+
+/// None for a link, a pipe, a device, and a file that is too large for a table.
+std::optional<std::string> bytes_of_table(std::string const& table) {
+  auto const opened = system::File::open(table, system::Access::read_now, system::Link::refused);
+  auto const* const file = std::get_if<system::File>(&opened);
+  if (file == nullptr) return std::nullopt;
+  auto const status = file->status();
+  auto const* const facts = std::get_if<system::FileStatus>(&status);
+  bool const fits = facts != nullptr && facts->kind == system::FileKind::regular &&
+                    facts->size <= head + most_rows * sizeof(Row);
+  if (!fits) return std::nullopt;
+  std::string bytes(static_cast<std::size_t>(facts->size), '\0');
+  for (std::size_t filled = 0; filled < bytes.size();) {
+    auto const result = file->read(std::span(bytes).subspan(filled));
+    auto const* const got = std::get_if<std::size_t>(&result);
+    if (got == nullptr || *got == 0) return std::nullopt;
+    filled += *got;
+  }
+  return bytes;
+}
+
 /// The rows of a table, in ascending order; none if it is damaged.
 std::vector<Row> read_rows(std::string const& table) {
-  DiskFiles files;
-  auto const read = files.read(table);
-  auto const* const bytes = std::get_if<std::string>(&read);
-  constexpr std::size_t head = magic.size() + sizeof(std::uint64_t);
-  if (bytes == nullptr || bytes->size() < head || !bytes->starts_with(magic)) return {};
+  auto const bytes = bytes_of_table(table);
+  if (!bytes || bytes->size() < head || !bytes->starts_with(magic)) return {};
   auto const content = std::string_view(*bytes).substr(head);
   std::uint64_t checksum = 0;
   std::memcpy(&checksum, bytes->data() + magic.size(), sizeof(checksum));

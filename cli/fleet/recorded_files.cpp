@@ -1,6 +1,5 @@
 #include "cli/fleet/recorded_files.hpp"
 
-#include <filesystem>
 #include <utility>
 
 namespace axisc::cli {
@@ -10,22 +9,12 @@ namespace {
 /// Larger files (NC programs) are hashed piece by piece and read twice.
 constexpr std::uint64_t most_kept = std::uint64_t{16} << 20U;
 
-/// True if the path exists but is neither a file nor a folder.
-bool may_be_pipe(std::string const& path) {
-  std::error_code error;
-  auto const status = std::filesystem::status(path, error);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-         !std::filesystem::is_directory(status);
-}
-
 }  // namespace
 
 class RecordedFiles::Reading {
  public:
   Reading(FileDigests* digests, std::string const& path)
       : digests_(digests), path_(path), begun_(nanoseconds_now()), before_(facts_of(path)) {}
-
-  [[nodiscard]] bool is_regular() const { return before_.has_value(); }
 
   void learn(Digest const& digest) const {
     if (digests_ != nullptr && before_ && before_ == facts_of(path_)) {
@@ -58,7 +47,6 @@ std::variant<std::string, configuration::FileError> RecordedFiles::read(std::str
     record(path, {.digest = {}, .error = *error});
     return bytes;
   }
-  if (!reading.is_regular()) complete_ = false;
   auto const digest = digest_of(std::get<std::string>(bytes));
   record(path, {.digest = digest, .error = {}});
   reading.learn(digest);
@@ -68,7 +56,6 @@ std::variant<std::string, configuration::FileError> RecordedFiles::read(std::str
 std::optional<configuration::FileError> RecordedFiles::read_pieces(
     std::string const& path, configuration::PieceReceiver const& receive) {
   Reading const reading(digests_, path);
-  if (!reading.is_regular()) complete_ = false;
   Hasher hasher;
   bool wanted = true;
   auto const error = disk_.read_pieces(path, [&](std::string_view piece) {
@@ -83,32 +70,31 @@ std::optional<configuration::FileError> RecordedFiles::read_pieces(
   return error;
 }
 
-std::optional<FileState> RecordedFiles::state_of(std::string const& path) {
+FileState RecordedFiles::state_of(std::string const& path) {
   auto const facts = facts_of(path);
   if (facts && digests_ != nullptr) {
-    if (auto const digest = digests_->known(path, *facts)) return FileState{.digest = *digest, .error = {}};
+    if (auto const digest = digests_->known(path, *facts)) return {.digest = *digest, .error = {}};
   }
   Reading const reading(digests_, path);
-  if (!facts && may_be_pipe(path)) return std::nullopt;
   if (!facts || facts->size <= most_kept) {
     auto bytes = disk_.read(path);
     if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
-      return FileState{.digest = {}, .error = *error};
+      return {.digest = {}, .error = *error};
     }
     auto const digest = digest_of(std::get<std::string>(bytes));
     reading.learn(digest);
     kept_.insert_or_assign(path, std::get<std::string>(std::move(bytes)));
-    return FileState{.digest = digest, .error = {}};
+    return {.digest = digest, .error = {}};
   }
   Hasher hasher;
   auto const error = disk_.read_pieces(path, [&hasher](std::string_view piece) {
     hasher.bytes(piece);
     return true;
   });
-  if (error) return FileState{.digest = {}, .error = error};
+  if (error) return {.digest = {}, .error = error};
   auto const digest = hasher.finish();
   reading.learn(digest);
-  return FileState{.digest = digest, .error = {}};
+  return {.digest = digest, .error = {}};
 }
 
 }  // namespace axisc::cli

@@ -33,8 +33,8 @@ class RecordedFiles final : public configuration::Files {
   }
 
   /// State of a file: from the table if it has not changed, otherwise it is read. A file that is not too large is kept,
-  /// so that read() does not read it again. None if it is not a regular file: a pipe can be read only once.
-  [[nodiscard]] std::optional<FileState> state_of(std::string const& path);
+  /// so that read() does not read it again.
+  [[nodiscard]] FileState state_of(std::string const& path);
 
   [[nodiscard]] Dependencies const& dependencies() const { return dependencies_; }
   /// True if everything that was read is in the record and nothing changed meanwhile.

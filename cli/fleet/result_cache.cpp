@@ -34,16 +34,17 @@ Digest CachedInput::key(Digest const& content) const {
 
 std::optional<std::string> CachedInput::find() {
   auto const own = files_.state_of(path_);
-  if (!own || own->error) return std::nullopt;
-  auto const entry = cache_.store_.find(key(own->digest));
+  if (own.error) return std::nullopt;
+  auto const entry = cache_.store_.find(key(own.digest));
   if (!entry) return std::nullopt;
   ByteReader bytes(*entry);
   for (auto left = bytes.count(); left > 0; --left) {
     std::string const path(bytes.text());
     auto const error = bytes.number();
     auto const digest = bytes.digest();
-    auto const now = bytes.ok() ? files_.state_of(path) : std::nullopt;
-    if (!now || as_number(now->error) != error || now->digest != digest) return std::nullopt;
+    if (!bytes.ok()) return std::nullopt;
+    auto const now = files_.state_of(path);
+    if (as_number(now.error) != error || now.digest != digest) return std::nullopt;
   }
   auto const result = bytes.text();
   return bytes.ok() && bytes.at_end() ? std::optional(std::string(result)) : std::nullopt;

@@ -54,9 +54,10 @@ void add_files(Hasher& hasher, CheckJob const& job, std::string const& path) {
   if (has_extension(path, ".json")) {
     SourceSet sources;
     static_cast<void>(validator::load(files, path, options_for(job, path), sources));
-  } else if (auto const state = files.state_of(path)) {
-    hasher.digest(state->digest);
-    hasher.number(state->error ? 1 : 0);
+  } else {
+    auto const state = files.state_of(path);
+    hasher.digest(state.digest);
+    hasher.number(state.error ? 1 : 0);
   }
   for (auto const& [name, state] : files.dependencies()) {
     hasher.text(name);

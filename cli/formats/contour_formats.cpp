@@ -1,6 +1,7 @@
 #include "cli/formats/contour_formats.hpp"
 
 #include "cli/report/csv.hpp"
+#include "cli/report/json_text.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 #include "motion/point.hpp"
@@ -201,7 +202,7 @@ std::string contour_json(ShownContour const& shown) {
     }
     json["groups"].push_back(std::move(entry));
   }
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 }  // namespace axisc::cli

@@ -3,6 +3,7 @@
 #include "cli/formats/sentences.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/terminal.hpp"
 
 #include <cmath>
 #include <vector>
@@ -148,14 +149,16 @@ std::string text_block(std::vector<Line> const& lines) {
   return text_table(rows, 2);
 }
 
-/// A cell of a Markdown table.
+/// A cell of a Markdown table: one line, without markup, links and names of users.
 std::string cell(std::string const& text) {
+  constexpr std::string_view markup = "|\\`*<~";
   std::string escaped;
-  for (char const character : text) {
-    if (character == '|' || character == '\\' || character == '`' || character == '*' || character == '<') {
-      escaped += '\\';
-    }
+  for (char const character : printable(text)) {
+    if (markup.find(character) != std::string_view::npos) escaped += '\\';
     escaped += character;
+    if (character == '@') escaped += "<!-- -->";
+    bool const begins_link = escaped.ends_with("](") || escaped.ends_with("://") || escaped.ends_with("www.");
+    if (begins_link) escaped.insert(escaped.size() - 1, 1, '\\');
   }
   return escaped;
 }
@@ -186,7 +189,7 @@ std::string diff_text(ShownDifference const& shown, Language language) {
   if (shown.difference.empty()) {
     return words.say(says::nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
   }
-  std::string text = shown.before + " → " + shown.after + "\n" + text_block(words.machine());
+  std::string text = printable(shown.before + " → " + shown.after) + "\n" + text_block(words.machine());
   for (auto const& axis : shown.difference.axes) {
     text += "\n" + words.say(says::axis, {{"axis", axis.name}}) + "\n" + text_block(words.parameters(axis));
     if (axis.filtering_changed) text += "\n" + text_block(words.effects(axis));
@@ -197,7 +200,7 @@ std::string diff_text(ShownDifference const& shown, Language language) {
 std::string diff_markdown(ShownDifference const& shown, Language language) {
   Lines const words(shown, language);
   if (shown.difference.empty()) {
-    return words.say(says::nothing, {{"before", shown.before}, {"after", shown.after}}) + "\n";
+    return words.say(says::nothing, {{"before", cell(shown.before)}, {"after", cell(shown.after)}}) + "\n";
   }
   std::string text = "**" + cell(shown.before) + " → " + cell(shown.after) + "**\n";
   text += markdown_table(words, words.machine(), says::what);

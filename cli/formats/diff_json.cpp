@@ -1,4 +1,5 @@
 #include "cli/formats/diff_formats.hpp"
+#include "cli/report/json_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -61,7 +62,7 @@ std::string diff_json(ShownDifference const& shown) {
                     {"axes_added", difference.axes_added},
                     {"axes", ordered_json::array()}};
   for (auto const& axis : difference.axes) json["axes"].push_back(axis_json(axis, shown));
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 }  // namespace axisc::cli

@@ -1,5 +1,6 @@
 #include "cli/formats/explain_formats.hpp"
 #include "cli/formats/parameter_facts.hpp"
+#include "cli/report/json_text.hpp"
 #include "diagnostics/location.hpp"
 
 #include <nlohmann/json.hpp>
@@ -76,7 +77,7 @@ std::string explain_json(schema::Catalogue const& catalogue, std::span<validator
   for (auto const* const parameter : parameters) {
     json["parameters"].push_back(parameter_json(catalogue, *parameter, language));
   }
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 }  // namespace axisc::cli

@@ -3,6 +3,7 @@
 #include "cli/formats/inspect_formats.hpp"
 #include "cli/formats/inspect_parts_json.hpp"
 #include "cli/options/filter_symbols.hpp"
+#include "cli/report/json_text.hpp"
 #include "design/filter_design.hpp"
 
 #include <cmath>
@@ -155,7 +156,7 @@ std::string inspect_json(Shown const& shown) {
   for (auto const& kernel : image.kernels) json["kernels"].push_back(kernel_json(kernel, image.cycle_time));
   json["channels"] = ordered_json::array();
   for (auto const& group : image.groups) json["channels"].push_back(group_json(image, group));
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 }  // namespace axisc::cli

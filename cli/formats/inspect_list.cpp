@@ -1,6 +1,7 @@
 #include "cli/files/image_file.hpp"
 #include "cli/formats/inspect_formats.hpp"
 #include "cli/report/text_table.hpp"
+#include "diagnostics/terminal.hpp"
 
 #include <algorithm>
 
@@ -31,8 +32,8 @@ std::string inspect_as_list(Shown const& shown, Language language) {
     std::size_t names = 0;
     std::size_t values = 0;
     for (auto const& value : axis.values) {
-      names = std::max(names, std::min(display_width(value.name), widest_column));
-      values = std::max(values, std::min(display_width(value.value), widest_column));
+      names = std::max(names, std::min(display_width(printable(value.name)), widest_column));
+      values = std::max(values, std::min(display_width(printable(value.value)), widest_column));
     }
     if (!text.empty()) text += "\n";
     text += "# " +
@@ -41,11 +42,11 @@ std::string inspect_as_list(Shown const& shown, Language language) {
                    language) +
             "\n";
     for (auto const& value : axis.values) {
-      std::string line = value.name;
+      std::string line = printable(value.name);
       pad(line, names + 2);
-      line += value.value;
+      line += printable(value.value);
       pad(line, names + 2 + values + 2);
-      text += line + "(" + value.list + ":" + std::to_string(value.line) + ")\n";
+      text += line + "(" + printable(value.list) + ":" + std::to_string(value.line) + ")\n";
     }
     text += "Ende\n";
   }

@@ -3,6 +3,7 @@
 #include "cli/formats/sentences.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/terminal.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -30,7 +31,7 @@ std::string InspectWriter::say(SentenceRef text, std::vector<Argument> arguments
 }
 
 std::string InspectWriter::row(SentenceRef label, std::string const& value) const {
-  return "  " + padded(say(label), label_width) + value + "\n";
+  return "  " + padded(say(label), label_width) + printable(value) + "\n";
 }
 
 std::string InspectWriter::rounded(double value) {

@@ -1,6 +1,7 @@
 #include "cli/formats/plant_formats.hpp"
 
 #include "cli/report/csv.hpp"
+#include "cli/report/json_text.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 #include "motion/point.hpp"
@@ -155,7 +156,7 @@ std::string plant_json(ClosedLoopFigures const& figures) {
   json["highest_kv_without_per_s"] = optional(figures.highest_kv_without);
   json["highest_kv_with_per_s"] = optional(figures.highest_kv_with);
   json["kv_searched_to_per_s"] = motion::kv_search_end;
-  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(json);
 }
 
 std::string plant_csv(motion::LoopRecord const& without, motion::LoopRecord const& with,

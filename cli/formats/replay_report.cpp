@@ -223,7 +223,7 @@ std::string ReplayReport::json(std::uint32_t level) const {
                                     {"recorded", first_difference_->recorded},
                                     {"computed", first_difference_->computed}};
   }
-  return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_document(document);
 }
 
 }  // namespace axisc::cli

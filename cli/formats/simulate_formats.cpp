@@ -4,6 +4,7 @@
 #include "cli/report/json_text.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/terminal.hpp"
 
 #include <algorithm>
 
@@ -113,7 +114,8 @@ class TextSummary final : public SummaryWriter {
     std::swap(text_, passes_);
     if (text_.empty()) row(say(says::pass), say(says::line), headings());
     row(std::to_string(++count_), summary.line == 0 ? "" : std::to_string(summary.line), cells(summary));
-    text_.insert(text_.size() - 1, "  " + (summary.command.empty() ? say(says::start) : summary.command));
+    text_.insert(text_.size() - 1,
+                 "  " + (summary.command.empty() ? say(says::start) : printable(summary.command)));
     std::swap(text_, passes_);
   }
 
@@ -151,7 +153,7 @@ class TextSummary final : public SummaryWriter {
       auto const used = display_width(cell);
       return std::string(used < width ? width - used : 0, ' ') + cell;
     };
-    text_ += padded(name, 12) + right(line, 8);
+    text_ += padded(printable(name), 12) + right(line, 8);
     for (auto const& cell : cells) text_ += right(cell, 17);
     text_ += "\n";
   }

@@ -23,14 +23,17 @@ void refuse_programs(std::vector<std::string> const& paths) {
 /// A name from the command line, or the only one in a response file. What kind of file it is shows when it is read.
 CompileInputs choose_one(CompileOptions const& options) {
   auto named = options.inputs;
+  auto sources = named;
   if (named.front().starts_with('@')) {
     auto inputs = expand_inputs(named);
     if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
     named = std::move(inputs.paths);
+    sources = std::move(inputs.sources);
   }
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
-  CompileInputs chosen{.part = choose_part({}, std::move(named)), .images = {}, .failures = {}};
+  CompileInputs chosen{
+      .part = choose_part({}, std::move(named)), .images = {}, .failures = {}, .sources = std::move(sources)};
   if (options.output) chosen.images = {*options.output};
   return chosen;
 }
@@ -47,7 +50,8 @@ CompileInputs choose_batch(CompileOptions const& options) {
   auto images = image_names(inputs.paths, options.input_folder.value_or(""), *options.output_folder);
   return {.part = choose_part(options.fleet, std::move(inputs.paths)),
           .images = std::move(images),
-          .failures = std::move(inputs.failures)};
+          .failures = std::move(inputs.failures),
+          .sources = std::move(inputs.sources)};
 }
 
 }  // namespace

@@ -11,8 +11,9 @@ namespace axisc::cli {
 
 struct CompileInputs {
   Part part;
-  std::vector<std::string> images;  ///< by input; with --print-key there may be none
-  std::vector<Failure> failures;    ///< names of a batch that cannot be used
+  std::vector<std::string> images;   ///< by input; with --print-key there may be none
+  std::vector<Failure> failures;     ///< names of a batch that cannot be used
+  std::vector<std::string> sources;  ///< see Inputs
 };
 
 /// Failure for inputs that cannot become an image, and for two images of the same name.

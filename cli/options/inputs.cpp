@@ -2,20 +2,23 @@
 
 #include "cli/codes.hpp"
 #include "cli/files/disk_files.hpp"
+#include "cli/files/path_identity.hpp"
 #include "cli/options/machine_outline.hpp"
 #include "cli/options/response_file.hpp"
 
 #include <algorithm>
 #include <filesystem>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <variant>
 
 namespace axisc::cli::says {
 
-constexpr Sentence folder{"cannot read the folder {folder}: {reason}; check its access rights",
-                          "der Ordner {folder} ist nicht lesbar: {reason}; die Zugriffsrechte prüfen"};
+constexpr Sentence folder{"cannot read the folder {folder}: {reason}",
+                          "der Ordner {folder} ist nicht lesbar: {reason}"};
+constexpr Sentence folder_no_permission{
+    "cannot read the folder {folder}: permission denied; check its access rights",
+    "der Ordner {folder} ist nicht lesbar: keine Berechtigung; die Zugriffsrechte prüfen"};
 constexpr Sentence folder_empty{
     "the folder {folder} holds no list (*.lis), no machine file (*.json with the key \"axes\") and no NC "
     "program (*.nc)",
@@ -36,47 +39,17 @@ namespace fs = std::filesystem;
 struct Found {
   std::string path;
   bool is_link = false;
-  std::vector<std::string> named;  ///< the lists and programs of a machine file, as it writes them
+  MachineOutline outline = {};
 };
 
-/// A path with all links resolved. A folder is resolved once: resolving every file would cost more than reading it.
-class Identities {
- public:
-  [[nodiscard]] std::string of(fs::path const& path) {
-    std::error_code error;
-    return of(path, fs::is_symlink(fs::symlink_status(path, error)));
-  }
-
-  [[nodiscard]] std::string of(fs::path const& path, bool is_link) {
-    if (path == "-") return "-";
-    auto const name = path.filename();
-    if (name.empty() || name == "." || name == ".." || is_link) return canonical(path);
-    auto const [folder, is_new] = folders_.try_emplace(path.parent_path().string());
-    if (is_new) folder->second = canonical(path.has_parent_path() ? path.parent_path() : ".");
-    return folder->second + "/" + name.string();
-  }
-
- private:
-  [[nodiscard]] static std::string canonical(fs::path const& path) {
-    std::error_code error;
-    auto const found = fs::weakly_canonical(fs::absolute(path, error), error);
-    auto name = error ? path.lexically_normal().string() : found.string();
-    // "a/missing/.." becomes "a/".
-    while (name.ends_with('/')) name.pop_back();
-    return name;
-  }
-
-  std::unordered_map<std::string, std::string> folders_;
-};
-
-/// The lists that a machine file names; none for a list, and for JSON that is not a machine file. An unreadable file
-/// counts as a machine file, so that the check reports it.
+/// Empty for a list, and for JSON that is not a machine file. An unreadable file counts as a machine file, so that the
+/// check reports it.
 MachineOutline outline_of(std::string const& path) {
   if (!has_extension(path, ".json")) return {};
   DiskFiles files;
   auto const bytes = files.read(path);
   auto const* const text = std::get_if<std::string>(&bytes);
-  return text == nullptr ? MachineOutline{.is_machine = true, .named = {}} : read_machine_outline(*text);
+  return text == nullptr ? MachineOutline{.is_machine = true} : read_machine_outline(*text);
 }
 
 /// Paths are compared by component: a folder comes before names that merely begin with its name.
@@ -112,63 +85,95 @@ class Expansion {
           Failure({.sentence = says::listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
     } else {
-      found_.push_back({.path = input.path, .is_link = is_link, .named = outline_of(input.path).named});
+      found_.push_back({.path = input.path, .is_link = is_link, .outline = outline_of(input.path)});
     }
   }
 
   [[nodiscard]] Inputs result() && {
-    Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}};
-    if (found_.size() == 1 && found_.front().named.empty()) {
-      // A single input has no duplicate, so its links need not be resolved.
-      result.paths.push_back(std::move(found_.front().path));
-      return result;
-    }
-    Identities identities;
-    std::unordered_set<std::string> through_machine;
+    Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}, .named = {}, .sources = {}};
+    PathIdentities identities;
+    Known lists;
+    Known programs;
     for (auto const& input : found_) {
       auto const folder = fs::path(input.path).parent_path();
-      for (auto const& file : input.named) through_machine.insert(identities.of(folder / file));
+      auto const note = [&](std::vector<std::string> const& names, Known& known) {
+        for (auto const& name : names) {
+          result.sources.push_back((folder / name).string());
+          known.insert(identities.of(result.sources.back()));
+        }
+      };
+      note(input.outline.lists, lists);
+      note(input.outline.programs, programs);
     }
-    std::unordered_set<std::string> taken;
+    // A single input has no duplicate, so its links need not be resolved.
+    bool const is_alone = found_.size() == 1;
+    Known taken;
     for (auto& input : found_) {
-      auto const [identity, is_new] = taken.insert(identities.of(input.path, input.is_link));
-      if (is_new && !through_machine.contains(*identity)) result.paths.push_back(std::move(input.path));
+      result.sources.push_back(input.path);
+      if (is_alone || is_wanted(input, identities.of(input.path, input.is_link), lists, programs, taken)) {
+        result.paths.push_back(std::move(input.path));
+      }
     }
     return result;
   }
 
  private:
+  using Known = std::unordered_set<std::string>;
+
+  /// What a machine file names is checked through it; a machine file itself is always checked, whoever names it.
+  [[nodiscard]] static bool is_wanted(Found const& input, std::string const& identity, Known const& lists,
+                                      Known const& programs, Known& taken) {
+    if (!taken.insert(identity).second) return false;
+    if (has_extension(input.path, ".json")) return true;
+    return !(has_extension(input.path, ".nc") ? programs : lists).contains(identity);
+  }
+
   void add_folder(std::string const& folder) {
     std::vector<Found> entries;
-    std::error_code error;
     auto const start = fs::path(folder).lexically_normal();
-    for (fs::recursive_directory_iterator entry(start, error), end; !error && entry != end;
-         entry.increment(error)) {
-      if (!may_be_input(*entry)) continue;
-      auto const& path = entry->path().native();
-      std::error_code unknown;
-      entries.push_back(
-          {.path = start == "." ? path.substr(2) : path, .is_link = entry->is_symlink(unknown), .named = {}});
-    }
-    if (error) {
-      failures_.push_back(
-          Failure({.sentence = says::folder, .arguments = {{"folder", folder}, {"reason", error.message()}}},
-                  cannot_read));
-      return;
-    }
+    auto const failures = failures_.size();
+    collect(start, folder, entries);
     std::sort(entries.begin(), entries.end(),
               [](Found const& left, Found const& right) { return is_before(left.path, right.path); });
     auto const before = found_.size();
     for (auto& entry : entries) {
-      auto outline = outline_of(entry.path);
-      if (has_extension(entry.path, ".json") && !outline.is_machine) continue;
-      entry.named = std::move(outline.named);
+      entry.outline = outline_of(entry.path);
+      if (has_extension(entry.path, ".json") && !entry.outline.is_machine) continue;
       found_.push_back(std::move(entry));
     }
-    if (found_.size() == before) {
+    if (found_.size() == before && failures_.size() == failures) {
       failures_.push_back(
           Failure({.sentence = says::folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
     }
+  }
+
+  /// A folder that cannot be read is named, `shown`; the others are read nevertheless. Links to folders are not
+  /// followed.
+  void collect(fs::path const& start, std::string const& shown, std::vector<Found>& entries) {
+    std::vector<std::pair<fs::path, std::string>> folders{{start, shown}};
+    while (!folders.empty()) {
+      auto const [folder, name] = std::move(folders.back());
+      folders.pop_back();
+      std::error_code error;
+      for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        auto const path = folder == "." ? entry->path().filename().string() : entry->path().string();
+        std::error_code unknown;
+        bool const is_link = entry->is_symlink(unknown);
+        if (!is_link && entry->is_directory(unknown)) {
+          folders.emplace_back(path, path);
+        } else if (may_be_input(*entry)) {
+          entries.push_back({.path = path, .is_link = is_link});
+        }
+      }
+      if (error) fail(name, error);
+    }
+  }
+
+  void fail(std::string const& folder, std::error_code const& error) {
+    bool const is_denied = error == std::errc::permission_denied;
+    failures_.push_back(Failure({.sentence = is_denied ? says::folder_no_permission : says::folder,
+                                 .arguments = {{"folder", folder}, {"reason", error.message()}}},
+                                cannot_read));
   }
 
   std::vector<Found> found_;
@@ -183,6 +188,10 @@ Inputs expand_inputs(std::vector<std::string> const& words) {
   for (auto const& input : named) expansion.add(input);
   auto inputs = std::move(expansion).result();
   if (!named.empty()) inputs.first = named.front().path;
+  for (auto const& input : named) inputs.named.push_back(input.path);
+  for (auto const& word : words) {
+    if (word.starts_with('@')) inputs.sources.push_back(word.substr(1));
+  }
   return inputs;
 }
 

@@ -12,10 +12,15 @@ struct Inputs {
   std::vector<std::string> paths;  ///< lists and machine files, in the order in which they are reported
   std::vector<Failure> failures;   ///< names that cannot be used
   std::string first;               ///< the first name: its settings and its repository are those of the run
+  std::vector<std::string> named;  ///< files and folders that the command line or a response file names
+  std::vector<std::string>
+      sources;  ///< files that may be read: all inputs, what machine files name, response files
 };
 
 /// A folder is replaced by every list and machine file below it, sorted; `@FILE` by the names in it
-/// (response_file.hpp). A file that is named twice, and a list that one of the machine files names, is checked once.
+/// (response_file.hpp). A file that is named twice is checked once, and a list or program that one of the machine files
+/// names is checked through it; a machine file is always an input itself. A folder below that cannot be read is a failure
+/// of its own.
 /// Whether a file that the command line names exists is found out when it is read. Cost: one system call per file, and
 /// resolving links once per folder.
 [[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& words);

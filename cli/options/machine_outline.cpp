@@ -33,16 +33,16 @@ MachineOutline read_machine_outline(std::string_view json) {
   auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);
   if (document.is_discarded()) {
     // A malformed machine file still counts as one: its mistake becomes a finding.
-    return {.is_machine = json.find("\"axes\"") != std::string_view::npos, .named = {}};
+    return {.is_machine = json.find("\"axes\"") != std::string_view::npos};
   }
   MachineOutline outline;
   if (!document.is_object() || !document.contains("axes")) return outline;
   outline.is_machine = true;
-  add_list(outline.named, document, "default_list");
-  for (auto const& axis : document["axes"]) add_list(outline.named, axis, "list");
-  add_programs(outline.named, document);
+  add_list(outline.lists, document, "default_list");
+  for (auto const& axis : document["axes"]) add_list(outline.lists, axis, "list");
+  add_programs(outline.programs, document);
   if (document.contains("groups")) {
-    for (auto const& group : document["groups"]) add_programs(outline.named, group);
+    for (auto const& group : document["groups"]) add_programs(outline.programs, group);
   }
   return outline;
 }

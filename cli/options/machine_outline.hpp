@@ -9,10 +9,9 @@ namespace axisc::cli {
 
 struct MachineOutline {
   bool is_machine = false;  ///< a JSON object with the key "axes", or something that tries to be one
-  bool has_cycle_time =
-      false;  ///< the key "cycle_time_us" is there; true as well where the file cannot be read
-  std::vector<std::string>
-      named;  ///< the lists and NC programs it names, as written: relative to the machine file
+  // What it names, as written: relative to the machine file.
+  std::vector<std::string> lists = {};
+  std::vector<std::string> programs = {};
 };
 
 [[nodiscard]] MachineOutline read_machine_outline(std::string_view json);

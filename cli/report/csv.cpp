@@ -5,6 +5,7 @@
 #include "cli/options/quantities.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
 
 #include <algorithm>
@@ -56,6 +57,20 @@ struct CsvPlace {
   std::uint32_t column;
 };
 
+/// Of a field that begins with one; two of them are one character of it.
+std::size_t closing_quote(std::string_view field) {
+  std::size_t at = field.find('"', 1);
+  while (at != std::string_view::npos && field.substr(at + 1).starts_with('"')) at = field.find('"', at + 2);
+  return at;
+}
+
+std::string without_doubled_quotes(std::string_view text) {
+  std::string name(text);
+  for (auto at = name.find("\"\""); at != std::string::npos; at = name.find("\"\"", at + 1))
+    name.erase(at, 1);
+  return name;
+}
+
 [[noreturn]] void fail(SentenceRef text, CsvPlace const& place, std::vector<Argument> arguments = {}) {
   arguments.push_back(
       {"place", place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column)});
@@ -71,7 +86,7 @@ CsvReader::CsvReader(std::string name, ByteSource source)
   header_line_ = number_;
   for (auto const& field : fields_) {
     if (field.text.empty()) fail(says::unnamed_column, {name_, number_, field.column});
-    std::string column(field.text);
+    std::string column = without_doubled_quotes(field.text);
     if (std::find(header_.begin(), header_.end(), column) != header_.end()) {
       fail(says::duplicate_column, {name_, number_, field.column}, {{"column", shown(column)}});
     }
@@ -116,7 +131,7 @@ void CsvReader::split_line() {
       ++column;
     }
     bool const quoted = !rest.empty() && rest.front() == '"';
-    auto const closing = quoted ? rest.find('"', 1) : std::string_view::npos;
+    auto const closing = quoted ? closing_quote(rest) : std::string_view::npos;
     if (quoted && closing == std::string_view::npos) fail(says::open_quote, {name_, number_, column});
     auto const comma = rest.find(',', quoted ? closing : 0);
     auto const raw = rest.substr(0, comma);
@@ -157,8 +172,15 @@ void CsvReader::refuse_column(std::size_t index, std::string_view known) const {
        {{"column", shown(header_[index])}, {"known", std::string(known)}});
 }
 
-void append_csv_name(std::string& line, std::string_view name) {
-  if (name.find_first_of(",\"\n\r") == std::string_view::npos) {
+std::string csv_name(std::string_view name) {
+  bool const is_formula =
+      !name.empty() && std::string_view("=+-@").find(name.front()) != std::string_view::npos;
+  return (is_formula ? "'" : "") + printable(name);
+}
+
+void append_csv_name(std::string& line, std::string_view given) {
+  std::string const name = csv_name(given);
+  if (name.find_first_of(",\"") == std::string::npos) {
     line += name;
     return;
   }

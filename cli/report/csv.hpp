@@ -50,7 +50,9 @@ class CsvReader {
   std::uint64_t header_line_ = 0;
 };
 
-/// Appends `name` as a CSV field, quoted if needed.
+/// A name as CSV files have it: printable, and nothing that a spreadsheet would take for a formula.
+[[nodiscard]] std::string csv_name(std::string_view name);
+/// Appends csv_name() as a field, quoted if needed.
 void append_csv_name(std::string& line, std::string_view name);
 
 /// Appends a row of numbers so that reading them gives the same doubles, with a line end.

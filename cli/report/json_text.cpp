@@ -1,29 +1,21 @@
 #include "cli/report/json_text.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "diagnostics/utf8.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 
 #include <cmath>
+
+#include <nlohmann/json.hpp>
 
 namespace axisc::cli {
 
 std::string json_string(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string result = "\"";
-  for (char const character : repair_utf8(text)) {
-    auto const byte = static_cast<unsigned char>(character);
-    if (character == '"' || character == '\\') {
-      result += '\\';
-      result += character;
-    } else if (byte < 0x20U) {
-      result += "\\u00";
-      result += digits[byte >> 4U];
-      result += digits[byte & 0xFU];
-    } else {
-      result += character;
-    }
-  }
-  return result + '"';
+  using Json = nlohmann::json;
+  return escape_invisible(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string json_document(nlohmann::ordered_json const& json) {
+  return escape_invisible(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 std::string json_number(double value) {

@@ -1,5 +1,6 @@
 #include "cli/report/text_table.hpp"
 
+#include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
 
 #include <algorithm>
@@ -18,7 +19,9 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
-std::string text_table(std::span<std::vector<std::string> const> rows, std::size_t indent) {
+std::string text_table(std::span<std::vector<std::string> const> given, std::size_t indent) {
+  std::vector<std::vector<std::string>> rows(given.begin(), given.end());
+  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), printable);
   std::vector<std::size_t> widths;
   for (auto const& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));

@@ -30,7 +30,7 @@ std::vector<Message> sentences_of(configuration::JsonProblem const& problem) {
 
 LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape, SentenceRef malformed,
                          std::optional<Code> code)
-    : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_whole(path_, Dash::is_a_name)) {
+    : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_regular(path_)) {
   auto parsed = configuration::parse_json(source_.bytes(), source_.text_begin());
   if (auto const* const error = std::get_if<configuration::JsonError>(&parsed)) {
     refuse(error->span, malformed);

@@ -134,9 +134,20 @@ std::string relative_to(std::string const& folder, std::string const& path) {
   return relative.empty() ? absolute.generic_string() : relative.generic_string();
 }
 
-bool covers(std::string const& folder, std::string const& pattern, std::string const& path) {
-  return matches_glob(pattern, relative_to(folder, path));
-}
+/// relative_to() of one folder; many patterns ask for the same file, and its links need not be resolved each time.
+class RelativeNames {
+ public:
+  explicit RelativeNames(std::string folder) : folder_(std::move(folder)) {}
+  [[nodiscard]] std::string const& of(std::string const& path) {
+    auto const [name, is_new] = names_.try_emplace(path);
+    if (is_new) name->second = relative_to(folder_, path);
+    return name->second;
+  }
+
+ private:
+  std::string folder_;
+  std::unordered_map<std::string, std::string> names_;
+};
 
 Digest digest_of_files(std::vector<std::string> const& paths) {
   Hasher hasher;
@@ -244,6 +255,14 @@ Settings SettingsFinder::read_digested(std::string const& file, std::string cons
   return settings;
 }
 
+void add_settings_files(SettingsFinder& finder, std::string const& input, std::vector<std::string>& files) {
+  if (auto const* const settings = finder.find(input)) {
+    files.push_back(settings->file);
+    files.insert(files.end(), settings->schema_files.begin(), settings->schema_files.end());
+  }
+  files.insert(files.end(), finder.schema_files().begin(), finder.schema_files().end());
+}
+
 validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                       std::string const& input) {
   // A machine file has its own cycle time, which only the command line overrides.
@@ -252,10 +271,12 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
   options.severities = settings.severities;
+  auto const names = std::make_shared<RelativeNames>(settings.folder);
   for (auto const& rule : settings.paths) {
-    options.paths.push_back({.covers = [folder = settings.folder, pattern = rule.pattern](
-                                           auto const& file) { return covers(folder, pattern, file); },
-                             .disabled = rule.disabled});
+    options.paths.push_back(
+        {.covers = [names, pattern = rule.pattern](
+                       auto const& file) { return matches_glob(pattern, names->of(file)); },
+         .disabled = rule.disabled});
   }
   return options;
 }

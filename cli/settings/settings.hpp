@@ -88,6 +88,9 @@ class SettingsFinder {
   Digest schema_digest_;                                    ///< of the command line's files
 };
 
+/// Appends the settings file and the schema files that apply to `input`.
+void add_settings_files(SettingsFinder& finder, std::string const& input, std::vector<std::string>& files);
+
 /// `options` of the command line, completed from the settings.
 [[nodiscard]] validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                                     std::string const& input);

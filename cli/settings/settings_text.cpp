@@ -2,6 +2,7 @@
 #include "cli/settings/settings.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/terminal.hpp"
 
 namespace axisc::cli::says {
 
@@ -68,7 +69,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
       add("severity: " + code_text(code), std::string(severity_name(severity)), from_file);
     }
   }
-  return input + "\n" + text_table(rows, 2);
+  return printable(input) + "\n" + text_table(rows, 2);
 }
 
 }  // namespace axisc::cli

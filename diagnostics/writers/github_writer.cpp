@@ -1,4 +1,6 @@
 #include "diagnostics/location.hpp"
+#include "diagnostics/terminal.hpp"
+#include "diagnostics/utf8.hpp"
 #include "diagnostics/writers/writers.hpp"
 
 #include <string>
@@ -9,28 +11,30 @@ namespace axisc {
 namespace {
 
 /// A command ends with its line; percent signs introduce what was escaped. Properties are separated by commas and begin
-/// after a colon, so both are escaped there too.
+/// after a colon, so both are escaped there too. Other characters are printable.
 std::string escaped(std::string_view text, bool is_property) {
   std::string result;
-  for (char const character : text) {
-    switch (character) {
-      case '%':
+  while (!text.empty()) {
+    DecodedCharacter const character = decode_utf8(text);
+    text.remove_prefix(character.size);
+    switch (character.value) {
+      case U'%':
         result += "%25";
         break;
-      case '\r':
+      case U'\r':
         result += "%0D";
         break;
-      case '\n':
+      case U'\n':
         result += "%0A";
         break;
-      case ':':
+      case U':':
         result += is_property ? "%3A" : ":";
         break;
-      case ',':
+      case U',':
         result += is_property ? "%2C" : ",";
         break;
       default:
-        result += character;
+        append_printable(result, character.value);
     }
   }
   return result;
@@ -60,7 +64,7 @@ std::string write_github(Finding const& finding, SourceSet const& sources, Repor
     line += ',';
   }
   line += "title=" + escaped(code_text(finding.code) + ' ' + std::string(finding.name), true);
-  return line + "::" + escaped(whole_message(finding, options.language), false) + '\n';
+  return line + "::" + escaped(whole_message(finding, options.language, Values::printable), false) + '\n';
 }
 
 }  // namespace axisc

@@ -1,5 +1,6 @@
 #include "diagnostics/fingerprint.hpp"
 #include "diagnostics/location.hpp"
+#include "diagnostics/writers/json_stream.hpp"
 #include "diagnostics/writers/report_elements.hpp"
 #include "diagnostics/writers/writers.hpp"
 
@@ -44,13 +45,14 @@ std::string with_hole_for_occurrence(std::string_view element, std::string_view 
 Json as_json(Finding const& finding, SourceSet const& sources, ReportContext const& context,
              Language language, std::string const& zeroth) {
   Location const location = finding.place ? locate(*finding.place, sources) : Location{};
-  return {{"description", code_text(finding.code) + ": " + render(finding.message, language)},
-          {"check_name", code_text(finding.code)},
-          {"fingerprint", zeroth},
-          {"severity", severity_of(finding.severity)},
-          {"location",
-           {{"path", shown_path(context.paths, file_of(finding, sources))},
-            {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
+  return {
+      {"description", code_text(finding.code) + ": " + render(finding.message, language, Values::as_given)},
+      {"check_name", code_text(finding.code)},
+      {"fingerprint", zeroth},
+      {"severity", severity_of(finding.severity)},
+      {"location",
+       {{"path", shown_path(context.paths, file_of(finding, sources))},
+        {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
 }
 
 }  // namespace
@@ -59,8 +61,8 @@ std::string gitlab_element(Finding const& finding, SourceSet const& sources, Rep
                            Language language) {
   std::string const zeroth = fingerprint(identity_of(finding, sources), 0);
   Json const element = as_json(finding, sources, context, language, zeroth);
-  return "\n  " +
-         with_hole_for_occurrence(element.dump(-1, ' ', false, Json::error_handler_t::replace), zeroth);
+  return "\n  " + with_hole_for_occurrence(
+                      escape_invisible(element.dump(-1, ' ', false, Json::error_handler_t::replace)), zeroth);
 }
 
 std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace axisc {
@@ -15,9 +18,18 @@ namespace {
 
 bool needs_no_escape(std::string_view text) {
   if (text.find('"') != std::string_view::npos || text.find('\\') != std::string_view::npos) return false;
-  auto const is_control = [](char byte) { return static_cast<unsigned char>(byte) < 0x20; };
-  return is_plain(text) ||
-         (std::none_of(text.begin(), text.end(), is_control) && valid_utf8_prefix(text) == text.size());
+  return is_plain(text) || (is_visible(text) && valid_utf8_prefix(text) == text.size());
+}
+
+void append_escape(std::string& out, char32_t character) {
+  constexpr char32_t first_of_pairs = 0x10000;
+  if (character < first_of_pairs) {
+    fmt::format_to(std::back_inserter(out), "\\u{:04x}", static_cast<std::uint32_t>(character));
+    return;
+  }
+  char32_t const rest = character - first_of_pairs;
+  append_escape(out, 0xD800 + (rest >> 10U));
+  append_escape(out, 0xDC00 + (rest & 0x3FFU));
 }
 
 /// The text between the quotes.
@@ -27,11 +39,29 @@ void append_escaped(std::string& out, std::string_view text) {
     return;
   }
   std::string const quoted =
-      nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+      escape_invisible(nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   out.append(quoted, 1, quoted.size() - 2);
 }
 
 }  // namespace
+
+std::string escape_invisible(std::string json) {
+  constexpr char32_t delete_character = 0x7F;
+  auto const is_ascii = [](char byte) { return static_cast<unsigned char>(byte) < delete_character; };
+  if (std::all_of(json.begin(), json.end(), is_ascii)) return json;
+  std::string escaped;
+  for (std::string_view rest = json; !rest.empty();) {
+    DecodedCharacter const character = decode_utf8(rest);
+    // What is invisible in ASCII is escaped already, or between the values.
+    if (character.value >= delete_character && !is_visible(character.value)) {
+      append_escape(escaped, character.value);
+    } else {
+      escaped += rest.substr(0, character.size);
+    }
+    rest.remove_prefix(character.size);
+  }
+  return escaped;
+}
 
 void JsonStream::key(std::string_view name) {
   begin_line();

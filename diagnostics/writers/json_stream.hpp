@@ -9,6 +9,9 @@
 
 namespace axisc {
 
+/// JSON text with `\u` escapes for characters that a reader would not see and a terminal might obey.
+[[nodiscard]] std::string escape_invisible(std::string json);
+
 class JsonStream {
  public:
   /// Appends to `out` a value whose closing bracket is indented by `indent` blanks.

@@ -38,7 +38,9 @@ class SarifResult {
   }
 
  private:
-  [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
+  [[nodiscard]] std::string say(Message const& message) const {
+    return render(message, language_, Values::as_given);
+  }
 
   void begin_object(std::string_view name) {
     out_.key(name);

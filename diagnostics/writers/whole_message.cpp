@@ -12,23 +12,23 @@ constexpr Sentence control_value{"runs with {value}", "arbeitet mit {value}"};
 
 namespace axisc {
 
-std::string whole_message(Finding const& finding, Language language) {
+std::string whole_message(Finding const& finding, Language language, Values values) {
   std::string text;
   auto const begin = [&](SentenceRef key) { ((text += '\n') += key.in(language)) += ": "; };
-  append_rendered(text, finding.message, language);
-  if (finding.label) append_rendered(text += '\n', *finding.label, language);
-  for (Message const& note : finding.notes) append_rendered(text += '\n', note, language);
+  append_rendered(text, finding.message, language, values);
+  if (finding.label) append_rendered(text += '\n', *finding.label, language, values);
+  for (Message const& note : finding.notes) append_rendered(text += '\n', note, language, values);
   if (has_control_text(finding)) {
     begin(says::word_control);
-    append_control_text(text, finding, language, Values::as_given);
+    append_control_text(text, finding, language, values);
   }
   for (Message const& help : finding.help) {
     begin(says::word_help);
-    append_rendered(text, help, language);
+    append_rendered(text, help, language, values);
   }
   if (finding.fix) {
     begin(says::word_fix);
-    append_rendered(text, finding.fix->title, language);
+    append_rendered(text, finding.fix->title, language, values);
   }
   return text;
 }

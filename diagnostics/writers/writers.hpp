@@ -111,7 +111,8 @@ void append_text(std::string& out, Finding const& finding, SourceSet const& sour
 
 /// Everything a finding says, for formats that have one message only: the headline, then a line for each of label, notes,
 /// control, help and fix.
-[[nodiscard]] std::string whole_message(Finding const& finding, Language language);
+[[nodiscard]] std::string whole_message(Finding const& finding, Language language,
+                                        Values values = Values::as_given);
 
 /// "message 50663: the filter is switched off; runs with 0"; empty if nothing is known.
 void append_control_text(std::string& text, Finding const& finding, Language language, Values values);

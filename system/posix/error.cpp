@@ -28,6 +28,8 @@ Error error_of(int number) {
         return Refusal::closed_pipe;
       case EBADF:
         return Refusal::not_open;
+      case ELOOP:
+        return Refusal::link_loop;
       default:
         return Refusal::other;
     }

@@ -11,6 +11,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#if defined(__linux__)
+#include <sys/xattr.h>
+#endif
+
 namespace axisc::system {
 namespace {
 
@@ -46,8 +50,8 @@ int flags_of(Access access) {
       return O_RDONLY | O_NONBLOCK;
     case Access::write:
       return O_WRONLY;
-    case Access::update:
-      return O_RDWR;
+    case Access::update_now:
+      return O_RDWR | O_NONBLOCK;
   }
   return O_RDONLY;
 }
@@ -100,8 +104,9 @@ File::~File() {
   if (is_open()) ::close(descriptor(handle_));
 }
 
-Result<File> File::open(std::string const& path, Access access) {
-  int const opened = ::open(path.c_str(), flags_of(access) | O_CLOEXEC);
+Result<File> File::open(std::string const& path, Access access, Link link) {
+  int const links = link == Link::refused ? O_NOFOLLOW : 0;
+  int const opened = ::open(path.c_str(), flags_of(access) | links | O_CLOEXEC | O_NOCTTY);
   if (opened < 0) return last_error();
   return File(opened);
 }
@@ -114,7 +119,8 @@ Result<File> File::create(std::string const& path, Privacy privacy) {
 }
 
 Result<File> File::open_or_create(std::string const& path) {
-  int const opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, mode_of(Privacy::usual));
+  constexpr int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
+  int const opened = ::open(path.c_str(), flags, mode_of(Privacy::usual));
   if (opened < 0) return last_error();
   return File(opened);
 }
@@ -190,6 +196,24 @@ std::optional<Error> File::take_over_owner(FileStatus const& other) const {
   return error_unless(::fchmod(file, other.permissions) == 0);
 }
 
+void File::take_over_attributes(std::string const& path) const {
+#if defined(__linux__)
+  auto const size_of = [](ssize_t size) {
+    return size < 0 ? std::size_t{0} : static_cast<std::size_t>(size);
+  };
+  std::string names(size_of(::listxattr(path.c_str(), nullptr, 0)), '\0');
+  names.resize(size_of(::listxattr(path.c_str(), names.data(), names.size())));
+  for (std::size_t at = 0; at < names.size(); at = names.find('\0', at) + 1) {
+    char const* const name = names.data() + at;
+    std::string value(size_of(::getxattr(path.c_str(), name, nullptr, 0)), '\0');
+    value.resize(size_of(::getxattr(path.c_str(), name, value.data(), value.size())));
+    static_cast<void>(::fsetxattr(descriptor(handle_), name, value.data(), value.size(), 0));
+  }
+#else
+  static_cast<void>(path);
+#endif
+}
+
 bool File::lock() const {
   return ::flock(descriptor(handle_), LOCK_EX | LOCK_NB) == 0;
 }
@@ -206,6 +230,19 @@ std::optional<Error> refuses_writing(std::string const& path) {
 
 std::optional<Error> replace(std::string const& from, std::string const& to) {
   return error_unless(::rename(from.c_str(), to.c_str()) == 0);
+}
+
+std::optional<Error> rename_to_new(std::string const& from, std::string const& to) {
+  if (::link(from.c_str(), to.c_str()) == 0) {
+    remove(from);
+    return std::nullopt;
+  }
+  // Some file systems know no links.
+  bool const has_links = errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS;
+  if (has_links) return last_error();
+  struct stat facts {};
+  if (::lstat(to.c_str(), &facts) == 0) return error_of(EEXIST);
+  return replace(from, to);
 }
 
 void remove(std::string const& path) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -213,6 +214,38 @@ TEST_CASE("damaged caches give no wrong results") {
   }
 }
 
+TEST_CASE("a cache never follows a link, waits for a pipe or believes a size") {
+  Plant const plant;
+  auto const plain = plant.lint({}, false);
+  REQUIRE(plant.lint().out == plain.out);
+  plant.folder.write("victim", "precious");
+  std::this_thread::sleep_for(std::chrono::milliseconds(2100));
+  for (std::string const name : {"files", "lock", "new.axpack"}) {
+    fs::remove(plant.cache() / name);
+    fs::create_symlink(plant.folder / "victim", plant.cache() / name);
+    check_same(plant.lint(), plain);
+    check_same(plant.lint({"--cache-size", "1"}), plain);
+    CHECK(plant.folder.read("victim") == "precious");
+    fs::remove(plant.cache() / name);
+    REQUIRE(::mkfifo((plant.cache() / name).c_str(), 0600) == 0);
+    check_same(plant.lint(), plain);
+    check_same(plant.lint({"--cache-size", "1"}), plain);
+    fs::remove(plant.cache() / name);
+  }
+  // A table of 2^28 entries, said to be in a file that takes no room on the disk.
+  constexpr std::uint64_t rows = std::uint64_t{1} << 28U;
+  constexpr std::uint64_t size = 8 + rows * 44 + 32;
+  fs::path const pack = plant.cache() / "huge.axpack";
+  {
+    std::ofstream file(pack, std::ios::binary);
+    std::uint64_t const numbers[] = {rows, 8, 0};
+    file.seekp(static_cast<std::streamoff>(size - 32));
+    file.write(reinterpret_cast<char const*>(numbers), sizeof(numbers));
+    file << "axpkend1";
+  }
+  check_same(plant.lint(), plain);
+}
+
 TEST_CASE("a file that changes within the resolution of its clock is read again") {
   TemporaryFolder const folder;
   auto const path = folder.write("x.lis", "one");
@@ -352,4 +385,35 @@ TEST_CASE("compile takes images from a cache") {
       CHECK(read(again) == read("plain"));
     }
   }
+}
+
+TEST_CASE("an image from a cache is verified before it is written") {
+  Plant const plant;
+  plant.folder.write("ok.lis", "kopf.achs_nr 1\nEnde\n");
+  std::string const cache = "../" + plant.name() + ".cache";
+  auto const compile = [&](std::string const& image) {
+    return run_axisc({"compile", "ok.lis", "-o", image, "--cycle-time", "1ms", "--cache", cache},
+                     in_folder(plant.folder.path()));
+  };
+  REQUIRE(compile("a.axim").status == 0);
+  // Somebody else's pack: every checksum is right, and the image in it was changed.
+  auto const packs = open_packs(plant.cache().string());
+  REQUIRE(packs.size() == 1);
+  {
+    fs::create_directories(plant.cache() / "other");
+    PackWriter writer((plant.cache() / "other").string());
+    for (std::size_t row = 0; row < packs[0].rows().size(); ++row) {
+      auto content = *packs[0].read(row);
+      auto const image = content.find("AXIM");
+      REQUIRE(image != std::string::npos);
+      content[image + 200] = static_cast<char>(content[image + 200] ^ 1);
+      writer.add(packs[0].rows()[row].key, content, seconds_now());
+    }
+    writer.commit();
+  }
+  fs::remove(packs[0].path());
+  auto const other = packs_of(plant.cache() / "other").front();
+  fs::rename(other, plant.cache() / other.filename());
+  REQUIRE(compile("b.axim").status == 0);
+  CHECK(plant.folder.read("b.axim") == plant.folder.read("a.axim"));
 }

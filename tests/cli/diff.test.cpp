@@ -118,3 +118,12 @@ TEST_CASE("what diff refuses") {
   CHECK(run_axisc({"diff", "old.lis", "missing.lis"}, there).status == 2);
   CHECK(run_axisc({"diff", "old.lis", "new.lis", "--feed", "-3"}, there).status == 2);
 }
+
+TEST_CASE("a symbol without a number means the same in any letter case") {
+  TemporaryFolder const folder;
+  folder.write("a.lis", "antr.operation_mode DRiVE_dEFAULT\nEnde\n");
+  folder.write("b.lis", "antr.operation_mode DRIVE_DEFAULT\nEnde\n");
+  auto const outcome = run_axisc({"diff", "a.lis", "b.lis", "--cycle-time", "1ms"}, in_folder(folder.path()));
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("mean the same"));
+}

@@ -29,7 +29,7 @@ std::string fixed(std::string const& list, FixChoice choice, FixFacts* facts = n
   CheckJob job;
   job.options = options();
   job.edited = {{"x.lis", list}};
-  auto const result = fix_inputs(job, {"x.lis"}, choice, {});
+  auto const result = fix_inputs(job, {"x.lis"}, choice, {}, ChangeableFiles({}));
   if (facts != nullptr) *facts = result.facts;
   return result.edited.at("x.lis");
 }

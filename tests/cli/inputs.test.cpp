@@ -4,6 +4,9 @@
 #include "cli/temporary_folder.hpp"
 
 #include <algorithm>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
 
 using namespace axisc::cli;
 namespace fs = std::filesystem;
@@ -53,6 +56,57 @@ TEST_CASE("a program is checked once, through the machine file that names it") {
   CHECK(names(folder, expand_inputs({folder.path()}).paths) == Names{"alone.nc", "machine.json"});
 }
 
+TEST_CASE("a machine file is always checked itself, whoever names it") {
+  axisc::test::TemporaryFolder const folder;
+  folder.write("x.lis", "");
+  auto const prod = folder.write("prod.json", R"({"axes": [{"list": "x.lis"}]})");
+  auto const test = folder.write(
+      "test.json",
+      R"({"axes": [{"list": "prod.json"}], "default_list": "test.json", "programs": ["prod.json"]})");
+  CHECK(names(folder, expand_inputs({folder.path()}).paths) == Names{"prod.json", "test.json"});
+  CHECK(names(folder, expand_inputs({test, prod}).paths) == Names{"test.json", "prod.json"});
+  CHECK(names(folder, expand_inputs({test}).paths) == Names{"test.json"});
+}
+
+TEST_CASE("a list that is named as a program is still checked as a list") {
+  axisc::test::TemporaryFolder const folder;
+  for (auto const* const name : {"x.lis", "y.lis", "a.nc"}) folder.write(name, "");
+  folder.write("m.json", R"({"axes": [{"list": "x.lis"}, {"list": "a.nc"}], "programs": ["y.lis"]})");
+  CHECK(names(folder, expand_inputs({folder.path()}).paths) == Names{"a.nc", "m.json", "y.lis"});
+}
+
+TEST_CASE("what may be read is known before anything is written") {
+  axisc::test::TemporaryFolder const folder;
+  auto const machine = folder.write("m.json", R"({"axes": [{"list": "x.lis"}], "programs": ["a.nc"]})");
+  auto const names_file = folder.write("names.txt", machine + "\n");
+  auto const inputs = expand_inputs({"@" + names_file});
+  CHECK(names(folder, inputs.sources) == Names{"x.lis", "a.nc", "m.json", "names.txt"});
+  CHECK(names(folder, inputs.named) == Names{"m.json"});
+}
+
+TEST_CASE("a folder below that cannot be read is named itself, the others are read") {
+  axisc::test::TemporaryFolder const folder;
+  folder.write("p/ok/x.lis", "");
+  folder.write("p/closed/y.lis", "");
+  fs::permissions(folder.path(), static_cast<fs::perms>(0755));
+  fs::permissions(folder / "p/closed", fs::perms::none);
+  pid_t const child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    // Who may read everything would see nothing of it.
+    if (::geteuid() == 0 && ::setuid(65534) != 0) ::_exit(2);
+    auto const inputs = expand_inputs({folder / "p"});
+    bool const is_right = inputs.paths.size() == 1 && inputs.failures.size() == 1 &&
+                          std::string_view(inputs.failures[0].what()).find("p/closed: permission denied") !=
+                              std::string_view::npos;
+    ::_exit(is_right ? 0 : 1);
+  }
+  int status = -1;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  fs::permissions(folder / "p/closed", fs::perms::owner_all);
+  CHECK(status == 0);
+}
+
 TEST_CASE("names that cannot be used are reported, the others are kept") {
   axisc::test::TemporaryFolder const folder;
   fs::create_directories(folder / "empty");
@@ -75,5 +129,6 @@ TEST_CASE("the outline of a machine file") {
   CHECK_FALSE(read_machine_outline("no json").is_machine);
   auto const odd = read_machine_outline(R"({"axes": [1, {"list": 2}, "x"], "cycle_time_us": 1})");
   CHECK(odd.is_machine);
-  CHECK(odd.named.empty());
+  CHECK(odd.lists.empty());
+  CHECK(odd.programs.empty());
 }

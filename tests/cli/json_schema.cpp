@@ -101,6 +101,7 @@ Json schema_of_kind(JsonShape const& shape) {
     case Kind::list: {
       Json schema{{"type", "array"}};
       if (shape.fewest != 0) schema["minItems"] = shape.fewest;
+      if (shape.most != SIZE_MAX) schema["maxItems"] = shape.most;
       if (shape.distinct) schema["uniqueItems"] = true;
       schema["items"] = schema_of(*shape.items);
       return schema;

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 using namespace axisc;
@@ -105,6 +106,33 @@ TEST_CASE("a signal that is ignored does not interrupt") {
   REQUIRE(::waitpid(child, &status, 0) == child);
   CHECK(status == 0);
   CHECK(folder.read("out") == "all");
+}
+
+TEST_CASE("a file that was changed since it was read stays as it is") {
+  test::TemporaryFolder const folder;
+  folder.write("x.lis", "new by another program");
+  std::string said;
+  try {
+    replace_content(folder / "x.lis", "as it was read", "formatted");
+  } catch (Failure const& failure) {
+    said = failure.what();
+  }
+  CHECK_THAT(said, Catch::Matchers::Contains("changed while"));
+  CHECK(folder.read("x.lis") == "new by another program");
+  CHECK(folder.entries() == 1);
+  replace_content(folder / "x.lis", "new by another program", "formatted");
+  CHECK(folder.read("x.lis") == "formatted");
+}
+
+TEST_CASE("extended attributes are kept") {
+  test::TemporaryFolder const folder;
+  folder.write("out", "old");
+  // Not every file system has them.
+  if (::setxattr((folder / "out").c_str(), "user.origin", "plant 3", 7, 0) != 0) return;
+  write(folder / "out", "new");
+  char value[16] = {};
+  CHECK(::getxattr((folder / "out").c_str(), "user.origin", value, sizeof(value)) == 7);
+  CHECK(std::string(value) == "plant 3");
 }
 
 TEST_CASE("a symbolic link is followed") {

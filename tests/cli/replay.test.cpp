@@ -1,9 +1,39 @@
 // `axisc run --record` and `axisc replay`.
 #include "cli/compiled_machine.hpp"
+#include "runtime/format/recording_format.h"
 #include "support/catch.hpp"
+
+#include <cstdint>
+#include <string_view>
 
 using namespace axisc::test;
 using Catch::Matchers::Contains;
+
+namespace {
+
+/// CRC-32C, bit by bit.
+std::uint32_t checksum(std::string_view bytes) {
+  std::uint32_t sum = ~0U;
+  for (char const byte : bytes) {
+    sum ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) sum = sum >> 1U ^ ((sum & 1U) != 0 ? 0x82F63B78U : 0);
+  }
+  return ~sum;
+}
+
+/// Makes the checksums of a recording right.
+void sign_again(std::string& recording) {
+  constexpr std::size_t header = 64;
+  constexpr std::size_t sums = 48;
+  auto const put = [&](std::size_t at, std::uint32_t sum) {
+    for (std::size_t i = 0; i < 4; ++i) recording[at + i] = static_cast<char>(sum >> 8 * i);
+  };
+  put(sums, checksum(std::string_view(recording).substr(header)));
+  put(sums + 4, 0);
+  put(sums + 4, checksum(std::string_view(recording).substr(0, header)));
+}
+
+}  // namespace
 
 TEST_CASE("a recording replays bit for bit, from its first cycle and from a later one") {
   TemporaryFolder const folder;
@@ -86,4 +116,27 @@ TEST_CASE("what is no recording of this image is refused in one line") {
   expect({"replay", "newer.axim", "r.axrd"}, "AXISRT_OTHER_IMAGE");
   expect({"run", "m.axim", "--record-cycles", "7"}, "--record");
   expect({"run", "m.axim", "--record", "r.axrd", "--record-cycles", "0"}, "--record-cycles");
+}
+
+TEST_CASE("a status that is none makes a damaged recording") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  REQUIRE(run_axisc({"run", "m.axim", "--cycles", "5", "--record", "r.axrd", "--quiet"}, there).status == 0);
+  auto const recording = folder.read("r.axrd");
+  // The head of the first entry after the saved state: kind, flags and status.
+  constexpr std::size_t word = 8;
+  auto const words_of_state = static_cast<unsigned char>(recording[3 * word]) +
+                              256U * static_cast<unsigned char>(recording[3 * word + 1]);
+  std::size_t const head = (axrd_header_words + words_of_state) * word;
+  auto damaged = recording;
+  damaged[head + 3] = '\x7F';
+  sign_again(damaged);
+  folder.write("d.axrd", damaged);
+  auto const outcome = run_axisc({"replay", "m.axim", "d.axrd"}, there);
+  CHECK(outcome.status == 2);
+  CHECK_THAT(outcome.err, Contains("AX9004"));
+
+  auto same = recording;
+  sign_again(same);
+  CHECK(same == recording);
 }

@@ -39,6 +39,7 @@ TEST_CASE("a secret key is for its owner alone, is never printed and never overw
   CHECK(open.rfind("axisc-public-key-1 ", 0) == 0);
   CHECK_THAT(made.out, Contains("plant.key.pub") && !Contains(secret.substr(19, 32)));
   CHECK(made.err.empty());
+  CHECK(folder.entries() == 2);
 
   auto const again = run_axisc({"keygen", "plant.key"}, there);
   CHECK(again.status == 2);

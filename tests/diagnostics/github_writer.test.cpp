@@ -23,5 +23,5 @@ TEST_CASE("what would end a workflow command is escaped") {
   Finding const finding = error_at(place_of(sources, list, "x"), "50 %: a, b\r\nc");
   CHECK(write_github(finding, sources, {}, {}) ==
         "::error file=a%2Cb%3Ac%25.lis,line=1,endLine=1,col=1,endColumn=2,title=AX3005 delay-too-long::"
-        "50 %25: a, b%0D%0Ac\n");
+        "50 %25: a, b␍␊c\n");
 }

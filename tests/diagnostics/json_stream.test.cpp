@@ -13,10 +13,18 @@ using namespace axisc;
 namespace {
 
 std::string as_the_library_writes(nlohmann::ordered_json const& value) {
-  return value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return escape_invisible(value.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 }  // namespace
+
+TEST_CASE("invisible characters are escaped, the others are not") {
+  CHECK(escape_invisible("{\n  \"a\": \"\u009b\u202e\u200b\x7f€\U000e0041\"\n}") ==
+        "{\n  \"a\": \"\\u009b\\u202e\\u200b\\u007f€\\udb40\\udc41\"\n}");
+  std::string text;
+  JsonStream(text, 0).string("a\u009bb");
+  CHECK(text == "\"a\\u009bb\"");
+}
 
 TEST_CASE("a stream writes what the library writes") {
   std::string text;

@@ -17,6 +17,19 @@ TEST_CASE("text for a terminal holds nothing that steers it") {
   CHECK(printable("\xE2\x80\xA8") == "\xEF\xBF\xBD");
 }
 
+TEST_CASE("what a reader would not see is not visible") {
+  // A separator, joiners and spaces without width, marks of direction, a byte order mark, a tag, a soft hyphen.
+  for (auto const* const hidden : {"\x1b", "\n", "\x7f", "\u0085", "\u200b", "\u200d", "\u2060", "\u2028",
+                                   "\u202e", "\u2066", "\ufeff", "\U000e0041", "\u00ad"}) {
+    std::string const text = "a"s + hidden + "b";
+    CHECK_FALSE(is_visible(text));
+    CHECK(is_visible(printable(text)));
+    CHECK(printable(text).size() > 2);
+  }
+  CHECK(is_visible("Fräse 3 µ €😀"));
+  CHECK(is_visible(""));
+}
+
 TEST_CASE("colours are put around words only where they are wanted") {
   CHECK(Painter(false)(Style::error, "x") == "x");
   CHECK(Painter(true)(Style::error, "x") == "\x1b[1;31mx\x1b[0m");

@@ -257,3 +257,12 @@ TEST_CASE("the value that the control takes is said in its unit too") {
   CHECK(lost.physical == "1000 mm/s\xC2\xB2");
   CHECK(reaction("antr.v_time_base 70000\n").physical.empty());
 }
+
+TEST_CASE("a comment silences so many codes and no more") {
+  std::string codes = "AX1005";
+  for (int i = 1; i < 256; ++i) codes += ", AX1005";
+  std::string const line = "filter[0].fg_f0 1,5 ( axisc: allow ";
+  CHECK(Checked(line + codes + "\nEnde\n").found().empty());
+  auto const found = Checked(line + codes + ", AX1005, AX1005\nEnde\n").found();
+  CHECK(found == Lines{"1:" + std::to_string(line.size() + codes.size() + 1) + " AX1013"});
+}

@@ -112,6 +112,37 @@ TEST_CASE("a file that cannot be read is reported where it is named") {
   }
 }
 
+TEST_CASE("machine files do not name one another") {
+  std::string const other = R"({"axes": [{"name": "Y", "list": "x.lis"}]})";
+  for (std::string const& member :
+       {std::string(R"("default_list": "m.json")"), std::string(R"("programs": ["other.json"])"),
+        std::string(R"("groups": [{"axes": ["X"], "programs": ["other.json"]}])"),
+        std::string(R"("gantries": [], "default_list": "./other.json")")}) {
+    Checked const checked({{"m.json", R"({"axes": [{"name": "X", "list": "x.lis"}], )" + member + "}"},
+                           {"other.json", other},
+                           {"x.lis", ""}},
+                          "m.json");
+    INFO(member);
+    REQUIRE(checked.result.findings.size() == 1);
+    CHECK(checked.result.findings[0].code == Code{4020});
+    CHECK_FALSE(checked.result.machine.has_value());
+  }
+  Checked const as_list({{"m.json", R"({"axes": [{"name": "X", "list": "other.json"}]})"},
+                         {"other.json", other},
+                         {"x.lis", ""}},
+                        "m.json");
+  CHECK(as_list.found() == Lines{"1:33 AX4020"});
+}
+
+TEST_CASE("names are visible, filter sets are few") {
+  CHECK(with_key(R"("machine": "a\u001bb")") == Lines{"2:12 AX4020"});
+  CHECK(with_key(R"("machine": "Fräse ²")").empty());
+  std::string sets = R"("#FILTER ON [ORDER=20]")";
+  for (int i = 1; i < 1000; ++i) sets += R"(, "#FILTER ON [ORDER=20]")";
+  CHECK(with_key("\"filter_sets\": [" + sets + "]").size() != 1);
+  CHECK(with_key("\"filter_sets\": [" + sets + R"(, "#FILTER ON [ORDER=21]"])").front() == "2:16 AX4020");
+}
+
 TEST_CASE("the input itself may be unreadable") {
   CHECK(Checked({}, "x.lis").result.unreadable == configuration::FileError::not_found);
   CHECK(Checked({{"x.lis", "\xFF\xFEk\0o\0"}}, "x.lis").result.unreadable == configuration::FileError::utf16);

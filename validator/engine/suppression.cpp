@@ -14,6 +14,8 @@ constexpr Sentence next_line{"nothing to silence: there is no {code} on the next
                              "hier wird nichts unterdrückt: zur nächsten Zeile gibt es kein {code}"};
 constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gibt es nicht"};
 constexpr Sentence empty{"`axisc: allow` does not name a code", "`axisc: allow` nennt keinen Code"};
+constexpr Sentence too_many{"a comment silences at most {limit} codes; the rest has no effect",
+                            "ein Kommentar unterdrückt höchstens {limit} Codes; der Rest wirkt nicht"};
 constexpr Sentence fix{"remove {what}", "{what} entfernen"};
 
 }  // namespace axisc::validator::says
@@ -22,6 +24,8 @@ namespace axisc::validator {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+/// More than there are rules.
+constexpr std::size_t most_codes = 256;
 
 struct Word {
   std::size_t begin = 0;
@@ -105,6 +109,14 @@ void Suppressions::add(SourceSet const& sources, SourceId source,
                    .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
                             .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
     };
+    if (words.size() > most_codes) {
+      Allowance rest;
+      rest.is_too_much = true;
+      rest.line = directive.line + (directive.whole_line ? 1 : 0);
+      rest.place = rest.removed = place_of({.begin = words[most_codes - 1].end, .end = words.back().end});
+      allowances.push_back(rest);
+      words.resize(most_codes);
+    }
     for (std::size_t i = 0; i < words.size(); ++i) {
       Word const& word = words[i];
       Allowance allowance;
@@ -137,12 +149,19 @@ bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
 }
 
 void Suppressions::report(Allowance const& allowance, SourceSet const& sources, ReportedFindings& reported) {
+  Rule const& rule = *find_rule(unused_allowance);
+  if (allowance.is_too_much) {
+    Report(reported, rule)
+        .add(allowance.place, {.sentence = says::too_many,
+                               .arguments = {{.name = "limit", .value = std::to_string(most_codes)}}});
+    return;
+  }
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
   SentenceRef text = allowance.next_line ? says::next_line : says::headline;
   if (!allowance.known) text = word.empty() ? says::empty : says::unknown;
   Message message{.sentence = text, .arguments = {}};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});
-  Finding& finding = Report(reported, *find_rule(unused_allowance)).add(allowance.place, std::move(message));
+  Finding& finding = Report(reported, rule).add(allowance.place, std::move(message));
   std::string const what = sources[allowance.removed.source].utf8(allowance.removed.span);
   Fix fix;
   fix.title = {.sentence = says::fix, .arguments = {{"what", '`' + trimmed_entry(what) + '`'}}};

@@ -21,6 +21,7 @@ struct Allowance {
   Place place;             ///< of the code within the comment
   Place removed;           ///< what a fix removes: the code with its comma; the last code with `axisc: allow`
   bool used = false;
+  bool is_too_much = false;  ///< not a code: the rest of a comment that names too many
 };
 
 /// All allowances of the lists and programs of a run.

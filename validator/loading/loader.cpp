@@ -20,6 +20,10 @@ bool ends_in(std::string_view path, std::string_view extension) {
   return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
+bool is_machine_text(std::string_view path, std::string_view text) {
+  return ends_in(path, ".json") && configuration::looks_like_machine_file(text);
+}
+
 std::string key_of(std::string const& path) {
   return std::filesystem::path(path).lexically_normal().generic_string();
 }
@@ -90,7 +94,7 @@ std::optional<configuration::FileError> Loader::load_text() {
   std::variant<std::string, configuration::FileError> bytes = read_text(machine_.path);
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
   auto& text = std::get<std::string>(bytes);
-  bool const is_machine = ends_in(machine_.path, ".json") && configuration::looks_like_machine_file(text);
+  bool const is_machine = is_machine_text(machine_.path, text);
   bool const is_start_up = !is_machine && configuration::looks_like_start_up_list(text);
   SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
   if (is_machine) {
@@ -101,6 +105,13 @@ std::optional<configuration::FileError> Loader::load_text() {
     load_single(source);
   }
   return std::nullopt;
+}
+
+bool Loader::is_machine_file(std::string const& path) {
+  if (!ends_in(path, ".json")) return false;
+  auto const bytes = files_.read(path);
+  auto const* const text = std::get_if<std::string>(&bytes);
+  return text != nullptr && is_machine_text(path, *text);
 }
 
 void Loader::load_single(SourceId source) {

@@ -43,6 +43,9 @@ class Loader {
   std::optional<std::size_t> list_named(configuration::LocatedText const& name);
   std::optional<std::size_t> program_named(configuration::LocatedText const& name);
   void missing(configuration::LocatedText const& name, configuration::FileError error);
+  void refuse(configuration::LocatedText const& name, SentenceRef text);
+  /// A machine file that another one names.
+  [[nodiscard]] bool is_machine_file(std::string const& path);
 
   // start_up_loading.cpp
   void load_start_up_list(SourceId source);

@@ -17,6 +17,11 @@ constexpr Sentence line_too_long{"the file \"{file}\" has a line of more than 1 
 constexpr Sentence binary{"the file \"{file}\" is not a text file", "die Datei „{file}“ ist keine Textdatei"};
 constexpr Sentence utf16{"the file \"{file}\" is UTF-16; lists are UTF-8 or windows-1252",
                          "die Datei „{file}“ ist UTF-16; Listen sind UTF-8 oder windows-1252"};
+constexpr Sentence not_regular{"\"{file}\" is not a regular file", "„{file}“ ist keine gewöhnliche Datei"};
+constexpr Sentence link_loop{"the symbolic links of \"{file}\" lead in a circle",
+                             "die symbolischen Links von „{file}“ führen im Kreis"};
+constexpr Sentence is_machine{"\"{file}\" is a machine file; machine files do not name one another",
+                              "„{file}“ ist eine Maschinendatei; Maschinendateien nennen einander nicht"};
 constexpr Sentence image{"the file \"{file}\" is a coefficient image, not a list",
                          "die Datei „{file}“ ist ein Koeffizientenabbild, keine Liste"};
 
@@ -45,6 +50,10 @@ SentenceRef text_of(configuration::FileError error) {
       return says::utf16;
     case configuration::FileError::image:
       return says::image;
+    case configuration::FileError::not_regular:
+      return says::not_regular;
+    case configuration::FileError::link_loop:
+      return says::link_loop;
   }
   return says::not_readable;
 }
@@ -118,25 +127,39 @@ void Loader::add_claims(configuration::MachineFileGantry const& gantry) {
 
 std::optional<std::size_t> Loader::list_named(configuration::LocatedText const& name) {
   std::string const shown(is_absolute(name.text) ? file_name(name.text) : std::string_view(name.text));
-  auto const list = add_list(beside(machine_.path, name.text), shown);
+  std::string const path = beside(machine_.path, name.text);
+  if (is_machine_file(path)) {
+    refuse(name, says::is_machine);
+    return std::nullopt;
+  }
+  auto const list = add_list(path, shown);
   if (auto const* const index = std::get_if<std::size_t>(&list)) return *index;
   missing(name, std::get<configuration::FileError>(list));
   return std::nullopt;
 }
 
 std::optional<std::size_t> Loader::program_named(configuration::LocatedText const& name) {
-  auto const program = add_program(name.text, beside(machine_.path, name.text));
+  std::string const path = beside(machine_.path, name.text);
+  if (is_machine_file(path)) {
+    refuse(name, says::is_machine);
+    return std::nullopt;
+  }
+  auto const program = add_program(name.text, path);
   if (auto const* const index = std::get_if<std::size_t>(&program)) return *index;
   missing(name, std::get<configuration::FileError>(program));
   return std::nullopt;
 }
 
 void Loader::missing(configuration::LocatedText const& name, configuration::FileError error) {
+  refuse(name, text_of(error));
+}
+
+void Loader::refuse(configuration::LocatedText const& name, SentenceRef text) {
   machine_.complete = false;
   Finding& finding = machine_.findings.emplace_back();
   finding.code = configuration::machine_file_code;
   finding.place = name.place;
-  finding.message = {.sentence = text_of(error), .arguments = {{"file", name.text}}};
+  finding.message = {.sentence = text, .arguments = {{"file", name.text}}};
 }
 
 }  // namespace axisc::validator

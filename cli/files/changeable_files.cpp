@@ -1,0 +1,43 @@
+#include "cli/files/changeable_files.hpp"
+
+#include "cli/options/machine_outline.hpp"
+
+#include <filesystem>
+
+namespace axisc::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty where there is nothing of that name.
+fs::path resolved(fs::path const& path) {
+  std::error_code error;
+  auto const found = fs::canonical(path, error);
+  return error ? fs::path() : found;
+}
+
+}  // namespace
+
+ChangeableFiles::ChangeableFiles(std::vector<std::string> const& named) {
+  for (auto const& name : named) {
+    auto const path = resolved(name);
+    std::error_code error;
+    (fs::is_directory(path, error) ? folders_ : files_).insert(path.string());
+    if (!has_extension(name, ".json")) continue;
+    auto const folder = fs::path(name).parent_path();
+    folders_.insert(resolved(folder.empty() ? "." : folder).string());
+  }
+}
+
+bool ChangeableFiles::contains(std::string const& path) const {
+  auto const file = resolved(path);
+  if (file.empty()) return false;
+  if (files_.contains(file.string())) return true;
+  for (auto folder = file.parent_path();; folder = folder.parent_path()) {
+    if (folders_.contains(folder.string())) return true;
+    if (folder == folder.parent_path()) return false;
+  }
+}
+
+}  // namespace axisc::cli
