@@ -1,5 +1,6 @@
 #include "configuration/channel_list.hpp"
 
+#include "configuration/list_search.hpp"
 #include "configuration/listed_values.hpp"
 
 #include <algorithm>
@@ -104,6 +105,19 @@ class ChannelReader {
 
 ChannelList read_channel_list(SourceText const& text, SourceId source) {
   return ChannelReader().read(listed_values(text, source));
+}
+
+std::vector<std::string> found_programs(Files& files, std::string const& start_up,
+                                        ChannelList const& channel) {
+  std::vector<std::string> paths;
+  for (LocatedText const& program : channel.programs) {
+    auto found = find_list(files, start_up, program.text);
+    for (auto folder = channel.folders.begin(); !found && folder != channel.folders.end(); ++folder) {
+      found = find_list(files, start_up, folder->text + "/" + program.text);
+    }
+    if (found) paths.push_back(std::move(found->path));
+  }
+  return paths;
 }
 
 }  // namespace axisc::configuration

@@ -2,11 +2,13 @@
 // Parameters P-CHAN.
 #pragma once
 
+#include "configuration/files.hpp"
 #include "configuration/located_text.hpp"
 #include "configuration/start_up_list.hpp"
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace axisc::configuration {
@@ -39,5 +41,10 @@ struct ChannelList {
 };
 
 [[nodiscard]] ChannelList read_channel_list(SourceText const& text, SourceId source);
+
+/// The paths of the channel's own programs that are found from the start-up list on, in its folders or without them.
+/// Exported folders often lack them, so that it is no mistake if one is not found.
+[[nodiscard]] std::vector<std::string> found_programs(Files& files, std::string const& start_up,
+                                                      ChannelList const& channel);
 
 }  // namespace axisc::configuration

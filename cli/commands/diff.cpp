@@ -6,6 +6,7 @@
 #include "cli/formats/diff_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
 
@@ -98,8 +99,9 @@ class HeldFiles final : public configuration::Files {
 
 /// A list or machine is compiled to an image, so that both sides are compared as the runtime would execute them. None
 /// after errors, which are printed.
-std::optional<ImageFile> load_side(std::string const& path, CheckJob const& job, Invocation const& invocation,
-                                   bool color) {
+std::optional<ImageFile> load_side(std::string const& input, CheckJob const& job,
+                                   Invocation const& invocation, bool color) {
+  auto const path = machine_input(input);
   DiskFiles disk(path == "-");
   auto read = disk.read(path);
   if (auto const* const error = std::get_if<configuration::FileError>(&read)) {

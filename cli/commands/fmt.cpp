@@ -79,17 +79,13 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   };
   for (auto const& input : inputs) {
     if (is_program(input)) continue;
-    if (!has_extension(input, ".json")) {
+    auto const outline = outline_of(input);
+    if (!outline.is_machine) {
       add(input);
       continue;
     }
-    DiskFiles files;
-    auto const bytes = files.read(input);
-    if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
-      throw unreadable(input, *error);
-    }
     auto const folder = std::filesystem::path(input).parent_path();
-    for (auto const& named : read_machine_outline(std::get<std::string>(bytes)).lists) {
+    for (auto const& named : outline.lists) {
       if (!is_program(named) && !has_extension(named, ".json")) add((folder / named).string());
     }
   }

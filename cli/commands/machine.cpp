@@ -4,6 +4,7 @@
 #include "cli/formats/machine_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
 #include "cli/sentences.hpp"
 
 #include <variant>
@@ -16,15 +17,15 @@ time, the channels and the programs that run without being called, and where eac
     R"(Zeigt die Maschine, wie sie verstanden wurde: Achsen mit Nummer, Liste, Typ, Antrieb, Kanal und Gantry, die
 NC-Zykluszeit, die Kanäle und die Programme, die ohne Aufruf laufen, und wo das jeweils steht.)"};
 constexpr Sentence examples{R"(Examples:
-  axisc machine listen/hochlauf.lis
+  axisc machine listen/
   axisc machine hochlauf.lis --format json > machine.json)",
                             R"(Beispiele:
-  axisc machine listen/hochlauf.lis
+  axisc machine listen/
   axisc machine hochlauf.lis --format json > maschine.json)"};
 constexpr Sentence option_format{"output format (default: text); json is a machine file",
                                  "Ausgabeformat (Standardwert: text); json ist eine Maschinendatei"};
-constexpr Sentence argument_machine{"a start-up list, a machine file, or a list",
-                                    "eine Hochlaufliste, eine Maschinendatei oder eine Liste"};
+constexpr Sentence argument_machine{"a folder, a start-up list, a machine file, or a list",
+                                    "ein Ordner, eine Hochlaufliste, eine Maschinendatei oder eine Liste"};
 
 }  // namespace axisc::cli::says
 
@@ -37,23 +38,24 @@ enum class Format : std::uint8_t { text, json };
 }  // namespace
 
 ExitStatus machine(Invocation const& invocation) {
-  std::optional<std::string> path;
+  std::optional<std::string> input;
   std::optional<std::string> cycle_time;
   Format format = Format::text;
   CommandLine command_line("machine", says::purpose, says::examples, invocation.language);
-  command_line.argument("INPUT", path, says::argument_machine);
+  command_line.argument("INPUT", input, says::argument_machine);
   command_line.value("--cycle-time", "TIME", cycle_time, says::option_cycle_time);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, format,
                       says::option_format);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(path.has_value(), "INPUT");
-  DiskFiles files(*path == "-");
+  command_line.require(input.has_value(), "INPUT");
+  auto const path = machine_input(*input);
+  DiskFiles files(path == "-");
   SourceSet sources;
   validator::CheckOptions options;
   options.cycle_time = asked_cycle_time(cycle_time);
-  auto const loaded = validator::load(files, *path, options, sources);
+  auto const loaded = validator::load(files, path, options, sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&loaded))
-    throw unreadable(*path, *error);
+    throw unreadable(path, *error);
   auto const& machine = std::get<validator::LoadedMachine>(loaded);
   invocation.streams.out.write(format == Format::json ? machine_json(machine, sources)
                                                       : machine_text(machine, sources, invocation.language));

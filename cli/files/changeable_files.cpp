@@ -24,7 +24,7 @@ ChangeableFiles::ChangeableFiles(std::vector<std::string> const& named) {
     auto const path = resolved(name);
     std::error_code error;
     (fs::is_directory(path, error) ? folders_ : files_).insert(path.string());
-    if (!has_extension(name, ".json")) continue;
+    if (!outline_of(name).is_machine) continue;
     auto const folder = fs::path(name).parent_path();
     folders_.insert(resolved(folder.empty() ? "." : folder).string());
   }

@@ -3,6 +3,7 @@
 #include "cli/checking/compilable.hpp"
 #include "cli/checking/machine_input.hpp"
 #include "cli/options/check_options.hpp"
+#include "cli/options/inputs.hpp"
 #include "codegen/image_writer.hpp"
 #include "validator/commands/command_check.hpp"
 
@@ -31,9 +32,10 @@ validator::CommandLimits command_limits(machine::Machine const& machine, machine
           })};
 }
 
-std::optional<CheckedMachine> checked_machine(std::string const& path,
+std::optional<CheckedMachine> checked_machine(std::string const& input,
                                               std::optional<std::string> const& cycle_time,
                                               Invocation const& invocation, bool color) {
+  auto const path = machine_input(input);
   SettingsFinder settings;
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(cycle_time);

@@ -22,9 +22,9 @@ struct CheckedMachine {
   std::vector<std::string> files;  ///< that were read
 };
 
-/// Checks a list or machine file; findings of severity error go to standard error, and nothing is returned. Failure for
+/// Checks a list, a machine file, a start-up list, or the only machine in a folder; findings of severity error go to standard error, and nothing is returned. Failure for
 /// an unreadable file and for an unknown NC cycle time.
-[[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& path,
+[[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& input,
                                                             std::optional<std::string> const& cycle_time,
                                                             Invocation const& invocation, bool color);
 

@@ -30,6 +30,7 @@ CompileInputs choose_one(CompileOptions const& options) {
     named = std::move(inputs.paths);
     sources = std::move(inputs.sources);
   }
+  if (named.size() == 1) named.front() = machine_input(named.front());
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
   CompileInputs chosen{

@@ -19,6 +19,12 @@ constexpr Sentence folder{"cannot read the folder {folder}: {reason}",
 constexpr Sentence folder_no_permission{
     "cannot read the folder {folder}: permission denied; check its access rights",
     "der Ordner {folder} ist nicht lesbar: keine Berechtigung; die Zugriffsrechte prüfen"};
+constexpr Sentence no_machine{
+    "the folder {folder} holds no machine: no start-up list and no machine file",
+    "der Ordner {folder} enthält keine Maschine: keine Hochlaufliste und keine Maschinendatei"};
+constexpr Sentence several_machines{
+    "the folder {folder} holds several machines; name one of them: {machines}",
+    "der Ordner {folder} enthält mehrere Maschinen; eine davon angeben: {machines}"};
 constexpr Sentence folder_empty{
     "the folder {folder} holds no list (*.lis), no machine file (*.json with the key \"axes\") and no NC "
     "program (*.nc)",
@@ -39,18 +45,9 @@ namespace fs = std::filesystem;
 struct Found {
   std::string path;
   bool is_link = false;
+  bool is_replaced = false;  ///< a start-up list of which a machine file names lists
   MachineOutline outline = {};
 };
-
-/// Empty for a list, and for JSON that is not a machine file. An unreadable file counts as a machine file, so that the
-/// check reports it.
-MachineOutline outline_of(std::string const& path) {
-  if (!has_extension(path, ".json")) return {};
-  DiskFiles files;
-  auto const bytes = files.read(path);
-  auto const* const text = std::get_if<std::string>(&bytes);
-  return text == nullptr ? MachineOutline{.is_machine = true} : read_machine_outline(*text);
-}
 
 /// Paths are compared by component: a folder comes before names that merely begin with its name.
 bool is_before(std::string const& left, std::string const& right) {
@@ -94,16 +91,27 @@ class Expansion {
     PathIdentities identities;
     Known lists;
     Known programs;
-    for (auto const& input : found_) {
-      auto const folder = fs::path(input.path).parent_path();
-      auto const note = [&](std::vector<std::string> const& names, Known& known) {
-        for (auto const& name : names) {
-          result.sources.push_back((folder / name).string());
-          known.insert(identities.of(result.sources.back()));
-        }
-      };
-      note(input.outline.lists, lists);
-      note(input.outline.programs, programs);
+    auto const identities_of = [&](Found const& input, std::vector<std::string> const& names) {
+      std::vector<std::string> known;
+      for (auto const& name : names) {
+        result.sources.push_back((fs::path(input.path).parent_path() / name).string());
+        known.push_back(identities.of(result.sources.back()));
+      }
+      return known;
+    };
+    Known of_machine_files;
+    for (bool const machine_files : {true, false}) {
+      for (auto& input : found_) {
+        if (has_extension(input.path, ".json") != machine_files) continue;
+        auto const named = identities_of(input, input.outline.lists);
+        if (machine_files) of_machine_files.insert(named.begin(), named.end());
+        input.is_replaced = !machine_files && std::any_of(named.begin(), named.end(), [&](auto const& list) {
+          return of_machine_files.contains(list);
+        });
+        lists.insert(named.begin(), named.end());
+        for (auto& program : identities_of(input, input.outline.programs))
+          programs.insert(std::move(program));
+      }
     }
     // A single input has no duplicate, so its links need not be resolved.
     bool const is_alone = found_.size() == 1;
@@ -125,6 +133,7 @@ class Expansion {
                                       Known const& programs, Known& taken) {
     if (!taken.insert(identity).second) return false;
     if (has_extension(input.path, ".json")) return true;
+    if (input.outline.is_machine) return !input.is_replaced;
     return !(has_extension(input.path, ".nc") ? programs : lists).contains(identity);
   }
 
@@ -193,6 +202,22 @@ Inputs expand_inputs(std::vector<std::string> const& words) {
     if (word.starts_with('@')) inputs.sources.push_back(word.substr(1));
   }
   return inputs;
+}
+
+std::string machine_input(std::string const& name) {
+  std::error_code error;
+  if (name == "-" || !fs::is_directory(name, error)) return name;
+  auto inputs = expand_inputs({name});
+  if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+  std::erase_if(inputs.paths, [](std::string const& path) { return !outline_of(path).is_machine; });
+  if (inputs.paths.size() == 1) return inputs.paths.front();
+  if (inputs.paths.empty()) {
+    throw Failure({.sentence = says::no_machine, .arguments = {{"folder", name}}}, cannot_read);
+  }
+  std::string machines;
+  for (auto const& path : inputs.paths) machines += (machines.empty() ? "" : ", ") + path;
+  throw Failure(
+      {.sentence = says::several_machines, .arguments = {{"folder", name}, {"machines", machines}}});
 }
 
 }  // namespace axisc::cli

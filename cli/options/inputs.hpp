@@ -25,4 +25,8 @@ struct Inputs {
 /// resolving links once per folder.
 [[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& words);
 
+/// The input itself; of a folder the only machine in it: a machine file, or a start-up list of which no machine file names
+/// a list. Failure where there is none, or more than one.
+[[nodiscard]] std::string machine_input(std::string const& name);
+
 }  // namespace axisc::cli

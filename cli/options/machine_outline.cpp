@@ -1,8 +1,14 @@
 #include "cli/options/machine_outline.hpp"
 
+#include "cli/files/disk_files.hpp"
+#include "configuration/channel_list.hpp"
+#include "configuration/list_search.hpp"
+#include "configuration/start_up_list.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <variant>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +16,7 @@ namespace axisc::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
 using json_type = nlohmann::json;
 
 void add_list(std::vector<std::string>& named, json_type const& object, char const* key) {
@@ -27,7 +34,57 @@ void add_programs(std::vector<std::string>& named, json_type const& object) {
   }
 }
 
+std::string relative_to(fs::path const& folder, std::string const& path) {
+  auto const relative = fs::path(path).lexically_relative(folder.empty() ? "." : folder);
+  return relative.empty() ? fs::absolute(path).string() : relative.string();
+}
+
+/// The lists and programs that are found.
+MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::string text) {
+  MachineOutline outline{.is_machine = true};
+  auto const folder = fs::path(path).parent_path();
+  auto const start_up = configuration::read_start_up_list(SourceText(path, std::move(text)), SourceId{});
+  for (auto const* const named : configuration::named_lists(start_up)) {
+    auto const found = configuration::find_list(files, path, named->text);
+    if (found) outline.lists.push_back(relative_to(folder, found->path));
+  }
+  for (auto const& channel : start_up.channels) {
+    auto const found = configuration::find_list(files, path, channel.file.text);
+    auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
+    if (!std::holds_alternative<std::string>(bytes)) continue;
+    SourceText const list(found->path, std::get<std::string>(std::move(bytes)));
+    for (auto const& program :
+         configuration::found_programs(files, path, configuration::read_channel_list(list, SourceId{}))) {
+      outline.programs.push_back(relative_to(folder, program));
+    }
+  }
+  return outline;
+}
+
+bool may_be_start_up_list(DiskFiles& files, std::string const& path) {
+  bool is_start_up = false;
+  bool const failed = files
+                          .read_pieces(path,
+                                       [&](std::string_view beginning) {
+                                         is_start_up = configuration::looks_like_start_up_list(beginning);
+                                         return false;
+                                       })
+                          .has_value();
+  return !failed && is_start_up;
+}
+
 }  // namespace
+
+MachineOutline outline_of(std::string const& path) {
+  DiskFiles files;
+  bool const is_json = has_extension(path, ".json");
+  if (!is_json && (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path)))
+    return {};
+  auto bytes = files.read(path);
+  if (!std::holds_alternative<std::string>(bytes)) return {.is_machine = is_json};
+  auto& text = std::get<std::string>(bytes);
+  return is_json ? read_machine_outline(text) : start_up_outline(files, path, std::move(text));
+}
 
 MachineOutline read_machine_outline(std::string_view json) {
   auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);

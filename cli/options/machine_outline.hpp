@@ -1,4 +1,4 @@
-// What the command line needs from a machine file before the validator checks it.
+// What the command line needs from a machine file or a start-up list before the validator checks it.
 #pragma once
 
 #include <string>
@@ -8,13 +8,18 @@
 namespace axisc::cli {
 
 struct MachineOutline {
-  bool is_machine = false;  ///< a JSON object with the key "axes", or something that tries to be one
-  // What it names, as written: relative to the machine file.
+  bool is_machine =
+      false;  ///< a start-up list, a JSON object with the key "axes", or something that tries to be one
+  // What it names, relative to its own folder.
   std::vector<std::string> lists = {};
   std::vector<std::string> programs = {};
 };
 
 [[nodiscard]] MachineOutline read_machine_outline(std::string_view json);
+
+/// Of a file; empty for a list of another kind and for JSON that is not a machine file. An unreadable JSON file counts as
+/// a machine file, so that the check reports it. Cost: of a list, its first 64 KiB are searched.
+[[nodiscard]] MachineOutline outline_of(std::string const& path);
 
 /// True for a name that ends in `extension` (".json"), in upper or lower case.
 [[nodiscard]] bool has_extension(std::string_view path, std::string_view extension);

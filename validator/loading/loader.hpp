@@ -51,8 +51,6 @@ class Loader {
   void load_start_up_list(SourceId source);
   void load_channels(StartUp& start_up);
   void add_channel(StartUp& start_up, configuration::ListEntry const& entry);
-  void add_channel_programs(StartUp const& start_up, configuration::ChannelList const& channel,
-                            LoadedGroup& group);
   void load_compensations(StartUp& start_up);
   void name_axes(StartUp const& start_up);
   /// Index of the axis list; none where it is missing, cannot be read, or is of another kind.

@@ -103,23 +103,10 @@ void Loader::add_channel(StartUp& start_up, ListEntry const& entry) {
     if (is_new) group.axes.push_back(*axis);
   }
   std::sort(group.axes.begin(), group.axes.end());
-  add_channel_programs(start_up, channel.list, group);
-}
-
-/// Exported folders often lack the programs, so what is not found is no mistake.
-void Loader::add_channel_programs(StartUp const& /*start_up*/, configuration::ChannelList const& channel,
-                                  LoadedGroup& group) {
-  for (LocatedText const& program : channel.programs) {
-    std::vector<std::string> names{program.text};
-    for (LocatedText const& folder : channel.folders) names.push_back(folder.text + "/" + program.text);
-    for (std::string const& name : names) {
-      auto const found = configuration::find_list(files_, machine_.path, name);
-      if (!found) continue;
-      auto const read = add_program(shown(found->path), found->path);
-      auto const* const index = std::get_if<std::size_t>(&read);
-      if (index != nullptr && !runs_in(group, *index)) group.programs.push_back(*index);
-      break;
-    }
+  for (std::string const& program : configuration::found_programs(files_, machine_.path, channel.list)) {
+    auto const read = add_program(shown(program), program);
+    auto const* const index = std::get_if<std::size_t>(&read);
+    if (index != nullptr && !runs_in(group, *index)) group.programs.push_back(*index);
   }
 }
 
