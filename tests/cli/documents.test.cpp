@@ -69,3 +69,11 @@ TEST_CASE("the front page shows what its commands print") {
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/tutorial", folder / "try");
   check_golden("README.md", executed(read_source_file("README.md"), folder / "try"));
 }
+
+TEST_CASE("the page about a controller's folder shows the machine of the sample") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/controller", folder / "try",
+           fs::copy_options::recursive);
+  check_golden("docs/controller-folder.md",
+               executed(read_source_file("docs/controller-folder.md"), folder / "try"));
+}

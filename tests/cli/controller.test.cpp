@@ -1,0 +1,114 @@
+// A controller's folder: its start-up list is the machine.
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+#include <filesystem>
+
+using namespace axisc::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char const* sample = AXISC_SOURCE_DIR "/samples/controller";
+
+Surroundings copy_of_sample(TemporaryFolder const& folder) {
+  fs::copy(sample, folder.path(), fs::copy_options::recursive);
+  return in_folder(folder.path());
+}
+
+/// A machine of one axis.
+void write_machine(TemporaryFolder const& folder, std::string const& name, std::string const& list) {
+  folder.write(name, "zahl_mds 1\nachs_mds[0] " + list + "\nEnde\n");
+  folder.write(list, "kopf.achs_nr 1\nEnde\n");
+}
+
+}  // namespace
+
+TEST_CASE("a stock folder is checked as the machine that it is, in silence") {
+  TemporaryFolder const folder;
+  auto const there = copy_of_sample(folder);
+  for (std::vector<std::string> const& words : {std::vector<std::string>{"lint", ".", "--pedantic"},
+                                                {"lint", "listen", "--pedantic"},
+                                                {"lint", "listen/hochlauf.lis", "--pedantic"},
+                                                {"lint", ".", "--fix=all"}}) {
+    auto const outcome = run_axisc(words, there);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == "18 files: no findings\n");
+  }
+}
+
+TEST_CASE("the machine as it was understood, as text and as a machine file") {
+  TemporaryFolder const folder;
+  auto const there = copy_of_sample(folder);
+  for (std::string const language : {"en", "de"}) {
+    auto const outcome = run_axisc({"machine", "listen", "--lang", language}, there);
+    CHECK(outcome.status == 0);
+    check_golden("tests/cli/data/golden/machine." + language, outcome.out);
+  }
+  check_golden("tests/cli/data/golden/machine.json",
+               run_axisc({"machine", ".", "--format", "json"}, there).out);
+}
+
+TEST_CASE("folder, start-up list and the machine file made of it compile to one image") {
+  TemporaryFolder const folder;
+  copy_of_sample(folder);
+  auto const there = in_folder(folder / "listen");
+  folder.write("listen/m.json", run_axisc({"machine", "hochlauf.lis", "--format", "json"}, there).out);
+  for (std::string const input : {"m.json", "hochlauf.lis"}) {
+    auto const outcome = run_axisc({"compile", input, "-o", input + ".axim", "--quiet"}, there);
+    INFO(outcome.err);
+    CHECK(outcome.status == 0);
+  }
+  auto const image = folder.read("listen/hochlauf.lis.axim");
+  CHECK(image.size() > 1000);
+  CHECK(folder.read("listen/m.json.axim") == image);
+  fs::remove(folder / "listen/m.json");
+  CHECK(run_axisc({"compile", "..", "-o", "folder.axim", "--quiet"}, there).status == 0);
+  CHECK(folder.read("listen/folder.axim") == image);
+}
+
+TEST_CASE("a folder with several machines is asked for one, and lint checks each") {
+  TemporaryFolder const folder;
+  write_machine(folder, "a.lis", "x.lis");
+  write_machine(folder, "b.lis", "y.lis");
+  auto const there = in_folder(folder.path());
+  for (std::string const command : {"machine", "contour"}) {
+    auto const outcome = run_axisc({command, "."}, there);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find("several machines") != std::string::npos);
+    CHECK(outcome.err.find("a.lis, b.lis") != std::string::npos);
+  }
+  CHECK(run_axisc({"lint", "."}, there).out.find("4 files") != std::string::npos);
+  fs::remove(folder / "a.lis");
+  fs::remove(folder / "b.lis");
+  CHECK(run_axisc({"machine", "."}, there).err.find("holds no machine") != std::string::npos);
+}
+
+TEST_CASE("a machine file wins over the start-up list whose lists it names") {
+  TemporaryFolder const folder;
+  write_machine(folder, "hochlauf.lis", "x.lis");
+  folder.write("machine.json", R"({"machine": "m", "axes": [{"name": "A", "list": "x.lis"}]})");
+  auto const outcome = run_axisc({"machine", "."}, in_folder(folder.path()));
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("machine m, axes: 1") != std::string::npos);
+}
+
+TEST_CASE("a start-up list that names itself or is missing its lists is told so and never vanishes") {
+  TemporaryFolder const folder;
+  folder.write("hochlauf.lis", "zahl_mds 2\nachs_mds[0] hochlauf.lis\nachs_mds[1] gone.lis\nEnde\n");
+  auto const outcome = run_axisc({"lint", "."}, in_folder(folder.path()));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("AX7009") != std::string::npos);
+  CHECK(outcome.out.find("AX7002") != std::string::npos);
+}
+
+TEST_CASE("fmt aligns the axis lists of a folder and leaves the others alone") {
+  TemporaryFolder const folder;
+  auto const there = copy_of_sample(folder);
+  folder.write("listen/achsmds6.lis", "kopf.achs_nr   6\nkopf.log_achs_name S\nEnde\n");
+  auto const before = folder.read("listen/sda_mds1.lis");
+  CHECK(run_axisc({"fmt", "."}, there).status == 0);
+  CHECK(folder.read("listen/achsmds6.lis") == "kopf.achs_nr        6\nkopf.log_achs_name  S\nEnde\n");
+  CHECK(folder.read("listen/sda_mds1.lis") == before);
+}
