@@ -1,5 +1,6 @@
 #include "configuration/machine_file.hpp"
 
+#include "configuration/filter_set_limit.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
 #include "configuration/sentences.hpp"
@@ -94,8 +95,7 @@ constexpr std::array gantry_keys = {
 constexpr JsonShape gantry_shape{.kind = Kind::object, .title = "Gantry", .keys = gantry_keys};
 constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
 
-/// Each becomes a bank of kernels, and the transitions between all of them are computed.
-constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = 1000};
+constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = most_filter_sets};
 
 constexpr std::array machine_keys = {
     JsonKey{"machine", &name_shape, optional, "Name of the machine.", into<&MachineFile::machine>},
