@@ -1,5 +1,6 @@
 #include "configuration/machine_file.hpp"
 
+#include "configuration/filter_set_limit.hpp"
 #include "configuration/json_check.hpp"
 #include "configuration/located_json.hpp"
 #include "configuration/sentences.hpp"
@@ -50,10 +51,9 @@ constexpr auto drive_words = [] {
 constexpr std::array<std::string_view, 2> position_controls = {"drive", "cnc"};
 constexpr std::array<std::string_view, 3> axis_types = {"T", "R", "S"};
 
-constexpr JsonShape name_shape{
-    .accepts = [](std::string_view name) { return is_visible(name); },
-    .pattern = R"(^[^\u0000-\u001F\u007F-\u009F\u00AD\u200B-\u200F\u2028-\u202E\u2060-\u206F\uFEFF]+$)",
-    .sentence = says::invisible_name};
+constexpr JsonShape name_shape{.accepts = [](std::string_view name) { return is_visible(name); },
+                               .pattern = R"(^[^\u0000-\u001F\u007F]+$)",
+                               .sentence = says::invisible_name};
 constexpr JsonShape drive_shape{.words = drive_words, .ignores_case = true};
 constexpr JsonShape position_control_shape{.words = position_controls, .ignores_case = true};
 constexpr JsonShape axis_type_shape{.words = axis_types, .ignores_case = true};
@@ -95,8 +95,7 @@ constexpr std::array gantry_keys = {
 constexpr JsonShape gantry_shape{.kind = Kind::object, .title = "Gantry", .keys = gantry_keys};
 constexpr JsonShape gantries_shape{.kind = Kind::list, .items = &gantry_shape};
 
-/// Each becomes a bank of kernels, and the transitions between all of them are computed.
-constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = 1000};
+constexpr JsonShape filter_sets_shape{.kind = Kind::list, .items = &json_text, .most = most_filter_sets};
 
 constexpr std::array machine_keys = {
     JsonKey{"machine", &name_shape, optional, "Name of the machine.", into<&MachineFile::machine>},

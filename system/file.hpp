@@ -107,8 +107,8 @@ class File {
 [[nodiscard]] std::optional<Error> refuses_writing(std::string const& path);
 /// Puts `from` in the place of `to`, at once.
 [[nodiscard]] std::optional<Error> replace(std::string const& from, std::string const& to);
-/// Gives `from` the name `to`, at once, if nothing has it yet.
-[[nodiscard]] std::optional<Error> rename_to_new(std::string const& from, std::string const& to);
+/// Gives `from` the name `to`, at once, if nothing has it yet. The old name may stay, too.
+[[nodiscard]] std::optional<Error> give_new_name(std::string const& from, std::string const& to);
 /// Best effort.
 void remove(std::string const& path);
 /// The names in a folder survive a power failure. Best effort.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -21,12 +22,8 @@ using Counts = std::map<Identity, std::size_t>;
 using Fixes = std::vector<Fix const*>;
 
 /// Findings about the run itself (AX9…) do not concern a list.
-Counts identities_of(std::vector<Finding> const& findings, SourceSet const& sources) {
-  Counts counts;
-  for (auto const& finding : findings) {
-    if (finding.code < cannot_read) ++counts[identity_of(finding, sources)];
-  }
-  return counts;
+void count(Counts& counts, Finding const& finding, SourceSet const& sources) {
+  if (finding.code < cannot_read) ++counts[identity_of(finding, sources)];
 }
 
 /// No new finding, and at least one less: so every accepted step makes progress.
@@ -70,12 +67,20 @@ class Fixer {
     }
   }
 
-  [[nodiscard]] validator::CheckResult check(std::string const& path, EditedBytes const& edited,
-                                             SourceSet& sources) const {
-    EditedFiles files(edited, path == "-");
+  [[nodiscard]] validator::CheckOptions options_of(std::string const& path) const {
     auto options = options_for(job_, path);
     options.whole_programs = whole_programs_;
-    return validator::check(files, path, options, sources);
+    return options;
+  }
+
+  /// None where the input cannot be read with these edits.
+  [[nodiscard]] std::optional<Counts> findings_of(std::string const& path, EditedBytes const& edited) const {
+    EditedFiles files(edited, path == "-");
+    SourceSet sources;
+    Counts counts;
+    auto const found = validator::check(files, path, options_of(path), sources,
+                                        [&](Finding const& finding) { count(counts, finding, sources); });
+    return found.unreadable ? std::nullopt : std::optional(std::move(counts));
   }
 
   /// Bytes that the caller gave are his to change.
@@ -108,7 +113,8 @@ class Fixer {
   /// round.
   bool round(std::string const& path, std::size_t& left_out) {
     SourceSet sources;
-    auto const found = check(path, result_.edited, sources);
+    EditedFiles files(result_.edited, path == "-");
+    auto const found = validator::check(files, path, options_of(path), sources);
     if (found.unreadable) return false;
     if (!whole_programs_ && repairs_excerpt(found, sources)) {
       whole_programs_ = true;
@@ -119,9 +125,11 @@ class Fixer {
     for (auto const& finding : found.findings) {
       if (may_apply(finding, sources) && batch.add(*finding.fix)) fixes.push_back(&*finding.fix);
     }
+    Counts counts;
+    for (auto const& finding : found.findings) count(counts, finding, sources);
     Attempt attempt{.path = path,
                     .sources = sources,
-                    .findings = identities_of(found.findings, sources),
+                    .findings = std::move(counts),
                     .accepted = {},
                     .edited = result_.edited,
                     .checks = 0};
@@ -153,11 +161,9 @@ class Fixer {
     for (auto& source : batch.apply()) {
       edited.insert_or_assign(attempt.sources[source.source].name(), std::move(source.bytes));
     }
-    SourceSet sources;
-    auto const found = check(attempt.path, edited, sources);
-    auto counts = identities_of(found.findings, sources);
-    if (!found.unreadable && is_better(counts, attempt.findings)) {
-      attempt.findings = std::move(counts);
+    auto counts = findings_of(attempt.path, edited);
+    if (counts && is_better(*counts, attempt.findings)) {
+      attempt.findings = *std::move(counts);
       attempt.accepted.insert(attempt.accepted.end(), fixes.begin(), fixes.end());
       attempt.edited = std::move(edited);
     } else if (fixes.size() > 1) {

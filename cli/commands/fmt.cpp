@@ -27,7 +27,7 @@ means never changes. Lines that cannot be read stay untouched.)",
 bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt.)"};
 constexpr Sentence examples{R"(Examples:
   axisc fmt x.lis                        aligns the list in place
-  axisc fmt machine.json                 all lists of a machine
+  axisc fmt machine.json                 the lists of a machine that are in its folder or below
   axisc fmt --check axes/                for pipelines: writes nothing
   axisc fmt @lists.txt -j 4              the lists that a file names, four at a time
   axisc fmt - < x.lis                    to standard output
@@ -35,7 +35,7 @@ constexpr Sentence examples{R"(Examples:
 Exit status: 0 done, 1 --check found a list to align, 2 something could not be read or written.)",
                             R"(Beispiele:
   axisc fmt x.lis                        richtet die Liste an Ort und Stelle aus
-  axisc fmt maschine.json                alle Listen einer Maschine
+  axisc fmt maschine.json                die Listen einer Maschine in deren Ordner oder darunter
   axisc fmt --check achsen/              für Pipelines: schreibt nichts
   axisc fmt @listen.txt -j 4             die Listen, die eine Datei nennt, vier zugleich
   axisc fmt - < x.lis                    auf die Standardausgabe

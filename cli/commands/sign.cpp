@@ -59,7 +59,8 @@ ExitStatus sign(Invocation const& invocation) {
   auto const file = load_image(*options.image);
   auto const bytes = image::sign(file.bytes.bytes(), key);
   auto const& target = options.output ? *options.output : *options.image;
-  refuse_overwriting({target}, {*options.key});
+  // Without -o the image itself is replaced.
+  refuse_overwriting({target}, {*options.key, options.output ? *options.image : *options.key});
   std::string_view const content(reinterpret_cast<char const*>(bytes.data()), bytes.size());
   if (options.output) {
     OutputFile output(target);

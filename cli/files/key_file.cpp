@@ -68,7 +68,7 @@ class NewFile {
     if (error) refuse_to_write(path_, *error);
   }
   void give_name() {
-    if (auto const error = system::rename_to_new(temporary_, path_)) refuse_to_write(path_, *error);
+    if (auto const error = system::give_new_name(temporary_, path_)) refuse_to_write(path_, *error);
   }
   void take_name_back() { system::remove(path_); }
 

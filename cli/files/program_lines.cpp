@@ -53,8 +53,9 @@ ProgramLines::ProgramLines(std::string path) : path_(std::move(path)) {
   auto const facts = require(path_, file_.status());
   if (facts.kind == system::FileKind::folder) throw unreadable(path_, configuration::FileError::is_folder);
   if (!is_input) {
-    if (facts.kind != system::FileKind::regular)
+    if (facts.kind != system::FileKind::regular) {
       throw unreadable(path_, configuration::FileError::not_regular);
+    }
     size_ = facts.size;
   } else {
     in_memory_ = true;

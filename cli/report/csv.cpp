@@ -66,8 +66,9 @@ std::size_t closing_quote(std::string_view field) {
 
 std::string without_doubled_quotes(std::string_view text) {
   std::string name(text);
-  for (auto at = name.find("\"\""); at != std::string::npos; at = name.find("\"\"", at + 1))
+  for (auto at = name.find("\"\""); at != std::string::npos; at = name.find("\"\"", at + 1)) {
     name.erase(at, 1);
+  }
   return name;
 }
 

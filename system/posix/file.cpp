@@ -232,11 +232,8 @@ std::optional<Error> replace(std::string const& from, std::string const& to) {
   return error_unless(::rename(from.c_str(), to.c_str()) == 0);
 }
 
-std::optional<Error> rename_to_new(std::string const& from, std::string const& to) {
-  if (::link(from.c_str(), to.c_str()) == 0) {
-    remove(from);
-    return std::nullopt;
-  }
+std::optional<Error> give_new_name(std::string const& from, std::string const& to) {
+  if (::link(from.c_str(), to.c_str()) == 0) return std::nullopt;
   // Some file systems know no links.
   bool const has_links = errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS;
   if (has_links) return last_error();

@@ -68,6 +68,7 @@ TEST_CASE("no output replaces an input, another output or a key") {
            {"merge", "s.json", "-o", "s.json"},
            {"replay", "m.axim", "r.axrd", "-o", "r.axrd"},
            {"sign", "m.axim", "--key", "plant.key", "-o", "plant.key"},
+           {"sign", "m.axim", "--key", "plant.key", "-o", "hard.axim"},
            {"lint", "m.json", "--write-baseline", "axisc.json"},
            {"lint", "m.json", "--write-baseline", "x.lis"},
            {"lint", "@names.txt", "--write-baseline", "names.txt"},

@@ -86,6 +86,27 @@ TEST_CASE("a variable asks for no set, a silenced mistake is not left out withou
   CHECK(silenced.place_text(left_out) == "a.nc:1:1 ");
 }
 
+TEST_CASE("a group has so many parameter sets and no more") {
+  std::string program;
+  for (int share = 1; share <= 10; ++share) {
+    for (int order = 1; order <= 100; ++order) {
+      program += "#FILTER ON [ORDER=" + std::to_string(order) + " SHARE=" + std::to_string(share) + "]\n";
+    }
+  }
+  Checked const full(machine_text(R"(, "programs": ["a.nc"])", {{"a.nc", program}}), "m.json");
+  CHECK(sets_of(full).size() == 1000);
+  CHECK(full.result.not_compiled.empty());
+
+  Checked const more(machine_text(R"(, "programs": ["a.nc"], "filter_sets": ["#FILTER ON [ORDER=1 SHARE=1]",
+                                  "#FILTER ON [ORDER=7]", "#FILTER ON [ORDER=8]"])",
+                                  {{"a.nc", program}}),
+                     "m.json");
+  CHECK(sets_of(more).size() == 1000);
+  REQUIRE(more.result.not_compiled.size() == 1);
+  CHECK(render(more.result.not_compiled[0].feature, Language::english) ==
+        "more than 1000 different commands `#FILTER` in one group");
+}
+
 TEST_CASE("every file that was read is named, programs once") {
   Checked const checked(machine_text(R"(, "programs": ["a.nc", "a.nc"],
                                      "groups": [{"axes": ["X"], "programs": ["b.nc", "./a.nc"]}])",

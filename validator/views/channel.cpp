@@ -1,14 +1,20 @@
 #include "validator/views/channel.hpp"
 
+#include "configuration/filter_set_limit.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/views/fir_view.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace axisc::validator::says {
 
 constexpr Sentence not_compiled_command{"the command `{command}`, whose values cannot be used",
                                         "der Befehl `{command}`, dessen Werte nicht verwendbar sind"};
+
+constexpr Sentence too_many_commands{"more than {limit} different commands `#FILTER` in one group",
+                                     "mehr als {limit} verschiedene Befehle `#FILTER` in einer Gruppe"};
 
 }  // namespace axisc::validator::says
 
@@ -26,11 +32,13 @@ class SetCollector {
       bool const needs_none =
           command.filter_switch == machine::FilterSwitch::off || command.hsc || command.parameters.empty();
       if (needs_none || std::find(sets.begin(), sets.end(), command.parameters) != sets.end()) return;
-      sets.push_back(command.parameters);
+      if (sets.size() < configuration::most_filter_sets) {
+        sets.push_back(command.parameters);
+      } else if (!std::exchange(is_full_, true)) {
+        refuse(place, says::too_many_commands, {{"limit", std::to_string(configuration::most_filter_sets)}});
+      }
     } else if (!checked.mistakes.empty()) {
-      not_compiled_.push_back({.place = place,
-                               .feature = {.sentence = says::not_compiled_command,
-                                           .arguments = {{"command", std::string(written)}}}});
+      refuse(place, says::not_compiled_command, {{"command", std::string(written)}});
     }
   }
 
@@ -39,8 +47,14 @@ class SetCollector {
   std::vector<machine::FilterParameters> sets;
 
  private:
+  void refuse(Place place, SentenceRef text, std::vector<Argument> arguments) {
+    not_compiled_.push_back(
+        {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
+  }
+
   CommandLimits const& limits_;
   std::vector<NotCompiled>& not_compiled_;
+  bool is_full_ = false;
 };
 
 void add_program(LoadedProgram const& program, SourceSet const& sources, SetCollector& collector) {
