@@ -41,8 +41,8 @@ bool is_better(Counts const& after, Counts const& before) {
 
 class Fixer {
  public:
-  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline)
-      : job_(job), choice_(choice), baseline_(baseline) {
+  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, IdentityPaths& identity_paths)
+      : job_(job), choice_(choice), baseline_(baseline), identity_paths_(identity_paths) {
     result_.edited = job.edited;
   }
 
@@ -79,7 +79,10 @@ class Fixer {
   }
 
   [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) const {
-    if (!finding.fix || baseline_.mentions(identity_of(finding, sources))) return false;
+    if (!finding.fix) return false;
+    auto identity = identity_of(finding, sources);
+    identity.file = identity_paths_.of(identity.file);
+    if (baseline_.mentions(identity)) return false;
     return choice_ == FixChoice::all || finding.fix->safety == FixSafety::safe;
   }
 
@@ -166,6 +169,7 @@ class Fixer {
   CheckJob const& job_;
   FixChoice choice_;
   Baseline const& baseline_;
+  IdentityPaths& identity_paths_;
   bool whole_programs_ = false;
   FixedInputs result_;
 };
@@ -173,8 +177,8 @@ class Fixer {
 }  // namespace
 
 FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths, FixChoice choice,
-                       Baseline const& baseline) {
-  Fixer fixer(job, choice, baseline);
+                       Baseline const& baseline, IdentityPaths& identity_paths) {
+  Fixer fixer(job, choice, baseline, identity_paths);
   for (auto const& path : paths) fixer.fix(path);
   return std::move(fixer).result();
 }

@@ -3,6 +3,7 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/check_input.hpp"
+#include "cli/checking/identity_paths.hpp"
 
 #include <cstdint>
 #include <string>
@@ -22,6 +23,7 @@ struct FixedInputs {
 /// Applying fixes to the result changes nothing. One input after another, because they may share files. Cost: a check
 /// per round, and some more for each fix that is taken back, at most two hundred.
 [[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
-                                     FixChoice choice, Baseline const& baseline);
+                                     FixChoice choice, Baseline const& baseline,
+                                     IdentityPaths& identity_paths);
 
 }  // namespace axisc::cli

@@ -1,5 +1,6 @@
 #include "cli/checking/check_input.hpp"
 #include "cli/checking/fixing.hpp"
+#include "cli/checking/identity_paths.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/fleet/ordered_work.hpp"
@@ -152,7 +153,8 @@ class Lint {
                     .counts_always = true,
                     .baseline = {},
                     .write_baseline = options_.write_baseline.has_value(),
-                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror)};
+                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror),
+                    .identity_paths = &identity_paths_};
     if (options_.baseline) plan.baseline = Baseline::read(*options_.baseline);
     if (!plan.shard) return plan;
     for (auto const& rule : validator::rules()) {
@@ -235,7 +237,7 @@ class Lint {
 
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
-    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline);
+    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline, identity_paths_);
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {
@@ -265,6 +267,7 @@ class Lint {
   LintOptions const& options_;
   Streams& streams_;
   SettingsFinder settings_;
+  IdentityPaths identity_paths_{settings_};
   std::optional<unsigned> threads_;
   Inputs inputs_;
   Part part_;
