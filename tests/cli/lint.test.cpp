@@ -187,7 +187,6 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
     CHECK(outcome.out.empty());
     CHECK(outcome.err == "axisc: error: " + expected + "\n");
   };
-  check({}, "a command is missing; `axisc --help` lists the commands");
   check({"lnit"}, "there is no command \"lnit\"; did you mean \"lint\"?");
   check(
       {"lint", "x.lis", "--cycle-time", "1,5ms"},
@@ -195,7 +194,26 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
   check({"lint", "x.lis", "--disable", "AX3O05"}, "there is no code \"AX3O05\"; did you mean AX3005?");
   check({"lint", "x.lis", "--axis-type", "X"}, "--axis-type does not know \"X\"; choose from T, R, S");
   check({"lint", "x.lis", "-j", "0"}, "-j needs a positive whole number, not \"0\"");
-  check({"--color", "never"}, "a command is missing; `axisc --help` lists the commands");
+  check({"lint", "-x"}, "\"axisc lint\" has no option -x; `axisc lint --help` lists them");
+  check({"--foo"}, "there is no option --foo; `axisc --help` lists the commands");
+  check({"-x"}, "there is no option -x; `axisc --help` lists the commands");
+}
+
+TEST_CASE("the program alone shows the commands") {
+  auto const help = run_axisc({"--help"});
+  CHECK(help.status == 0);
+  for (auto const& arguments : {std::vector<std::string>{}, {"--color", "never"}}) {
+    auto const alone = run_axisc(arguments);
+    CHECK(alone.status == 2);
+    CHECK(alone.out.empty());
+    CHECK(alone.err == help.out);
+  }
+  CHECK(run_axisc({"help"}).out == help.out);
+  CHECK(run_axisc({"help", "lint"}).out == run_axisc({"lint", "--help"}).out);
+  CHECK(run_axisc({"--lang", "de", "help", "lint"}).out == run_axisc({"lint", "--help", "--lang", "de"}).out);
+  for (std::string const word : {"version", "-V"})
+    CHECK(run_axisc({word}).out == run_axisc({"--version"}).out);
+  CHECK(run_axisc({"lint", "-V"}).out == run_axisc({"--version"}).out);
 }
 
 TEST_CASE("every command has its own help in both languages") {
