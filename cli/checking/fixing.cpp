@@ -44,6 +44,7 @@ class Fixer {
   Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, IdentityPaths& identity_paths)
       : job_(job), choice_(choice), baseline_(baseline), identity_paths_(identity_paths) {
     result_.edited = job.edited;
+    result_.original = job.edited;
   }
 
   void fix(std::string const& path) {

@@ -249,3 +249,31 @@ TEST_CASE("a report says which inputs could not be read") {
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"executionSuccessful\": false") &&
                               Catch::Matchers::Contains("cannot read missing.lis"));
 }
+
+TEST_CASE("standard input is a machine file if it begins with a brace") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter[0].order 9\n");
+  auto there = in_folder(folder.path());
+  there.input = R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})";
+  auto const outcome = run_axisc({"lint", "-"}, there);
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("--> x.lis:2:17") && Catch::Matchers::Contains("2 files: "));
+}
+
+TEST_CASE("standard input may be the text of a file with a name") {
+  TemporaryFolder const folder;
+  folder.write("axes/x.lis", "on disk\n");
+  folder.write("axes/axisc.json",
+               R"({"cycle_time_us": 2000, "paths": [{"pattern": "x.lis", "disable": ["AX2001"]}]})");
+  auto there = in_folder(folder.path());
+  there.input = "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 300\nfoo.bar 1\n";
+  auto const outcome = run_axisc({"lint", "-", "--stdin-filename", "axes/x.lis"}, there);
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("--> axes/x.lis:3:17") &&
+                              Catch::Matchers::Contains("250 Hz") && !Catch::Matchers::Contains("foo.bar"));
+  there.input = "Filter[0].order 2\n";
+  auto const fixed = run_axisc({"lint", "-", "--stdin-filename", "axes/x.lis", "--fix"}, there);
+  CHECK(fixed.out == "filter[0].order 2\n");
+  CHECK(folder.read("axes/x.lis") == "on disk\n");
+}

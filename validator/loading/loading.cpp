@@ -140,7 +140,8 @@ class Loader {
     std::variant<std::string, configuration::FileError> bytes = read_text(files_, machine_.path);
     if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
     auto& text = std::get<std::string>(bytes);
-    bool const is_machine = ends_in(machine_.path, ".json") && configuration::looks_like_machine_file(text);
+    bool const may_be_machine = machine_.path == "-" || ends_in(machine_.path, ".json");
+    bool const is_machine = may_be_machine && configuration::looks_like_machine_file(text);
     SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
     if (is_machine) {
       load_machine(source);
