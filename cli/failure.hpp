@@ -30,6 +30,9 @@ class Failure : public std::exception {
   std::string what_;
 };
 
+/// Thrown inside cli/ when nobody reads standard output any more; main() ends without a word, as other filters do.
+struct ReaderGone {};
+
 /// "axisc: warning: …" with a line end.
 [[nodiscard]] std::string warning_line(Message const& message, Language language);
 

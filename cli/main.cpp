@@ -2,6 +2,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
 #include "configuration/files.hpp"
 #include "schema/closest_word.hpp"
@@ -14,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace axisc::cli::says {
@@ -24,10 +26,11 @@ constexpr Sentence changed{
     "{file} ist nicht lesbar: sie wurde beim Lesen geändert; den Befehl wiederholen, wenn kein Programm mehr "
     "in sie schreibt"};
 
-constexpr Sentence no_command{"a command is missing; `axisc --help` lists the commands",
-                              "ein Befehl fehlt; `axisc --help` listet die Befehle auf"};
-constexpr Sentence unknown_command{"there is no command \"{command}\"; `axisc --help` lists them",
-                                   "den Befehl \"{command}\" gibt es nicht; `axisc --help` nennt alle"};
+constexpr Sentence no_option{"there is no option {option}; `axisc --help` lists the commands",
+                             "die Option {option} gibt es nicht; `axisc --help` listet die Befehle auf"};
+constexpr Sentence unknown_command{
+    "there is no command \"{command}\"; `axisc --help` lists them",
+    "den Befehl \"{command}\" gibt es nicht; `axisc --help` listet die Befehle auf"};
 constexpr Sentence unknown_command_meant{R"(there is no command "{command}"; did you mean "{meant}"?)",
                                          R"(den Befehl "{command}" gibt es nicht; war "{meant}" gemeint?)"};
 constexpr Sentence no_memory{
@@ -121,44 +124,64 @@ std::string help(Language language) {
   auto const say = [language](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language);
   };
-  std::string text = say(cli::says::purpose) + "\n\n" + say(cli::says::help_usage) + ": axisc " +
-                     say(cli::says::help_command) + " [" + say(cli::says::help_options) + "]\n\n" +
-                     say(cli::says::help_commands_heading) + ":\n";
-  for (auto const& command : commands) text += help_row(command.name, say(command.meaning));
+  auto const width = help_width();
+  std::string text = help_paragraphs(say(cli::says::purpose), width) + "\n" + say(cli::says::help_usage) +
+                     ": axisc " + say(cli::says::help_command) + " [" + say(cli::says::help_options) +
+                     "]\n\n" + say(cli::says::help_commands_heading) + ":\n";
+  for (auto const& command : commands) text += help_row(command.name, say(command.meaning), width);
   return text + "\n" + say(cli::says::help_options_heading) + ":\n" +
-         help_row("-h, --help", say(cli::says::option_help)) +
-         help_row("--version", say(cli::says::option_version)) +
-         help_row("--lang en|de", say(cli::says::option_lang)) + "\n" + say(cli::says::examples) + "\n";
+         help_row("-h, --help", say(cli::says::option_help), width) +
+         help_row("-V, --version", say(cli::says::option_version), width) +
+         help_row("--lang en|de", say(cli::says::option_lang), width) + "\n" +
+         help_paragraphs(say(cli::says::examples), width);
+}
+
+/// Options that every command has, with a value.
+bool takes_value(std::string_view argument) {
+  return argument == "--lang" || argument == "--color";
 }
 
 /// Index of the command: the first argument that is not an option (nor the value of one that every command has).
 std::size_t find_command(std::vector<std::string> const& arguments) {
   std::size_t i = 0;
   while (i < arguments.size() && arguments[i].substr(0, 1) == "-") {
-    i += arguments[i] == "--lang" || arguments[i] == "--color" ? 2 : 1;
+    i += takes_value(arguments[i]) ? 2 : 1;
   }
   return std::min(i, arguments.size());
 }
 
+/// Options that need no command; without any the commands are shown as for --help, but something is missing.
 ExitStatus without_command(std::vector<std::string> const& arguments, Language language, Streams& streams) {
-  for (auto const& argument : arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    auto const& argument = arguments[i];
     if (argument == "--help" || argument == "-h") {
       streams.out.write(help(language));
       return ExitStatus::success;
     }
-    if (argument == "--version") {
+    if (argument == "--version" || argument == "-V") {
       streams.out.write(version_text());
       return ExitStatus::success;
     }
+    if (takes_value(argument)) {
+      ++i;
+    } else if (!argument.starts_with("--lang=") && !argument.starts_with("--color=")) {
+      throw Failure({.sentence = cli::says::no_option, .arguments = {{"option", argument}}});
+    }
   }
-  throw Failure({.sentence = cli::says::no_command, .arguments = {}});
+  streams.err.write(help(language));
+  return ExitStatus::failure;
 }
 
 ExitStatus dispatch(std::vector<std::string> arguments, Language language, Streams& streams) {
   auto const at = find_command(arguments);
   if (at == arguments.size()) return without_command(arguments, language, streams);
-  auto const word = arguments[at];
+  auto word = arguments[at];
   arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(at));
+  if (word == "version") return without_command({"--version"}, language, streams);
+  if (word == "help") {
+    if (arguments.size() == at) return without_command({"--help"}, language, streams);
+    word = std::exchange(arguments[at], "--help");
+  }
   std::vector<std::string_view> names;
   for (auto const& command : commands) {
     if (command.name == word) {
@@ -202,6 +225,8 @@ int main(int argc, char* argv[]) {
     streams.out.flush();
     streams.err.flush();
     return static_cast<int>(status);
+  } catch (ReaderGone const&) {
+    return static_cast<int>(ExitStatus::failure);
   } catch (...) {
     static_cast<void>(system::write(system::Stream::error, failure_line(language)));
     return static_cast<int>(ExitStatus::failure);

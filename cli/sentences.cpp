@@ -12,8 +12,9 @@ constinit Sentence const bad_choice{"{option} does not know \"{value}\"; choose 
                                     "{option} kennt \"{value}\" nicht; möglich sind {choices}"};
 constinit Sentence const bad_count{"{option} needs a positive whole number, not \"{value}\"",
                                    "{option} braucht eine positive ganze Zahl, nicht \"{value}\""};
-constinit Sentence const unknown_axis{"the image has no axis \"{axis}\"; its axes are {axes}",
-                                      "das Abbild hat keine Achse \"{axis}\"; seine Achsen sind {axes}"};
+constinit Sentence const option_stdin_filename{
+    "the name of the file that standard input (-) is the text of, for its settings and in messages",
+    "der Name der Datei, deren Text die Standardeingabe (-) ist, für ihre Einstellungen und in Meldungen"};
 constinit Sentence const nc_program{
     "{file} is an NC program; compile the machine file that names it",
     "{file} ist ein NC-Programm; zu übersetzen ist die Maschinendatei, die es nennt"};

@@ -9,7 +9,7 @@ extern Sentence const cannot_read;
 extern Sentence const cannot_write;
 extern Sentence const bad_choice;
 extern Sentence const bad_count;
-extern Sentence const unknown_axis;
+extern Sentence const option_stdin_filename;
 extern Sentence const nc_program;
 extern Sentence const runtime;
 extern Sentence const unexpected;

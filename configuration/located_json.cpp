@@ -1,8 +1,24 @@
 #include "configuration/located_json.hpp"
 
+#include "diagnostics/ascii.hpp"
+
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
+
+namespace axisc::configuration::says {
+
+constexpr Sentence trailing_comma{"JSON has no comma after the last entry",
+                                  "in JSON steht nach dem letzten Eintrag kein Komma"};
+constexpr Sentence comment{"JSON has no comments", "JSON hat keine Kommentare"};
+constexpr Sentence single_quotes{"JSON has texts in double quotes",
+                                 "in JSON stehen Texte in doppelten AnfÃ¼hrungszeichen"};
+constexpr Sentence missing_comma{"a comma is missing before this", "davor fehlt ein Komma"};
+constexpr Sentence bare_word{
+    "texts and keys are in double quotes; the only bare words are true, false and null",
+    "Texte und SchlÃ¼ssel stehen in doppelten AnfÃ¼hrungszeichen; ohne stehen nur true, false und null"};
+
+}  // namespace axisc::configuration::says
 
 namespace axisc::configuration {
 namespace {
@@ -21,6 +37,28 @@ class TokenCursor {
     return span(begin, end);
   }
 
+  /// Where and why the parser stopped, `stop` bytes into the text at the latest.
+  [[nodiscard]] JsonError failure(std::size_t stop) const {
+    Span const token = failing_token(stop);
+    if (token.empty()) return {.span = token};
+    char const first = bytes_[token.begin];
+    std::size_t const before = bytes_.find_last_not_of(" \t\r\n", token.begin == 0 ? 0 : token.begin - 1);
+    char const previous = token.begin == 0 || before == std::string_view::npos ? '{' : bytes_[before];
+    auto const because = [&](SentenceRef reason) {
+      return JsonError{.span = token, .reason = Message{.sentence = reason, .arguments = {}}};
+    };
+    bool const closes = first == '}' || first == ']';
+    if (closes && previous == ',') return because(says::trailing_comma);
+    if (first == '/' || first == '#') return because(says::comment);
+    if (first == '\'') return because(says::single_quotes);
+    if (!closes && std::string_view("{[,:").find(previous) == std::string_view::npos) {
+      return because(says::missing_comma);
+    }
+    if (ascii::is_letter(first)) return because(says::bare_word);
+    return {.span = token};
+  }
+
+ private:
   /// The token at which the parser stopped, `stop` bytes into the text at the latest.
   [[nodiscard]] Span failing_token(std::size_t stop) const {
     std::size_t const begin = std::min({begin_of_next(), stop, bytes_.size()});
@@ -28,7 +66,6 @@ class TokenCursor {
     return span(begin, std::min(end, bytes_.size()));
   }
 
- private:
   static Span span(std::size_t begin, std::size_t end) {
     return {.begin = static_cast<std::uint32_t>(begin), .end = static_cast<std::uint32_t>(end)};
   }
@@ -81,7 +118,7 @@ class TreeBuilder {
   bool start_array(std::size_t /*elements*/) { return open(JsonKind::array); }
   bool end_array() { return close(); }
   bool parse_error(std::size_t position, std::string const& /*token*/, Json::exception const& /*reason*/) {
-    error_ = JsonError{cursor_.failing_token(begin_ + (position == 0 ? 0 : position - 1))};
+    error_ = cursor_.failure(begin_ + (position == 0 ? 0 : position - 1));
     return false;
   }
 
@@ -115,7 +152,7 @@ class TreeBuilder {
   bool open(JsonKind kind) {
     JsonValue const* const value = add(kind);
     if (open_.size() >= deepest_json) {
-      error_ = JsonError{value->span};
+      error_ = JsonError{.span = value->span};
       return false;
     }
     open_.push_back(document_.values.size() - 1);

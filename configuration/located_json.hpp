@@ -1,6 +1,7 @@
 // JSON with the place of every key and value, for findings with line and column.
 #pragma once
 
+#include "diagnostics/message.hpp"
 #include "diagnostics/span.hpp"
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct JsonDocument {
 /// The place where a text is not valid JSON.
 struct JsonError {
   Span span;  ///< the token that does not fit; empty at the end of the text
+  std::optional<Message> reason = std::nullopt;  ///< for the usual mistakes
 };
 
 /// Deepest nesting that is read; a deeper bracket is an error.

@@ -125,7 +125,9 @@ class MachineFileReader {
   MachineFileReader(SourceId source, std::deque<Finding>& findings) : source_(source), findings_(findings) {}
 
   void broken(JsonError const& error) {
-    add(error.span, {.sentence = error.span.empty() ? says::json_end : says::json, .arguments = {}});
+    Finding& finding =
+        add(error.span, {.sentence = error.span.empty() ? says::json_end : says::json, .arguments = {}});
+    finding.label = error.reason;
   }
 
   MachineFile read(JsonDocument const& document) {

@@ -36,20 +36,16 @@ class Hash {
   std::uint64_t state_ = 0xCBF29CE484222325ULL;
 };
 
-std::string_view without_folders(std::string_view path) {
-  std::size_t const separator = path.find_last_of("/\\");
-  return separator == std::string_view::npos ? path : path.substr(separator + 1);
-}
-
 }  // namespace
 
 void identify(Identity& identity, Finding const& finding, SourceSet const& sources) {
   identity.code = finding.code;
+  identity.file.clear();
   identity.axis.clear();
   identity.parameter.clear();
   // Well-formed, because a baseline is JSON.
-  append_repaired(identity.axis,
-                  finding.axis.empty() ? without_folders(file_of(finding, sources)) : finding.axis);
+  append_repaired(identity.file, file_of(finding, sources));
+  append_repaired(identity.axis, finding.axis);
   append_repaired(identity.parameter, finding.parameter);
 }
 
@@ -67,6 +63,7 @@ void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources
 std::string fingerprint(Identity const& identity, std::uint32_t occurrence) {
   Hash hash;
   hash.add(code_text(identity.code));
+  hash.add(identity.file);
   hash.add(identity.axis);
   hash.add(identity.parameter);
   return hash.hexadecimal() + ':' + std::to_string(occurrence);

@@ -1,5 +1,5 @@
-// The identity of a finding, independent of its line and wording: code, axis, parameter path. It is the fingerprint in
-// SARIF and GitLab reports and the key of a baseline.
+// The identity of a finding, independent of its line and wording: file, axis, parameter path and code. It is the
+// fingerprint in SARIF and GitLab reports and the key of a baseline.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -12,13 +12,15 @@ namespace axisc {
 
 /// Order and equality of identities are those of their members.
 struct Identity {
-  Code code{};
-  std::string axis;       ///< its name; the file's name without folders where no axis is concerned
+  std::string file;       ///< as the finding names it, or its path in the repository
+  std::string axis;       ///< its name; empty where no axis is concerned
   std::string parameter;  ///< `filter[0].order`; empty where no parameter is concerned
+  Code code{};
   // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
   friend auto operator<=>(Identity const&, Identity const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// With the file as the finding names it.
 [[nodiscard]] Identity identity_of(Finding const& finding, SourceSet const& sources);
 /// The identity, written into an existing object to reuse its memory.
 void identify(Identity& identity, Finding const& finding, SourceSet const& sources);

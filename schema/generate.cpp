@@ -1,6 +1,7 @@
-// axisc_schema_generator DATA SCHEMA TABLES VOCABULARY: turns axis-parameters.json into constant tables while building. Exit
-// status 1 and one line per mistake when the data is wrong.
+// axisc_schema_generator DATA SCHEMA DESCRIPTIONS TABLES VOCABULARY DESCRIPTION_TABLES: turns axis-parameters.json and
+// axis-descriptions.json into constant tables while building. Exit status 1 and one line per mistake when the data is wrong.
 #include "schema/generator/catalogue_data.hpp"
+#include "schema/generator/description_writer.hpp"
 #include "schema/generator/table_writer.hpp"
 
 #include <exception>
@@ -29,15 +30,19 @@ void write_file(std::string const& path, std::string const& text) {
 
 int main(int argc, char* argv[]) {
   std::vector<std::string> const arguments(argv, argv + argc);
-  if (arguments.size() != 5) {
-    std::cerr << "usage: axisc_schema_generator DATA SCHEMA TABLES VOCABULARY\n";
+  if (arguments.size() != 7) {
+    std::cerr
+        << "usage: axisc_schema_generator DATA SCHEMA DESCRIPTIONS TABLES VOCABULARY DESCRIPTION_TABLES\n";
     return 2;
   }
   try {
     auto const parameters =
         axisc::schema::generator::read_catalogue(read_file(arguments[1]), read_file(arguments[2]));
-    write_file(arguments[3], axisc::schema::generator::write_tables(parameters));
-    write_file(arguments[4], axisc::schema::generator::write_vocabulary(parameters));
+    auto const descriptions =
+        axisc::schema::generator::write_descriptions(parameters, read_file(arguments[3]));
+    write_file(arguments[4], axisc::schema::generator::write_tables(parameters));
+    write_file(arguments[5], axisc::schema::generator::write_vocabulary(parameters));
+    write_file(arguments[6], descriptions);
   } catch (std::exception const& error) {
     std::cerr << arguments[1] << ":\n" << error.what() << '\n';
     return 1;

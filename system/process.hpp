@@ -3,6 +3,7 @@
 
 #include "system/error.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,6 +21,8 @@ void prepare_streams();
 void keep_memory();
 
 [[nodiscard]] bool is_terminal(Stream stream);
+/// Columns of the terminal that standard output is; none elsewhere.
+[[nodiscard]] std::optional<std::size_t> terminal_width();
 /// Writes all of `bytes`.
 [[nodiscard]] std::optional<Error> write(Stream stream, std::string_view bytes);
 

@@ -7,6 +7,7 @@
 #include "validator/values/reading.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -20,6 +21,10 @@ constexpr std::size_t tab_width = 8;
 constexpr std::size_t widest_value = 32;
 /// Longer lines are left unchanged: otherwise neighbouring lines would grow with them, finally beyond readability.
 constexpr std::size_t longest_aligned_line = 1024;
+
+/// A list keeps its own columns if it has so many lines, of which so many have their values in one column.
+constexpr std::size_t smallest_layout = 12;
+constexpr std::size_t layout_percent = 75;
 
 /// An assignment in three parts; `comment` may be empty.
 struct Row {
@@ -59,6 +64,8 @@ class Layout {
 
   std::string write() && {
     auto const rows = this->rows();
+    file_column_ = common_column(rows, &Row::value);
+    comment_column_ = file_column_ == 0 ? 0 : common_column(rows, &Row::comment);
     for (std::size_t begin = 0; begin < rows.size();) {
       std::size_t end = begin + 1;
       while (end < rows.size() && rows[end].number == rows[end - 1].number + 1) ++end;
@@ -103,14 +110,33 @@ class Layout {
         std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
   }
 
-  /// Columns before the value: the indentation is preserved.
-  [[nodiscard]] std::size_t name_end(Row const& row) const {
-    std::size_t column = 0;
-    for (char const blank : row.indent) {
-      column = blank == '\t' ? (column / tab_width + 1) * tab_width : column + 1;
+  /// The column that most rows have in common for one of their parts; 0 where there is none.
+  [[nodiscard]] std::size_t common_column(std::vector<Row> const& rows, std::string_view Row::*part) const {
+    std::map<std::size_t, std::size_t> rows_at;
+    std::size_t count = 0;
+    for (Row const& row : rows) {
+      if ((row.*part).empty()) continue;
+      auto const begin = static_cast<std::size_t>((row.*part).data() - source_.bytes().data());
+      ++rows_at[columns(source_.bytes().substr(row.line.begin, begin - row.line.begin))];
+      ++count;
     }
-    return column + width(row.name);
+    for (auto const& [column, number] : rows_at) {
+      if (count >= smallest_layout && number * 100 >= count * layout_percent) return column;
+    }
+    return 0;
   }
+
+  [[nodiscard]] std::size_t columns(std::string_view text) const {
+    std::size_t column = 0;
+    for (std::size_t at = text.find('\t'); at != std::string_view::npos; at = text.find('\t')) {
+      column = ((column + width(text.substr(0, at))) / tab_width + 1) * tab_width;
+      text.remove_prefix(at + 1);
+    }
+    return column + width(text);
+  }
+
+  /// Columns before the value: the indentation is preserved.
+  [[nodiscard]] std::size_t name_end(Row const& row) const { return columns(row.indent) + width(row.name); }
 
   void write_paragraph(std::vector<Row> const& rows) {
     std::size_t value_column = 0;
@@ -125,11 +151,16 @@ class Layout {
       copied_ = row.line.end;
       out_ += row.indent;
       out_ += row.name;
-      out_.append(value_column - name_end(row), ' ');
+      std::size_t const begin =
+          file_column_ == 0 ? value_column : std::max(file_column_, name_end(row) + gap);
+      out_.append(begin - name_end(row), ' ');
       out_ += row.value;
       if (row.comment.empty()) continue;
       std::size_t const wide = width(row.value);
-      out_.append(std::max(wide, value_width) - wide + gap, ' ');
+      std::size_t const end = begin + wide;
+      std::size_t const comment =
+          comment_column_ == 0 ? begin + std::max(wide, value_width) + gap : comment_column_;
+      out_.append(std::max(comment, end + gap) - end, ' ');
       out_ += row.comment;
     }
   }
@@ -138,6 +169,8 @@ class Layout {
   ReadList list_;
   std::string out_;
   std::uint32_t copied_ = 0;
+  std::size_t file_column_ = 0;     ///< of the values of the whole list, where it has one
+  std::size_t comment_column_ = 0;  ///< of its comments
 };
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace axisc::validator {
 
 /// The whole list, with the values of each paragraph in one column and the comments after them in another. A paragraph
-/// is a run of assignments without a blank line, comment line or unchanged line in between.
+/// is a run of assignments without a blank line, comment line or unchanged line in between. A list of a dozen lines or
+/// more of which three in four have their values in one column keeps this column, and likewise that of its comments.
 ///
 /// Only blanks and tabs between name, value and comment change, and those at the end of an assignment. The meaning of
 /// the list, its order, indentation, encoding, line ends and all other lines are preserved. A value whose end only the

@@ -1,10 +1,12 @@
 // A baseline: known and accepted findings, hidden so that only new ones are reported.
 //
-// A JSON file with one line per finding, sorted by axis, parameter and code, so that diffs are readable:
-//     {"version": 1, "findings": [
-//       {"code": "AX3005", "axis": "X", "parameter": "filter[0].time_constant", "occurrence": 1, "fingerprint": "…"}
+// A JSON file with one line per finding, sorted by file, axis, parameter and code, so that diffs are readable:
+//     {"version": 2, "findings": [
+//       {"file": "axes/x.lis", "code": "AX3005", "axis": "X", "parameter": "filter[0].time_constant", "occurrence": 1,
+//        "fingerprint": "…"}
 //     ]}
-// An entry is identified by code, axis, parameter and occurrence; the fingerprint is only for text searches.
+// An entry is identified by file, code, axis, parameter and occurrence; the fingerprint is only for text searches. The
+// file is named as in its repository: see identity_paths.hpp.
 #pragma once
 
 #include "diagnostics/fingerprint.hpp"
@@ -18,9 +20,7 @@
 namespace axisc::cli {
 
 struct BaselineEntry {
-  std::string axis;
-  std::string parameter;
-  Code code{};
+  Identity identity;
   std::uint32_t occurrence = 1;
   // clang-tidy 14 takes the zero that comparisons are rewritten with for a pointer.
   friend auto operator<=>(BaselineEntry const&,

@@ -8,6 +8,7 @@ namespace {
 
 void write(ByteWriter& bytes, WrittenFinding const& finding) {
   bytes.number(static_cast<std::uint64_t>(finding.identity.code));
+  bytes.text(finding.identity.file);
   bytes.text(finding.identity.axis);
   bytes.text(finding.identity.parameter);
   bytes.number(static_cast<std::uint64_t>(finding.severity));
@@ -20,6 +21,7 @@ void write(ByteWriter& bytes, WrittenFinding const& finding) {
 WrittenFinding read_finding(ByteReader& bytes) {
   WrittenFinding finding;
   finding.identity.code = static_cast<Code>(bytes.number());
+  finding.identity.file = bytes.text();
   finding.identity.axis = bytes.text();
   finding.identity.parameter = bytes.text();
   finding.severity = static_cast<Severity>(bytes.number());

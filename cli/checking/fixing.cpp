@@ -39,9 +39,15 @@ bool is_better(Counts const& after, Counts const& before) {
 
 class Fixer {
  public:
-  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, ChangeableFiles const& changeable)
-      : job_(job), choice_(choice), baseline_(baseline), changeable_(changeable) {
+  Fixer(CheckJob const& job, FixChoice choice, Baseline const& baseline, IdentityPaths& identity_paths,
+        ChangeableFiles const& changeable)
+      : job_(job),
+        choice_(choice),
+        baseline_(baseline),
+        identity_paths_(identity_paths),
+        changeable_(changeable) {
     result_.edited = job.edited;
+    result_.original = job.edited;
   }
 
   void fix(std::string const& path) {
@@ -91,7 +97,10 @@ class Fixer {
   }
 
   [[nodiscard]] bool may_apply(Finding const& finding, SourceSet const& sources) {
-    if (!finding.fix || baseline_.mentions(identity_of(finding, sources))) return false;
+    if (!finding.fix) return false;
+    auto identity = identity_of(finding, sources);
+    identity.file = identity_paths_.of(identity.file);
+    if (baseline_.mentions(identity)) return false;
     auto const& edits = finding.fix->edits;
     bool const stays_inside = std::all_of(edits.begin(), edits.end(), [&](Edit const& edit) {
       return may_change(sources[edit.place.source].name());
@@ -184,6 +193,7 @@ class Fixer {
   CheckJob const& job_;
   FixChoice choice_;
   Baseline const& baseline_;
+  IdentityPaths& identity_paths_;
   ChangeableFiles const& changeable_;
   std::unordered_map<std::string, bool> may_change_;  ///< by name of the source
   bool whole_programs_ = false;
@@ -193,8 +203,9 @@ class Fixer {
 }  // namespace
 
 FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths, FixChoice choice,
-                       Baseline const& baseline, ChangeableFiles const& changeable) {
-  Fixer fixer(job, choice, baseline, changeable);
+                       Baseline const& baseline, IdentityPaths& identity_paths,
+                       ChangeableFiles const& changeable) {
+  Fixer fixer(job, choice, baseline, identity_paths, changeable);
   for (auto const& path : paths) fixer.fix(path);
   return std::move(fixer).result();
 }

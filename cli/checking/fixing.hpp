@@ -3,6 +3,7 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/check_input.hpp"
+#include "cli/checking/identity_paths.hpp"
 #include "cli/files/changeable_files.hpp"
 
 #include <cstdint>
@@ -25,6 +26,6 @@ struct FixedInputs {
 /// per round, and some more for each fix that is taken back, at most two hundred.
 [[nodiscard]] FixedInputs fix_inputs(CheckJob const& job, std::vector<std::string> const& paths,
                                      FixChoice choice, Baseline const& baseline,
-                                     ChangeableFiles const& changeable);
+                                     IdentityPaths& identity_paths, ChangeableFiles const& changeable);
 
 }  // namespace axisc::cli

@@ -123,7 +123,8 @@ class Compile {
                          .counts_always = false,
                          .baseline = {},
                          .write_baseline = false,
-                         .shard = shard_record(part_, {}, run_, job_.check, options_.checking.werror)},
+                         .shard = shard_record(part_, {}, run_, job_.check, options_.checking.werror),
+                         .identity_paths = &identity_paths_},
                         streams_.err);
     for (std::size_t i = 0; i < name_failures_.size(); ++i) {
       if (reports_names(part_)) fail(report, i, name_failures_[i]);
@@ -259,6 +260,7 @@ class Compile {
   CompileOptions const& options_;
   Streams& streams_;
   SettingsFinder settings_;
+  IdentityPaths identity_paths_{settings_};
   std::optional<unsigned> threads_;
   codegen::KnownDesigns designs_;
   CompileJob job_;

@@ -9,31 +9,45 @@
 #include "cli/settings/settings.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
+#include "schema/description.hpp"
 
 namespace axisc::cli::says {
 
 constexpr Sentence unknown_subject{
-    "\"{word}\" is neither a code nor a parameter; `axisc explain --all` lists the codes",
-    "\"{word}\" ist weder Code noch Parameter; `axisc explain --all` nennt die Codes"};
+    "\"{word}\" is not a code, a message of the control, a parameter or a part of one; `axisc explain --all` "
+    "lists the codes",
+    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
+    "`axisc explain --all` nennt die Codes"};
 constexpr Sentence unknown_subject_meant{
-    "\"{word}\" is neither a code nor a parameter; did you mean {meant}?",
-    "\"{word}\" ist weder Code noch Parameter; war {meant} gemeint?"};
+    "\"{word}\" is not a code, a message of the control, a parameter or a part of one; did you mean {meant}?",
+    "\"{word}\" ist weder ein Code noch eine Meldung der Steuerung noch ein Parameter oder ein Teil davon; "
+    "war "
+    "{meant} gemeint?"};
 constexpr Sentence purpose{
-    "Prints the page of a code, or the facts about a parameter of an axis list.",
-    "Zeigt die Seite zu einem Code oder die Angaben zu einem Parameter einer Achsliste."};
+    "Prints the page of a code, what a parameter of an axis list means, or which findings foretell a message "
+    "of the control.",
+    "Zeigt die Seite zu einem Code, was ein Parameter einer Achsliste bedeutet, oder welche Befunde eine "
+    "Meldung der Steuerung vorhersagen."};
 constexpr Sentence examples{R"(Examples:
   axisc explain AX3005
   axisc explain P-AXIS-00140
-  axisc explain filter[0].order
+  axisc explain 'filter[0].order'
+  axisc explain vb_max                   every parameter with this word in its name
+  axisc explain 50557                    the findings that foretell this message of the control
   axisc explain --all > rules.md)",
                             R"(Beispiele:
   axisc explain AX3005
   axisc explain P-AXIS-00140
-  axisc explain filter[0].order
+  axisc explain 'filter[0].order'
+  axisc explain vb_max                   alle Parameter mit diesem Wort im Namen
+  axisc explain 50557                    die Befunde, die diese Meldung der Steuerung vorhersagen
   axisc explain --all --lang de > regeln.md)"};
 constexpr Sentence argument_subject{
-    "a code (AX3005), its name, a number (P-AXIS-00140) or a parameter (filter[0].order)",
-    "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140) oder ein Parameter (filter[0].order)"};
+    "a code (AX3005), its name, a number (P-AXIS-00140), a parameter (filter[0].order), a part of one, or a "
+    "message number of the control",
+    "ein Code (AX3005), sein Name, eine Nummer (P-AXIS-00140), ein Parameter (filter[0].order), ein Teil "
+    "davon "
+    "oder eine Meldungsnummer der Steuerung"};
 constexpr Sentence option_format{"output format (default: markdown)",
                                  "Ausgabeformat (Standardwert: markdown)"};
 constexpr Sentence option_all{"every code in one Markdown document", "alle Codes in einem Markdown-Dokument"};
@@ -51,13 +65,13 @@ validator::Rule const* rule_of(std::string const& word) {
   return by_number ? validator::find_rule(*by_number) : nullptr;
 }
 
-/// Rows with the number in "P-AXIS-00140"; zeros in front may be missing.
+/// Rows with the number in "P-AXIS-00140", which may stand alone; zeros in front may be missing.
 std::span<schema::ParameterId const> rows_of_number(schema::Catalogue const& catalogue,
                                                     std::string const& word) {
   constexpr std::string_view prefix = "P-AXIS-";
   auto const text = ascii::upper_case(word);
-  if (text.substr(0, prefix.size()) != prefix) return {};
-  auto const number = parse_count(std::string_view(text).substr(prefix.size()));
+  auto const digits = std::string_view(text).substr(text.starts_with(prefix) ? prefix.size() : 0);
+  auto const number = parse_count(digits);
   if (!number || *number > 0xFFFFU) return {};
   return catalogue.find_number(static_cast<std::uint16_t>(*number));
 }
@@ -72,7 +86,9 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
 
 [[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
   std::string meant;
-  auto const names = catalogue.suggest_names(word);
+  // Of a single word everything is similar to some name.
+  auto const names =
+      word.find('.') == std::string::npos ? std::vector<std::string>() : catalogue.suggest_names(word);
   if (!names.empty()) meant = names.front();
   if (meant.empty()) {
     std::vector<std::string> texts;
@@ -93,14 +109,46 @@ enum class Format : std::uint8_t { markdown, json };
 struct Subject {
   std::vector<validator::Rule const*> rules;
   std::vector<schema::Parameter const*> parameters;
+  std::string message;  ///< number of the control, which `foretelling` name
+  std::vector<validator::Rule const*> foretelling;
+  bool searched = false;  ///< `parameters` are those that contain the word
 };
 
-Subject subject_of(schema::Catalogue const& catalogue, std::string const& word) {
+/// "50663" is in "50663/60311/70451".
+bool foretells(validator::Rule const& rule, std::string const& number) {
+  return ("/" + std::string(rule.control) + "/").find("/" + number + "/") != std::string::npos;
+}
+
+/// Upper and lower case are equal; the meaning counts where no name contains the word.
+std::vector<schema::Parameter const*> parameters_with(schema::Catalogue const& catalogue,
+                                                      std::string const& word, Language language) {
+  auto const wanted = ascii::lower_case(word);
+  auto const search = [&](auto const& text_of) {
+    std::vector<schema::Parameter const*> found;
+    for (auto const& parameter : catalogue.parameters()) {
+      if (ascii::lower_case(text_of(parameter)).find(wanted) != std::string::npos)
+        found.push_back(&parameter);
+    }
+    return found;
+  };
+  constexpr std::size_t shortest = 3;
+  if (word.size() < shortest) return {};
+  auto found = search([](schema::Parameter const& parameter) { return std::string(parameter.name); });
+  if (!found.empty()) return found;
+  return search([&](schema::Parameter const& parameter) {
+    return std::string(schema::description_of(parameter).what.in(language));
+  });
+}
+
+Subject subject_of(schema::Catalogue const& catalogue, std::string const& word, Language language) {
   Subject subject;
-  if (auto const* const rule = rule_of(word)) {
-    subject.rules.push_back(rule);
-    return subject;
+  if (auto const* const rule = rule_of(word)) subject.rules.push_back(rule);
+  for (auto const& rule : validator::rules()) {
+    if (!foretells(rule, word)) continue;
+    subject.message = word;
+    subject.foretelling.push_back(&rule);
   }
+  if (!subject.rules.empty() || !subject.foretelling.empty()) return subject;
   for (auto const id : rows_of_number(catalogue, word)) {
     subject.parameters.push_back(&catalogue.parameter(id));
   }
@@ -109,6 +157,9 @@ Subject subject_of(schema::Catalogue const& catalogue, std::string const& word) 
     subject.parameters.push_back(parameter);
     return subject;
   }
+  subject.searched = true;
+  subject.parameters = parameters_with(catalogue, word, language);
+  if (!subject.parameters.empty()) return subject;
   refuse(catalogue, word);
 }
 
@@ -122,6 +173,11 @@ Subject everything(schema::Catalogue const& catalogue) {
 std::string explain_markdown(schema::Catalogue const& catalogue, Subject const& subject, Language language) {
   std::string text;
   for (auto const* const rule : subject.rules) text += explain_rule(*rule, 1, language);
+  if (!subject.message.empty()) {
+    if (!text.empty()) text += "\n";
+    text += explain_message(subject.message, subject.foretelling, language);
+  }
+  if (subject.searched) return list_parameters(subject.parameters, language);
   for (auto const* const parameter : subject.parameters) {
     if (!text.empty()) text += "\n";
     text += explain_parameter(catalogue, *parameter, language);
@@ -136,23 +192,25 @@ ExitStatus explain(Invocation const& invocation) {
   bool all = false;
   Format format = Format::markdown;
   CommandLine command_line("explain", says::purpose, says::examples, invocation.language);
-  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER", word, says::argument_subject);
+  command_line.argument("CODE|P-AXIS-NNNNN|PARAMETER|MESSAGE|WORD", word, says::argument_subject);
   command_line.flag("--all", all, says::option_all);
   command_line.choice("--format", {{"markdown", Format::markdown}, {"json", Format::json}}, format,
                       says::option_format);
   std::vector<std::string> schema_files;
   declare_schema(command_line, schema_files);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER");
+  command_line.require(word || all, "CODE|P-AXIS-NNNNN|PARAMETER|MESSAGE|WORD");
   auto const language = invocation.language;
   // The parameters that lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");
   if (format == Format::json) {
-    auto const subject = all ? everything(catalogue) : subject_of(catalogue, *word);
+    auto subject = all ? everything(catalogue) : subject_of(catalogue, *word, language);
+    subject.rules.insert(subject.rules.end(), subject.foretelling.begin(), subject.foretelling.end());
     invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
   } else {
-    invocation.streams.out.write(all ? explain_all(language)
-                                     : explain_markdown(catalogue, subject_of(catalogue, *word), language));
+    invocation.streams.out.write(
+        all ? explain_all(language)
+            : explain_markdown(catalogue, subject_of(catalogue, *word, language), language));
   }
   return ExitStatus::success;
 }

@@ -65,6 +65,7 @@ struct FmtOptions {
   std::vector<std::string> named;
   std::vector<std::string> schema_files;
   std::optional<std::string> threads;
+  std::optional<std::string> stdin_filename;
   bool check = false;
   bool diff = false;
 };
@@ -118,18 +119,18 @@ struct Formatted {
   std::optional<Failure> failure;
 };
 
-/// May be called by several threads, for different lists.
-Formatted format_list(std::string const& path, FmtOptions const& options, schema::Catalogue const& catalogue,
-                      Language language) {
+/// `name` is that of messages and settings. May be called by several threads, for different lists.
+Formatted format_list(std::string const& path, std::string const& name, FmtOptions const& options,
+                      schema::Catalogue const& catalogue, Language language) {
   Formatted result;
   auto const before = read_list(path);
-  auto const after = validator::aligned_list(SourceText(path, before), catalogue);
+  auto const after = is_program(name) ? before : validator::aligned_list(SourceText(name, before), catalogue);
   if (path == "-" && !options.check && !options.diff) result.out += after;
   if (after == before) return result;
   result.changed = true;
-  if (options.diff) result.out += unified_diff(path, before, after);
+  if (options.diff) result.out += unified_diff(name, before, after);
   if (options.check && !options.diff) {
-    result.out += render({.sentence = says::would_change, .arguments = {{"file", path}}}, language) + "\n";
+    result.out += render({.sentence = says::would_change, .arguments = {{"file", name}}}, language) + "\n";
   }
   if (path != "-" && !options.check && !options.diff) {
     replace_content(path, before, after);
@@ -143,6 +144,7 @@ ExitStatus fmt(Invocation const& invocation) {
   FmtOptions options;
   CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
+  command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   command_line.flag("--check", options.check, says::option_check);
   command_line.flag("--diff", options.diff, says::option_diff);
   declare_schema(command_line, options.schema_files);
@@ -158,7 +160,8 @@ ExitStatus fmt(Invocation const& invocation) {
   auto const format = [&](std::size_t i) {
     try {
       require_changeable(lists[i], changeable);
-      return format_list(lists[i], options, settings.catalogue(lists[i]), invocation.language);
+      auto const& name = lists[i] == "-" ? options.stdin_filename.value_or("-") : lists[i];
+      return format_list(lists[i], name, options, settings.catalogue(name), invocation.language);
     } catch (Failure const& failure) {
       // The other lists are still formatted.
       return Formatted{.changed = false, .out = {}, .failure = failure};

@@ -1,6 +1,8 @@
 #include "cli/checking/check_input.hpp"
 #include "cli/checking/fixing.hpp"
+#include "cli/checking/identity_paths.hpp"
 #include "cli/commands/commands.hpp"
+#include "cli/files/disk_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
 #include "cli/fleet/ordered_work.hpp"
@@ -29,6 +31,7 @@ constexpr Sentence examples{R"(Examples:
   axisc lint x.lis --fix=all --diff      shows all fixes as a patch
   axisc lint . --write-baseline known.json
   axisc lint . --baseline known.json     only what is new since then
+  axisc lint - --stdin-filename axes/x.lis    the text of an editor: settings and messages are those of the file
   axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
   axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
   axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
@@ -44,6 +47,7 @@ Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something coul
   axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
   axisc lint . --write-baseline bekannt.json
   axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
+  axisc lint - --stdin-filename achsen/x.lis    der Text eines Editors: Einstellungen und Meldungen wie bei der Datei
   axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
   axisc lint . --cache ~/.cache/axisc    noch einmal, prüft nur das Geänderte
   axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
@@ -75,6 +79,7 @@ class Lint {
     job_.options = check_options(options.checking);
     job_.options.machine = false;
     job_.quiet = options.checking.quiet;
+    name_standard_input();
     job_.settings = &settings_;
     report_format_.format = options.checking.format;
     report_format_.write = {.language = language, .color = color};
@@ -108,6 +113,7 @@ class Lint {
   }
 
   [[nodiscard]] ExitStatus run() {
+    read_standard_input();
     prepare();
     if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
@@ -128,6 +134,21 @@ class Lint {
   }
 
  private:
+  void name_standard_input() {
+    if (!options_.stdin_filename) return;
+    standard_input_ = *options_.stdin_filename;
+    std::replace(inputs_.paths.begin(), inputs_.paths.end(), std::string("-"), standard_input_);
+    if (inputs_.first == "-") inputs_.first = standard_input_;
+  }
+
+  /// An editor's text takes the place of the file. Without a name the check reads it like a file.
+  void read_standard_input() {
+    if (!options_.stdin_filename) return;
+    job_.edited.emplace(standard_input_, read_whole("-"));
+  }
+
+  [[nodiscard]] bool is_standard_input(std::string const& path) const { return path == standard_input_; }
+
   void prepare() {
     if (needs_context(report_format_.format)) report_format_.context = report_context(inputs_.first);
     if (options_.fleet.asks_for_digests()) run_ = run_digest(job_, report_format_);
@@ -154,7 +175,8 @@ class Lint {
                     .counts_always = true,
                     .baseline = {},
                     .write_baseline = options_.write_baseline.has_value(),
-                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror)};
+                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror),
+                    .identity_paths = &identity_paths_};
     if (options_.baseline) plan.baseline = Baseline::read(*options_.baseline);
     if (!plan.shard) return plan;
     for (auto const& rule : validator::rules()) {
@@ -210,7 +232,7 @@ class Lint {
   }
 
   [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
-    if (cache == nullptr || path == "-") {
+    if (cache == nullptr || is_standard_input(path)) {
       EditedFiles files(job_.edited, path == "-");
       return check_input(job_, path, files, report_format_);
     }
@@ -237,13 +259,14 @@ class Lint {
 
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
-    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline, ChangeableFiles(inputs_.named));
+    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline, identity_paths_,
+                            ChangeableFiles(inputs_.named));
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {
         streams_.out.write(unified_diff(path, before, after));
         would_change_ = would_change_ || before != after;
-      } else if (path == "-") {
+      } else if (is_standard_input(path)) {
         streams_.out.write(after);
       } else if (after != before) {
         replace_content(path, before, after);
@@ -252,7 +275,7 @@ class Lint {
     fixes_ = fixed.facts;
     if (options_.diff) fixes_->applied = 0;
     job_.edited = std::move(fixed.edited);
-    fixed_standard_input_ = job_.edited.contains("-");
+    fixed_standard_input_ = choice_ != FixChoice::none && job_.edited.contains(standard_input_);
   }
 
   /// The baseline must not replace what was read.
@@ -271,12 +294,14 @@ class Lint {
   LintOptions const& options_;
   Streams& streams_;
   SettingsFinder settings_;
+  IdentityPaths identity_paths_{settings_};
   std::optional<unsigned> threads_;
   Inputs inputs_;
   Part part_;
   CheckJob job_;
   ReportFormat report_format_;
   Digest run_;
+  std::string standard_input_ = "-";  ///< the name that the input has
   FixChoice choice_ = FixChoice::none;
   std::optional<FixFacts> fixes_;
   bool would_change_ = false;

@@ -114,14 +114,15 @@ std::vector<ShardFailure> failures_of(Documents const& documents) {
   return failures;
 }
 
-ReportPlan plan_of(Documents const& documents, MergeOptions const& options) {
+ReportPlan plan_of(Documents const& documents, MergeOptions const& options, IdentityPaths& identity_paths) {
   auto const& first = documents.front();
   ReportPlan plan{.report_format = {.format = first.format(),
                                     .write = {.language = first.language()},
                                     .context = report_context({})},
                   .statistics = first.has_statistics(),
                   .baseline = {},
-                  .shard = {}};
+                  .shard = {},
+                  .identity_paths = &identity_paths};
   if (options.baseline) plan.baseline = Baseline::read(*options.baseline);
   // Names are relative to the repository already; an invented folder keeps them so.
   plan.report_format.context.paths = {.root = "/repository", .folder = "/repository"};
@@ -173,7 +174,9 @@ void protect_inputs(std::vector<NamedInput> const& inputs, MergeOptions const& o
 }
 
 ExitStatus print(Documents& documents, MergeOptions const& options, Console& out) {
-  ReportStream report(plan_of(documents, options), out);
+  SettingsFinder settings;
+  IdentityPaths identity_paths(settings, FileNames::of_identities);
+  ReportStream report(plan_of(documents, options, identity_paths), out);
   add_inputs(documents, report);
   auto const status = status_of(documents, report.counts());
   auto const& unjudged = documents.front().record().unjudged;

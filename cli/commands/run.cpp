@@ -245,9 +245,10 @@ ExitStatus run(Invocation const& invocation) {
   auto const recorded_cycles = cycles_to_record(options);
   auto const file = load_image(*options.image);
   auto const stimulus = make_stimulus(options, file.contents);
+  auto commands = read_timed_commands(options.commands, file, *options.image, invocation.language);
+  if (!options.input) refuse_late(commands, count(options.cycles, "--cycles", default_cycles));
   Execution execution(*options.image, start_runtime(*options.image, file, level_of(options.level)),
-                      file.contents, *stimulus,
-                      read_timed_commands(options.commands, file, *options.image, invocation.language));
+                      file.contents, *stimulus, std::move(commands));
   if (recorded_cycles) execution.record(*recorded_cycles);
   execution.reset(position, port);
   Noticed noticed;

@@ -49,12 +49,12 @@ Move read_move(std::string const& word) {
 }
 
 std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
-  std::string known;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     if (machine.axes[i].name == name) return i;
-    known += (known.empty() ? "" : ", ") + machine.axes[i].name;
+    names.push_back(machine.axes[i].name);
   }
-  throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", name}, {"axes", known}}});
+  throw unknown_axis(name, names);
 }
 
 /// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by

@@ -91,7 +91,8 @@ Noticed Execution::go(std::function<void(std::string_view)> const& write) {
   std::vector<double> row_in(stimulus_.channels().size());
   std::vector<double> row_out(columns.size());
   Noticed noticed;
-  for (std::uint64_t cycle = 0; stimulus_.next(row_in); ++cycle) {
+  std::uint64_t cycle = 0;
+  for (; stimulus_.next(row_in); ++cycle) {
     execute_commands(cycle);
     feed(row_in);
     step(cycle, noticed);
@@ -104,6 +105,7 @@ Noticed Execution::go(std::function<void(std::string_view)> const& write) {
     }
   }
   write(text);
+  refuse_late(commands_, cycle);
   return noticed;
 }
 

@@ -29,8 +29,11 @@ constexpr Sentence cannot_read_utf16{
     "cannot read {file}: it is UTF-16; save it as UTF-8 or windows-1252",
     "{file} ist nicht lesbar: es ist UTF-16; als UTF-8 oder windows-1252 speichern"};
 constexpr Sentence cannot_read_image{
-    "cannot read {file} as a list: it is a coefficient image; `axisc inspect` shows it",
-    "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; `axisc inspect` zeigt es"};
+    "cannot read {file} as a list: it is a coefficient image; give the list or machine file that it was "
+    "compiled from, or look into it with `axisc inspect`",
+    "{file} ist nicht als Liste lesbar: es ist ein Koeffizientenabbild; die Liste oder Maschinendatei "
+    "angeben, "
+    "aus der es entstand, oder mit `axisc inspect` ansehen"};
 
 constexpr Sentence cannot_read_not_regular{
     "cannot read {file}: it is a pipe or a device, not a regular file; use - for standard input",

@@ -3,6 +3,8 @@
 #include "cli/codes.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/sentences.hpp"
+#include "diagnostics/ascii.hpp"
+#include "schema/closest_word.hpp"
 
 #include <array>
 #include <span>
@@ -29,6 +31,12 @@ constexpr Sentence version{
 constexpr Sentence checksum{
     "{file} was changed after it was written ({status}); copy it again or compile the lists again",
     "{file} wurde nach dem Schreiben verändert ({status}); neu kopieren oder die Listen neu übersetzen"};
+
+constexpr Sentence unknown_axis{"there is no axis \"{axis}\"; the axes are {axes}",
+                                "es gibt keine Achse \"{axis}\"; die Achsen sind {axes}"};
+constexpr Sentence unknown_axis_meant{
+    "there is no axis \"{axis}\"; did you mean {meant}? The axes are {axes}",
+    "es gibt keine Achse \"{axis}\"; war {meant} gemeint? Die Achsen sind {axes}"};
 
 constexpr Sentence no_level{
     "this processor does not have the instruction set that --level asks for; use --level auto",
@@ -80,6 +88,20 @@ std::string axis_label(image::ImageContents const& image, std::size_t axis) {
   return name.empty() ? "axis" + std::to_string(axis) : name;
 }
 
+Failure unknown_axis(std::string const& name, std::vector<std::string> const& labels) {
+  std::string known;
+  std::string meant;
+  for (auto const& label : labels) {
+    known += (known.empty() ? "" : ", ") + label;
+    if (ascii::lower_case(label) == ascii::lower_case(name)) meant = label;
+  }
+  if (meant.empty()) {
+    meant = schema::closest_word(name, std::vector<std::string_view>(labels.begin(), labels.end()));
+  }
+  return Failure({.sentence = meant.empty() ? says::unknown_axis : says::unknown_axis_meant,
+                  .arguments = {{"axis", name}, {"axes", known}, {"meant", meant}}});
+}
+
 std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
                                      std::optional<std::string> const& name) {
   std::vector<std::size_t> chosen;
@@ -89,9 +111,7 @@ std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
     if (!name || *name == labels.back()) chosen.push_back(axis);
   }
   if (!name || !chosen.empty()) return chosen;
-  std::string known;
-  for (auto const& label : labels) known += (known.empty() ? "" : ", ") + label;
-  throw Failure({.sentence = says::unknown_axis, .arguments = {{"axis", *name}, {"axes", known}}});
+  throw unknown_axis(*name, labels);
 }
 
 std::string_view port_name(Port port) {

@@ -30,6 +30,9 @@ struct ImageFile {
 /// The axis' name; "axis0" for the first axis of a stripped image.
 [[nodiscard]] std::string axis_label(image::ImageContents const& image, std::size_t axis);
 
+/// For a name that is not among `labels`, the names of all axes.
+[[nodiscard]] Failure unknown_axis(std::string const& name, std::vector<std::string> const& labels);
+
 /// Indices of the axes to show: all of them, or the one that `--axis` names. Failure for an unknown name.
 [[nodiscard]] std::vector<std::size_t> chosen_axes(image::ImageContents const& image,
                                                    std::optional<std::string> const& name);

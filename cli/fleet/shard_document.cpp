@@ -99,6 +99,10 @@ CheckedInput ShardDocument::next_input(std::size_t index) {
     auto finding = format_ == FindingFormat::json ? read_json_element(element)
                                                   : read_sarif_element(element, checked.artifacts);
     if (!finding) refuse(says::merge_no_shard);
+    auto const& paths = record_.identity_paths;
+    if (auto const path = paths.find(finding->identity.file); path != paths.end()) {
+      finding->identity.file = path->second;
+    }
     checked.findings.push_back(*std::move(finding));
   }
   return checked;

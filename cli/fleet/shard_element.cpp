@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string without_folders(std::string const& path) {
-  auto const separator = path.find_last_of("/\\");
-  return separator == std::string::npos ? path : path.substr(separator + 1);
-}
-
 Severity severity_of(std::string const& word) {
   if (word == "error") return Severity::error;
   return word == "warning" ? Severity::warning : Severity::note;
@@ -54,30 +49,29 @@ std::string with_rule_hole(std::string text) {
   return text.replace(begin, end - begin, 1, rule_index_hole);
 }
 
-std::string with_occurrence_hole(std::string text, std::string const& numbered) {
-  auto const number = numbered.size() - numbered.find(':') - 1;
-  for (auto at = text.find(numbered + "\""); at != std::string::npos;
-       at = text.find(numbered + "\"", at + 1)) {
-    text.replace(at + numbered.size() - number, number, 1, occurrence_hole);
+std::string with_fingerprint_hole(std::string text, std::string const& fingerprint) {
+  auto const quoted = '"' + fingerprint + '"';
+  for (auto at = text.find(quoted); at != std::string::npos; at = text.find(quoted)) {
+    text.replace(at + 1, fingerprint.size(), 1, fingerprint_hole);
   }
   return text;
 }
 
-std::optional<WrittenFinding> read_identified(Json const& json, char const* code_key, std::string axis,
-                                              std::string parameter) {
+std::optional<WrittenFinding> read_identified(Json const& json, char const* code_key, Json const& facts) {
   auto const code = find_code(json.at(code_key).get<std::string>());
   if (!code) return std::nullopt;
   WrittenFinding finding;
-  finding.identity = {.code = *code, .axis = std::move(axis), .parameter = std::move(parameter)};
+  finding.identity.code = *code;
+  finding.identity.axis = text_or_nothing(facts, "axis");
+  finding.identity.parameter = text_or_nothing(facts, "parameter");
   return finding;
 }
 
 std::optional<WrittenFinding> json_finding(std::string_view element) {
   auto const json = Json::parse(element);
-  auto axis = text_or_nothing(json, "axis");
-  if (axis.empty()) axis = without_folders(text_or_nothing(json, "file"));
-  auto finding = read_identified(json, "code", axis, text_or_nothing(json, "parameter"));
+  auto finding = read_identified(json, "code", json);
   if (!finding) return std::nullopt;
+  finding->identity.file = text_or_nothing(json, "file");
   finding->severity = severity_of(json.at("severity").get<std::string>());
   finding->fixable = !json.at("fix").is_null();
   finding->text = "\n    " + std::string(element);
@@ -87,15 +81,10 @@ std::optional<WrittenFinding> json_finding(std::string_view element) {
 std::optional<WrittenFinding> sarif_finding(std::string_view element,
                                             std::vector<Artifact> const& artifacts) {
   auto const json = Json::parse(element);
-  auto const properties = json.value("properties", Json::object());
-  auto axis = text_or_nothing(properties, "axis");
-  if (axis.empty()) axis = without_folders(path_of_uri(first_uri(json)));
-  auto finding = read_identified(json, "ruleId", axis, text_or_nothing(properties, "parameter"));
+  auto finding = read_identified(json, "ruleId", json.value("properties", Json::object()));
   if (!finding || !json.contains("ruleIndex")) return std::nullopt;
-  auto const numbered = json.at("partialFingerprints").at("axiscIdentity/v1").get<std::string>();
-  auto const zeroth = fingerprint(finding->identity, 0);
-  bool const agrees = numbered.substr(0, numbered.find(':') + 1) == zeroth.substr(0, zeroth.size() - 1);
-  if (!agrees) return std::nullopt;
+  finding->identity.file = path_of_uri(first_uri(json));
+  auto const fingerprint = json.at("partialFingerprints").at("axiscIdentity/v2").get<std::string>();
   finding->severity = severity_of(json.at("level").get<std::string>());
   finding->fixable = json.contains("fixes");
   std::set<std::string> paths;
@@ -104,7 +93,7 @@ std::optional<WrittenFinding> sarif_finding(std::string_view element,
   for (std::uint32_t i = 0; i < artifacts.size(); ++i) {
     if (paths.contains(artifacts[i].name)) finding->artifacts.push_back(i);
   }
-  finding->text = "\n        " + with_occurrence_hole(with_rule_hole(std::string(element)), numbered);
+  finding->text = "\n        " + with_fingerprint_hole(with_rule_hole(std::string(element)), fingerprint);
   return finding;
 }
 

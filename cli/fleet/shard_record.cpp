@@ -23,6 +23,7 @@ ShardRecord record_of(Json const& json) {
                              .artifacts = input.at(2).get<std::vector<std::size_t>>()});
   }
   record.files = json.at("files").get<std::vector<std::string>>();
+  record.identity_paths = json.at("identity_paths").get<std::map<std::string, std::string>>();
   for (auto const& failure : json.at("failures")) {
     record.failures.push_back({.order = failure.at(0).get<std::size_t>(),
                                .line = failure.at(1).get<std::string>(),
@@ -40,11 +41,12 @@ std::string as_json(ShardRecord const& record) {
   }
   Json inputs = Json::array();
   for (auto const& input : record.inputs) inputs.push_back({input.number, input.findings, input.artifacts});
-  Json const json = {{"index", record.shard.index}, {"count", record.shard.count},
-                     {"version", record.version},   {"run", record.run},
-                     {"status", record.status},     {"werror", record.werror},
-                     {"unjudged", record.unjudged}, {"inputs", std::move(inputs)},
-                     {"files", record.files},       {"failures", std::move(failures)}};
+  Json const json = {{"index", record.shard.index},    {"count", record.shard.count},
+                     {"version", record.version},      {"run", record.run},
+                     {"status", record.status},        {"werror", record.werror},
+                     {"unjudged", record.unjudged},    {"inputs", std::move(inputs)},
+                     {"files", record.files},          {"identity_paths", record.identity_paths},
+                     {"failures", std::move(failures)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

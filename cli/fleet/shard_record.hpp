@@ -1,13 +1,14 @@
 // The record of a shard in its JSON or SARIF result, from which `axisc merge` combines several results.
 //
 //   "shard": {"index": 2, "count": 8, "version": "0.1.0", "run": "0f…", "status": 1, "werror": false, "unjudged": [],
-//             "inputs": [[17, 3, [0]], [40, 1, [0, 1]]], "files": ["a.lis"],
+//             "inputs": [[17, 3, [0]], [40, 1, [0, 1]]], "files": ["a.lis"], "identity_paths": {"a.lis": "axes/a.lis"},
 //             "failures": [[3, "axisc: error[AX9001]: …", "cannot read …"]]}
 #pragma once
 
 #include "cli/fleet/shard.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,8 @@ struct ShardRecord {
   std::vector<unsigned> unjudged;  ///< codes that the run does not look for
   std::vector<ShardInput> inputs;  ///< with findings
   std::vector<std::string> files;  ///< that were read
+  /// Files of findings, by the names that the report gives them, where the identities name them otherwise.
+  std::map<std::string, std::string> identity_paths;
   std::vector<ShardFailure> failures;
 };
 

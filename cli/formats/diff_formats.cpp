@@ -14,6 +14,8 @@ constexpr Sentence nothing{"{before} and {after} mean the same", "{before} und {
 constexpr Sentence axis{"axis {axis}", "Achse {axis}"};
 constexpr Sentence present{"present", "vorhanden"};
 constexpr Sentence diff_default{"{value} (default)", "{value} (Standardwert)"};
+constexpr Sentence old_place{"old {place}", "alt {place}"};
+constexpr Sentence new_place{"new {place}", "neu {place}"};
 constexpr Sentence what{"what", "was"};
 constexpr Sentence parameter{"parameter", "Parameter"};
 constexpr Sentence effect{"effect", "Wirkung"};
@@ -71,10 +73,16 @@ class Lines {
     std::vector<Line> lines;
     for (auto const& change : axis.parameters) {
       lines.push_back({change.name, value(change.before, change.default_text),
-                       value(change.after, change.default_text),
-                       change.place_after.empty() ? change.place_before : change.place_after});
+                       value(change.after, change.default_text), places(change)});
     }
     return lines;
+  }
+
+  [[nodiscard]] std::string places(image::ParameterChange const& change) const {
+    if (change.place_before.empty()) return say(says::new_place, {{"place", change.place_after}});
+    auto const before = say(says::old_place, {{"place", change.place_before}});
+    return change.place_after.empty() ? before
+                                      : before + ", " + say(says::new_place, {{"place", change.place_after}});
   }
 
   [[nodiscard]] std::vector<Line> effects(image::AxisChange const& axis) const {

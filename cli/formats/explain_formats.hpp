@@ -20,6 +20,14 @@ namespace axisc::cli {
 [[nodiscard]] std::string explain_parameter(schema::Catalogue const& catalogue,
                                             schema::Parameter const& parameter, Language language);
 
+/// Parameters as a list, a line each.
+[[nodiscard]] std::string list_parameters(std::span<schema::Parameter const* const> parameters,
+                                          Language language);
+
+/// The rules that foretell a message of the control, a line each.
+[[nodiscard]] std::string explain_message(std::string const& number,
+                                          std::span<validator::Rule const* const> rules, Language language);
+
 /// Rules and parameters for other programs.
 [[nodiscard]] std::string explain_json(schema::Catalogue const& catalogue,
                                        std::span<validator::Rule const* const> rules,

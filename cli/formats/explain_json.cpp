@@ -2,6 +2,7 @@
 #include "cli/formats/parameter_facts.hpp"
 #include "cli/report/json_text.hpp"
 #include "diagnostics/location.hpp"
+#include "schema/description.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -62,6 +63,15 @@ ordered_json parameter_json(schema::Catalogue const& catalogue, schema::Paramete
   json["max_length"] = parameter.max_length > 0 ? ordered_json(parameter.max_length) : ordered_json(nullptr);
   json["axis_types"] = parameter.axis_types.empty() ? "TRS" : std::string(parameter.axis_types);
   json["since"] = text_json(parameter.since);
+  auto const description = schema::description_of(parameter);
+  json["meaning"] = text_json(description.what.in(language));
+  json["detail"] = text_json(description.detail.in(language));
+  json["inferred"] = description.inferred;
+  json["values"] = ordered_json::array();
+  for (auto const& [value, meaning] : description.values) {
+    json["values"].push_back({{"value", value}, {"meaning", meaning.in(language)}});
+  }
+  json["ranges_by_type"] = ranges_by_type(parameter, language);
   json["file"] = text_json(catalogue.file_of(parameter));
   json["manual"] = text_json(manual_section(parameter, language));
   json["rules"] = rules_about(parameter);

@@ -1,6 +1,9 @@
 #include "cli/formats/explain_formats.hpp"
 #include "cli/formats/parameter_facts.hpp"
 #include "diagnostics/format_number.hpp"
+#include "schema/description.hpp"
+#include "schema/value.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <utility>
 
@@ -9,6 +12,12 @@ namespace axisc::cli::says {
 constexpr Sentence manual{"manual", "Handbuch"};
 constexpr Sentence type{"type", "Typ"};
 constexpr Sentence range{"range", "Wertebereich"};
+constexpr Sentence range_by_type{"range by type", "Wertebereich je Typ"};
+constexpr Sentence or_default{"{range}, or {default}", "{range} oder {default}"};
+constexpr Sentence values{"values", "Werte"};
+constexpr Sentence inferred{
+    "{what} (told by the family of its name; the manuals do not describe this parameter)",
+    "{what} (aus der Familie des Namens; die Handbücher beschreiben diesen Parameter nicht)"};
 constexpr Sentence value{"value", "Wert"};
 constexpr Sentence symbols{"symbols", "Symbole"};
 constexpr Sentence explain_default{"default", "Standardwert"};
@@ -55,6 +64,26 @@ std::string range_text(schema::Parameter const& parameter, Language language) {
   std::string text = say(says::value, language);
   if (!minimum.empty()) text = minimum + (parameter.minimum.open ? " < " : " ≤ ") + text;
   if (!maximum.empty()) text += (parameter.maximum.open ? " < " : " ≤ ") + maximum;
+  // The control takes the default even where it is outside.
+  auto const standard = schema::default_value(parameter);
+  if (!standard || !standard->text.empty() || !schema::is_outside(parameter, standard->number)) return text;
+  return say(says::or_default, language, {{"range", text}, {"default", format_exact(standard->number)}});
+}
+
+std::string meaning(schema::Description const& description, Language language) {
+  std::string what(description.what.in(language));
+  if (what.empty()) return {};
+  if (description.inferred) what = say(says::inferred, language, {{"what", std::move(what)}});
+  what += ".";
+  auto const detail = description.detail.in(language);
+  return what + "\n" + (detail.empty() ? "" : "\n" + std::string(detail) + "\n") + "\n";
+}
+
+std::string values_text(schema::Description const& description, Language language) {
+  std::string text;
+  for (auto const& [value, meaning] : description.values) {
+    text += "\n  - `" + std::string(value) + "`: " + std::string(meaning.in(language));
+  }
   return text;
 }
 
@@ -68,8 +97,8 @@ std::string symbols_text(schema::Parameter const& parameter) {
 }
 
 std::string unit_text(schema::Parameter const& parameter, Language language) {
-  std::string linear(parameter.unit_translatory);
-  std::string rotary(parameter.unit_rotary);
+  auto linear = unit_name(parameter.unit_translatory, language);
+  auto rotary = unit_name(parameter.unit_rotary, language);
   if (linear == rotary || rotary.empty()) return linear;
   return say(says::units, language, {{"translatory", std::move(linear)}, {"rotary", std::move(rotary)}});
 }
@@ -82,6 +111,14 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
   return say(says::entries, language,
              {{"first", schema::slot_name(parameter, parameter.first_slot)},
               {"last", schema::slot_name(parameter, last)}});
+}
+
+/// "200000 (200 mm/s)".
+std::string default_in_units(schema::Parameter const& parameter) {
+  auto text = default_text(parameter);
+  auto const value = schema::default_value(parameter);
+  if (!value || value->number == 0 || !validator::is_scaled(parameter.unit_translatory)) return text;
+  return text + " (" + validator::physical(value->number, parameter.unit_translatory) + ")";
 }
 
 std::string joined(std::vector<std::string> const& words) {
@@ -108,13 +145,18 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
   std::string text = "# " + std::string(parameter.name);
   if (parameter.p_axis != 0) text += " (" + schema::p_axis_text(parameter.p_axis) + ")";
   text += "\n\n";
+  auto const description = schema::description_of(parameter);
+  text += meaning(description, language);
   auto const row = [&](SentenceRef label, std::string const& value) {
-    if (!value.empty()) text += "- " + say(label, language) + ": " + value + "\n";
+    if (value.empty()) return;
+    text += "- " + say(label, language) + (value.starts_with('\n') ? ":" : ": ") + value + "\n";
   };
   row(says::type, std::string(schema::data_type_name(parameter.type)));
   row(says::range, parameter.is_enumeration() ? "" : range_text(parameter, language));
+  for (auto const& range : ranges_by_type(parameter, language)) row(says::range_by_type, range);
   row(says::symbols, symbols_text(parameter));
-  row(says::explain_default, parameter.has_default ? default_text(parameter) : "");
+  row(says::values, values_text(description, language));
+  row(says::explain_default, parameter.has_default ? default_in_units(parameter) : "");
   row(says::unit, unit_text(parameter, language));
   row(says::array, entries_text(parameter, language));
   row(says::longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
@@ -125,6 +167,17 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
   row(says::rules, joined(rules_about(parameter)));
   if (auto const line = example(parameter); !line.empty()) {
     text += "\n" + say(says::example, language) + "\n\n" + line;
+  }
+  return text;
+}
+
+std::string list_parameters(std::span<schema::Parameter const* const> parameters, Language language) {
+  std::string text;
+  for (auto const* const parameter : parameters) {
+    text += "- `" + std::string(parameter->name) + "`";
+    if (parameter->p_axis != 0) text += " (" + schema::p_axis_text(parameter->p_axis) + ")";
+    auto const what = schema::description_of(*parameter).what.in(language);
+    text += (what.empty() ? "" : ": " + std::string(what)) + "\n";
   }
   return text;
 }

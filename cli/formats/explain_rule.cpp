@@ -7,6 +7,9 @@ constexpr Sentence all_heading{"Rules", "Regeln"};
 constexpr Sentence all_origin{
     "Every code that axisc reports, as printed by `axisc explain --all`.",
     "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
+constexpr Sentence message_heading{"Message {number} of the control", "Meldung {number} der Steuerung"};
+constexpr Sentence foretold{"These findings foretell it; `axisc explain` prints the page of each:",
+                            "Diese Befunde sagen sie vorher; `axisc explain` zeigt die Seite zu jedem:"};
 constexpr Sentence column_code{"code", "Code"};
 constexpr Sentence column_name{"name", "Name"};
 constexpr Sentence column_severity{"severity", "Schweregrad"};
@@ -66,6 +69,18 @@ std::string explain_all(Language language) {
   }
   for (auto const& rule : validator::rules()) {
     text += "\n<a id=\"" + code_text(rule.code) + "\"></a>\n\n" + explain_rule(rule, 2, language);
+  }
+  return text;
+}
+
+std::string explain_message(std::string const& number, std::span<validator::Rule const* const> rules,
+                            Language language) {
+  auto text = "# " + say(says::message_heading, language, {{"number", number}}) + "\n\n" +
+              say(says::foretold, language) + "\n\n";
+  for (auto const* const rule : rules) {
+    auto const body = page(*rule).in(language);
+    text += "- " + code_text(rule->code) + " " + std::string(rule->name) + ": " +
+            std::string(body.substr(0, body.find('\n'))) + "\n";
   }
   return text;
 }

@@ -1,10 +1,14 @@
 #include "cli/formats/parameter_facts.hpp"
 
-#include "cli/options/quantities.hpp"
+#include "design/filter_kinds.hpp"
 #include "diagnostics/format_number.hpp"
+#include "schema/value.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/views/units_text.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -14,6 +18,23 @@ constexpr Sentence explain_manual_interface{"Axis filters, section 3.3", "Achsfi
 constexpr Sentence explain_manual_fir{"FIR filters, section 6.2", "FIR-Filter, Abschnitt 6.2"};
 constexpr Sentence explain_manual_position_control{"Improved Position Control, section 4.2",
                                                    "Optimierte Lageregelung, Abschnitt 4.2"};
+constexpr Sentence value{"value", "Wert"};
+constexpr Sentence nyquist{"0.5/T (500 Hz at T = 1 ms)", "0,5/T (500 Hz bei T = 1 ms)"};
+constexpr Sentence used{"used", "wird verwendet"};
+constexpr Sentence order_of_type{"the type gives the order; 0 switches the filter off",
+                                 "der Typ gibt die Ordnung vor; 0 schaltet den Filter ab"};
+constexpr Sentence hsc_order{"HSC: 0 ≤ value ≤ 200 cycles; with 0 `time_constant` counts",
+                             "HSC: 0 ≤ Wert ≤ 200 Zyklen; bei 0 zählt `time_constant`"};
+constexpr Sentence hsc_time{"HSC with order 0: T < value < 200 T", "HSC mit Ordnung 0: T < Wert < 200 T"};
+constexpr Sentence hsc_frequency{"HSC NoVib: 0 < value < 0.5/T", "HSC-NoVib: 0 < Wert < 0,5/T"};
+constexpr Sentence fir_order{"type 4 (time delay): 0 ≤ value ≤ 100",
+                             "Typ 4 (Zeitverzögerung): 0 ≤ Wert ≤ 100"};
+constexpr Sentence fir_order_time{"T ≤ value ≤ 200 T, with type 4 (time delay) ≤ 100 T",
+                                  "T ≤ Wert ≤ 200 T, bei Typ 4 (Zeitverzögerung) ≤ 100 T"};
+constexpr Sentence fir_frequency{"type 3 (windowed sinc): 0 < value < 0.5/T (500 Hz at T = 1 ms)",
+                                 "Typ 3 (Windowed-Sinc): 0 < Wert < 0,5/T (500 Hz bei T = 1 ms)"};
+constexpr Sentence stage_frequency{"0 < value < 0.5/T (500 Hz at T = 1 ms)",
+                                   "0 < Wert < 0,5/T (500 Hz bei T = 1 ms)"};
 
 }  // namespace axisc::cli::says
 
@@ -32,96 +53,104 @@ constexpr std::array<std::pair<std::string_view, SentenceRef>, 7> manuals = {{
     {"getriebe[].multi_gain_", says::explain_manual_position_control},
 }};
 
-/// `filter[0].order` and `filter[i].order` become `filter[].order`.
-std::string without_indices(std::string_view text) {
-  std::string result;
-  bool inside = false;
-  for (char const character : text) {
-    inside = inside && character != ']';
-    if (!inside) result += character;
-    inside = inside || character == '[';
+/// Ranges that are not in the catalogue, because they depend on T.
+constexpr std::array<std::pair<std::string_view, SentenceRef>, 8> further_ranges = {{
+    {"filter[].order", says::hsc_order},
+    {"filter[].time_constant", says::hsc_time},
+    {"filter[].fg_f0", says::hsc_frequency},
+    {"filter_fir.order", says::fir_order},
+    {"filter_fir.order_time", says::fir_order_time},
+    {"filter_fir.fcut", says::fir_frequency},
+    {"lr_param.improved_position_control.stage[].filter.fg_f0", says::stage_frequency},
+    {"lr_param.improved_position_control.stage[].filter[].fg_f0", says::stage_frequency},
+}};
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> unit_words = {
+    {{"cycle", "Zyklen"}, {"increment", "Inkremente"}, {"rev", "Umdrehung"}}};
+
+/// The parameter's name in a filter of one of the ports: "order"; empty for other parameters.
+std::string_view name_in_filter(std::string_view name) {
+  for (std::string_view const port : {"filter[].", "lr_param.add_interface.filter[]."}) {
+    if (name.starts_with(port)) return name.substr(port.size());
   }
-  return result;
+  return {};
 }
 
-/// The page names the parameter itself, not a longer name that it is part of.
-bool names(std::string_view text, std::string_view name) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.[]-";
-  for (auto at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1)) {
-    bool const begins = at == 0 || letters.find(text[at - 1]) == std::string_view::npos;
-    auto const behind = text.substr(at + name.size(), 2);
-    bool const full_stop =
-        behind.size() == 2 && behind[0] == '.' && letters.find(behind[1]) == std::string_view::npos;
-    bool const ends = behind.empty() || full_stop || letters.find(behind[0]) == std::string_view::npos;
-    if (begins && ends) return true;
+/// What a filter of the type allows; empty where it does not use the parameter.
+std::string range_of(design::FilterKind const& kind, std::string_view name, Language language) {
+  auto const say = [&](SentenceRef text, std::vector<Argument> arguments = {}) {
+    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+  };
+  auto const value = say(says::value);
+  if (name == "fg_f0" && kind.uses_frequency) return "0 < " + value + " < " + say(says::nyquist);
+  if (name == "prototype" && kind.uses_prototype) return say(says::used);
+  if (name == "guete" && kind.quality) {
+    return format_exact(kind.quality->lowest) + " ≤ " + value + " ≤ " + format_exact(kind.quality->highest);
   }
-  return false;
-}
-
-struct RulePage {
-  Code code{};
-  std::string text;
-};
-
-std::vector<RulePage> read_pages() {
-  std::vector<RulePage> pages;
-  for (auto const& rule : validator::rules()) {
-    pages.push_back({.code = rule.code, .text = without_indices(page(rule).in(Language::english))});
+  if (name == "order") {
+    if (kind.order.source != design::OrderSource::configured) return say(says::order_of_type);
+    return "1 ≤ " + value + " ≤ " + std::to_string(kind.order.highest);
   }
-  return pages;
+  if (name == "time_constant" && kind.time_constant) {
+    auto const& range = *kind.time_constant;
+    auto const lowest = range.lowest == 0 ? "0" : range.lowest == 1 ? "T" : format_exact(range.lowest) + " T";
+    return lowest + " ≤ " + value + (std::isinf(range.limit) ? "" : " < " + format_exact(range.limit) + " T");
+  }
+  return {};
 }
 
 }  // namespace
 
 std::vector<std::string> rules_about(schema::Parameter const& parameter) {
   std::vector<std::string> codes;
-  auto const number = schema::p_axis_text(parameter.p_axis);
-  bool const numeric = parameter.type != schema::DataType::string && !parameter.is_enumeration();
-  bool const limited = parameter.minimum.kind == schema::Limit::Kind::number ||
-                       parameter.maximum.kind == schema::Limit::Kind::number;
-  bool const limited_by_parameter = parameter.minimum.kind == schema::Limit::Kind::parameter ||
-                                    parameter.maximum.kind == schema::Limit::Kind::parameter;
-  static std::vector<RulePage> const pages = read_pages();
-  for (auto const& [code, text] : pages) {
-    bool about = names(text, parameter.name) || (parameter.p_axis != 0 && names(text, number));
-    switch (static_cast<unsigned>(code)) {
-      case 2002:
-      case 2003:
-        about = true;
-        break;
-      case 2004:
-        about = schema::is_integer(parameter.type);
-        break;
-      case 2005:
-        about = numeric && limited;
-        break;
-      case 2007:
-        about = parameter.is_enumeration();
-        break;
-      case 2008:
-        about = parameter.max_length > 0;
-        break;
-      case 2009:
-        about = !parameter.axis_types.empty();
-        break;
-      case 2015:
-        about = limited_by_parameter;
-        break;
-      case 2016:
-        about = !parameter.since.empty();
-        break;
-      default:
-        break;
-    }
-    if (about) codes.push_back(code_text(code));
+  for (auto const& rule : validator::rules()) {
+    if (validator::looks_at(rule, parameter)) codes.push_back(code_text(rule.code));
   }
   return codes;
 }
 
+std::vector<std::string> ranges_by_type(schema::Parameter const& parameter, Language language) {
+  std::vector<std::pair<std::string, std::string>> types_of_range;
+  auto const name = name_in_filter(parameter.name);
+  for (auto const& kind : design::filter_kinds) {
+    auto const range = range_of(kind, name, language);
+    if (range.empty()) continue;
+    auto const known = std::find_if(types_of_range.begin(), types_of_range.end(),
+                                    [&](auto const& row) { return row.first == range; });
+    auto const word = "`" + std::string(kind.word) + "`";
+    if (known == types_of_range.end()) {
+      types_of_range.emplace_back(range, word);
+    } else {
+      known->second += ", " + word;
+    }
+  }
+  std::vector<std::string> lines;
+  for (auto const& [range, types] : types_of_range) lines.push_back(types + ": " + range);
+  for (auto const& [pattern, text] : further_ranges) {
+    if (parameter.name == pattern) lines.push_back(render({.sentence = text, .arguments = {}}, language));
+  }
+  return lines;
+}
+
+std::string unit_name(std::string_view unit, Language language) {
+  auto text = validator::raw_unit_name(unit);
+  for (auto const& [power, digits] :
+       {std::pair("1e-4 ", "0.0001 "), {"1e-3 ", "0.001 "}, {"1e3 ", "1000 "}}) {
+    if (text.starts_with(power)) text.replace(0, std::string_view(power).size(), digits);
+  }
+  if (language == Language::english) return text;
+  if (auto const point = text.find('.'); point != std::string::npos) text[point] = ',';
+  for (auto const& [word, german] : unit_words) {
+    if (auto const at = text.find(word); at != std::string::npos) text.replace(at, word.size(), german);
+  }
+  return text;
+}
+
 std::string default_text(schema::Parameter const& parameter) {
-  auto const number =
-      parameter.type == schema::DataType::string ? std::nullopt : parse_finite(parameter.default_text);
-  return number ? format_exact(*number) : std::string(parameter.default_text);
+  auto const value = schema::default_value(parameter);
+  bool const is_number = value && value->text.empty() && !schema::is_bit_mask(parameter) &&
+                         parameter.type != schema::DataType::string;
+  return is_number ? format_exact(value->number) : std::string(parameter.default_text);
 }
 
 std::string manual_section(schema::Parameter const& parameter, Language language) {

@@ -9,11 +9,16 @@
 
 namespace axisc::cli {
 
-/// Codes of the rules that check the parameter, "AX2005": those whose page names it, and those that follow from the
-/// row.
+/// Codes of the rules that look at the parameter's value, "AX2005".
 [[nodiscard]] std::vector<std::string> rules_about(schema::Parameter const& parameter);
 
-/// The default as documented, except that 3.000000e+001 is 30; empty if there is none.
+/// Its ranges by the type of its filter, and those that depend on the cycle time T: "`PT1`, `PT2`: T ≤ value".
+[[nodiscard]] std::vector<std::string> ranges_by_type(schema::Parameter const& parameter, Language language);
+
+/// "µm/s", "0.0001 °", in German "0,0001 °".
+[[nodiscard]] std::string unit_name(std::string_view unit, Language language);
+
+/// The default in plain numbers: 30 for 3.000000e+001, 4 for 0x0004; empty if there is none.
 [[nodiscard]] std::string default_text(schema::Parameter const& parameter);
 
 /// Where the manuals describe it; empty for parameters outside the filters.

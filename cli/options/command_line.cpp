@@ -4,6 +4,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/report/text_table.hpp"
+#include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
 #include "runtime/format/image_format.h"
 #include "schema/closest_word.hpp"
@@ -42,9 +43,6 @@ constexpr Sentence option_color{"colours; auto: on a terminal, unless NO_COLOR i
 namespace axisc::cli {
 
 namespace {
-
-constexpr std::size_t meaning_column = 30;
-constexpr std::size_t line_width = 100;
 
 std::string joined(std::vector<std::string_view> const& words, std::string_view separator) {
   std::string text;
@@ -159,7 +157,7 @@ CommandLine::CommandLine(std::string_view command, SentenceRef purpose, Sentence
       language_(language),
       parser_(std::make_unique<Parser>()) {
   flag("-h,--help", wants_help_, says::option_help);
-  flag("--version", wants_version_, says::option_version);
+  flag("-V,--version", wants_version_, says::option_version);
   choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, says::option_lang);
   choice("--color",
          {{"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}},
@@ -278,7 +276,8 @@ void CommandLine::refuse_unknown() const {
       rest.remove_prefix(std::min(comma + 1, rest.size()));
     }
   }
-  auto const meant = schema::closest_word(unknown, known);
+  // Of one letter everything is close to something.
+  auto const meant = unknown.size() <= 2 ? std::string_view() : schema::closest_word(unknown, known);
   throw Failure({.sentence = meant.empty() ? says::unknown_option : says::unknown_option_meant,
                  .arguments = {{"option", unknown}, {"command", command_}, {"meant", std::string(meant)}}});
 }
@@ -309,7 +308,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
     refuse_value(error.what());
   }
   for (auto const& row : parser_->declared) {
-    if (row.is_given() && (row.names == "-h,--help" || row.names == "--version")) row.take({});
+    if (row.is_given() && (row.names == "-h,--help" || row.names == "-V,--version")) row.take({});
   }
   if (wants_help_) return help();
   if (wants_version_) return version_text();
@@ -332,41 +331,11 @@ void CommandLine::require(bool given, std::string_view argument) const {
                  .arguments = {{"argument", placeholder_in(language_, argument)}, {"command", command_}}});
 }
 
-std::string help_row(std::string_view name, std::string_view meaning) {
-  std::string text = "  " + std::string(name);
-  std::size_t column = 2 + display_width(name);
-  auto const indent = [&] {
-    text.append(meaning_column - column, ' ');
-    column = meaning_column;
-  };
-  if (column + 2 > meaning_column) {
-    text += '\n';
-    column = 0;
-  }
-  indent();
-  bool first = true;
-  for (std::string_view rest = meaning; !rest.empty();) {
-    auto const word = rest.substr(0, rest.find(' '));
-    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
-    if (!first && column + 1 + display_width(word) > line_width) {
-      text += '\n';
-      column = 0;
-      indent();
-    } else if (!first) {
-      text += ' ';
-      ++column;
-    }
-    text += word;
-    column += display_width(word);
-    first = false;
-  }
-  return text + '\n';
-}
-
 std::string CommandLine::help() const {
   auto const say = [this](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language_);
   };
+  auto const width = help_width();
   std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";
   std::string rows;
   std::string options;
@@ -374,16 +343,16 @@ std::string CommandLine::help() const {
     auto const shown = placeholder_in(language_, row.shown);
     if (row.names.empty()) {
       usage += " " + shown;
-      rows += help_row(shown, say(row.meaning));
+      rows += help_row(shown, say(row.meaning), width);
       continue;
     }
     std::string name = row.names;
     if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
     if (!shown.empty()) name += (shown.front() == '[' ? "" : " ") + shown;
-    options += help_row(name, say(row.meaning));
+    options += help_row(name, say(row.meaning), width);
   }
-  return say(purpose_) + "\n\n" + usage + "\n\n" + rows + "\n" + say(says::help_options_heading) + ":\n" +
-         options + "\n" + say(examples_) + "\n";
+  return help_paragraphs(say(purpose_), width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
+         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(say(examples_), width);
 }
 
 std::string version_text() {

@@ -99,9 +99,6 @@ class CommandLine {
 /// "axisc 0.1.0 …" with a line end.
 [[nodiscard]] std::string version_text();
 
-/// Two columns: a name and its meaning, broken into lines of at most 100 columns.
-[[nodiscard]] std::string help_row(std::string_view name, std::string_view meaning);
-
 /// "a,b,c" without blanks around the parts; empty parts are left out.
 [[nodiscard]] std::vector<std::string> split_list(std::string_view text);
 

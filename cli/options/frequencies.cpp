@@ -5,7 +5,9 @@
 #include "cli/options/quantities.hpp"
 #include "diagnostics/format_number.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace axisc::cli::says {
 
@@ -41,13 +43,18 @@ std::vector<double> parse_frequencies(std::string const& text, design::CycleTime
   return frequencies;
 }
 
-std::vector<double> default_frequencies(design::CycleTime cycle_time) {
+std::vector<double> default_frequencies(design::CycleTime cycle_time,
+                                        std::vector<double> const& characteristic) {
   std::vector<double> frequencies;
   double const nyquist = cycle_time.nyquist().value;
   for (int i = 0; i < default_points; ++i) {
     double const decades = default_decades * (i + 1 - default_points) / (default_points - 1);
     frequencies.push_back(nyquist * std::pow(10.0, decades));
   }
+  std::copy_if(characteristic.begin(), characteristic.end(), std::back_inserter(frequencies),
+               [nyquist](double frequency) { return frequency > 0 && frequency < nyquist; });
+  std::sort(frequencies.begin(), frequencies.end());
+  frequencies.erase(std::unique(frequencies.begin(), frequencies.end()), frequencies.end());
   return frequencies;
 }
 

@@ -20,6 +20,9 @@ constexpr Sentence no_bank{
     "machine file",
     "{file} enthält keine Kerne für \"{command}\"; vorhanden: {banks}. Den Befehl in filter_sets der "
     "Maschinendatei nennen"};
+constexpr Sentence late{
+    "--at {cycle}:{command}: there is no such cycle; the run has the cycles 0 to {last}",
+    "--at {cycle}:{command}: diesen Zyklus gibt es nicht; der Lauf hat die Zyklen 0 bis {last}"};
 constexpr Sentence command_busy{
     "\"{command}\" at cycle {cycle}: a filter is still changing over from the previous command",
     "\"{command}\" in Zyklus {cycle}: ein Filter ist noch im Übergang vom vorherigen Befehl"};
@@ -97,6 +100,12 @@ std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& wo
   std::stable_sort(commands.begin(), commands.end(),
                    [](TimedCommand const& a, TimedCommand const& b) { return a.cycle < b.cycle; });
   return commands;
+}
+
+void refuse_late(std::vector<TimedCommand> const& commands, std::uint64_t cycles) {
+  if (commands.empty() || commands.back().cycle < cycles) return;
+  refuse(says::late, commands.back(), {},
+         {{"last", std::to_string(cycles - std::min<std::uint64_t>(cycles, 1))}});
 }
 
 void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,

@@ -23,6 +23,9 @@ struct TimedCommand {
                                                             ImageFile const& file, std::string const& path,
                                                             Language language);
 
+/// Failure if one of them belongs to a cycle that a run of `cycles` does not have.
+void refuse_late(std::vector<TimedCommand> const& commands, std::uint64_t cycles);
+
 /// Executes the command in every channel that has kernels for it. Failure if no channel has them (the message names the
 /// banks), if a filter is still changing over, or if the change is possible only at standstill.
 void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,

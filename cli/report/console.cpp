@@ -6,9 +6,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence stdout_closed_pipe{
-    "cannot write standard output: the reader closed the pipe",
-    "die Standardausgabe ist nicht schreibbar: die Gegenseite hat die Pipe geschlossen"};
 constexpr Sentence stdout_no_space{"cannot write standard output: no space is left",
                                    "die Standardausgabe ist nicht schreibbar: kein Speicherplatz mehr"};
 constexpr Sentence stdout_closed{"cannot write standard output: it is closed",
@@ -29,8 +26,6 @@ constexpr std::size_t piece = std::size_t{1} << 15U;
 
 SentenceRef reason(system::Refusal refusal) {
   switch (refusal) {
-    case system::Refusal::closed_pipe:
-      return says::stdout_closed_pipe;
     case system::Refusal::no_space:
       return says::stdout_no_space;
     case system::Refusal::not_open:
@@ -60,6 +55,7 @@ void Console::flush() {
   auto const error = system::write(stream_, buffer_);
   buffer_.clear();
   if (!error) return;
+  if (error->refusal == system::Refusal::closed_pipe) throw ReaderGone();
   if (stream_ == system::Stream::error) {
     throw Failure({.sentence = says::stderr_failed, .arguments = {}}, cannot_write);
   }

@@ -12,7 +12,7 @@ namespace axisc::cli {
 
 class OutputFile;
 
-/// Collects text and writes it in large pieces. A closed pipe or a full disk is a Failure.
+/// Collects text and writes it in large pieces. A full disk is a Failure, a closed pipe ReaderGone.
 class Console {
  public:
   /// A failure of standard output is reported; a failure of standard error cannot be.

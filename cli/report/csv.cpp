@@ -21,6 +21,9 @@ constexpr Sentence duplicate_column{"{place}: column \"{column}\" occurs twice",
 constexpr Sentence unknown_column{
     "{place}: the image does not use column \"{column}\"; it uses {known}",
     "{place}: das Abbild verwendet Spalte \"{column}\" nicht; verwendbar sind {known}"};
+constexpr Sentence semicolons{
+    "{place}: the columns are separated by semicolons; write commas, and decimal points",
+    "{place}: die Spalten sind durch Strichpunkte getrennt; Kommas und Dezimalpunkte schreiben"};
 constexpr Sentence field_count{"{place}: the line has {fields} fields, the first line names {columns}",
                                "{place}: die Zeile hat {fields} Felder, die erste Zeile nennt {columns}"};
 constexpr Sentence number{
@@ -169,7 +172,9 @@ bool CsvReader::next(std::span<double> row) {
 }
 
 void CsvReader::refuse_column(std::size_t index, std::string_view known) const {
-  fail(says::unknown_column, {name_, header_line_, header_columns_[index]},
+  bool const has_semicolons = header_[index].find(';') != std::string::npos;
+  fail(has_semicolons ? says::semicolons : says::unknown_column,
+       {name_, header_line_, header_columns_[index]},
        {{"column", shown(header_[index])}, {"known", std::string(known)}});
 }
 

@@ -1,27 +1,13 @@
 #include "cli/report/report_context.hpp"
 
+#include "cli/files/repository.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <filesystem>
-#include <optional>
 
 namespace axisc::cli {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-std::optional<fs::path> repository_of(fs::path folder) {
-  while (true) {
-    std::error_code error;
-    // A folder, or a file in the work trees and submodules of git.
-    if (fs::exists(folder / ".git", error)) return folder;
-    if (!folder.has_relative_path()) return std::nullopt;
-    folder = folder.parent_path();
-  }
-}
-
-}  // namespace
 
 ReportContext report_context(std::string const& first_input) {
   ReportContext context;

@@ -44,13 +44,27 @@ void ReportStream::add(std::size_t number, CheckedInput const& checked) {
 
 void ReportStream::add(WrittenFinding const& finding) {
   if (finding.identity.code == cycle_time_assumed && std::exchange(assumption_said_, true)) return;
-  std::uint32_t const occurrence =
-      numbers_ ? ++occurrences_[digest_of(fingerprint(finding.identity, 0)).low] : 1;
-  if (is_hidden(finding, occurrence)) return;
+  auto const& identity = identify(finding);
+  std::uint32_t const occurrence = numbers_ ? ++occurrences_[digest_of(fingerprint(identity, 0)).low] : 1;
+  if (is_hidden(identity, occurrence)) return;
   count(finding);
-  print(finding, occurrence);
+  print(finding, identity, occurrence);
   ++shown_;
   used_.insert(finding.artifacts.begin(), finding.artifacts.end());
+}
+
+Identity const& ReportStream::identify(WrittenFinding const& finding) {
+  if (plan_.identity_paths == nullptr || (!numbers_ && !plan_.shard)) return finding.identity;
+  identity_ = finding.identity;
+  auto const& path = plan_.identity_paths->of(identity_.file);
+  if (plan_.shard && !identity_.file.empty()) {
+    bool const in_repository = plan_.report_format.format == FindingFormat::sarif;
+    auto const& paths = plan_.report_format.context.paths;
+    auto const shown = in_repository ? shown_path(paths, identity_.file) : identity_.file;
+    if (shown != path) plan_.shard->identity_paths[shown] = path;
+  }
+  identity_.file = path;
+  return identity_;
 }
 
 std::size_t ReportStream::number_of(Artifact const& artifact) {
@@ -70,27 +84,54 @@ void ReportStream::count(WrittenFinding const& finding) {
   if (finding.fixable) ++row->second.fixable;
 }
 
-bool ReportStream::is_hidden(WrittenFinding const& finding, std::uint32_t occurrence) {
+bool ReportStream::is_hidden(Identity const& identity, std::uint32_t occurrence) {
   if (plan_.write_baseline) {
-    found_.add(finding.identity, occurrence);
-    if (!found_.holds(finding.identity, occurrence)) return false;
+    found_.add(identity, occurrence);
+    if (!found_.holds(identity, occurrence)) return false;
   } else {
-    if (!plan_.baseline || !plan_.baseline->holds(finding.identity, occurrence)) return false;
-    missing_.remove(finding.identity, occurrence);
+    if (!plan_.baseline) return false;
+    if (plan_.baseline->holds(identity, occurrence)) {
+      missing_.remove(identity, occurrence);
+    } else if (!was_elsewhere(identity, occurrence)) {
+      return false;
+    }
   }
   ++hidden_;
   return true;
 }
 
-void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence) {
+bool ReportStream::was_elsewhere(Identity const& identity, std::uint32_t occurrence) {
+  if (plan_.identity_paths == nullptr) return false;
+  auto const anywhere = [](Identity entry, std::uint32_t number) {
+    entry.file.clear();
+    return BaselineEntry{.identity = std::move(entry), .occurrence = number};
+  };
+  if (!gone_) {
+    gone_.emplace();
+    for (auto const& entry : missing_.entries()) {
+      if (!plan_.identity_paths->is_gone(entry.identity.file)) continue;
+      gone_->emplace(anywhere(entry.identity, entry.occurrence), entry.identity.file);
+    }
+  }
+  auto const found = gone_->find(anywhere(identity, occurrence));
+  if (found == gone_->end() || plan_.identity_paths->is_gone(identity.file)) return false;
+  auto gone = identity;
+  gone.file = found->second;
+  missing_.remove(gone, occurrence);
+  gone_->erase(found);
+  return true;
+}
+
+void ReportStream::print(WrittenFinding const& finding, Identity const& identity, std::uint32_t occurrence) {
   auto const format = plan_.report_format.format;
   bool const has_elements = std::exchange(has_elements_, true);
   if (format == FindingFormat::sarif) {
     // Rule indices stay as holes: which rules are listed is known only at the end.
     std::string filled = finding.text;
-    auto const number = std::to_string(occurrence);
-    for (auto at = filled.find(occurrence_hole); at != std::string::npos; at = filled.find(occurrence_hole)) {
-      filled.replace(at, 1, number);
+    auto const text = fingerprint(identity, occurrence);
+    for (auto at = filled.find(fingerprint_hole); at != std::string::npos;
+         at = filled.find(fingerprint_hole)) {
+      filled.replace(at, 1, text);
     }
     sarif_results_.add(static_cast<std::uint64_t>(finding.identity.code), filled);
     return;
@@ -98,7 +139,7 @@ void ReportStream::print(WrittenFinding const& finding, std::uint32_t occurrence
   bool const is_list = format == FindingFormat::json || format == FindingFormat::gitlab;
   if (is_list && has_elements) out_.write(",");
   if (format == FindingFormat::gitlab) {
-    out_.write(fill_holes(finding.text, {.occurrence = occurrence}));
+    out_.write(fill_holes(finding.text, {.fingerprint = fingerprint(identity, occurrence)}));
   } else {
     out_.write(finding.text);
   }
@@ -126,8 +167,16 @@ std::optional<BaselineFacts> ReportStream::baseline_facts(std::function<bool(Cod
   if (plan_.write_baseline) {
     facts.recorded = found_.size();
   } else if (plan_.report_format.context.failures.empty()) {
+    std::set<std::string> files;
+    if (plan_.identity_paths != nullptr) {
+      for (auto const& file : files_) files.insert(plan_.identity_paths->of(file));
+    }
     facts.stale = missing_.identities();
-    std::erase_if(facts.stale, [&](Identity const& identity) { return !judged(identity.code); });
+    std::erase_if(facts.stale, [&](Identity const& identity) {
+      bool const was_checked = plan_.identity_paths == nullptr || files.contains(identity.file) ||
+                               plan_.identity_paths->is_gone(identity.file);
+      return !was_checked || !judged(identity.code);
+    });
   }
   return facts;
 }

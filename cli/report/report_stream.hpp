@@ -3,6 +3,7 @@
 
 #include "cli/checking/baseline.hpp"
 #include "cli/checking/checked_input.hpp"
+#include "cli/checking/identity_paths.hpp"
 #include "cli/fleet/shard_record.hpp"
 #include "cli/report/console.hpp"
 #include "cli/report/spool.hpp"
@@ -26,6 +27,7 @@ struct ReportPlan {
   std::optional<Baseline> baseline;  ///< what it holds is not shown
   bool write_baseline = false;       ///< `baseline` is to be what was found
   std::optional<ShardRecord> shard;  ///< for `axisc merge`
+  IdentityPaths* identity_paths = nullptr;
 };
 
 class ReportStream {
@@ -53,16 +55,21 @@ class ReportStream {
   void count(WrittenFinding const& finding);
   /// Its index in the list of artifacts; it is appended if missing.
   [[nodiscard]] std::size_t number_of(Artifact const& artifact);
-  [[nodiscard]] bool is_hidden(WrittenFinding const& finding, std::uint32_t occurrence);
+  /// The identity with its file named as in the repository.
+  [[nodiscard]] Identity const& identify(WrittenFinding const& finding);
+  [[nodiscard]] bool is_hidden(Identity const& identity, std::uint32_t occurrence);
+  /// Takes an entry of the baseline whose file is gone, if one fits.
+  [[nodiscard]] bool was_elsewhere(Identity const& identity, std::uint32_t occurrence);
   [[nodiscard]] std::optional<BaselineFacts> baseline_facts(std::function<bool(Code)> const& judged) const;
-  void print(WrittenFinding const& finding, std::uint32_t occurrence);
+  void print(WrittenFinding const& finding, Identity const& identity, std::uint32_t occurrence);
   void print_sarif();
   [[nodiscard]] std::vector<CodeCount> frequent_codes() const;
 
   ReportPlan plan_;
   Console& out_;
-  bool numbers_;                  ///< occurrences matter to the format or the baseline
+  bool numbers_;                  ///< identities matter to the format or the baseline
   bool assumption_said_ = false;  ///< AX9006
+  Identity identity_;             ///< of the last finding; its memory serves the next
   std::size_t shown_ = 0;         ///< findings of the input that is added next
   std::set<std::uint32_t> used_;  ///< their artifacts
   bool has_elements_ = false;
@@ -73,6 +80,8 @@ class ReportStream {
   std::unordered_map<std::uint64_t, std::uint32_t> occurrences_;
   Baseline found_;
   Baseline missing_;  ///< entries that nothing has answered to so far
+  /// Files of entries of the baseline that are gone, by the entry without its file.
+  std::optional<std::multimap<BaselineEntry, std::string>> gone_;
   std::size_t hidden_ = 0;
   Spool sarif_results_;
   std::vector<Artifact> artifacts_;

@@ -33,7 +33,9 @@ LocatedFile::LocatedFile(std::string path, configuration::JsonShape const& shape
     : path_(std::move(path)), shape_(shape), code_(code), source_(path_, read_regular(path_)) {
   auto parsed = configuration::parse_json(source_.bytes(), source_.text_begin());
   if (auto const* const error = std::get_if<configuration::JsonError>(&parsed)) {
-    refuse(error->span, malformed);
+    std::vector<Message> sentences{{.sentence = malformed, .arguments = {}}};
+    if (error->reason) sentences.push_back(*error->reason);
+    refuse(error->span, std::move(sentences));
   }
   document_ = std::get<configuration::JsonDocument>(std::move(parsed));
   auto const problems = configuration::check_json(document_, shape_).problems;

@@ -21,7 +21,7 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence json{"the settings are no valid JSON here",
+constexpr Sentence json{"the settings are not valid JSON here",
                         "die Einstellungen sind hier kein gültiges JSON"};
 constexpr Sentence code{"there is no code \"{value}\"; `axisc explain --all` lists them",
                         "es gibt keinen Code \"{value}\"; `axisc explain --all` nennt alle"};

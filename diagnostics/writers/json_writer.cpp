@@ -136,7 +136,10 @@ class JsonElement {
 };
 
 Json as_json(Identity const& identity) {
-  return {{"code", code_text(identity.code)}, {"axis", identity.axis}, {"parameter", identity.parameter}};
+  return {{"code", code_text(identity.code)},
+          {"file", identity.file},
+          {"axis", identity.axis},
+          {"parameter", identity.parameter}};
 }
 
 Json summary(FindingCounts const& counts, RunFacts const& run) {

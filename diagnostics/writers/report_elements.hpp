@@ -5,7 +5,6 @@
 #include "diagnostics/finding.hpp"
 #include "diagnostics/writers/writers.hpp"
 
-#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,16 +13,15 @@
 namespace axisc {
 
 /// An element may hold these where it depends on the other findings. JSON never contains them.
-inline constexpr char occurrence_hole = '\x01';  ///< the number behind a fingerprint
+inline constexpr char fingerprint_hole = '\x01';
 inline constexpr char rule_index_hole = '\x02';  ///< where SARIF's list of rules names the rule
 
-struct Numbers {
-  std::uint32_t occurrence = 1;
+struct HoleTexts {
+  std::string fingerprint = {};
   std::size_t rule_index = 0;
 };
 
-/// `element` with numbers in its holes.
-[[nodiscard]] std::string fill_holes(std::string_view element, Numbers const& numbers);
+[[nodiscard]] std::string fill_holes(std::string_view element, HoleTexts const& texts);
 
 /// A source that findings point into.
 struct Artifact {

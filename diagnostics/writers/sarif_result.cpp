@@ -1,4 +1,3 @@
-#include "diagnostics/fingerprint.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers/json_stream.hpp"
 #include "diagnostics/writers/report_elements.hpp"
@@ -31,7 +30,7 @@ class SarifResult {
     write_text("message", whole_message(finding, language_));
     write_location(finding);
     write_related(finding.related);
-    write_fingerprints(finding);
+    write_fingerprints();
     if (finding.fix) write_fix(*finding.fix);
     write_properties(finding);
     out_.end_object();
@@ -120,13 +119,12 @@ class SarifResult {
     out_.end_array();
   }
 
-  void write_fingerprints(Finding const& finding) {
-    std::string identity = fingerprint(identity_of(finding, sources_), 0);
-    identity.back() = occurrence_hole;
-    std::string const quoted = '"' + identity + '"';
+  void write_fingerprints() {
+    constexpr std::string_view quoted = "\"\x01\"";
+    static_assert(quoted[1] == fingerprint_hole);
     begin_object("partialFingerprints");
     // Code hosts compare the second name only; without it they would hash the line.
-    for (std::string_view const name : {"axiscIdentity/v1", "primaryLocationLineHash"}) {
+    for (std::string_view const name : {"axiscIdentity/v2", "primaryLocationLineHash"}) {
       out_.key(name);
       out_.raw(quoted);
     }

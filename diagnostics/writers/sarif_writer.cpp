@@ -166,8 +166,8 @@ std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& s
     if (&finding != &findings.front()) text += ',';
     element.clear();
     append_sarif_element(element, finding, sources, context, options.language);
-    text += fill_holes(
-        element, {.occurrence = finding.occurrence, .rule_index = rule_index(codes, finding.code, context)});
+    text += fill_holes(element, {.fingerprint = fingerprint(finding, sources),
+                                 .rule_index = rule_index(codes, finding.code, context)});
   }
   return text + sarif_tail(!findings.empty());
 }

@@ -25,8 +25,8 @@ constexpr Sentence baseline_hidden_one{"{count} finding is hidden by the baselin
                                        "{count} Befund ist durch die Baseline ausgeblendet"};
 constexpr Sentence baseline_hidden_many{"{count} findings are hidden by the baseline",
                                         "{count} Befunde sind durch die Baseline ausgeblendet"};
-constexpr Sentence baseline_stale{"the baseline holds {code} {subject}, which is not found any more",
-                                  "die Baseline enthält {code} {subject}, das nicht mehr gefunden wird"};
+constexpr Sentence baseline_stale{"the baseline holds {code} in {subject}, which is not found any more",
+                                  "die Baseline enthält {code} in {subject}, das nicht mehr gefunden wird"};
 constexpr Sentence baseline_stale_further_one{
     "{count} further entry of the baseline is not found any more",
     "{count} weiterer Eintrag der Baseline wird nicht mehr gefunden"};
@@ -51,8 +51,10 @@ std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Langu
 }
 
 std::string stale_text(Identity const& identity, Language language) {
-  std::string const subject =
-      identity.parameter.empty() ? identity.axis : identity.axis + ' ' + identity.parameter;
+  std::string subject = identity.file;
+  for (std::string const& part : {identity.axis, identity.parameter}) {
+    if (!part.empty()) subject += (subject.empty() ? "" : " ") + part;
+  }
   return render({.sentence = says::baseline_stale,
                  .arguments = {{.name = "code", .value = code_text(identity.code)},
                                {.name = "subject", .value = subject}}},

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #if defined(__GLIBC__)
@@ -35,6 +36,13 @@ void keep_memory() {
 
 bool is_terminal(Stream stream) {
   return ::isatty(static_cast<int>(stream)) == 1;
+}
+
+std::optional<std::size_t> terminal_width() {
+  winsize size{};
+  if (::ioctl(static_cast<int>(Stream::output), TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+    return std::nullopt;
+  return size.ws_col;
 }
 
 std::optional<Error> write(Stream stream, std::string_view bytes) {

@@ -55,9 +55,87 @@ TEST_CASE("one identity in SARIF, GitLab report and baseline") {
   REQUIRE(sarif.size() == gitlab.size());
   for (std::size_t i = 0; i < sarif.size(); ++i) {
     auto const fingerprint = gitlab[i]["fingerprint"].get<std::string>();
-    CHECK(sarif[i]["partialFingerprints"]["axiscIdentity/v1"] == fingerprint);
+    CHECK(sarif[i]["partialFingerprints"]["axiscIdentity/v2"] == fingerprint);
     CHECK_THAT(baseline, Catch::Matchers::Contains("\"" + fingerprint + "\""));
   }
+}
+
+namespace {
+
+std::string list_with_frequency(std::string const& frequency) {
+  return "kopf.achs_nr 1\nkopf.log_achs_name X\nfilter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 " +
+         frequency + "\n";
+}
+
+Outcome lint_all(TemporaryFolder const& folder, std::string const& working_folder,
+                 std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"lint", ".", "--cycle-time", "1ms"});
+  return run_axisc(arguments, in_folder(folder / working_folder));
+}
+
+}  // namespace
+
+TEST_CASE("a baseline never hides the same mistake in another machine") {
+  TemporaryFolder const folder;
+  folder.write("a/x.lis", list_with_frequency("600"));
+  folder.write("b/x.lis", list_with_frequency("60"));
+  REQUIRE(lint_all(folder, "", {"--write-baseline", "known.json"}).status == 0);
+  folder.write("a/x.lis", list_with_frequency("60"));
+  folder.write("b/x.lis", list_with_frequency("9999"));
+  auto const outcome = lint_all(folder, "", {"--baseline", "known.json"});
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("b/x.lis:5:"));
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("holds AX3002 in a/x.lis X filter[0].fg_f0"));
+}
+
+TEST_CASE("the entries of a baseline follow a file that was renamed") {
+  TemporaryFolder const folder;
+  folder.write("a/x.lis", list_with_frequency("600"));
+  folder.write("b/x.lis", list_with_frequency("60"));
+  REQUIRE(lint_all(folder, "", {"--write-baseline", "known.json"}).status == 0);
+  std::filesystem::rename(folder / "a", folder / "c");
+  folder.write("b/x.lis", list_with_frequency("9999"));
+  auto const outcome = lint_all(folder, "", {"--baseline", "known.json"});
+  // One entry excuses one finding; the files are looked at in their order.
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("1 finding is hidden by the baseline"));
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("2 files: 1 error"));
+}
+
+TEST_CASE("a baseline names files as their repository does, wherever it is used from") {
+  TemporaryFolder const folder;
+  std::string marker;
+  SECTION("the repository") {
+    marker = ".git/HEAD";
+  }
+  SECTION("the settings") {
+    marker = "axisc.json";
+  }
+  folder.write(marker, "{}");
+  folder.write("axes/x.lis", list_with_frequency("600"));
+  REQUIRE(lint_all(folder, "", {"--write-baseline", "known.json"}).status == 0);
+  CHECK_THAT(folder.read("known.json"), Catch::Matchers::Contains(R"({"file": "axes/x.lis", "code")"));
+  CHECK(lint_all(folder, "axes", {"--baseline", "../known.json"}).status == 0);
+  for (std::string const format : {"json", "sarif"}) {
+    folder.write("axes/shard.txt", lint_all(folder, "axes", {"--format", format, "--shard", "1/1"}).out);
+    CHECK(run_axisc({"merge", "shard.txt"}, in_folder(folder / "axes")).out ==
+          lint_all(folder, "axes", {"--format", format}).out);
+    CHECK(run_axisc({"merge", "shard.txt", "--baseline", "../known.json"}, in_folder(folder / "axes")).out ==
+          lint_all(folder, "axes", {"--format", format, "--baseline", "../known.json"}).out);
+  }
+  auto const whole = lint_all(folder, "", {"--format", "gitlab"}).out;
+  auto const part = lint_all(folder, "axes", {"--format", "gitlab"}).out;
+  CHECK(nlohmann::json::parse(whole)[0]["fingerprint"] == nlohmann::json::parse(part)[0]["fingerprint"]);
+}
+
+TEST_CASE("a baseline's entries of files that a run does not read are not stale") {
+  TemporaryFolder const folder;
+  folder.write("a/x.lis", list_with_frequency("600"));
+  folder.write("b/x.lis", list_with_frequency("600"));
+  REQUIRE(lint_all(folder, "", {"--write-baseline", "known.json"}).status == 0);
+  auto const outcome = run_axisc({"lint", "a/x.lis", "--cycle-time", "1ms", "--baseline", "known.json"},
+                                 in_folder(folder.path()));
+  CHECK(outcome.out == "note: 1 finding is hidden by the baseline\n1 file: no findings\n");
 }
 
 TEST_CASE("entries of the baseline that are not needed any more are named once") {
@@ -67,8 +145,9 @@ TEST_CASE("entries of the baseline that are not needed any more are named once")
   folder.write("x.lis", "kopf.achs_nr 1\nEnde\n");
   auto const outcome = lint(folder, {"--baseline", "known.json"});
   CHECK(outcome.status == 0);
-  CHECK_THAT(outcome.out, Catch::Matchers::Contains(
-                              "note: the baseline holds AX3001 x filter[1].order, which is not found"));
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains(
+                 "note: the baseline holds AX3001 in x.lis x filter[1].order, which is not found"));
   CHECK(lines_of(outcome.out) == 4);
   CHECK(lines_of(lint(folder, {"--baseline", "known.json", "--disable", "AX3001"}).out) == 3);
   auto const json = nlohmann::json::parse(lint(folder, {"--baseline", "known.json", "--format", "json"}).out);
@@ -89,13 +168,16 @@ TEST_CASE("a baseline that cannot be used is a clear failure") {
   };
   refused("", "is not the JSON");
   refused("[]", "is not the JSON");
-  refused(R"({"version": 2, "findings": []})", "\"version\" must be 1");
-  refused(R"({"version": 1})", "\"findings\" is missing");
-  refused(R"({"version": 1, "findings": [{"code": "AX3005"}]})", "entry 1");
-  refused(R"({"version": 1, "findings": [{"code": "3005", "axis": "", "parameter": "", "occurrence": 1}]})",
-          "entry 1");
-  refused(R"({"version": 1, "findings": [{"code": "AX3005", "axis": "", "parameter": "", "occurrence": 0}]})",
-          "entry 1");
+  refused(R"({"version": 3, "findings": []})", "\"version\" must be 2");
+  refused(R"({"version": 1, "findings": []})", "write it anew with --write-baseline");
+  refused(R"({"version": 2})", "\"findings\" is missing");
+  refused(R"({"version": 2, "findings": [{"code": "AX3005"}]})", "entry 1");
+  refused(
+      R"({"version": 2, "findings": [{"file": "", "code": "3005", "axis": "", "parameter": "", "occurrence": 1}]})",
+      "entry 1");
+  refused(
+      R"({"version": 2, "findings": [{"file": "", "code": "AX3005", "axis": "", "parameter": "", "occurrence": 0}]})",
+      "entry 1");
   CHECK(lint(folder, {"--baseline", "missing.json"}).status == 2);
   CHECK(lint(folder, {"--write-baseline", "missing/known.json"}).status == 2);
   CHECK(lint(folder, {"--write-baseline", "./x.lis"}).status == 2);

@@ -2,6 +2,7 @@
 
 #include "cli/checking/depfile.hpp"
 #include "cli/failure.hpp"
+#include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
 #include "support/catch.hpp"
 
@@ -107,11 +108,21 @@ TEST_CASE("help and version come before complaints") {
 }
 
 TEST_CASE("help rows break between words") {
-  CHECK(help_row("-x", "short") == "  -x                          short\n");
-  CHECK(help_row("--a-very-long-option NAME-OF-VALUE", "short") ==
+  constexpr std::size_t width = 100;
+  CHECK(help_row("-x", "short", width) == "  -x                          short\n");
+  CHECK(help_row("--a-very-long-option NAME-OF-VALUE", "short", width) ==
         "  --a-very-long-option NAME-OF-VALUE\n                              short\n");
-  CHECK(help_row("-x", std::string(69, 'a') + " b") ==
+  CHECK(help_row("-x", std::string(69, 'a') + " b", width) ==
         "  -x                          " + std::string(69, 'a') + "\n                              b\n");
+  CHECK(help_row("--option", "on a narrow terminal", 20) ==
+        "  --option\n      on a narrow\n      terminal\n");
+}
+
+TEST_CASE("help is as wide as the terminal") {
+  CHECK(help_paragraphs("Two lines\nbecome one.\n\nExamples:\n  axisc lint x   one axis", 30) ==
+        "Two lines become one.\n\nExamples:\n  axisc lint x   one axis\n");
+  CHECK(help_paragraphs("Two lines become one.\n  axisc lint x   one axis", 20) ==
+        "Two lines become\none.\n  axisc lint x\n      one axis\n");
 }
 
 TEST_CASE("lists are split at commas") {

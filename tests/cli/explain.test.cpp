@@ -3,6 +3,10 @@
 #include "support/golden.hpp"
 #include "validator/engine/rule.hpp"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 using namespace axisc::test;
@@ -51,11 +55,13 @@ TEST_CASE("an unknown word is met with a suggestion") {
     auto const outcome = run_axisc({"explain", word});
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
-    CHECK(outcome.err ==
-          "axisc: error: \"" + word + "\" is neither a code nor a parameter; " + expected + "\n");
+    CHECK(outcome.err == "axisc: error: \"" + word +
+                             "\" is not a code, a message of the control, a parameter or a part of one; " +
+                             expected + "\n");
   };
   check("filter[0].odrer", "did you mean filter[0].order?");
   check("delay-to-long", "did you mean delay-too-long?");
+  check("foo", "`axisc explain --all` lists the codes");
   check("P-AXIS-99999", "`axisc explain --all` lists the codes");
   CHECK(run_axisc({"explain"}).status == 2);
 }
@@ -82,4 +88,72 @@ TEST_CASE("rules and parameters as JSON") {
   auto const all = nlohmann::json::parse(run_axisc({"explain", "--all", "--format", "json"}).out);
   CHECK(all["rules"].size() > 90);
   CHECK(all["parameters"].size() > 780);
+}
+
+TEST_CASE("a parameter's page says what it and its values mean") {
+  auto const page = [](std::string const& name, std::string const& language = "en") {
+    return run_axisc({"explain", name, "--lang", language}).out;
+  };
+  using Catch::Matchers::Contains;
+  CHECK_THAT(page("filter_fir.type"), Contains("  - `2`: Gaussian\n"));
+  CHECK_THAT(page("filter_fir.type", "de"), Contains("  - `2`: Gau\xC3\x9F\n"));
+  CHECK_THAT(page("kenngr.achs_mode"),
+             Contains("  - `0x10000`: gantry master\n") && Contains("default: 1\n"));
+  CHECK_THAT(page("kenngr.antr_typ"), Contains("  - `8`: CANopen") && Contains("default: 4\n"));
+  CHECK_THAT(page("filter[0].fg_f0"),
+             Contains("0 < value < 0.5/T (500 Hz at T = 1 ms)") && Contains("default: 30\n"));
+  CHECK_THAT(page("filter[0].time_constant"), Contains("`PT1`, `PT2`: T \xE2\x89\xA4 value\n") &&
+                                                  Contains("`TIME_DELAY`: 0 \xE2\x89\xA4 value < 6 T\n"));
+  CHECK_THAT(page("getriebe[0].dynamik.a_trans_weight"),
+             Contains("1 \xE2\x89\xA4 value \xE2\x89\xA4 1000, or 0\n"));
+  CHECK_THAT(
+      page("getriebe[0].dynamik.vb_max"),
+      Contains("\xC2\xB5m/s (translatory), 0.001 \xC2\xB0/s (rotary)") && Contains("200000 (200 mm/s)"));
+  CHECK_THAT(page("getriebe[0].dynamik.vb_max", "de"), Contains("0,001 \xC2\xB0/s (rotatorisch)"));
+  CHECK_THAT(page("antr.generic.address"), Contains("the manuals do not describe this parameter"));
+}
+
+TEST_CASE("a parameter's page names the rules that look at its value") {
+  auto const rules = [](std::string const& name) {
+    auto const json = nlohmann::json::parse(run_axisc({"explain", name, "--format", "json"}).out);
+    return json["parameters"][0]["rules"].get<std::vector<std::string>>();
+  };
+  auto const has = [&](std::string const& name, std::string const& code) {
+    auto const codes = rules(name);
+    return std::find(codes.begin(), codes.end(), code) != codes.end();
+  };
+  CHECK(has("filter[0].share_percent", "AX3015"));
+  CHECK(has("filter[0].share_percent", "AX3017"));
+  CHECK(has("filter_fir.share", "AX3015"));
+  CHECK(has("filter[0].fg_f0", "AX3003"));
+  CHECK_FALSE(has("filter[0].fg_f0", "AX1011"));
+  CHECK(has("filter[0].order", "AX3007"));
+  CHECK(has("filter[0].order", "AX3008"));
+  CHECK_FALSE(has("filter[0].order", "AX1003"));
+  CHECK(has("kopf.achs_nr", "AX4015"));
+  CHECK_FALSE(has("kopf.achs_nr", "AX1002"));
+  CHECK(has("getriebe[0].dynamik.vb_max", "AX2015"));
+}
+
+TEST_CASE("a message of the control is explained by the findings that foretell it") {
+  auto const english = run_axisc({"explain", "50557"});
+  CHECK(english.status == 0);
+  CHECK_THAT(english.out, Catch::Matchers::StartsWith("# Message 50557 of the control\n") &&
+                              Catch::Matchers::Contains("\n- AX3002 frequency-above-nyquist: "));
+  auto const json = nlohmann::json::parse(run_axisc({"explain", "50557", "--format", "json"}).out);
+  CHECK(json["rules"][0]["code"] == "AX3002");
+  // Both a code and a message.
+  CHECK_THAT(
+      run_axisc({"explain", "2009"}).out,
+      Catch::Matchers::StartsWith("# AX2009 ") && Catch::Matchers::Contains("# Message 2009 of the control"));
+}
+
+TEST_CASE("a part of a name lists the parameters that contain it") {
+  auto const outcome = run_axisc({"explain", "VB_max"});
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("- `getriebe[].dynamik.vb_max` (P-AXIS-00212): "));
+  CHECK(lines_of(run_axisc({"explain", "filter_fir"}).out) == 7);
+  CHECK_THAT(run_axisc({"explain", "lose", "--lang", "de"}).out,
+             Catch::Matchers::Contains("`getriebe[].lose`"));
+  CHECK_THAT(run_axisc({"explain", "gaussian"}).out, Catch::Matchers::Contains("`filter_fir.quality`"));
 }

@@ -29,7 +29,9 @@ std::string fixed(std::string const& list, FixChoice choice, FixFacts* facts = n
   CheckJob job;
   job.options = options();
   job.edited = {{"x.lis", list}};
-  auto const result = fix_inputs(job, {"x.lis"}, choice, {}, ChangeableFiles({}));
+  SettingsFinder settings;
+  IdentityPaths identity_paths(settings);
+  auto const result = fix_inputs(job, {"x.lis"}, choice, {}, identity_paths, ChangeableFiles({}));
   if (facts != nullptr) *facts = result.facts;
   return result.edited.at("x.lis");
 }

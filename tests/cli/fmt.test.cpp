@@ -64,3 +64,12 @@ TEST_CASE("fmt names what it cannot read and goes on") {
   CHECK(folder.read("x.lis") == aligned);
   CHECK(fmt(folder, {}).status == 2);
 }
+
+TEST_CASE("fmt reads the text of a file with a name from standard input") {
+  TemporaryFolder const folder;
+  auto there = in_folder(folder.path());
+  there.input = "kopf.achs_nr 1\nkopf.log_achs_name X\n";
+  auto const patch = run_axisc({"fmt", "-", "--stdin-filename", "axes/x.lis", "--diff"}, there);
+  CHECK_THAT(patch.out, Catch::Matchers::StartsWith("--- axes/x.lis"));
+  CHECK(run_axisc({"fmt", "-", "--stdin-filename", "axes/x.nc"}, there).out == there.input);
+}

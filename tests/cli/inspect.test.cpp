@@ -50,7 +50,7 @@ TEST_CASE("one axis, and the memory it takes") {
   }
   auto const unknown = run_axisc({"inspect", "m.axim", "--axis", "Z"}, there);
   CHECK(unknown.status == 2);
-  CHECK(unknown.err == "axisc: error: the image has no axis \"Z\"; its axes are X, Y\n");
+  CHECK(unknown.err == "axisc: error: there is no axis \"Z\"; the axes are X, Y\n");
 }
 
 TEST_CASE("the list that comes back compiles to the same filters") {

@@ -9,6 +9,7 @@
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <variant>
@@ -24,30 +25,31 @@ namespace {
 
 struct FileKind {
   std::string schema_file;
+  std::string page;
   JsonShape const& shape;
   std::string complete;  ///< a file with every key
 };
 
 std::vector<FileKind> const& kinds() {
   static std::vector<FileKind> const all = {
-      {"docs/schemas/machine.schema.json", axisc::configuration::machine_file_shape, R"({
+      {"docs/schemas/machine.schema.json", "docs/machine-file.md", axisc::configuration::machine_file_shape, R"({
         "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
         "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
                  {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],
         "groups": [{"name": "table", "axes": ["X", "Y"], "programs": ["a.nc"]}],
         "gantries": [{"master": "X", "slaves": ["Y"]}],
         "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
-      {"docs/schemas/settings.schema.json", axisc::cli::settings_shape, R"({
+      {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::cli::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
         "severity": {"ax3013": "error"}, "schema": ["build.json"],
         "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]})"},
-      {"docs/schemas/plant.schema.json", axisc::cli::plant_file_shape, R"({"plants": [{
+      {"docs/schemas/plant.schema.json", "docs/plant-file.md", axisc::cli::plant_file_shape, R"({"plants": [{
         "name": "X", "comment": ["anything"], "motor_mass_kg": 500, "load_mass_kg": 1060, "stiffness_n_per_um": 117.5,
         "damping_n_s_per_mm": 20, "tooth_pitch_mm": 10, "transmission_error_um": 2.8, "structure_mass_kg": 1500,
         "structure_frequency_hz": 11.75, "structure_damping_ratio": 0.015, "dead_time_us": 250,
         "velocity_bandwidth_hz": 57, "velocity_reset_time_ms": 4, "kv_per_s": 60, "feedforward_percent": 44,
         "position_feedback": "motor"}]})"},
-      {"docs/schemas/schema-file.schema.json", axisc::cli::schema_file_shape,
+      {"docs/schemas/schema-file.schema.json", "docs/schema-files.md", axisc::cli::schema_file_shape,
        R"json({"version": 1, "parameters": [
         {"id": "P-AXIS-00900", "name": "getriebe[].new_limit", "type": "UNS16", "array": [6], "default": "0", "unit": "us",
          "minimum": 1, "maximum": "MAX(UNS16)", "number_names": {"off": 0}, "since": "V3.1.3200.00"},
@@ -87,6 +89,50 @@ void collect_places(Json const& value, Json::json_pointer const& place,
   }
 }
 
+std::string text_of(Json const& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+/// "number, above 0", "`T`, `R` or `S`".
+std::string values_of(Json const& schema) {
+  if (schema.contains("anyOf") || schema.contains("oneOf")) {
+    auto const& choices = schema.at(schema.contains("anyOf") ? "anyOf" : "oneOf");
+    // Words in any letter case are one choice, spelled twice.
+    if (choices.front().contains("enum")) return values_of(choices.front());
+    std::string text;
+    for (auto const& choice : choices) text += (text.empty() ? "" : "; or ") + values_of(choice);
+    return text;
+  }
+  if (schema.contains("enum")) {
+    std::string text;
+    for (auto const& word : schema.at("enum")) text += (text.empty() ? "`" : ", `") + text_of(word) + "`";
+    return text;
+  }
+  auto const type = schema.contains("type") ? text_of(schema.at("type")) : "anything";
+  if (type == "string") return "text";
+  if (type == "boolean") return "`true` or `false`";
+  if (type == "array") return "list";
+  if (type != "number" && type != "integer") return type;
+  std::string text = type == "integer" ? "whole number" : "number";
+  if (schema.contains("minimum")) text += ", from " + text_of(schema["minimum"]);
+  if (schema.contains("exclusiveMinimum")) text += ", above " + text_of(schema["exclusiveMinimum"]);
+  if (schema.contains("maximum")) text += ", up to " + text_of(schema["maximum"]);
+  return text;
+}
+
+/// One row per key, those of lists and objects below them as `axes[].name`.
+void append_rows(Json const& schema, std::string const& before, std::string& rows) {
+  if (!schema.contains("properties")) return;
+  auto const required = schema.value("required", Json::array());
+  for (auto const& [key, value] : schema.at("properties").items()) {
+    bool const is_required = std::find(required.begin(), required.end(), key) != required.end();
+    rows += "| `" + before + key + "` | " + values_of(value) + " | " + (is_required ? "yes" : "") + " | " +
+            value.value("description", "") + " |\n";
+    bool const is_list = value.contains("items");
+    append_rows(is_list ? value["items"] : value, before + key + (is_list ? "[]." : "."), rows);
+  }
+}
+
 /// Names of all keys of a table and of those below it.
 void collect_keys(JsonShape const& shape, std::vector<std::string>& keys) {
   for (auto const& key : shape.keys) {
@@ -101,6 +147,25 @@ void collect_keys(JsonShape const& shape, std::vector<std::string>& keys) {
 
 TEST_CASE("the JSON schemas are what the tables of the readers give") {
   for (auto const& kind : kinds()) check_golden(kind.schema_file, json_schema(kind.shape));
+}
+
+TEST_CASE("the reference pages have a row for every key, as the readers know it") {
+  std::string const begin = "<!-- keys: written by the tests -->\n";
+  std::string const end = "<!-- end of keys -->\n";
+  for (auto const& kind : kinds()) {
+    auto page = read_source_file(kind.page);
+    INFO(kind.page);
+    auto const from = page.find(begin);
+    auto const to = page.find(end);
+    REQUIRE(from != std::string::npos);
+    REQUIRE(to != std::string::npos);
+    std::string table = "| key | value | required | meaning |\n|---|---|---|---|\n";
+    append_rows(Json::parse(json_schema(kind.shape)), "", table);
+    page.replace(from + begin.size(), to - from - begin.size(), table);
+    check_golden(kind.page, page);
+    auto const example = page.find("```json\n") + 8;
+    CHECK(accepted(kind, page.substr(example, page.find("```", example) - example)));
+  }
 }
 
 TEST_CASE("a file with every key is right for reader and schema") {

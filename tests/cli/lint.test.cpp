@@ -187,7 +187,6 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
     CHECK(outcome.out.empty());
     CHECK(outcome.err == "axisc: error: " + expected + "\n");
   };
-  check({}, "a command is missing; `axisc --help` lists the commands");
   check({"lnit"}, "there is no command \"lnit\"; did you mean \"lint\"?");
   check(
       {"lint", "x.lis", "--cycle-time", "1,5ms"},
@@ -195,7 +194,26 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
   check({"lint", "x.lis", "--disable", "AX3O05"}, "there is no code \"AX3O05\"; did you mean AX3005?");
   check({"lint", "x.lis", "--axis-type", "X"}, "--axis-type does not know \"X\"; choose from T, R, S");
   check({"lint", "x.lis", "-j", "0"}, "-j needs a positive whole number, not \"0\"");
-  check({"--color", "never"}, "a command is missing; `axisc --help` lists the commands");
+  check({"lint", "-x"}, "\"axisc lint\" has no option -x; `axisc lint --help` lists them");
+  check({"--foo"}, "there is no option --foo; `axisc --help` lists the commands");
+  check({"-x"}, "there is no option -x; `axisc --help` lists the commands");
+}
+
+TEST_CASE("the program alone shows the commands") {
+  auto const help = run_axisc({"--help"});
+  CHECK(help.status == 0);
+  for (auto const& arguments : {std::vector<std::string>{}, {"--color", "never"}}) {
+    auto const alone = run_axisc(arguments);
+    CHECK(alone.status == 2);
+    CHECK(alone.out.empty());
+    CHECK(alone.err == help.out);
+  }
+  CHECK(run_axisc({"help"}).out == help.out);
+  CHECK(run_axisc({"help", "lint"}).out == run_axisc({"lint", "--help"}).out);
+  CHECK(run_axisc({"--lang", "de", "help", "lint"}).out == run_axisc({"lint", "--help", "--lang", "de"}).out);
+  for (std::string const word : {"version", "-V"})
+    CHECK(run_axisc({word}).out == run_axisc({"--version"}).out);
+  CHECK(run_axisc({"lint", "-V"}).out == run_axisc({"--version"}).out);
 }
 
 TEST_CASE("every command has its own help in both languages") {
@@ -230,4 +248,32 @@ TEST_CASE("a report says which inputs could not be read") {
   CHECK(sarif_complaints(outcome.out) == std::vector<std::string>{});
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("\"executionSuccessful\": false") &&
                               Catch::Matchers::Contains("cannot read missing.lis"));
+}
+
+TEST_CASE("standard input is a machine file if it begins with a brace") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter[0].order 9\n");
+  auto there = in_folder(folder.path());
+  there.input = R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})";
+  auto const outcome = run_axisc({"lint", "-"}, there);
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out,
+             Catch::Matchers::Contains("--> x.lis:2:17") && Catch::Matchers::Contains("2 files: "));
+}
+
+TEST_CASE("standard input may be the text of a file with a name") {
+  TemporaryFolder const folder;
+  folder.write("axes/x.lis", "on disk\n");
+  folder.write("axes/axisc.json",
+               R"({"cycle_time_us": 2000, "paths": [{"pattern": "x.lis", "disable": ["AX2001"]}]})");
+  auto there = in_folder(folder.path());
+  there.input = "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 300\nfoo.bar 1\n";
+  auto const outcome = run_axisc({"lint", "-", "--stdin-filename", "axes/x.lis"}, there);
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains("--> axes/x.lis:3:17") &&
+                              Catch::Matchers::Contains("250 Hz") && !Catch::Matchers::Contains("foo.bar"));
+  there.input = "Filter[0].order 2\n";
+  auto const fixed = run_axisc({"lint", "-", "--stdin-filename", "axes/x.lis", "--fix"}, there);
+  CHECK(fixed.out == "filter[0].order 2\n");
+  CHECK(folder.read("axes/x.lis") == "on disk\n");
 }

@@ -25,6 +25,29 @@ TEST_CASE("200 points up to 0.5/T for one axis") {
              Catch::Matchers::Contains("\nY,0.05,") && Catch::Matchers::Contains("\nY,500,1,0,0\n"));
 }
 
+TEST_CASE("the frequencies of the filters are points of the grid") {
+  TemporaryFolder const folder;
+  folder.write("x.lis",
+               "filter[0].enable 1\nfilter[0].order 1\nfilter[0].type BANDSTOP\nfilter[0].fg_f0 17.5\n");
+  auto const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms"}, there).status == 0);
+  CHECK_THAT(run_axisc({"response", "x.axim"}, there).out, Catch::Matchers::Contains("\nx,17.5,"));
+}
+
+TEST_CASE("a frequency response for readers has decibels, degrees and milliseconds") {
+  TemporaryFolder const folder;
+  folder.write("x.lis",
+               "filter[0].enable 1\nfilter[0].order 1\nfilter[0].type PT1\nfilter[0].time_constant 3183\n");
+  auto const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "1ms"}, there).status == 0);
+  auto const outcome = run_axisc({"response", "x.axim", "--frequencies", "0,50", "--format", "text"}, there);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Catch::Matchers::StartsWith(
+                              "axis  frequency [Hz]  gain [dB]  phase [\xC2\xB0]  group delay [ms]\n"
+                              "x     0               0          0          ") &&
+                              Catch::Matchers::Contains("\nx     50              -3.0"));
+}
+
 TEST_CASE("what response refuses") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
@@ -39,5 +62,7 @@ TEST_CASE("what response refuses") {
   CHECK_THAT(run_axisc({"response", "m.axim", "--at", "0:#FILTER OFF"}, there).err,
              Catch::Matchers::Contains("that \"#FILTER OFF\" could switch"));
   CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "Q"}, there).err,
-             Catch::Matchers::Contains("its axes are X, Y"));
+             Catch::Matchers::Contains("there is no axis \"Q\"; the axes are X, Y"));
+  CHECK_THAT(run_axisc({"response", "m.axim", "--axis", "y"}, there).err,
+             Catch::Matchers::Contains("there is no axis \"y\"; did you mean Y? The axes are X, Y"));
 }

@@ -117,3 +117,26 @@ TEST_CASE("what run refuses") {
   check({"--port", "motor"}, "--port does not know \"motor\"");
   check({"--at", "0:#FILTER ON [HSC]"}, "has a FIR or HSC filter");
 }
+
+TEST_CASE("a command after the last cycle is refused") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const machine = std::string(AXISC_SOURCE_DIR) + "/tests/cli/data/switching/machine.json";
+  REQUIRE(run_axisc({"compile", machine, "-o", "m.axim", "--quiet"}, there).status == 0);
+  auto const signal = run_axisc({"run", "m.axim", "--cycles", "3", "--at", "3:#FILTER OFF"}, there);
+  CHECK(signal.status == 2);
+  CHECK(signal.out.empty());
+  folder.write("in.csv", "X\n1\n2\n");
+  auto const file =
+      run_axisc({"run", "m.axim", "--input", "in.csv", "--at", "9:#FILTER OFF", "-o", "out.csv"}, there);
+  CHECK(file.status == 2);
+  CHECK(folder.read("out.csv").empty());
+}
+
+TEST_CASE("columns that are separated by semicolons are named as such") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  folder.write("in.csv", "X;Y\n1;2\n");
+  CHECK_THAT(run_axisc({"run", "m.axim", "--input", "in.csv"}, there).err,
+             Catch::Matchers::Contains("separated by semicolons"));
+}

@@ -327,7 +327,11 @@ TEST_CASE("settings that mean nothing are refused with their place") {
            {R"({"language": "de", "language": "en"})",
             "axisc.json:1:20: the key \"language\" occurs here twice"},
            {"\xEF\xBB\xBF{\"language\": 1}", "axisc.json:1:14: \"language\" must be a text"},
-           {"{", "no valid JSON"},
+           {"{", "not valid JSON"},
+           {R"({"language": "de",})", "JSON has no comma after the last entry"},
+           {"{\"language\": \"de\" // x\n}", "JSON has no comments"},
+           {"{language: 1}", "texts and keys are in double quotes"},
+           {R"({"language": "de" "build": "V3.1.3080.00"})", "a comma is missing before this"},
            {"[]", "an object in braces"}}) {
     folder.write("axisc.json", text);
     auto const outcome = run_axisc({"lint", "x.lis"}, there);

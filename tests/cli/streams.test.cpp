@@ -1,4 +1,4 @@
-// Full disks and closed pipes: one line, exit status 2.
+// Full disks: one line, exit status 2. Closed pipes: silence, exit status 2.
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 
@@ -32,7 +32,7 @@ TEST_CASE("standard output on a full disk") {
   }
 }
 
-TEST_CASE("a pipe that nobody reads") {
+TEST_CASE("a pipe that nobody reads ends the program without a word") {
   TemporaryFolder const folder;
   auto const image = folder / "m.axim";
   REQUIRE(run_axisc({"compile", machine, "-o", image}).status == 0);
@@ -40,7 +40,7 @@ TEST_CASE("a pipe that nobody reads") {
       run_axisc({"run", image, "--cycles", "10000000"},
                 {.folder = ".", .input = {}, .out = {}, .variables = {}, .closed_pipe = true});
   CHECK(outcome.status == 2);
-  CHECK(outcome.err == "axisc: error[AX9002]: cannot write standard output: the reader closed the pipe\n");
+  CHECK(outcome.err.empty());
 }
 
 TEST_CASE("a disk that fills up while a file is written") {

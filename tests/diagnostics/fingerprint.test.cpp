@@ -39,18 +39,27 @@ TEST_CASE("a fingerprint tells code, axis, parameter and occurrence apart") {
 }
 
 TEST_CASE("fingerprints never change: baselines hold them") {
-  CHECK(fingerprint({.code = Code{3005}, .axis = "X", .parameter = "filter[0].time_constant"}, 1) ==
-        "03555cb9fd23bebc:1");
-  CHECK(fingerprint({.code = Code{1002}, .axis = "x.lis", .parameter = ""}, 12) == "4a598ee9ee76be5d:12");
+  Identity const delay{
+      .file = "axes/x.lis", .axis = "X", .parameter = "filter[0].time_constant", .code = Code{3005}};
+  CHECK(fingerprint(delay, 1) == "8039c33eeff27854:1");
+  CHECK(fingerprint({.file = "x.lis", .axis = "", .parameter = "", .code = Code{1002}}, 12) ==
+        "ccec348033c57807:12");
 }
 
-TEST_CASE("without an axis the file's name stands for it, wherever the file lies") {
+TEST_CASE("an identity names the file, in well-formed text") {
   DelayExample example;
-  example.finding.axis.clear();
-  CHECK(identity_of(example.finding, example.sources).axis == "x.lis");
+  CHECK(identity_of(example.finding, example.sources).file == "axes/x.lis");
   example.finding.place.reset();
-  example.finding.file = "C:\\lists\\G\xFCte.lis";
-  CHECK(identity_of(example.finding, example.sources).axis == "G\xEF\xBF\xBDte.lis");
+  example.finding.file = "lists/G\xFCte.lis";
+  CHECK(identity_of(example.finding, example.sources).file == "lists/G\xEF\xBF\xBDte.lis");
+}
+
+TEST_CASE("findings of equal axes in different files are different") {
+  DelayExample example;
+  auto const here = fingerprint(example.finding, example.sources);
+  example.finding.place.reset();
+  example.finding.file = "other/x.lis";
+  CHECK(fingerprint(example.finding, example.sources) != here);
 }
 
 TEST_CASE("findings of one identity are counted") {

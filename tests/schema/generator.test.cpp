@@ -30,15 +30,22 @@ struct Outcome {
   std::string tables;
 };
 
-Outcome generate(std::string const& data) {
+/// Describes all parameters that the tests invent.
+std::string const any_descriptions =
+    R"({"parameters": [], "families": [{"prefix": "", "what": {"en": "e", "de": "d"}}]})";
+
+Outcome generate(std::string const& data, std::string const& descriptions = any_descriptions) {
   auto const folder = working_folder();
+  std::ofstream(folder / "descriptions.json", std::ios::binary) << descriptions;
   std::ofstream(folder / "data.json", std::ios::binary) << data;
   std::filesystem::remove(folder / "tables.inc");
   std::string const quote = "\"";
   std::string const command =
       quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() + "\" \"" +
-      AXISC_SOURCE_DIR + "/docs/schemas/schema-file.schema.json\" \"" + (folder / "tables.inc").string() +
-      "\" \"" + (folder / "vocabulary.inc").string() + "\" 2> \"" + (folder / "message").string() + quote;
+      AXISC_SOURCE_DIR + "/docs/schemas/schema-file.schema.json\" \"" +
+      (folder / "descriptions.json").string() + "\" \"" + (folder / "tables.inc").string() + "\" \"" +
+      (folder / "vocabulary.inc").string() + "\" \"" + (folder / "description_tables.inc").string() +
+      "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
   return {accepted, read(folder / "message"), read(folder / "tables.inc")};
 }
@@ -112,6 +119,21 @@ TEST_CASE("all mistakes are named in one run") {
       document(R"({"name": "a[]", "type": "UNS08"}, {"name": "b", "type": "UNS08", "max_length": 3})"));
   CHECK(contains(outcome.message, "a[]: "));
   CHECK(contains(outcome.message, "b: "));
+}
+
+TEST_CASE("a description needs a parameter, a parameter a description, both in two languages") {
+  auto const described = [](std::string const& parameters) {
+    return generate(document(R"({"name": "a", "type": "UNS08"})"),
+                    R"({"families": [], "parameters": [)" + parameters + "]}");
+  };
+  std::string const good = R"({"name": "a", "what": {"en": "e", "de": "d"}})";
+  CHECK(described(good).accepted);
+  CHECK(contains(described("").message, "a: neither it nor its family is described"));
+  CHECK(contains(described(good + "," + good).message, "a: is described twice"));
+  CHECK(
+      contains(described(R"({"name": "b", "what": {"en": "e", "de": "d"}})").message, "b: there is no such"));
+  CHECK(contains(described(R"({"name": "a", "what": {"en": "e"}})").message, "a: a text is missing"));
+  CHECK(contains(described(R"({"name": "a"})").message, "descriptions: "));
 }
 
 }  // namespace

@@ -113,6 +113,21 @@ TEST_CASE("values and comments of a paragraph stand in columns") {
         "Ende\n");
 }
 
+TEST_CASE("a list with one column for all values keeps it") {
+  std::string list;
+  for (int i = 0; i < 6; ++i) {
+    list +=
+        "kopf.achs_nr                              1               ( number\n\n"
+        "getriebe[0].dynamik.vb_max                500000          ( speed\n";
+  }
+  CHECK(aligned(list) == list);
+  std::string const added =
+      list + "kenngr.achs_typ 1 ( type\nantr.a_very_long_name.that_does_not_fit_here 2 ( long\n";
+  CHECK(aligned(added) == list +
+                              "kenngr.achs_typ                           1               ( type\n"
+                              "antr.a_very_long_name.that_does_not_fit_here  2           ( long\n");
+}
+
 TEST_CASE("what only the control can take apart keeps its line") {
   std::string const list =
       "kopf.log_achs_name  X  Achse # x\n\nfilter[0].type  LOWPASS   # low\n\nkopf.hugo  1   # unknown\n";

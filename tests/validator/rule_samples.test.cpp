@@ -112,13 +112,20 @@ std::string folder_of(validator::Rule const& rule) {
   return code_text(rule.code) + "-" + std::string(rule.name);
 }
 
+/// The files of a sample, and how they are checked.
+struct Sample {
+  std::map<std::string, std::string> contents;
+  std::string input;
+  validator::CheckOptions options;
+};
+
 /// `name`: "fail" or "pass".
-Outcome run_sample(validator::Rule const& rule, std::string const& name) {
+Sample read_sample(validator::Rule const& rule, std::string const& name) {
   fs::path const folder = fs::path(AXISC_SOURCE_DIR) / folder_of_rules / folder_of(rule);
   fs::path const base = folder / name;
-  std::map<std::string, std::string> contents;
-  std::string input = name + (fs::exists(base.string() + ".nc") ? ".nc" : ".lis");
-  validator::CheckOptions options;
+  Sample sample;
+  auto& [contents, input, options] = sample;
+  input = name + (fs::exists(base.string() + ".nc") ? ".nc" : ".lis");
   if (fs::is_directory(base)) {
     input = fs::exists(base / "hochlauf.lis") ? "hochlauf.lis" : "machine.json";
     for (fs::directory_entry const& entry : fs::directory_iterator(base)) {
@@ -129,11 +136,22 @@ Outcome run_sample(validator::Rule const& rule, std::string const& name) {
     contents[input] = read(folder / input);
     options = options_of(contents[input]);
   }
-  tests::MapFiles files(contents);
+  return sample;
+}
+
+std::vector<Finding> findings_of(Sample const& sample) {
+  tests::MapFiles files(sample.contents);
   SourceSet sources;
-  validator::CheckResult const result = validator::check(files, input, options, sources);
+  return validator::check(files, sample.input, sample.options, sources).findings;
+}
+
+Outcome run_sample(validator::Rule const& rule, std::string const& name) {
+  Sample const sample = read_sample(rule, name);
+  tests::MapFiles files(sample.contents);
+  SourceSet sources;
+  validator::CheckResult const result = validator::check(files, sample.input, sample.options, sources);
   CHECK_FALSE(result.unreadable.has_value());
-  return outcome_of(result, sources, input, rule.code);
+  return outcome_of(result, sources, sample.input, rule.code);
 }
 
 /// Codes of files and environment come from the program itself; its own tests show them.
@@ -205,5 +223,74 @@ TEST_CASE("every rule passes its passing sample") {
     Outcome const outcome = run_sample(rule, "pass");
     INFO(outcome.findings);
     CHECK_FALSE(outcome.contains_code);
+  }
+}
+
+namespace {
+
+std::size_t count(std::vector<Finding> const& findings, Code code) {
+  return static_cast<std::size_t>(std::count_if(
+      findings.begin(), findings.end(), [code](Finding const& finding) { return finding.code == code; }));
+}
+
+/// A rule about the text of lists, not about values of parameters.
+bool is_about_text(validator::Rule const& rule) {
+  auto const number = static_cast<std::uint16_t>(rule.code);
+  bool const is_reference = number >= 2010 && number <= 2014;
+  return number < 2002 || number == 2006 || is_reference || number >= 9000;
+}
+
+bool looks_at(validator::Rule const& rule, std::string const& parameter) {
+  auto const found = schema::find(parameter);
+  return found.row == nullptr || validator::looks_at(rule, *found.row);
+}
+
+/// The parameter that a line assigns; empty for other lines.
+std::string assigned(std::string const& line) {
+  auto const name = line.substr(0, line.find_first_of(" \t"));
+  return schema::find(name).row == nullptr ? std::string() : name;
+}
+
+}  // namespace
+
+TEST_CASE("a rule names the parameters of its findings, and those whose lines decide about them") {
+  for (validator::Rule const& rule : validator::rules()) {
+    if (!has_sample(rule) || is_about_text(rule)) continue;
+    for (std::string const name : {"fail", "pass"}) {
+      Sample const sample = read_sample(rule, name);
+      auto const findings = findings_of(sample);
+      for (auto const& finding : findings) {
+        INFO(folder_of(rule) << ": " << finding.parameter);
+        if (finding.code == rule.code) CHECK(looks_at(rule, finding.parameter));
+      }
+      for (auto const& [file, text] : sample.contents) {
+        if (!file.ends_with(".lis")) continue;
+        for (std::size_t begin = 0; begin < text.size();) {
+          auto const end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+          auto const parameter = assigned(text.substr(begin, end - begin));
+          if (!parameter.empty() && !looks_at(rule, parameter)) {
+            Sample without = sample;
+            without.contents[file].erase(begin, end - begin);
+            INFO(folder_of(rule) << "/" << name << " without " << parameter);
+            CHECK(count(findings_of(without), rule.code) == count(findings, rule.code));
+          }
+          begin = end;
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("the parameters that rules name are in the catalogue") {
+  for (validator::Rule const& rule : validator::rules()) {
+    std::istringstream words{std::string(rule.parameters)};
+    for (std::string word; words >> word;) {
+      validator::Rule alone;
+      alone.parameters = word;
+      auto const rows = schema::parameters();
+      INFO(folder_of(rule) << ": " << word);
+      CHECK(std::any_of(rows.begin(), rows.end(),
+                        [&](auto const& row) { return validator::looks_at(alone, row); }));
+    }
   }
 }

@@ -131,6 +131,11 @@ struct Rule {
   bool always = false;  ///< a note that is reported without `pedantic` as well
   std::string_view control =
       {};  ///< the control's message numbers, "50663/60311/70451"; empty where it has none
+  /// Parameters whose values the check looks at, separated by blanks, as the catalogue writes them. `filters[].order`
+  /// means the filters of both ports, `ipc.` the family of Improved Position Control, `*` at the end every ending.
+  std::string_view parameters = {};
+  /// For a rule that checks every parameter of a kind.
+  bool (*about)(schema::Parameter const&) = nullptr;
   Needs needs = Needs::nothing;
   Precedence precedence = Precedence::of_family;
   /// Findings of these rules about one filter or program silence this rule there.
@@ -201,6 +206,8 @@ template <typename... Checks>
 [[nodiscard]] Rule const* find_rule(Code code);
 /// The index of a rule in the table.
 [[nodiscard]] std::size_t number_of(Rule const& rule);
+/// True if the rule looks at the value of the parameter: `parameters` names it, or `about` says so.
+[[nodiscard]] bool looks_at(Rule const& rule, schema::Parameter const& parameter);
 /// The page that `axisc explain` prints about a rule. Cost: one table access.
 [[nodiscard]] Page const& page(Rule const& rule);
 

@@ -94,7 +94,8 @@ std::optional<configuration::FileError> Loader::load_text() {
   std::variant<std::string, configuration::FileError> bytes = read_text(machine_.path);
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
   auto& text = std::get<std::string>(bytes);
-  bool const is_machine = is_machine_text(machine_.path, text);
+  bool const is_machine = machine_.path == "-" ? configuration::looks_like_machine_file(text)
+                                               : is_machine_text(machine_.path, text);
   bool const is_start_up = !is_machine && configuration::looks_like_start_up_list(text);
   SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
   if (is_machine) {

@@ -60,6 +60,7 @@ void wrong_type(ListContext const& context, Report& report) {
 extern constinit Rule const ax2003{
     .code = Code{2003},
     .name = "wrong-type",
+    .about = [](schema::Parameter const&) { return true; },
     .precedence = Precedence::before_family,
     .check = wrong_type,
 };

@@ -66,6 +66,7 @@ extern constinit Rule const ax2004{
     .code = Code{2004},
     .name = "out-of-data-range",
     .control = "1001138",
+    .about = [](schema::Parameter const& parameter) { return schema::is_integer(parameter.type); },
     .precedence = Precedence::before_family,
     .check = out_of_data_range,
 };

@@ -69,6 +69,12 @@ void out_of_range(AxisContext const& context, Report& report) {
 extern constinit Rule const ax2005{
     .code = Code{2005},
     .name = "out-of-range",
+    .about =
+        [](schema::Parameter const& parameter) {
+          return schema::is_number(parameter.type) &&
+                 (parameter.minimum.kind == schema::Limit::Kind::number ||
+                  parameter.maximum.kind == schema::Limit::Kind::number);
+        },
     .precedence = Precedence::after_family,
     .check = out_of_range,
 };

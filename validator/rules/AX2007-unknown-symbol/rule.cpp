@@ -57,6 +57,7 @@ extern constinit Rule const ax2007{
     .code = Code{2007},
     .name = "unknown-symbol",
     .control = "2022",
+    .about = [](schema::Parameter const& parameter) { return parameter.is_enumeration(); },
     .precedence = Precedence::before_family,
     .check = unknown_symbol,
 };

@@ -45,6 +45,7 @@ extern constinit Rule const ax2008{
     .code = Code{2008},
     .name = "string-too-long",
     .control = "2023",
+    .about = [](schema::Parameter const& parameter) { return parameter.max_length > 0; },
     .check = string_too_long,
 };
 

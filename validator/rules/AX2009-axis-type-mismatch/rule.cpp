@@ -74,6 +74,7 @@ extern constinit Rule const ax2009{
     .code = Code{2009},
     .name = "axis-type-mismatch",
     .severity = Severity::warning,
+    .about = [](schema::Parameter const& parameter) { return !parameter.axis_types.empty(); },
     .precedence = Precedence::after_text,
     .check = axis_type_mismatch,
 };

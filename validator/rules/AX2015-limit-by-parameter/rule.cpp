@@ -128,11 +128,21 @@ void limit_by_parameter(AxisContext const& context, Report& report) {
   }
 }
 
+bool is_about(schema::Parameter const& parameter) {
+  auto const is_limit_of = [&](schema::Parameter const& limited) {
+    return std::max(limited.minimum.p_axis, limited.maximum.p_axis) == parameter.p_axis;
+  };
+  auto const rows = schema::parameters();
+  bool const is_limit = parameter.p_axis != 0 && std::any_of(rows.begin(), rows.end(), is_limit_of);
+  return is_limit || schema::is_limited_by_another(parameter);
+}
+
 }  // namespace
 
 extern constinit Rule const ax2015{
     .code = Code{2015},
     .name = "limit-by-parameter",
+    .about = is_about,
     .precedence = Precedence::before_family,
     .check = limit_by_parameter,
 };

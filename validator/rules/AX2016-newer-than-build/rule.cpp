@@ -146,12 +146,19 @@ void commands_newer_than_build(ProgramContext const& context, Report& report) {
   }
 }
 
+/// A string may be quoted, a filter type may be TIME_DELAY, and spindles may have no filters.
+bool is_about(schema::Parameter const& parameter) {
+  return BuildVersion{} < needed_for(parameter) || parameter.type == schema::DataType::string ||
+         parameter.name == "filter[].enable";
+}
+
 }  // namespace
 
 extern constinit Rule const ax2016{
     .code = Code{2016},
     .name = "newer-than-build",
     .severity = Severity::warning,
+    .about = is_about,
     .precedence = Precedence::after_text,
     .check = newer_than_build,
     .program_check = commands_newer_than_build,

@@ -56,6 +56,7 @@ extern constinit Rule const ax3005{
     .code = Code{3005},
     .name = "delay-too-long",
     .control = control_numbers<path_refuses_time, spindle_refuses_time, position_controller_refuses_time>,
+    .parameters = "filters[].time_constant filters[].type filters[].enable filters[].order",
     .needs = Needs::cycle_time,
     .check = delay_too_long,
 };

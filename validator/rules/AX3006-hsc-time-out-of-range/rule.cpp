@@ -45,6 +45,7 @@ extern constinit Rule const ax3006{
     .code = Code{3006},
     .name = "hsc-time-out-of-range",
     .control = "50910",
+    .parameters = "filter[].time_constant filter[].order filter[].type filter[].prototype",
     .needs = Needs::cycle_time,
     .check = hsc_time_out_of_range,
 };

@@ -37,6 +37,7 @@ extern constinit Rule const ax3008{
     .code = Code{3008},
     .name = "order-without-enable",
     .severity = Severity::note,
+    .parameters = "filters[].order filters[].enable",
     .check = order_without_enable,
 };
 

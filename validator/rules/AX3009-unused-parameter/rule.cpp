@@ -128,6 +128,7 @@ extern constinit Rule const ax3009{
     .code = Code{3009},
     .name = "unused-parameter",
     .severity = Severity::warning,
+    .parameters = "filters[].* filter_fir.fcut filter_fir.quality filter_fir.type",
     .precedence = Precedence::after_family,
     .check = unused_parameter,
 };

@@ -39,6 +39,7 @@ extern constinit Rule const ax3011{
     .code = Code{3011},
     .name = "hsc-enabled-permanently",
     .control = "110629",
+    .parameters = "filters[].enable filters[].prototype",
     .check = hsc_enabled_permanently,
 };
 

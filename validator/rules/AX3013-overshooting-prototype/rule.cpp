@@ -47,6 +47,7 @@ extern constinit Rule const ax3013{
     .code = Code{3013},
     .name = "overshooting-prototype",
     .severity = Severity::warning,
+    .parameters = "filter[].prototype filter[].type filter[].order filter[].enable",
     .needs = Needs::cycle_time,
     .check = overshooting_prototype,
 };

@@ -49,6 +49,9 @@ extern constinit Rule const ax3015{
     .code = Code{3015},
     .name = "share-zero",
     .severity = Severity::warning,
+    .parameters =
+        "filters[].share_percent filters[].enable filters[].order filters[].type filter_fir.share "
+        "filter_fir.enable filter_fir.type",
     .check = share_zero,
 };
 

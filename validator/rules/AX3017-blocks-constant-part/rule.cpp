@@ -36,6 +36,7 @@ extern constinit Rule const ax3017{
     .code = Code{3017},
     .name = "blocks-constant-part",
     .severity = Severity::warning,
+    .parameters = "filter[].type filter[].share_percent filter[].enable filter[].order",
     .check = blocks_constant_part,
 };
 

@@ -36,6 +36,7 @@ extern constinit Rule const ax3020{
     .name = "fir-without-type",
     .severity = Severity::warning,
     .control = "110634/51043",
+    .parameters = "filter_fir.type filter_fir.enable",
     .check = fir_without_type,
 };
 

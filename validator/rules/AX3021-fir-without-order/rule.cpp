@@ -39,6 +39,7 @@ extern constinit Rule const ax3021{
     .name = "fir-without-order",
     .severity = Severity::warning,
     .control = "50989",
+    .parameters = "filter_fir.order filter_fir.order_time filter_fir.type filter_fir.enable",
     .check = fir_without_order,
 };
 

@@ -55,6 +55,7 @@ extern constinit Rule const ax3022{
     .code = Code{3022},
     .name = "fir-order-time-range",
     .control = control_numbers<order_too_low, order_clipped>,
+    .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,
     .check = fir_order_time_range,
 };

@@ -36,6 +36,7 @@ extern constinit Rule const ax3023{
     .code = Code{3023},
     .name = "fir-order-time-unused",
     .severity = Severity::warning,
+    .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .precedence = Precedence::after_family,
     .check = fir_order_time_unused,
 };

@@ -40,6 +40,7 @@ extern constinit Rule const ax3024{
     .code = Code{3024},
     .name = "fir-order-time-rounded",
     .severity = Severity::note,
+    .parameters = "filter_fir.order_time filter_fir.order filter_fir.type",
     .needs = Needs::cycle_time,
     .precedence = Precedence::after_family,
     .check = fir_order_time_rounded,

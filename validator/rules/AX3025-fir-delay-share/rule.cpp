@@ -34,6 +34,7 @@ extern constinit Rule const ax3025{
     .code = Code{3025},
     .name = "fir-delay-share",
     .severity = Severity::warning,
+    .parameters = "filter_fir.share filter_fir.type",
     .check = fir_delay_share,
 };
 

@@ -102,6 +102,7 @@ extern constinit Rule const ax3030{
     .code = Code{3030},
     .name = "ipc-parameter-missing",
     .control = control_numbers<no_frequency, no_order, no_quality, no_damping>,
+    .parameters = "ipc.stage[].* ipc.enable",
     .check = ipc_parameter_missing,
 };
 

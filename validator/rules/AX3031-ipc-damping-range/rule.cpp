@@ -37,6 +37,7 @@ extern constinit Rule const ax3031{
     .code = Code{3031},
     .name = "ipc-damping-range",
     .control = "70599",
+    .parameters = "ipc.stage[].filter.damping ipc.stage[].osc_damping ipc.stage[].mode ipc.enable",
     .check = ipc_damping_range,
 };
 

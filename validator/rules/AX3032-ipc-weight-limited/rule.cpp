@@ -49,6 +49,7 @@ extern constinit Rule const ax3032{
     .name = "ipc-weight-limited",
     .severity = Severity::warning,
     .control = "70605",
+    .parameters = "ipc.stage[].weight_fact_num ipc.stage[].weight_fact_denom ipc.stage[].mode ipc.enable",
     .check = ipc_weight_limited,
 };
 

@@ -35,6 +35,7 @@ extern constinit Rule const ax3033{
     .code = Code{3033},
     .name = "ipc-without-limit",
     .severity = Severity::warning,
+    .parameters = "ipc.v_add_max_fact ipc.enable",
     .check = ipc_without_limit,
 };
 

@@ -76,6 +76,9 @@ extern constinit Rule const ax3034{
     .code = Code{3034},
     .name = "ipc-frequencies-close",
     .severity = Severity::warning,
+    .parameters =
+        "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].filter.q_factor "
+        "ipc.stage[].filter[].q_factor ipc.stage[].mode ipc.enable",
     .check = ipc_frequencies_close,
 };
 

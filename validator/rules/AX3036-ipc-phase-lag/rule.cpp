@@ -70,6 +70,7 @@ extern constinit Rule const ax3036{
     .code = Code{3036},
     .name = "ipc-phase-lag",
     .severity = Severity::warning,
+    .parameters = "ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 ipc.stage[].mode ipc.enable",
     .needs = Needs::cycle_time,
     .check = ipc_phase_lag,
 };

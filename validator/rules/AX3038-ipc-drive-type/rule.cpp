@@ -37,6 +37,7 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
 extern constinit Rule const ax3038{
     .code = Code{3038},
     .name = "ipc-drive-type",
+    .parameters = "kenngr.antr_typ ipc.enable",
     .check = ipc_drive_type,
 };
 

@@ -40,6 +40,9 @@ extern constinit Rule const ax3040{
     .code = Code{3040},
     .name = "interface-filter-invalid-default",
     .control = "70451",
+    .parameters =
+        "lr_param.add_interface.filter[].time_constant lr_param.add_interface.filter[].type "
+        "lr_param.add_interface.filter[].enable lr_param.add_interface.filter[].order",
     .check = interface_filter_invalid_default,
 };
 

@@ -47,6 +47,9 @@ extern constinit Rule const ax3041{
     .code = Code{3041},
     .name = "interface-disabled",
     .severity = Severity::warning,
+    .parameters =
+        "lr_param.add_interface.enable lr_param.add_interface.filter[].enable "
+        "lr_param.add_interface.filter[].order",
     .check = interface_disabled,
 };
 

@@ -36,6 +36,7 @@ extern constinit Rule const ax3043{
     .code = Code{3043},
     .name = "ipc-operation-mode",
     .control = "70602",
+    .parameters = "antr.operation_mode ipc.enable",
     .check = ipc_operation_mode,
 };
 

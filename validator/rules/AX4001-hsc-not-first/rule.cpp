@@ -30,6 +30,7 @@ extern constinit Rule const ax4001{
     .code = Code{4001},
     .name = "hsc-not-first",
     .control = "110501",
+    .parameters = "filter[].prototype filter[].type filter[].order",
     .silenced_by = codes<4002>,
     .check = hsc_not_first,
 };

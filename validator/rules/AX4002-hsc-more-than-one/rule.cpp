@@ -45,6 +45,7 @@ extern constinit Rule const ax4002{
     .code = Code{4002},
     .name = "hsc-more-than-one",
     .control = "110500",
+    .parameters = "filter[].prototype filter[].type filter[].order",
     .check = hsc_more_than_one,
 };
 

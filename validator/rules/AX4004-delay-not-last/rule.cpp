@@ -45,6 +45,7 @@ extern constinit Rule const ax4004{
     .code = Code{4004},
     .name = "delay-not-last",
     .control = "110583",
+    .parameters = "filters[].type filters[].enable filters[].order",
     .check = delay_not_last,
 };
 

@@ -43,6 +43,7 @@ extern constinit Rule const ax4005{
     .code = Code{4005},
     .name = "fir-with-hsc",
     .control = "110628",
+    .parameters = "filter_fir.type vib_guard.active filter[].prototype filter[].type",
     .check = fir_with_hsc,
 };
 

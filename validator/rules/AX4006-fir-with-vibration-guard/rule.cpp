@@ -37,6 +37,7 @@ extern constinit Rule const ax4006{
     .code = Code{4006},
     .name = "fir-with-vibration-guard",
     .control = "110630",
+    .parameters = "filter_fir.type vib_guard.active",
     .check = fir_with_vibration_guard,
 };
 

@@ -29,6 +29,7 @@ extern constinit Rule const ax4007{
     .code = Code{4007},
     .name = "hsc-superseded",
     .severity = Severity::note,
+    .parameters = "filter[].prototype filter[].type",
     .check = hsc_superseded,
 };
 

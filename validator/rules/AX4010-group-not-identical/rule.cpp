@@ -46,6 +46,7 @@ extern constinit Rule const ax4010{
     .code = Code{4010},
     .name = "group-not-identical",
     .severity = Severity::note,
+    .parameters = "filter[].* filter_fir.*",
     .needs = Needs::cycle_time,
     .check = group_not_identical,
 };

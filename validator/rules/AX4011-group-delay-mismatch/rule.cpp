@@ -143,6 +143,7 @@ extern constinit Rule const ax4011{
     .code = Code{4011},
     .name = "group-delay-mismatch",
     .severity = Severity::warning,
+    .parameters = "filter[].* filter_fir.* vib_guard.*",
     .needs = Needs::cycle_time,
     .check = group_delay_mismatch,
 };

@@ -41,6 +41,7 @@ extern constinit Rule const ax4012{
     .code = Code{4012},
     .name = "gantry-slave-ipc",
     .control = "70600",
+    .parameters = "ipc.enable kenngr.achs_mode kenngr.gantry_ax_nr",
     .check = gantry_slave_ipc,
 };
 

@@ -91,6 +91,9 @@ extern constinit Rule const ax4013{
     .code = Code{4013},
     .name = "gantry-scaling-differs",
     .severity = Severity::warning,
+    .parameters =
+        "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable kenngr.achs_mode "
+        "kenngr.gantry_ax_nr antr.operation_mode kenngr.antr_typ",
     .check = gantry_scaling_differs,
 };
 

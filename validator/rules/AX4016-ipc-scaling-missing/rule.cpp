@@ -63,6 +63,9 @@ extern constinit Rule const ax4016{
     .name = "ipc-scaling-missing",
     .severity = Severity::warning,
     .control = "70607",
+    .parameters =
+        "antr.v_reso_num antr.v_reso_denom antr.v_time_base ipc.enable antr.operation_mode "
+        "kenngr.antr_typ",
     .check = ipc_scaling_missing,
 };
 

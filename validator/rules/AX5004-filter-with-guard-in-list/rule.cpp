@@ -41,6 +41,7 @@ extern constinit Rule const ax5004{
     .code = Code{5004},
     .name = "filter-with-guard-in-list",
     .control = "50987",
+    .parameters = "vib_guard.active",
     .check = filter_with_guard_in_list,
 };
 

@@ -42,6 +42,7 @@ extern constinit Rule const ax5005{
     .code = Code{5005},
     .name = "guard-with-fir-in-list",
     .control = "50988",
+    .parameters = "filter_fir.type",
     .silenced_by = codes<5003>,
     .check = guard_with_fir_in_list,
 };

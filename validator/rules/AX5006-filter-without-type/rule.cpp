@@ -45,6 +45,7 @@ extern constinit Rule const ax5006{
     .name = "filter-without-type",
     .severity = Severity::warning,
     .control = "51043/51044",
+    .parameters = "filter_fir.type",
     .check = filter_without_type,
 };
 

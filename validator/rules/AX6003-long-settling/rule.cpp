@@ -94,6 +94,9 @@ extern constinit Rule const ax6003{
     .code = Code{6003},
     .name = "long-settling",
     .severity = Severity::warning,
+    .parameters =
+        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type "
+        "filters[].prototype filters[].order filters[].enable filters[].share_percent",
     .needs = Needs::cycle_time,
     .check = long_settling,
 };

@@ -53,6 +53,9 @@ extern constinit Rule const ax6005{
     .code = Code{6005},
     .name = "peak-gain",
     .severity = Severity::note,
+    .parameters =
+        "filters[].fg_f0 filters[].time_constant filters[].guete filters[].type "
+        "filters[].prototype filters[].order filters[].enable filters[].share_percent",
     .needs = Needs::cycle_time,
     .check = peak_gain,
 };

@@ -1,0 +1,28 @@
+// What parameters mean, in words. The texts are in axis-descriptions.json; the generator turns them into constant tables
+// at build time.
+#pragma once
+
+#include "diagnostics/page.hpp"
+#include "schema/catalogue.hpp"
+
+#include <string_view>
+#include <vector>
+
+namespace axisc::schema {
+
+struct ValueMeaning {
+  std::string_view value;  ///< a number, a bit ("0x10000") or a word, as lists write it
+  Page meaning;
+};
+
+struct Description {
+  Page what;    ///< a phrase
+  Page detail;  ///< sentences; may be empty
+  std::vector<ValueMeaning> values;
+  bool inferred = false;  ///< `what` is only what the family of its name tells
+};
+
+/// For a parameter of a schema file that of the built-in one of its name; otherwise empty.
+[[nodiscard]] Description description_of(Parameter const& parameter);
+
+}  // namespace axisc::schema
