@@ -72,7 +72,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
 
 [[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
   std::string meant;
-  auto const names = catalogue.suggest_names(word);
+  auto const names = catalogue.suggest_names(word).names;
   if (!names.empty()) meant = names.front();
   if (meant.empty()) {
     std::vector<std::string> texts;
