@@ -250,7 +250,10 @@ class Lint {
       }
     }
     fixes_ = fixed.facts;
-    if (options_.diff) fixes_->applied = 0;
+    if (options_.diff) {
+      fixes_->applied = 0;
+      fixes_->named.clear();
+    }
     job_.edited = std::move(fixed.edited);
     fixed_standard_input_ = job_.edited.contains("-");
   }
