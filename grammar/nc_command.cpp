@@ -1,5 +1,6 @@
 #include "grammar/nc_command.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "grammar/nc_command_def.hpp"
 
 #include <algorithm>
@@ -15,6 +16,37 @@ bool is_upper_case(std::string_view name) {
   return std::none_of(name.begin(), name.end(), [](char byte) { return byte >= 'a' && byte <= 'z'; });
 }
 
+/// As many bytes as the run of letters and digits at the front of `text` has.
+std::size_t word_size(std::string_view text) {
+  auto const* const end = std::find_if_not(
+      text.begin(), text.end(), [](char byte) { return is(character::letter | character::digit, byte); });
+  return static_cast<std::size_t>(end - text.begin());
+}
+
+/// One slip of the pen leaves the beginning or the end as it is.
+bool resembles(std::string_view command, std::string_view beginning, std::string_view end) {
+  auto const folded = ascii::upper_case(command);
+  return folded.starts_with(beginning) || folded.ends_with(end);
+}
+
+/// The size of what may be a misspelt `#FILTER` or `#VIB GUARD` at the front of `text`; 0 for anything else.
+std::size_t resembling_size(std::string_view text) {
+  auto const skip_blanks = [text](std::size_t at) {
+    return std::min(text.find_first_not_of(" \t", at), text.size());
+  };
+  std::size_t const first = skip_blanks(1);
+  std::size_t const first_end = first + word_size(text.substr(first));
+  if (first_end == first) return 0;
+  std::string_view const word = text.substr(first, first_end - first);
+  if (resembles(word, "FI", "ER") || resembles(word, "VIBG", "ARD") || resembles(word, "VIB_", "ARD"))
+    return first_end;
+  std::size_t const second = skip_blanks(first_end);
+  std::size_t const second_end = second + word_size(text.substr(second));
+  bool const is_guard =
+      resembles(word, "VIB", "VIB") || resembles(text.substr(second, second_end - second), "GUARD", "ARD");
+  return second != first_end && second_end != second && is_guard ? second_end : 0;
+}
+
 /// One command, from its `#` on.
 class CommandReader {
  public:
@@ -26,6 +58,8 @@ class CommandReader {
     block_syntax::CommandName name;
     block_syntax::command_name.parse(position, end, x3::unused, x3::unused, name);
     NcCommand command;
+    std::string_view const whole = text_.substr(static_cast<std::size_t>(name.text.begin() - text_.data()));
+    if (name.kind == CommandKind::other) command.resembling = span(whole.substr(0, resembling_size(whole)));
     command.kind = name.kind;
     command.name = span(view(name.text));
     if (command.kind == CommandKind::filter || command.kind == CommandKind::vibration_guard) {

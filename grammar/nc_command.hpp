@@ -57,6 +57,9 @@ struct NcCommand {
   CommandSwitch command_switch = CommandSwitch::none;
   std::vector<Keyword> keywords;
   std::optional<CommandProblem> problem;
+  /// Of kind `other`: the words that begin or end like `#FILTER` or `#VIB GUARD` and may be one of them, misspelt:
+  /// `#FILTR`, `# FILTER`, `#VIB_GUARD`. Else empty.
+  Span resembling;
   std::uint32_t line = 0;  ///< of the name, from 1
 };
 

@@ -157,7 +157,8 @@ void ProgramReader::find_directives(std::string_view text, std::uint32_t offset)
 }
 
 void ProgramCollector::command(NcCommand command) {
-  if (command.kind != CommandKind::other) program.commands.push_back(std::move(command));
+  bool const may_be_meant = command.kind != CommandKind::other || !command.resembling.empty();
+  if (may_be_meant) program.commands.push_back(std::move(command));
 }
 
 NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin) {

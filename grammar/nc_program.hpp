@@ -83,7 +83,7 @@ class ProgramReader {
 
 /// What the checks look at: of a program of any length only these are kept.
 struct NcProgram {
-  std::vector<NcCommand> commands;  ///< without those of kind `other`
+  std::vector<NcCommand> commands;  ///< of kind `other` only those that resemble a filter command
   std::vector<Directive> directives;
   std::uint32_t lines = 0;
 };

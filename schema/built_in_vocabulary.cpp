@@ -16,7 +16,6 @@ Vocabulary const& built_in_vocabulary() {
       .odd_letters_by_size = odd_letters_by_size,
       .parts = parts,
       .places_of_parts = places_of_parts,
-      .letters_of_parts = letters_of_parts,
       .parts_of = {.starts = parts_of_starts, .numbers = parts_of_numbers},
       .names_ending_in = {.starts = names_ending_in_starts, .numbers = names_ending_in_numbers},
       .families = families,

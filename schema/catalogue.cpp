@@ -292,7 +292,7 @@ bool Catalogue::is_symbol_of_any_parameter(std::string_view word) const {
   return schema::is_symbol_of_any_parameter(word) || (extension_ && extension_->knows_word(word));
 }
 
-std::vector<std::string> Catalogue::suggest_names(std::string_view name) const {
+NameSuggestions Catalogue::suggest_names(std::string_view name) const {
   return extension_ ? schema::suggest_names(extension_->vocabulary(), name) : schema::suggest_names(name);
 }
 

@@ -59,7 +59,9 @@ struct alignas(64) Parameter {
   std::span<Symbol const>
       number_names;             ///< what numbers mean, for messages ("SERCOS"); a list cannot write these
   std::string_view axis_types;  ///< "TR" where the parameter is not for every type; empty means all
-  std::string_view since;       ///< build that introduced it; empty where it is as old as the catalogue
+  std::string_view
+      former_name;         ///< name without brackets that the vendor once used; empty where there is none
+  std::string_view since;  ///< build that introduced it; empty where it is as old as the catalogue
   /// What default_text says, where it is a decimal number and was read already; else not a number.
   double default_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -133,8 +135,15 @@ struct NameLookup {
 /// True for a word that some enumeration knows (LOWPASS, TRUE).
 [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word);
 
-/// Known names that a mistyped one may have meant, best first, at most three; the indices of `name` are kept.
-[[nodiscard]] std::vector<std::string> suggest_names(std::string_view name);
+/// What an unknown name may have meant: names in its own family, and names that differ from it by one slip of the pen,
+/// one missing part, or two words that are swapped. Indices are kept.
+struct NameSuggestions {
+  std::vector<std::string> names;  ///< best first, at most three
+  bool is_close = false;           ///< the best one differs by one slip
+  bool is_certain = false;  ///< the best one is clearly better than all others, and may be written instead
+  bool is_former_name = false;  ///< the best one once had this name
+};
+[[nodiscard]] NameSuggestions suggest_names(std::string_view name);
 /// Words of one enumeration that a mistyped one may have meant, best first, at most three.
 [[nodiscard]] std::vector<std::string_view> suggest_symbols(Parameter const& parameter,
                                                             std::string_view word);
@@ -194,7 +203,7 @@ class Catalogue {
   [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
   [[nodiscard]] std::span<Slot const> slots_limited_by_others() const;
   [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;
-  [[nodiscard]] std::vector<std::string> suggest_names(std::string_view name) const;
+  [[nodiscard]] NameSuggestions suggest_names(std::string_view name) const;
 
   [[nodiscard]] bool is_built_in() const { return extension_ == nullptr; }
   /// The schema file that a row comes from; empty where it was built in.

@@ -14,26 +14,27 @@
 
 namespace axisc::schema {
 
+/// What was probably typed wrong, the likeliest first: the costs of a candidate.
+enum class Slip : std::uint8_t {
+  former_name = 0,   ///< the vendor once used this name
+  one_letter = 1,    ///< one slip of the pen, in one part or between two
+  whole_part = 1,    ///< a part is missing, abbreviated, or two words or parts are swapped
+  two_letters = 2,   ///< in one part of at least eight letters
+  resemblance = 3,   ///< a part is some words of another: `share` for `share_percent`
+  more_letters = 4,  ///< in the last part
+};
+
 struct Candidate {
   std::size_t name = 0;  ///< its number in the vocabulary
-  std::size_t cost = 0;
+  Slip slip{};
+  bool begins_alike = true;       ///< the first part is not missing
   std::size_t text_distance = 0;  ///< between the names as a whole
 };
 
-/// Candidates that are more than this worse than the best are left out.
-inline constexpr std::size_t tolerance_to_best = 1;
-/// Up to this many slips in a name as a whole count as such, wherever they are: a dot may replace an
-/// underscore.
-inline constexpr std::size_t few_slips = 2;
-
-/// Those that are not much worse than the best, in no order. `bare` is `name` without indices. Where a name
-/// with one slip at most is known, only names that are nearly as close are compared; else every name that has
-/// a part or a size in common with it.
+/// Those that differ from `name` by one slip, in no order; none that are much less likely than the best. The last two
+/// slips are looked for in the family of `name` alone. `bare` is `name` without indices.
 [[nodiscard]] std::vector<Candidate> candidates_for(Vocabulary const& vocabulary, IndexedName const& name,
                                                     std::string_view bare);
-/// The same the long way, whatever is known.
-[[nodiscard]] std::vector<Candidate> distant_candidates(Vocabulary const& vocabulary, IndexedName const& name,
-                                                        std::string_view bare);
 
 /// Calls `visit(name)` for the names that may be within `limit` slips of `bare`, by their size and letters.
 template <typename Visit>
@@ -54,6 +55,14 @@ void for_each_of_like_letters(Vocabulary const& vocabulary, std::string_view bar
       if (!certainly_beyond(sets.letters, vocabulary.letters_by_size[at], limit)) visit(by_size.numbers[at]);
     }
   }
+}
+
+/// True if the shorter word is one or several whole words of the longer: `share` in `share_percent`.
+[[nodiscard]] bool resembles(std::string_view a, std::string_view b);
+
+/// How many slips of the pen are one mistake in a part of this length.
+[[nodiscard]] constexpr std::size_t slips_of_the_pen(std::size_t length) {
+  return length < 8 ? 1 : 2;
 }
 
 }  // namespace axisc::schema

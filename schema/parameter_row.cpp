@@ -32,6 +32,7 @@ ParameterRow ParameterRow::from(Parameter const& parameter) {
   row.number_names = words_of(parameter.number_names);
   row.max_length = parameter.max_length;
   row.axis_types = parameter.axis_types;
+  row.former_name = parameter.former_name;
   row.since = parameter.since;
   return row;
 }
@@ -53,6 +54,7 @@ Parameter ParameterRow::view() const {
           .unit_rotary = unit_rotary,
           .number_names = {},
           .axis_types = axis_types,
+          .former_name = former_name,
           .since = since};
 }
 

@@ -26,6 +26,7 @@ struct ParameterRow {
   Words number_names;
   std::uint16_t max_length = 0;
   std::string axis_types;
+  std::string former_name;
   std::string since;
   std::string file;  ///< where the row comes from
 

@@ -79,6 +79,7 @@ class RowReader {
       row_.axis_types.clear();
       for (Json const& type : *types) row_.axis_types += type.get<std::string>();
     }
+    if (auto const* const name = find("former_name")) row_.former_name = name->get<std::string>();
     if (auto const* const since = find("since")) row_.since = since->get<std::string>();
     if (auto const* const length = find("max_length")) {
       row_.max_length = length->get<std::uint16_t>();

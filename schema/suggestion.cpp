@@ -3,7 +3,6 @@
 #include "schema/edit_distance.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/name_candidates.hpp"
-#include "schema/part_comparison.hpp"
 #include "schema/vocabulary.hpp"
 #include "schema/words.hpp"
 
@@ -21,9 +20,6 @@ namespace axisc::schema {
 namespace {
 
 constexpr std::size_t most_suggestions = 3;
-/// Up to this many other families are worth naming whatever they are called.
-constexpr std::size_t clear_families = 2;
-
 std::size_t index_count(IndexedName const& name) {
   auto const is_indexed = [](NamePart const& part) { return part.index.has_value(); };
   return static_cast<std::size_t>(std::count_if(name.parts.begin(), name.parts.end(), is_indexed));
@@ -34,19 +30,32 @@ void put_in_order(std::vector<Candidate>& candidates, Vocabulary const& vocabula
   auto const key = [&](Candidate const& candidate) {
     std::size_t const wanted = vocabulary.rows[candidate.name].index_count();
     std::size_t const difference = wanted > indices ? wanted - indices : indices - wanted;
-    return std::tuple(candidate.cost, difference, candidate.text_distance, candidate.name);
+    return std::tuple(candidate.slip, difference, candidate.text_distance, candidate.name);
   };
   std::sort(candidates.begin(), candidates.end(),
             [&key](Candidate const& a, Candidate const& b) { return key(a) < key(b); });
 }
 
-/// A quantity that many families have (`enable`) says nothing about the family that was meant, so of those only the ones
-/// whose family is spelled alike stay.
-void drop_arbitrary(std::vector<Candidate>& candidates, std::size_t name_size) {
-  if (candidates.size() <= clear_families) return;
-  std::erase_if(candidates, [name_size](Candidate const& candidate) {
-    return candidate.cost >= foreign_part && 2 * candidate.text_distance >= name_size;
+/// A quantity alone (`enable`) does not say which of many families was meant.
+void drop_arbitrary(std::vector<Candidate>& candidates) {
+  constexpr int most_families = 2;
+  auto const is_alone = [](Candidate const& candidate) { return !candidate.begins_alike; };
+  if (std::count_if(candidates.begin(), candidates.end(), is_alone) > most_families) {
+    std::erase_if(candidates, is_alone);
+  }
+}
+
+/// The best candidate can be meant alone: its name has as many indices and begins alike, and no other comes near.
+bool is_certain(std::vector<Candidate> const& candidates, Vocabulary const& vocabulary, std::size_t indices) {
+  Candidate const& best = candidates.front();
+  // Two names may differ in their indices alone.
+  auto const rival = std::find_if(candidates.begin() + 1, candidates.end(), [&](Candidate const& other) {
+    return vocabulary.names[other.name] != vocabulary.names[best.name];
   });
+  bool const rivalled =
+      rival != candidates.end() && static_cast<int>(rival->slip) < 2 * static_cast<int>(best.slip);
+  return best.slip <= Slip::two_letters && best.begins_alike && !rivalled &&
+         vocabulary.rows[best.name].index_count() == indices;
 }
 
 /// The known name with the indices of the given one; 0 where there are too few. None when one is out of range there.
@@ -76,6 +85,7 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
   std::size_t const limit = tolerable_distance(word.size());
   std::size_t const slips = edit_distance(word, symbol, limit);
   if (slips <= limit) return slips;
+  constexpr std::size_t shortest_beginning = 3;
   if (word.size() >= shortest_beginning && (symbol.starts_with(word) || resembles(word, symbol))) {
     return limit + 1;
   }
@@ -84,31 +94,37 @@ std::optional<std::size_t> symbol_distance(std::string_view word, std::string_vi
 
 }  // namespace
 
-std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string_view name) {
-  if (name.size() > longest_compared) return {};
+NameSuggestions suggest_names(Vocabulary const& vocabulary, std::string_view name) {
+  NameSuggestions suggestions;
+  if (name.size() > longest_compared) return suggestions;
   std::string folded;
   if (!is_lower_case(name)) {
     folded = ascii::lower_case(name);
     name = folded;
   }
   auto const parts = split_name(name);
-  if (!parts || parts->parts.empty()) return {};
-  std::string const bare = bare_name(name);
-  std::vector<Candidate> candidates = candidates_for(vocabulary, *parts, bare);
-  put_in_order(candidates, vocabulary, index_count(*parts));
-  drop_arbitrary(candidates, bare.size());
-  std::vector<std::string> suggestions;
-  suggestions.reserve(std::min(candidates.size(), most_suggestions));
+  if (!parts || parts->parts.empty()) return suggestions;
+  std::vector<Candidate> candidates = candidates_for(vocabulary, *parts, bare_name(name));
+  std::size_t const indices = index_count(*parts);
+  put_in_order(candidates, vocabulary, indices);
+  drop_arbitrary(candidates);
+  suggestions.names.reserve(std::min(candidates.size(), most_suggestions));
   for (Candidate const& candidate : candidates) {
-    if (suggestions.size() == most_suggestions) break;
-    if (auto suggestion = with_indices(vocabulary.rows[candidate.name], *parts)) {
-      suggestions.push_back(std::move(*suggestion));
+    if (suggestions.names.size() == most_suggestions) break;
+    auto suggestion = with_indices(vocabulary.rows[candidate.name], *parts);
+    if (!suggestion) continue;
+    if (suggestions.names.empty()) {
+      suggestions.is_close = candidate.slip <= Slip::two_letters;
+      suggestions.is_former_name = candidate.slip == Slip::former_name;
+      suggestions.is_certain =
+          &candidate == &candidates.front() && is_certain(candidates, vocabulary, indices);
     }
+    suggestions.names.push_back(std::move(*suggestion));
   }
   return suggestions;
 }
 
-std::vector<std::string> suggest_names(std::string_view name) {
+NameSuggestions suggest_names(std::string_view name) {
   return suggest_names(built_in_vocabulary(), name);
 }
 

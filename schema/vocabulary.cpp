@@ -64,7 +64,6 @@ VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
   auto const place_of_part = [this](std::string_view part) {
     return static_cast<std::uint32_t>(find_text(part, parts, places_of_parts).value());
   };
-  for (std::string_view const part : parts) letters_of_parts.push_back(letter_sets_of(part).letters);
 
   std::vector<std::uint32_t> endings;
   parts_of.starts.push_back(0);
@@ -87,7 +86,7 @@ VocabularyTables::VocabularyTables(std::vector<std::string> const& patterns) {
   }
   names_of_family = group_by(own_families, families.size());
   for (std::uint32_t const name : names_of_family.numbers) {
-    letters_by_family.push_back(letters_of_parts[endings[name]]);
+    letters_by_family.push_back(letter_sets_of(parts[endings[name]]).letters);
   }
 }
 
@@ -99,7 +98,6 @@ Vocabulary VocabularyTables::view(std::span<Parameter const> rows) const {
           .odd_letters_by_size = odd_letters_by_size,
           .parts = parts,
           .places_of_parts = places_of_parts,
-          .letters_of_parts = letters_of_parts,
           .parts_of = parts_of.view(),
           .names_ending_in = names_ending_in.view(),
           .families = families,

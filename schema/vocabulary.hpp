@@ -38,7 +38,6 @@ struct Vocabulary {
   std::span<OddLetters const> odd_letters_by_size;
   std::span<std::string_view const> parts;  ///< each different one
   TextPlaces places_of_parts;
-  std::span<Letters const> letters_of_parts;
   Groups parts_of;                             ///< of each name
   Groups names_ending_in;                      ///< each part
   std::span<std::string_view const> families;  ///< each different one
@@ -62,7 +61,6 @@ struct VocabularyTables {
   std::vector<OddLetters> odd_letters_by_size;
   std::vector<std::string_view> parts;  ///< pieces of `names`
   std::vector<std::uint32_t> places_of_parts;
-  std::vector<Letters> letters_of_parts;
   OwnGroups parts_of;
   OwnGroups names_ending_in;
   std::vector<std::string_view> families;  ///< pieces of `names`
@@ -81,6 +79,6 @@ struct VocabularyTables {
 [[nodiscard]] Vocabulary const& built_in_vocabulary();
 
 /// Names of `vocabulary` that a mistyped one may have meant, see Catalogue::suggest_names.
-[[nodiscard]] std::vector<std::string> suggest_names(Vocabulary const& vocabulary, std::string_view name);
+[[nodiscard]] NameSuggestions suggest_names(Vocabulary const& vocabulary, std::string_view name);
 
 }  // namespace axisc::schema

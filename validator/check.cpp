@@ -37,10 +37,11 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
   bool const is_understood = machine.complete && machine.findings.empty();
 
   machine.gantries = gantries_of(machine);
-  std::deque<AxisViews> const views = views_of(machine);
+  std::deque<AxisViews> views = views_of(machine);
   EngineResult const judged = run_rules(machine, views, options, sources, sink);
   result.cycle_time_assumed = judged.cycle_time_assumed;
   if (options.machine && !judged.has_errors && is_understood && !machine.axes.empty()) {
+    if (forget_guesses(machine)) views = views_of(machine);
     BuiltMachine built = build_machine(machine, views, sources, files);
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);

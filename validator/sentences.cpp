@@ -13,6 +13,9 @@ constinit Sentence const filter_reaction_clipped{"the highest possible order is 
 constinit Sentence const cycle_time_assumed_note{"with the assumed cycle time of 1 ms",
                                                  "mit der angenommenen Zykluszeit von 1 ms"};
 
+constinit Sentence const milliseconds_meant{"the value is in µs: {value} ms are `{replacement}`",
+                                            "der Wert gilt in µs: {value} ms sind `{replacement}`"};
+
 constinit Sentence const program_reaction_aborted{"the NC program is aborted",
                                                   "das NC-Programm wird abgebrochen"};
 

@@ -181,8 +181,16 @@ class Fixer {
     }
   }
 
+  void name(Fix const& fix, SourceSet const& sources) {
+    auto const& source = sources[fix.edits.front().place.source];
+    result_.facts.named.push_back({.file = source.name(),
+                                   .line = source.position(fix.edits.front().place.span.begin).line,
+                                   .title = fix.title});
+  }
+
   void keep_originals(Attempt const& attempt) {
     for (auto const* const fix : attempt.accepted) {
+      if (choice_ == FixChoice::all && !fix->edits.empty()) name(*fix, attempt.sources);
       for (auto const& edit : fix->edits) {
         auto const& source = attempt.sources[edit.place.source];
         result_.original.try_emplace(source.name(), source.bytes());

@@ -88,7 +88,7 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
   std::string meant;
   // Of a single word everything is similar to some name.
   auto const names =
-      word.find('.') == std::string::npos ? std::vector<std::string>() : catalogue.suggest_names(word);
+      word.find('.') == std::string::npos ? std::vector<std::string>() : catalogue.suggest_names(word).names;
   if (!names.empty()) meant = names.front();
   if (meant.empty()) {
     std::vector<std::string> texts;

@@ -273,7 +273,10 @@ class Lint {
       }
     }
     fixes_ = fixed.facts;
-    if (options_.diff) fixes_->applied = 0;
+    if (options_.diff) {
+      fixes_->applied = 0;
+      fixes_->named.clear();
+    }
     job_.edited = std::move(fixed.edited);
     fixed_standard_input_ = choice_ != FixChoice::none && job_.edited.contains(standard_input_);
   }

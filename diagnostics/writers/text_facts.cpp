@@ -71,6 +71,11 @@ std::string write_text_facts(RunFacts const& run, WriteOptions const& options) {
     text += paint(Style::note, render({.sentence = says::word_note, .arguments = {}}, language)) + ": " +
             printable(sentence) + '\n';
   };
+  if (run.fixes) {
+    for (AppliedFix const& fix : run.fixes->named) {
+      add(fix.file + ":" + std::to_string(fix.line) + ": " + render(fix.title, language));
+    }
+  }
   if (run.fixes && run.fixes->applied > 0) {
     add(counted(run.fixes->applied, says::fixed_one, says::fixed_many, language));
   }

@@ -18,10 +18,17 @@ struct WriteOptions {
   bool color = false;  ///< ANSI colours in the text form
 };
 
+struct AppliedFix {
+  std::string file;
+  std::uint32_t line = 0;
+  Message title;
+};
+
 /// Numbers of the findings that are not shown, by reason.
 struct FixFacts {
   std::size_t applied = 0;
-  std::size_t left_out = 0;  ///< fixes that would have led to further findings
+  std::vector<AppliedFix> named = {};  ///< of those, what text names one by one
+  std::size_t left_out = 0;            ///< fixes that would have led to further findings
 };
 struct BaselineFacts {
   std::size_t hidden = 0;

@@ -175,6 +175,7 @@ class TableWriter {
     write_text("unit_rotary", parameter.unit_rotary);
     out_ << ", .number_names = " << set_names_[2 * row + 1];
     write_text("axis_types", parameter.axis_types);
+    write_text("former_name", parameter.former_name);
     write_text("since", parameter.since);
     if (auto const number = decimal_number(parameter.default_text.value_or(""))) {
       out_ << ", .default_number = " << shortest_text(*number);

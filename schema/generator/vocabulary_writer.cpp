@@ -58,7 +58,6 @@ std::string write_vocabulary(std::vector<ParameterRow> const& parameters) {
               [&out](OddLetters set) { out << set; });
   texts("parts", tables.parts);
   numbers("places_of_parts", tables.places_of_parts);
-  letters("letters_of_parts", tables.letters_of_parts);
   groups("parts_of", tables.parts_of);
   groups("names_ending_in", tables.names_ending_in);
   texts("families", tables.families);

@@ -20,7 +20,7 @@ Outcome lint(TemporaryFolder const& folder, std::vector<std::string> arguments) 
 /// windows-1252, CR LF, tabs.
 std::string const mixed =
     "KOPF.achs_nr\t\t1\t( Gr\xF6\xDF"
-    "e\r\nkenngr.achs_typ   1 5  ( T\r\nfilter[0].ordre  0\r\nende\r\n";
+    "e\r\nkenngr.achs_typ   1  ( T\r\nfilter[0].ordre  0\r\nende\r\n";
 
 }  // namespace
 
@@ -31,16 +31,17 @@ TEST_CASE("safe fixes change the bytes that are wrong and no others") {
   CHECK(outcome.status == 1);
   CHECK(folder.read("x.lis") ==
         "kopf.achs_nr\t\t1\t( Gr\xF6\xDF"
-        "e\r\nkenngr.achs_typ   1 ( 5  ( T\r\nfilter[0].ordre  0\r\nEnde\r\n");
+        "e\r\nkenngr.achs_typ   1  ( T\r\nfilter[0].ordre  0\r\nEnde\r\n");
   CHECK_THAT(outcome.out, Catch::Matchers::Contains("x.lis:3:1") &&
-                              Catch::Matchers::EndsWith("note: 3 findings were fixed\n1 file: 1 error\n"));
+                              Catch::Matchers::EndsWith("note: 2 findings were fixed\n1 file: 1 error\n"));
   CHECK(folder.entries() == 1);
 }
 
 TEST_CASE("all fixes are applied only when asked for") {
   TemporaryFolder const folder;
   folder.write("x.lis", mixed);
-  CHECK(lint(folder, {"--fix=all", "x.lis"}).status == 0);
+  auto const all = lint(folder, {"--fix=all", "x.lis"});
+  CHECK_THAT(all.out, Catch::Matchers::Contains("note: x.lis:3: write `filter[0].order`\n"));
   CHECK_THAT(folder.read("x.lis"), Catch::Matchers::Contains("\r\nfilter[0].order  0\r\n"));
   auto const again = lint(folder, {"--fix=all", "x.lis"});
   CHECK(again.out == "1 file: no findings\n");
@@ -142,9 +143,20 @@ TEST_CASE("programs are repaired whole") {
                  Catch::Matchers::EndsWith("]\r\nN3 G00 X0\r\nM30"));
 }
 
+TEST_CASE("no fix hides what a person has to decide") {
+  TemporaryFolder const folder;
+  std::string const list = "kopf.mds_ident 4 0\nkenngr.vb_messen 20 000\nEnde\nkopf.achs_nr 1\n";
+  folder.write("x.lis", list);
+  for (char const* const choice : {"--fix", "--fix=all"}) {
+    CHECK_THAT(lint(folder, {choice, "x.lis"}).out, Catch::Matchers::EndsWith("1 file: 3 warnings\n"));
+    CHECK(folder.read("x.lis") == list);
+  }
+}
+
 TEST_CASE("lists of other kinds are never changed") {
   TemporaryFolder const folder;
-  std::string const tools = "wz[1].laenge   0 ( P-TOOL-00003\nwz[1].radius  1 5\nFilter[0].order  1 5\nende\n";
+  std::string const tools =
+      "wz[1].laenge   0 ( P-TOOL-00003\nwz[1].radius  1 5\nFilter[0].order  1 5\nende\n";
   folder.write("lists/wz.lis", tools);
   folder.write("lists/sda.lis", "path[0].type     0x03\n( comment\n\tgrp_anzahl 1\n");
   std::string const channel = folder.read("lists/sda.lis");

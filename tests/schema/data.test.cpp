@@ -60,6 +60,7 @@ TEST_CASE("the tables repeat the data file row by row") {
     REQUIRE(parameter.has_default == row.contains("default"));
     REQUIRE(parameter.default_text == row.value("default", ""));
     REQUIRE(parameter.max_length == row.value("max_length", 0));
+    REQUIRE(parameter.former_name == row.value("former_name", ""));
     REQUIRE(parameter.since == row.value("since", ""));
     std::size_t const own_symbols = row.contains("symbols") ? row.at("symbols").size() : 0;
     REQUIRE(parameter.symbols.size() == own_symbols + (parameter.type == DataType::boolean ? 2U : 0U));

@@ -59,7 +59,8 @@ TEST_CASE("an added parameter is known by name, number and slot") {
   CHECK(beyond.array_size == 6);
   CHECK(catalogue.find("getriebe.new_limit").status == NameLookup::Status::index_missing);
   CHECK(catalogue.find("getriebe[2].other_limit").status == NameLookup::Status::unknown);
-  CHECK(catalogue.suggest_names("getriebe[2].new_limt") == std::vector<std::string>{"getriebe[2].new_limit"});
+  CHECK(catalogue.suggest_names("getriebe[2].new_limt").names ==
+        std::vector<std::string>{"getriebe[2].new_limit"});
 }
 
 TEST_CASE("what a schema file does not name stays as it is built in") {

@@ -16,19 +16,19 @@ namespace {
 
 using namespace schema;
 
-constexpr std::size_t missing_part = 2;
-constexpr std::size_t foreign_part = 4;
-
 struct Meant {
-  std::size_t cost;
+  int cost;
   std::size_t index_difference;
   std::size_t text_distance;
   Parameter const* parameter;
+  bool begins_alike;
   friend bool operator<(Meant const& a, Meant const& b) {
     return std::tie(a.cost, a.index_difference, a.text_distance, a.parameter) <
            std::tie(b.cost, b.index_difference, b.text_distance, b.parameter);
   }
 };
+
+using Texts = std::vector<std::string>;
 
 std::string without_brackets(std::string_view pattern) {
   std::string bare(pattern);
@@ -36,22 +36,26 @@ std::string without_brackets(std::string_view pattern) {
   return bare;
 }
 
-std::vector<std::string> parts_of(std::string const& bare) {
-  std::vector<std::string> parts;
-  for (std::string_view rest = bare; !rest.empty();) parts.emplace_back(take_part(rest));
-  return parts;
+Texts split(std::string const& text, char mark) {
+  Texts pieces(1);
+  for (char const byte : text) {
+    if (byte == mark) {
+      pieces.emplace_back();
+    } else {
+      pieces.back() += byte;
+    }
+  }
+  return pieces;
 }
 
-std::size_t slips(std::string_view given, std::string_view wanted) {
-  return edit_distance(given, wanted, tolerable_distance(given.size()));
-}
-
-bool agrees(std::string_view given, std::string_view wanted) {
-  return slips(given, wanted) <= tolerable_distance(given.size());
+std::string join(Texts const& pieces, char mark) {
+  std::string text;
+  for (std::size_t i = 0; i < pieces.size(); ++i) text += (i == 0 ? "" : std::string(1, mark)) + pieces[i];
+  return text;
 }
 
 /// One is whole words of the other.
-bool resembles(std::string_view a, std::string_view b) {
+bool is_words_of(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   std::size_t const at = b.find(a);
   if (a.size() < 3 || at == std::string_view::npos) return false;
@@ -59,27 +63,68 @@ bool resembles(std::string_view a, std::string_view b) {
   return (at == 0 || b[at - 1] == '_') && (end == b.size() || b[end] == '_');
 }
 
-std::optional<std::size_t> cost_by_parts(std::vector<std::string> const& given,
-                                         std::vector<std::string> const& known) {
-  if (!agrees(given.back(), known.back()) && !resembles(given.back(), known.back())) return std::nullopt;
-  std::size_t const common = std::min(given.size(), known.size());
-  std::size_t cost = missing_part * (std::max(given.size(), known.size()) - common);
-  std::size_t agreeing = 0, foreign = 0;
-  for (std::size_t i = 1; i <= common; ++i) {
-    std::string const& part = given[given.size() - i];
-    std::string const& wanted = known[known.size() - i];
-    if (agrees(part, wanted)) {
-      ++agreeing;
-      cost += slips(part, wanted);
-    } else if (resembles(part, wanted)) {
-      cost += 2;
-    } else {
-      ++foreign;
-      cost += foreign_part;
+bool is_initials_of(std::string const& part, std::string const& words) {
+  std::string initials;
+  for (std::string const& word : split(words, '_')) initials += word.substr(0, 1);
+  return part.size() >= 3 && part == initials;
+}
+
+/// The name with any two neighbouring parts, or any two words of a part, swapped.
+Texts swapped(Texts const& given) {
+  Texts names;
+  for (std::size_t i = 0; i + 1 < given.size(); ++i) {
+    Texts parts = given;
+    std::swap(parts[i], parts[i + 1]);
+    names.push_back(join(parts, '.'));
+  }
+  for (std::size_t part = 0; part < given.size(); ++part) {
+    Texts const words = split(given[part], '_');
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      for (std::size_t j = i + 1; j < words.size(); ++j) {
+        Texts parts = given;
+        Texts other = words;
+        std::swap(other[i], other[j]);
+        parts[part] = join(other, '_');
+        names.push_back(join(parts, '.'));
+      }
     }
   }
-  if (foreign > 1 || 2 * agreeing < given.size()) return std::nullopt;
-  return cost;
+  return names;
+}
+
+std::optional<int> cost_of(Texts const& given, Texts const& known, bool& begins_alike) {
+  std::string const bare = join(given, '.');
+  std::string const wanted = join(known, '.');
+  begins_alike = true;
+  if (bare == wanted) return std::nullopt;
+  std::size_t const slips = edit_distance(bare, wanted, 10);
+  if (slips == 1) return 1;
+  for (std::size_t missing = 0; missing < known.size(); ++missing) {
+    Texts shorter = known;
+    shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(missing));
+    if (shorter != given || given.back() != known.back()) continue;
+    begins_alike = missing != 0;
+    return 1;
+  }
+  for (std::string const& name : swapped(given)) {
+    if (name == wanted) return 1;
+  }
+  if (given.size() != known.size()) return std::nullopt;
+  Texts different;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i] == known[i]) continue;
+    place = i;
+    different.push_back(given[i]);
+  }
+  if (different.size() != 1) return std::nullopt;
+  bool const is_last = place + 1 == given.size();
+  if (!is_last && is_initials_of(given[place], known[place])) return 1;
+  if (slips == 2 && std::max(given[place].size(), known[place].size()) >= 8) return 2;
+  if (given.size() > 1 && is_words_of(given[place], known[place])) return 3;
+  std::size_t const limit = tolerable_distance(given[place].size());
+  if (given.size() > 1 && is_last && edit_distance(given[place], known[place], limit) <= limit) return 4;
+  return std::nullopt;
 }
 
 std::vector<std::uint32_t> indices_of_name(IndexedName const& name) {
@@ -92,40 +137,39 @@ std::vector<std::uint32_t> indices_of_name(IndexedName const& name) {
 
 }  // namespace
 
-std::vector<std::string> suggest_names_plainly(std::string_view name) {
+PlainSuggestions suggest_names_plainly(std::string_view name) {
   if (name.size() > longest_compared) return {};
   std::string const folded = ascii::lower_case(name);
-  auto const split = split_name(folded);
-  if (!split || split->parts.empty()) return {};
-  std::string const bare = bare_name(folded);
-  std::vector<std::string> const given = parts_of(bare);
-  std::vector<std::uint32_t> const indices = indices_of_name(*split);
+  auto const parts = split_name(folded);
+  if (!parts || parts->parts.empty()) return {};
+  Texts const given = split(bare_name(folded), '.');
+  std::string const bare = join(given, '.');
+  std::vector<std::uint32_t> const indices = indices_of_name(*parts);
 
   std::vector<Meant> meant;
+  bool renamed = false;
   for (Parameter const& parameter : parameters()) {
     std::string const known = without_brackets(parameter.name);
-    auto cost = cost_by_parts(given, parts_of(known));
-    std::size_t const distance = edit_distance(bare, known, bare.size() + known.size());
-    if (distance <= tolerable_distance(bare.size())) {
-      std::size_t const as_a_whole = distance <= 2 ? distance : distance + 2;
-      cost = std::min(cost.value_or(as_a_whole), as_a_whole);
+    bool begins_alike = true;
+    auto cost = cost_of(given, split(known, '.'), begins_alike);
+    if (parameter.former_name == bare) {
+      cost = 0;
+      renamed = true;
     }
     if (!cost) continue;
+    std::size_t const distance = edit_distance(bare, known, bare.size() + known.size());
     std::size_t const wanted = parameter.index_count();
     std::size_t const difference =
         wanted > indices.size() ? wanted - indices.size() : indices.size() - wanted;
-    meant.push_back({*cost, difference, distance, &parameter});
+    meant.push_back({*cost, difference, distance, &parameter, begins_alike});
   }
   std::sort(meant.begin(), meant.end());
-  std::size_t const best = meant.empty() ? 0 : meant.front().cost;
-  std::erase_if(meant, [best](Meant const& each) { return each.cost > best + 1; });
-  if (meant.size() > 2) {
-    std::erase_if(meant, [&bare](Meant const& each) {
-      return each.cost >= foreign_part && 2 * each.text_distance >= bare.size();
-    });
-  }
+  int const best = meant.empty() ? 0 : meant.front().cost;
+  std::erase_if(meant, [&](Meant const& each) { return renamed ? each.cost != 0 : each.cost > best + 1; });
+  auto const lacks_beginning = [](Meant const& each) { return !each.begins_alike; };
+  if (std::count_if(meant.begin(), meant.end(), lacks_beginning) > 2) std::erase_if(meant, lacks_beginning);
 
-  std::vector<std::string> suggestions;
+  PlainSuggestions suggestions;
   for (Meant const& each : meant) {
     std::string text;
     std::size_t position = 0;
@@ -137,7 +181,16 @@ std::vector<std::string> suggest_names_plainly(std::string_view name) {
       fits = fits && index < each.parameter->array.at(position++);
       text += std::to_string(index);
     }
-    if (fits && suggestions.size() < 3) suggestions.push_back(text);
+    if (!fits) continue;
+    if (&each == &meant.front()) {
+      suggestions.certain = each.cost <= 2 && each.begins_alike && each.index_difference == 0;
+      for (Meant const& other : meant) {
+        bool const is_other =
+            without_brackets(other.parameter->name) != without_brackets(each.parameter->name);
+        if (is_other && other.cost < 2 * each.cost) suggestions.certain = false;
+      }
+    }
+    if (suggestions.names.size() < 3) suggestions.names.push_back(text);
   }
   return suggestions;
 }

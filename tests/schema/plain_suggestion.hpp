@@ -7,6 +7,10 @@
 
 namespace axisc::test {
 
-[[nodiscard]] std::vector<std::string> suggest_names_plainly(std::string_view name);
+struct PlainSuggestions {
+  std::vector<std::string> names;
+  bool certain = false;
+};
+[[nodiscard]] PlainSuggestions suggest_names_plainly(std::string_view name);
 
 }  // namespace axisc::test

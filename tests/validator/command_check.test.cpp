@@ -137,7 +137,7 @@ TEST_CASE("syntax of #FILTER") {
   CHECK(result("#VIB GUARD ON") == "AX5001 <#VIB GUARD> ");
   CHECK(result("#filter ON") == "AX5001 <#filter> ");
   CHECK(result("#FILTER on") == "AX5001 <on> ");
-  CHECK(result("#FILTER ON ORDER=20") == "AX5001 <ORDER> ");
+  CHECK(result("#FILTER ON ORDER=20") == "AX5001 <ORDER=20> ");
   CHECK(result("#FILTER ON [ORDER=20") == "AX5001 <[> ");
   CHECK(result("#FILTER ON [ORDER]") == "AX5001 <ORDER> ");
   CHECK(result("#FILTER ON [ORDER 20]") == "AX5001 <ORDER> ");

@@ -1,8 +1,11 @@
 #include "validator/commands/command_check.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
 #include "grammar/number.hpp"
 #include "schema/closest_word.hpp"
+#include "schema/edit_distance.hpp"
+#include "schema/value.hpp"
 #include "validator/commands/command_keywords.hpp"
 #include "validator/sentences.hpp"
 
@@ -14,6 +17,8 @@ namespace axisc::validator::says {
 
 constexpr Sentence filter_syntax_letter_case{"`{text}` is written in capitals: `{command}`",
                                              "`{text}` wird groß geschrieben: `{command}`"};
+constexpr Sentence filter_syntax_misspelt{"`{text}` is not a command; `{command}` is one",
+                                          "`{text}` ist kein Befehl; `{command}` ist einer"};
 constexpr Sentence filter_syntax_unexpected{"`{text}` does not belong in the command `{command}`",
                                             "`{text}` gehört nicht in den Befehl `{command}`"};
 constexpr Sentence filter_syntax_expected_keyword{
@@ -111,10 +116,20 @@ class CommandCheck {
       : command_(command), text_(text), limits_(limits), variables_(variables) {}
 
   CheckedCommand check() {
+    if (command_.kind == CommandKind::other) {
+      check_resembling();
+      return std::move(checked_);
+    }
     check_structure();
     hsc_ = command_.kind == CommandKind::filter && means_hsc(command_, text_);
     result_.hsc = hsc_;
-    for (std::size_t i = 0; i < command_.keywords.size(); ++i) check_keyword(i);
+    for (std::size_t i = 0; i < command_.keywords.size(); ++i) {
+      if (check_separated(i)) {
+        ++i;
+      } else {
+        check_keyword(i);
+      }
+    }
     if (command_.command_switch == CommandSwitch::on) result_.filter_switch = machine::FilterSwitch::on;
     if (command_.command_switch == CommandSwitch::off) result_.filter_switch = machine::FilterSwitch::off;
     if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
@@ -136,6 +151,37 @@ class CommandCheck {
 
   [[nodiscard]] std::string word(Span span) const { return std::string(slice(text_, span)); }
 
+  /// Another command, or a misspelt one of these two.
+  void check_resembling() {
+    std::string const written = word(command_.resembling);
+    std::string letters = ascii::upper_case(written);
+    std::erase_if(letters, [](char byte) { return byte == '_' || ascii::is_blank(byte); });
+    for (CommandKind const kind : {CommandKind::filter, CommandKind::vibration_guard}) {
+      std::string const proper(proper_name(kind));
+      std::string meant = proper;
+      std::erase(meant, ' ');
+      if (schema::edit_distance(letters, meant, 1) > 1) continue;
+      CommandMistake& mistake = add(syntax_mistake, command_.resembling, says::filter_syntax_misspelt,
+                                    {{"text", written}, {"command", proper}});
+      mistake.notes.assign(1, syntax_of(kind));
+      mistake.better = proper;
+      return;
+    }
+  }
+
+  /// `ORDER=20 SHARE=80` without brackets: all of it.
+  [[nodiscard]] Span keywords_from(std::uint32_t begin) const {
+    std::uint32_t end = begin;
+    for (std::string_view rest = text_.substr(begin); !rest.empty();) {
+      std::size_t const name = std::min(rest.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_"), rest.size());
+      if (name == 0 || name == rest.size() || rest[name] != '=') break;
+      std::size_t const size = std::min(rest.find_first_of(" \t\r\n([;", name), rest.size());
+      end = static_cast<std::uint32_t>(rest.data() + size - text_.data());
+      rest.remove_prefix(std::min(rest.find_first_not_of(" \t", size), rest.size()));
+    }
+    return {.begin = begin, .end = end};
+  }
+
   void check_structure() {
     if (!command_.problem || follows_keyword_without_value()) return;
     std::string const proper(proper_name(command_.kind));
@@ -147,9 +193,32 @@ class CommandCheck {
       usable_ = false;
       std::string_view const written = slice(text_, command_.problem->span);
       for (std::string_view const known : {"ON", "OFF"}) {
-        if (ascii::equal_ignoring_case(written, known)) mistake.better = known;
+        if (written != known && ascii::equal_ignoring_case(written, known)) mistake.better = known;
       }
+      Span const keywords = keywords_from(command_.problem->span.begin);
+      bool const lacks_brackets = command_.problem->kind == CommandProblemKind::unexpected_text &&
+                                  command_.keywords.empty() && !keywords.empty();
+      if (!lacks_brackets) return;
+      mistake.span = keywords;
+      mistake.better = "[" + word(keywords) + "]";
     }
+  }
+
+  /// `AX DEV=0.01`: two words that are one keyword.
+  bool check_separated(std::size_t index) {
+    if (index + 1 == command_.keywords.size() || command_.keywords[index].kind != KeywordValue::none)
+      return false;
+    Span const span{.begin = command_.keywords[index].name.begin,
+                    .end = command_.keywords[index + 1].name.end};
+    std::string const joined =
+        word(command_.keywords[index].name) + "_" + word(command_.keywords[index + 1].name);
+    std::vector<std::string_view> const& known = keywords_of(command_.kind);
+    if (std::find(known.begin(), known.end(), joined) == known.end()) return false;
+    usable_ = false;
+    add(keyword_mistake, span, says::filter_keyword_unknown,
+        {{"keyword", word(span)}, {"command", std::string(proper_name(command_.kind))}})
+        .better = joined;
+    return true;
   }
 
   void check_keyword(std::size_t index) {
@@ -208,6 +277,18 @@ class CommandCheck {
     add(keyword_mistake, keyword.name, says::filter_keyword_beside_hsc, {{"keyword", name}});
   }
 
+  /// `20,` as 20 and `0,01` as 0.01.
+  static std::optional<std::string> number_meant(std::string value) {
+    std::size_t const comma = value.find(',');
+    if (comma == std::string::npos) return std::nullopt;
+    if (comma + 1 == value.size()) {
+      value.pop_back();
+    } else {
+      value[comma] = '.';
+    }
+    return schema::is_complete_number(value) ? std::optional(value) : std::nullopt;
+  }
+
   void check_value(Keyword const& keyword, std::string const& name) {
     switch (keyword.kind) {
       case KeywordValue::none:
@@ -218,7 +299,8 @@ class CommandCheck {
       case KeywordValue::malformed:
         usable_ = false;
         add(syntax_mistake, keyword.value, says::filter_syntax_no_number,
-            {{"value", word(keyword.value)}, {"keyword", name}});
+            {{"value", word(keyword.value)}, {"keyword", name}})
+            .better = number_meant(word(keyword.value));
         return;
       case KeywordValue::variable:
         usable_ = false;
@@ -264,6 +346,11 @@ class CommandCheck {
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";
       mistake.reaction = says::filter_reaction_inactive;
+      if (range.contains(value * 1000)) {
+        std::string const replacement = "ORDER_TIME=" + format_exact(value * 1000);
+        mistake.help.push_back({.sentence = says::milliseconds_meant,
+                                .arguments = {{"value", format_exact(value)}, {"replacement", replacement}}});
+      }
     }
     mistake.depends_on_cycle_time = range.depends_on_cycle_time;
   }

@@ -1,6 +1,7 @@
 #include "validator/engine/suppression.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "schema/edit_distance.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <algorithm>
@@ -16,7 +17,13 @@ constexpr Sentence unknown{"there is no rule `{code}`", "eine Regel `{code}` gib
 constexpr Sentence empty{"`axisc: allow` does not name a code", "`axisc: allow` nennt keinen Code"};
 constexpr Sentence too_many{"a comment silences at most {limit} codes; the rest has no effect",
                             "ein Kommentar unterdrückt höchstens {limit} Codes; der Rest wirkt nicht"};
+constexpr Sentence whole_file{"nothing to silence: there is no {code} in this file",
+                              "hier wird nichts unterdrückt: in dieser Datei gibt es kein {code}"};
+constexpr Sentence no_directive{
+    "`axisc: {word}` is not a directive; `axisc: allow` and `axisc: allow-file` are",
+    "`axisc: {word}` ist keine Anweisung; es gibt `axisc: allow` und `axisc: allow-file`"};
 constexpr Sentence fix{"remove {what}", "{what} entfernen"};
+constexpr Sentence fix_word{"write `{what}`", "`{what}` schreiben"};
 
 }  // namespace axisc::validator::says
 
@@ -24,6 +31,18 @@ namespace axisc::validator {
 namespace {
 
 constexpr std::string_view blanks = " \t";
+constexpr std::string_view allow = "allow";
+constexpr std::string_view allow_file = "allow-file";
+
+/// A slip of the pen, or what other programs call it.
+bool is_misspelt_directive(std::string_view word) {
+  for (std::string_view const other : {"disable", "ignore", "suppress", "off", "noqa", "nolint"}) {
+    if (ascii::equal_ignoring_case(word, other)) return true;
+  }
+  return schema::edit_distance(ascii::lower_case(word), allow, 2) <= 2 ||
+         schema::edit_distance(ascii::lower_case(word), allow_file, 3) <= 3;
+}
+
 /// More than there are rules.
 constexpr std::size_t most_codes = 256;
 
@@ -33,21 +52,18 @@ struct Word {
 };
 
 bool is_code_character(char c) {
-  return ascii::is_letter(c) || ascii::is_digit(c);
+  return ascii::is_letter(c) || ascii::is_digit(c) || c == '-';
 }
 
-/// Offset after `axisc: allow`; npos if the comment does not contain it.
-std::size_t behind_allow(std::string_view comment) {
+/// The word after `axisc:`; empty if the comment has none.
+Word directive_in(std::string_view comment) {
   constexpr std::string_view mark = "axisc:";
-  constexpr std::string_view allow = "allow";
   std::size_t const at = comment.find(mark);
-  if (at == std::string_view::npos) return at;
-  std::size_t const word = comment.find_first_not_of(blanks, at + mark.size());
-  if (word == std::string_view::npos || comment.substr(word, allow.size()) != allow) {
-    return std::string_view::npos;
-  }
-  std::size_t const end = word + allow.size();
-  return end == comment.size() || !is_code_character(comment[end]) ? end : std::string_view::npos;
+  if (at == std::string_view::npos) return {};
+  std::size_t const begin = std::min(comment.find_first_not_of(blanks, at + mark.size()), comment.size());
+  std::size_t end = begin;
+  while (end < comment.size() && is_code_character(comment[end])) ++end;
+  return {.begin = begin, .end = end};
 }
 
 /// The words of `AX3005, AX2005 because …`: the first one, and each one after a comma.
@@ -85,12 +101,19 @@ Word removed_with(std::vector<Word> const& words, std::size_t which, std::string
   return {.begin = words[which - 1].end, .end = words[which].end};
 }
 
-/// "AX3005" as 3005; 0 for anything else.
-Code code_of(std::string_view word) {
+/// The rule of a code or name in any letter case: "AX3005", "ax3005", "delay-too-long".
+Rule const* rule_called(std::string_view word) {
+  constexpr std::string_view prefix = "AX";
   std::uint16_t number = 0;
-  if (word.size() != 6 || word.substr(0, 2) != "AX") return Code{};
-  auto const [end, error] = std::from_chars(word.data() + 2, word.data() + word.size(), number);
-  return end == word.data() + word.size() && error == std::errc{} ? static_cast<Code>(number) : Code{};
+  if (word.size() == code_text({}).size() &&
+      ascii::equal_ignoring_case(word.substr(0, prefix.size()), prefix)) {
+    auto const [end, error] = std::from_chars(word.data() + prefix.size(), word.data() + word.size(), number);
+    if (end == word.data() + word.size() && error == std::errc{}) return find_rule(static_cast<Code>(number));
+  }
+  for (Rule const& rule : rules()) {
+    if (ascii::equal_ignoring_case(word, rule.name)) return &rule;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -100,15 +123,26 @@ void Suppressions::add(SourceSet const& sources, SourceId source,
   std::vector<Allowance>& allowances = allowances_[source];
   for (grammar::Directive const& directive : directives) {
     std::string_view const comment = sources[source].slice(directive.comment);
-    std::size_t const from = behind_allow(comment);
-    if (from == std::string_view::npos) continue;
-    std::vector<Word> words = words_of(comment, from);
-    if (words.empty()) words.push_back({.begin = from, .end = from});
+    Word const said = directive_in(comment);
+    std::string_view const name = comment.substr(said.begin, said.end - said.begin);
     auto const place_of = [&](Word const& word) {
       return Place{.source = source,
                    .span = {.begin = directive.comment.begin + static_cast<std::uint32_t>(word.begin),
                             .end = directive.comment.begin + static_cast<std::uint32_t>(word.end)}};
     };
+    bool const whole_file = name == allow_file;
+    if (name != allow && !whole_file) {
+      // A word that is far from a directive is a sentence about this program.
+      if (!is_misspelt_directive(name)) continue;
+      Allowance& mistake = allowances.emplace_back();
+      mistake.line = directive.line;
+      mistake.place = place_of(said);
+      mistake.is_directive = false;
+      continue;
+    }
+    std::size_t const from = said.end;
+    std::vector<Word> words = words_of(comment, from);
+    if (words.empty()) words.push_back({.begin = from, .end = from});
     if (words.size() > most_codes) {
       Allowance rest;
       rest.is_too_much = true;
@@ -120,13 +154,15 @@ void Suppressions::add(SourceSet const& sources, SourceId source,
     for (std::size_t i = 0; i < words.size(); ++i) {
       Word const& word = words[i];
       Allowance allowance;
-      allowance.code = code_of(comment.substr(word.begin, word.end - word.begin));
-      allowance.known = find_rule(allowance.code) != nullptr;
-      allowance.next_line = directive.whole_line;
-      allowance.line = directive.line + (directive.whole_line ? 1 : 0);
+      Rule const* const rule = rule_called(comment.substr(word.begin, word.end - word.begin));
+      allowance.known = rule != nullptr;
+      if (rule != nullptr) allowance.code = rule->code;
+      allowance.whole_file = whole_file;
+      allowance.next_line = directive.whole_line && !whole_file;
+      allowance.line = whole_file ? 0 : directive.line + (allowance.next_line ? 1 : 0);
       allowance.place = place_of(word);
       allowance.removed = place_of(removed_with(words, i, comment));
-      allowances.push_back(allowance);
+      allowances.insert(whole_file ? allowances.begin() : allowances.end(), allowance);
     }
   }
 }
@@ -140,6 +176,11 @@ bool Suppressions::silences(Code code, Place place, SourceSet const& sources) {
       std::lower_bound(allowances->second.begin(), allowances->second.end(), line,
                        [](Allowance const& earlier, std::uint32_t wanted) { return earlier.line < wanted; });
   bool silenced = false;
+  for (auto each = allowances->second.begin(); each != allowances->second.end() && each->line == 0; ++each) {
+    if (each->code != code) continue;
+    each->used = true;
+    silenced = true;
+  }
   for (; allowance != allowances->second.end() && allowance->line == line; ++allowance) {
     if (allowance->code != code) continue;
     allowance->used = true;
@@ -157,7 +198,19 @@ void Suppressions::report(Allowance const& allowance, SourceSet const& sources, 
     return;
   }
   std::string const word = sources[allowance.place.source].utf8(allowance.place.span);
-  SentenceRef text = allowance.next_line ? says::next_line : says::headline;
+  if (!allowance.is_directive) {
+    Finding& finding =
+        Report(reported, *find_rule(unused_allowance))
+            .add(allowance.place, {.sentence = says::no_directive, .arguments = {{"word", word}}});
+    Fix fix;
+    fix.title = {.sentence = says::fix_word, .arguments = {{"what", std::string(allow)}}};
+    fix.edits.push_back({.place = allowance.place, .text = std::string(allow)});
+    finding.fix = std::move(fix);
+    return;
+  }
+  SentenceRef text = allowance.whole_file  ? says::whole_file
+                     : allowance.next_line ? says::next_line
+                                           : says::headline;
   if (!allowance.known) text = word.empty() ? says::empty : says::unknown;
   Message message{.sentence = text, .arguments = {}};
   if (!word.empty()) message.arguments.push_back({.name = "code", .value = word});

@@ -1,4 +1,4 @@
-// Comments that silence findings: `axisc: allow AX3005, AX2005`.
+// Comments that silence findings: `axisc: allow AX3005, decimal-comma` and, for the whole file, `axisc: allow-file AX3005`.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -15,11 +15,13 @@ namespace axisc::validator {
 /// One code of one comment.
 struct Allowance {
   Code code{};
-  bool known = false;      ///< there is such a rule
-  bool next_line = false;  ///< the comment is alone on its line and applies to the line below
-  std::uint32_t line = 0;  ///< the line that it silences
-  Place place;             ///< of the code within the comment
-  Place removed;           ///< what a fix removes: the code with its comma; the last code with `axisc: allow`
+  bool known = false;        ///< there is such a rule
+  bool is_directive = true;  ///< false for a word other than `allow`, which silences nothing
+  bool whole_file = false;   ///< `axisc: allow-file`; its line is 0
+  bool next_line = false;    ///< the comment is alone on its line and applies to the line below
+  std::uint32_t line = 0;    ///< the line that it silences
+  Place place;               ///< of the code within the comment
+  Place removed;  ///< what a fix removes: the code with its comma; the last code with `axisc: allow`
   bool used = false;
   bool is_too_much = false;  ///< not a code: the rest of a comment that names too many
 };

@@ -15,6 +15,19 @@ std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint
   return std::nullopt;
 }
 
+bool forget_guesses(LoadedMachine& machine) {
+  std::size_t guesses = 0;
+  for (NamedList& named : machine.lists) {
+    guesses += std::erase_if(named.list.lost, [](LostAssignment const& lost) { return lost.guessed; });
+  }
+  if (guesses == 0) return false;
+  for (LoadedAxis& axis : machine.axes) {
+    axis.merged = merge_lists(machine.list_of_defaults(), machine.lists[axis.list].list,
+                              axis.type != machine::AxisType::translatory);
+  }
+  return true;
+}
+
 bool program_gives_order(LoadedMachine const& machine, std::size_t axis) {
   auto const belongs = [axis](LoadedGroup const& group) {
     return std::find(group.axes.begin(), group.axes.end(), axis) != group.axes.end();

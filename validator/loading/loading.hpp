@@ -92,6 +92,10 @@ struct LoadedMachine {
 /// The axis with this logical number, kopf.achs_nr.
 [[nodiscard]] std::optional<std::size_t> axis_numbered(LoadedMachine const& machine, std::uint32_t number);
 
+/// Merges the lists of a machine again if a line without effect was taken for a parameter that it may have meant: rules
+/// are silent about that one, but the control uses it. True if there was such a line.
+bool forget_guesses(LoadedMachine& machine);
+
 /// True if a #FILTER command of an NC program or of `filter_sets` gives the FIR filter of the axis an order.
 [[nodiscard]] bool program_gives_order(LoadedMachine const& machine, std::size_t axis);
 

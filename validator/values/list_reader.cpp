@@ -209,8 +209,8 @@ class ListReader {
   void suggest(std::uint32_t number, grammar::Assignment const& assignment) {
     constexpr std::size_t most_suggestions = 1000;
     if (++unknown_names_ > most_suggestions) return;
-    std::vector<std::string> names = catalogue_.suggest_names(source_.slice(assignment.name));
-    if (!names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
+    schema::NameSuggestions names = catalogue_.suggest_names(source_.slice(assignment.name));
+    if (!names.names.empty()) result_.suggested_.push_back({.assignment = number, .names = std::move(names)});
   }
 
   SourceText const& source_;

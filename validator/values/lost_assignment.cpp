@@ -2,6 +2,9 @@
 
 #include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
+#include "schema/edit_distance.hpp"
+#include "schema/indexed_name.hpp"
+#include "schema/name_candidates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -70,7 +73,7 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
   std::vector<LostAssignment> lost;
   std::string name;
   for (grammar::Problem const& problem : list.problems) {
-    if (problem.kind == ProblemKind::text_after_end || problem.kind == ProblemKind::expected_name) continue;
+    if (problem.kind == ProblemKind::text_after_end) continue;
     Span line = source.line_span(problem.line);
     std::string_view const text = source.slice(line);
     std::size_t const blanks = text.find_first_not_of(" \t");
@@ -87,8 +90,12 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
     grammar::Assignment const& assignment = list.assignments[i];
     std::optional<schema::Slot> slot;
     if (!reading.row_known()) {
-      auto const suggestions = readings.suggestions(i);
-      if (!suggestions.empty()) slot = slot_of_name(catalogue, suggestions.front());
+      // `filter [0].order 2`
+      std::string const joined =
+          std::string(source.slice(assignment.name)) + std::string(source.slice(assignment.value));
+      if (source.slice(assignment.value).starts_with('[')) slot = slot_of_name(catalogue, joined);
+      auto const& suggested = readings.suggestions(i);
+      if (suggested.is_close) slot = slot_of_name(catalogue, suggested.names.front());
     } else if (!reading.known()) {
       slot = slot_of_name(catalogue, source.slice(assignment.name));
     }
@@ -99,13 +106,34 @@ std::vector<LostAssignment> lost_assignments(SourceText const& source, grammar::
   return lost;
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 5> compiled_families = {
+    "filter", "filter_fir", "vib_guard", "lr_param.add_interface", "lr_param.improved_position_control"};
+
+/// As many parts of a name as the family has, without indices.
+std::string beginning_of(std::string_view name, std::string_view family) {
+  auto parts = std::count(family.begin(), family.end(), '.') + 1;
+  std::string beginning;
+  for (; parts > 0 && !name.empty(); --parts) {
+    std::string_view const part = schema::take_part(name);
+    beginning.append(beginning.empty() ? "" : ".").append(part.substr(0, part.find('[')));
+  }
+  return beginning;
+}
+
+}  // namespace
+
 bool is_compiled_family(std::string_view name) {
-  constexpr std::array<std::string_view, 5> families = {
-      "filter", "filter_fir", "vib_guard", "lr_param.add_interface", "lr_param.improved_position_control"};
-  return std::any_of(families.begin(), families.end(), [name](std::string_view family) {
-    if (name.substr(0, family.size()) != family) return false;
-    std::string_view const rest = name.substr(family.size());
-    return rest.empty() || rest.front() == '.' || rest.front() == '[';
+  return std::any_of(compiled_families.begin(), compiled_families.end(), [name](std::string_view family) {
+    return name.starts_with(family) && beginning_of(name, family) == family;
+  });
+}
+
+bool is_close_to_compiled_family(std::string_view name) {
+  return std::any_of(compiled_families.begin(), compiled_families.end(), [name](std::string_view family) {
+    std::size_t const limit = schema::slips_of_the_pen(family.size());
+    return schema::edit_distance(ascii::lower_case(beginning_of(name, family)), family, limit) <= limit;
   });
 }
 

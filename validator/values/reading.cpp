@@ -38,15 +38,6 @@ class Judge {
     reading_.quoted = assignment.kind == ValueKind::quoted;
   }
 
-  /// Only what is wrong with every kind of value.
-  void without_parameter() {
-    if (assignment_.kind == ValueKind::decimal_comma) reading_.status = ReadingStatus::decimal_comma;
-    if (assignment_.kind == ValueKind::malformed_number || assignment_.kind == ValueKind::real) {
-      number(schema::read_real(token()));
-      if (reading_.status == ReadingStatus::value) reading_.status = ReadingStatus::not_judged;
-    }
-  }
-
   void with(schema::Parameter const& parameter) {
     if (assignment_.kind == ValueKind::reference) {
       reading_.status = ReadingStatus::reference;
@@ -259,12 +250,8 @@ Reference read_reference(std::string_view text) {
 
 void judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
            std::forward_list<std::string>& transcoded) {
-  Judge judge(source, assignment, reading, transcoded);
-  if (reading.row_known()) {
-    judge.with(*reading.row);
-  } else {
-    judge.without_parameter();
-  }
+  // Nothing is known about the value of an unknown parameter.
+  if (reading.row_known()) Judge(source, assignment, reading, transcoded).with(*reading.row);
 }
 
 }  // namespace axisc::validator

@@ -32,11 +32,12 @@ std::optional<schema::Slot> Readings::slot(std::size_t assignment) const {
   return brief.slot;
 }
 
-std::span<std::string const> Readings::suggestions(std::size_t assignment) const {
+schema::NameSuggestions const& Readings::suggestions(std::size_t assignment) const {
   auto const found = std::lower_bound(
       suggested_.begin(), suggested_.end(), assignment,
       [](Suggested const& suggested, std::size_t wanted) { return suggested.assignment < wanted; });
-  if (found == suggested_.end() || found->assignment != assignment) return {};
+  static schema::NameSuggestions const none;
+  if (found == suggested_.end() || found->assignment != assignment) return none;
   return found->names;
 }
 

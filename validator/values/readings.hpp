@@ -70,15 +70,15 @@ class Readings {
   /// "P-" stands in the list, so that a line may name the number of a parameter.
   [[nodiscard]] bool may_name_numbers() const { return may_name_numbers_; }
 
-  /// What may be meant by the unknown name of an assignment, best first.
-  [[nodiscard]] std::span<std::string const> suggestions(std::size_t assignment) const;
+  /// What may be meant by the unknown name of an assignment.
+  [[nodiscard]] schema::NameSuggestions const& suggestions(std::size_t assignment) const;
 
  private:
   friend class ListReader;
 
   struct Suggested {
     std::uint32_t assignment = 0;
-    std::vector<std::string> names;
+    schema::NameSuggestions names;
   };
 
   std::string_view bytes_;  ///< of the source

@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "validator/rules/end_marker.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
@@ -15,6 +16,7 @@ namespace axisc::validator::checks {
 namespace {
 
 void describe(Finding& finding, ListContext const& context, grammar::Problem const& problem) {
+  if (describe_end_marker(finding, context, problem)) return;
   finding.parameter = context.source.utf8(problem.span);
   finding.message = message_of(says::headline, Argument{"name", finding.parameter});
   finding.help.push_back(message(says::help));

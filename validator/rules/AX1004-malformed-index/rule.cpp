@@ -4,9 +4,13 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/syntax_problems.hpp"
 
+#include <algorithm>
+
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the index `{index}` is malformed", "der Index `{index}` ist fehlerhaft"};
+constexpr Sentence blank{"no blank before the index `{index}`", "kein Leerzeichen vor dem Index `{index}`"};
+constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
 constexpr Sentence help{
     "an index is a whole number from 0 in brackets, without blanks: `filter[0].order`",
     "ein Index ist eine ganze Zahl ab 0 in eckigen Klammern, ohne Leerzeichen: `filter[0].order`"};
@@ -32,14 +36,46 @@ void describe(Finding& finding, ListContext const& context, grammar::Problem con
   std::string const index = context.source.utf8(problem.span);
   finding.message = message_of(says::headline, Argument{"index", index});
   finding.help.push_back(message(says::help));
+  // What follows belongs to the index in `[0,1]`.
+  std::string_view const after = context.source.slice(context.source.line_span(problem.line))
+                                     .substr(problem.span.end - context.source.line_span(problem.line).begin);
+  bool const is_whole = after.empty() || after.front() == '.' || ascii::is_blank(after.front());
   std::string const repaired = repaired_index(index);
-  if (repaired.empty()) return;
+  if (repaired.empty() || !is_whole) return;
   finding.fix = replace_by(place_of(context, problem.span), repaired,
                            message_of(says::fix, Argument{"replacement", repaired}));
 }
 
+/// The index that a blank separates from its name, in `filter [0].order 2`; empty where there is none.
+Span separate_index(Line const& line) {
+  Span span = line.assignment().value;
+  std::string_view const value = line.context.source.slice(span);
+  std::size_t const end = value.find("].");
+  if (line.reading().row_known() || !value.starts_with('[') || end == std::string_view::npos || end < 2)
+    return {};
+  if (!std::all_of(value.begin() + 1, value.begin() + static_cast<std::ptrdiff_t>(end), ascii::is_digit))
+    return {};
+  span.end = span.begin + static_cast<std::uint32_t>(end) + 1;
+  return span;
+}
+
+void describe_separate(Finding& finding, Line const& line) {
+  Span const index = separate_index(line);
+  Span const name = line.assignment().name;
+  finding.parameter = line.name() + line.text(line.assignment().value);
+  finding.message = message_of(says::blank, Argument{"index", line.text(index)});
+  set_reaction(finding, says::reaction);
+  finding.fix = replace_by(line.place({.begin = name.end, .end = index.begin}), {},
+                           message_of(says::fix, Argument{"replacement", finding.parameter}));
+}
+
 void malformed_index(ListContext const& context, Report& report) {
   report_problems<describe>(context, grammar::ProblemKind::malformed_index, report);
+  for_each_doubtful(context, [&](Line const& line) {
+    Span const index = separate_index(line);
+    if (index.empty()) return;
+    report_line<describe_separate>(report, line, {.begin = line.assignment().name.begin, .end = index.end});
+  });
 }
 
 }  // namespace

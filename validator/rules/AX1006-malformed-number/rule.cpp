@@ -11,6 +11,7 @@ constexpr Sentence reaction{"it finds no number", "sie findet keine Zahl"};
 constexpr Sentence leading_zero_reaction{"it rejects numbers with a leading zero",
                                          "sie weist Zahlen mit führender Null zurück"};
 constexpr Sentence exponent_reaction{"it rejects the exponent", "sie weist den Exponenten zurück"};
+constexpr Sentence blank{"insert a blank before `(`", "ein Leerzeichen vor `(` einfügen"};
 constexpr Sentence fix{"write `{replacement}`", "`{replacement}` schreiben"};
 
 }  // namespace axisc::validator::says
@@ -60,6 +61,12 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message_of(trouble.headline, Argument{"value", value});
   set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
   if (!trouble.control.empty()) finding.control->message = trouble.control;
+  if (std::size_t const comment = value.find('('); comment != std::string::npos) {
+    if (!schema::is_complete_number(std::string_view(value).substr(0, comment))) return;
+    std::uint32_t const at = line.assignment().value.begin + static_cast<std::uint32_t>(comment);
+    finding.fix = replace_by(line.place({.begin = at, .end = at}), " ", message(says::blank));
+    return;
+  }
   if (status != schema::NumberStatus::leading_zero) return;
   std::string const shorter = without_leading_zeros(value);
   if (!schema::is_complete_number(shorter)) return;

@@ -2,6 +2,7 @@
 
 #include "diagnostics/ascii.hpp"
 #include "validator/rules/helpers.hpp"
+#include "validator/sentences.hpp"
 
 #include <algorithm>
 
@@ -10,7 +11,6 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"`{text}` looks like a second value", "`{text}` sieht wie ein zweiter Wert aus"};
 constexpr Sentence reaction{"it ignores the rest of the line", "sie übergeht den Rest der Zeile"};
 constexpr Sentence help{"start a comment with `(`", "einen Kommentar mit `(` beginnen"};
-constexpr Sentence fix{"make it a comment", "zum Kommentar machen"};
 
 }  // namespace axisc::validator::says
 
@@ -29,8 +29,16 @@ bool is_reference(std::string_view word) {
          has_index == !index.empty() && std::all_of(index.begin(), index.end(), ascii::is_digit);
 }
 
+/// Also what is none for the control: `000`, `1,5`, `,5`.
+bool looks_like_number(std::string_view word) {
+  constexpr std::string_view signs = "+-";
+  if (!word.empty() && signs.find(word.front()) != std::string_view::npos) word.remove_prefix(1);
+  return word.find_first_not_of("0123456789.,") == std::string_view::npos &&
+         std::any_of(word.begin(), word.end(), ascii::is_digit) && word.back() != ',';
+}
+
 bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word) {
-  return schema::is_complete_number(word) || is_reference(word) ||
+  return looks_like_number(word) || schema::is_complete_number(word) || is_reference(word) ||
          (std::none_of(word.begin(), word.end(), ascii::is_small) &&
           catalogue.is_symbol_of_any_parameter(word));
 }
@@ -39,8 +47,8 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
 bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
   using grammar::ValueKind;
   if (reading.status == ReadingStatus::reference) return true;
-  bool const usable = reading.status == ReadingStatus::value || reading.status == ReadingStatus::not_judged ||
-                      reading.status == ReadingStatus::out_of_data_range;
+  bool const usable =
+      reading.status == ReadingStatus::value || reading.status == ReadingStatus::out_of_data_range;
   if (!usable) return false;
   if (reading.row_known()) {
     schema::Parameter const& parameter = *reading.row;
@@ -59,13 +67,29 @@ Span first_word(Line const& line) {
   return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
 }
 
+/// The number without the blanks in it, `20 000` as 20000; empty where that is none.
+std::string joined(Line const& line) {
+  std::string number = line.text(line.assignment().value);
+  std::string_view rest = line.context.source.slice(line.assignment().trailer);
+  while (!rest.empty() && ascii::is_digit(rest.front())) {
+    std::string_view const word = rest.substr(0, rest.find_first_of(" \t("));
+    if (!std::all_of(word.begin(), word.end(), ascii::is_digit)) break;
+    number += word;
+    rest = ascii::trimmed(rest.substr(word.size()));
+  }
+  return schema::is_complete_number(number) ? number : std::string();
+}
+
+/// No fix: a comment would hide the mistake, and which number is meant cannot be known.
 void describe(Finding& finding, Line const& line) {
-  Span const word = first_word(line);
-  finding.message = message(says::headline, {{"text", line.text(word)}});
-  set_reaction(finding, says::reaction, {}, line.text(line.assignment().value));
+  finding.message = message(says::headline, {{"text", line.text(first_word(line))}});
+  std::string const value = line.text(line.assignment().value);
+  set_reaction(finding, says::reaction, {}, value);
+  if (std::string number = joined(line); !number.empty() && number != value) {
+    finding.help.push_back(
+        message_of(says::parameter_did_you_mean, Argument{"suggestion", std::move(number)}));
+  }
   finding.help.push_back(message(says::help));
-  Span const before{.begin = word.begin, .end = word.begin};
-  finding.fix = replace_by(line.place(before), "( ", message(says::fix), FixSafety::safe);
 }
 
 void suspicious_trailer(ListContext const& context, Report& report) {

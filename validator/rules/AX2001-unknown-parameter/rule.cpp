@@ -8,6 +8,8 @@
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"unknown parameter `{name}`", "unbekannter Parameter `{name}`"};
+constexpr Sentence former_name{"`{name}` is a former name of `{suggestion}`",
+                               "`{name}` ist ein früherer Name von `{suggestion}`"};
 constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
 
 }  // namespace axisc::validator::says
@@ -15,26 +17,46 @@ constexpr Sentence reaction{"it ignores the line", "sie übergeht die Zeile"};
 namespace axisc::validator::checks {
 namespace {
 
+/// A number of another kind of list: then the name is not misspelt, the line is in the wrong list.
+bool is_numbered_elsewhere(Line const& line) {
+  auto const kind = configuration::kind_numbered_in(line.context.source.slice(line.assignment().trailer));
+  return kind && *kind != configuration::ListKind::axis;
+}
+
 void describe(Finding& finding, Line const& line) {
   finding.message = message_of(says::headline, Argument{"name", finding.parameter});
   set_reaction(finding, says::reaction);
-  auto const suggestions = line.context.list.readings.suggestions(line.number);
-  finding.help.reserve(suggestions.size());
-  for (std::string const& suggestion : suggestions) {
+  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  if (suggestions.names.empty() || is_numbered_elsewhere(line)) return;
+  std::string const& best = suggestions.names.front();
+  if (suggestions.is_former_name) {
+    finding.notes.push_back(
+        message_of(says::former_name, Argument{"name", finding.parameter}, Argument{"suggestion", best}));
+  }
+  finding.help.reserve(suggestions.names.size());
+  for (std::string const& suggestion : suggestions.names) {
     finding.help.push_back(message_of(says::parameter_did_you_mean, Argument{"suggestion", suggestion}));
   }
-  if (suggestions.empty()) return;
-  std::string const& best = suggestions.front();
+  if (!suggestions.is_certain) return;
   finding.fix = replace_by(line.place(line.assignment().name), best,
                            message_of(says::parameter_fix, Argument{"replacement", best}));
+}
+
+/// An image would lack what the line was meant for.
+bool concerns_image(Line const& line) {
+  std::string_view const name = line.context.source.slice(line.assignment().name);
+  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  if (is_compiled_family(name)) return true;
+  if (is_numbered_elsewhere(line)) return false;
+  return is_close_to_compiled_family(name) ||
+         (suggestions.is_close && is_compiled_family(suggestions.names.front()));
 }
 
 void unknown_parameter(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
     if (line.reading().row_known()) return;
-    Span const name = line.assignment().name;
-    Reported& reported = report_line<describe>(report, line, name);
-    if (is_compiled_family(context.source.slice(name))) reported.severity = Severity::error;
+    Reported& reported = report_line<describe>(report, line, line.assignment().name);
+    if (concerns_image(line)) reported.severity = Severity::error;
   });
 }
 

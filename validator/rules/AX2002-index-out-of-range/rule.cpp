@@ -3,6 +3,8 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 
+#include <algorithm>
+
 namespace axisc::validator::says {
 
 constexpr Sentence headline{
@@ -12,6 +14,7 @@ constexpr Sentence missing{"`{parameter}` is an array and needs an index",
                            "`{parameter}` ist ein Feld und braucht einen Index"};
 constexpr Sentence superfluous{"`{parameter}` is not an array and takes no index",
                                "`{parameter}` ist kein Feld und hat keinen Index"};
+constexpr Sentence related{"here too", "hier ebenso"};
 constexpr Sentence reaction{"the entry is lost, start-up continues",
                             "der Eintrag geht verloren, der Hochlauf geht weiter"};
 
@@ -19,6 +22,33 @@ constexpr Sentence reaction{"the entry is lost, start-up continues",
 
 namespace axisc::validator::checks {
 namespace {
+
+bool is_wrong(Line const& line) {
+  return line.reading().row_known() && !line.reading().known();
+}
+
+/// What comes before the wrong index and the index itself: the same in all lines of one block. Empty where that is not the mistake.
+std::string_view block_of(Line const& line) {
+  using Status = schema::NameLookup::Status;
+  if (line.reading().name_status != Status::index_out_of_range) return {};
+  std::string_view const name = line.context.source.slice(line.assignment().name);
+  return name.substr(0, name.find(']') + 1);
+}
+
+/// The further lines of a block are named, but have no findings of their own.
+void relate_block(Finding& finding, Line const& first) {
+  constexpr std::size_t most_named = 8;
+  auto const& doubtful = first.context.list.readings.doubtful();
+  std::string_view const block = block_of(first);
+  auto const* next = std::upper_bound(doubtful.data(), doubtful.data() + doubtful.size(), first.number);
+  for (; next != doubtful.data() + doubtful.size() && finding.related.size() < most_named; ++next) {
+    Line const line{first.context, *next};
+    if (!is_wrong(line)) continue;
+    if (block.empty() || block_of(line) != block) return;
+    finding.related.push_back(
+        {.place = line.place(line.assignment().name), .message = message(says::related)});
+  }
+}
 
 void describe(Finding& finding, Line const& line) {
   using Status = schema::NameLookup::Status;
@@ -34,6 +64,7 @@ void describe(Finding& finding, Line const& line) {
                               {{"parameter", pattern}});
   }
   set_reaction(finding, says::reaction);
+  relate_block(finding, line);
   // For a scalar the name alone is the repair; if other indices are possible, the intended one is unknown.
   if (name.status != Status::index_superfluous || pattern.find('[') != std::string::npos) return;
   finding.fix =
@@ -41,8 +72,13 @@ void describe(Finding& finding, Line const& line) {
 }
 
 void index_out_of_range(ListContext const& context, Report& report) {
+  std::string_view last;
   for_each_doubtful(context, [&](Line const& line) {
-    if (!line.reading().row_known() || line.reading().known()) return;
+    if (!is_wrong(line)) return;
+    std::string_view const block = block_of(line);
+    bool const goes_on = !block.empty() && block == last;
+    last = block;
+    if (goes_on) return;
     report_line<describe>(report, line, line.assignment().name);
   });
 }

@@ -10,6 +10,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"{frequency} Hz is not below half the sampling rate, {limit} Hz",
                             "{frequency} Hz liegt nicht unter der halben Abtastrate von {limit} Hz"};
 constexpr Sentence label{"0.5/T = {limit} Hz at T = {cycle}", "0.5/T = {limit} Hz bei T = {cycle}"};
+constexpr Sentence help_millihertz{"the value is in Hz: {value} mHz are `{parameter} {hertz}`",
+                                   "der Wert gilt in Hz: {value} mHz sind `{parameter} {hertz}`"};
 constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz for `{user}`",
                          "{p_axis}: 0 < f < 0.5/T = {limit} Hz für `{user}`"};
 
@@ -36,6 +38,13 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
         {says::limit,
          {{"p_axis", parameter_number(found.frequency)}, {"limit", limit}, {"user", found.user}}});
     note_default(finding, found.frequency);
+    double const hertz = found.frequency.value.number / 1000;
+    if (hertz >= 1 && hertz < nyquist) {
+      finding.help.push_back({says::help_millihertz,
+                              {{"value", number(found.frequency.value.number)},
+                               {"parameter", parameter_name(found.frequency)},
+                               {"hertz", number(hertz)}}});
+    }
     react(finding, found.filtering == Filtering::setpoint ? setpoint_refused : position_controller_refused,
           {says::filter_reaction_refused, {}});
   }

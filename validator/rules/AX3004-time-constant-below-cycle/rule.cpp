@@ -3,6 +3,7 @@
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/sentences.hpp"
+#include "validator/sentences.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -15,8 +16,6 @@ constexpr Sentence limit{"{p_axis}: time_constant ≥ T = {limit} ({milliseconds
                          "{p_axis}: time_constant ≥ T = {limit} ({milliseconds}) für `{type}`"};
 constexpr Sentence help{"`{parameter} {shortest}` is the shortest; its cut-off frequency is {frequency} Hz",
                         "`{parameter} {shortest}` ist die kürzeste; ihre Grenzfrequenz ist {frequency} Hz"};
-constexpr Sentence help_milliseconds{"the value is in µs: {value} ms are `{parameter} {microseconds}`",
-                                     "der Wert gilt in µs: {value} ms sind `{parameter} {microseconds}`"};
 
 }  // namespace axisc::validator::says
 
@@ -52,10 +51,10 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
   note_default(finding, time);
   relate_type(finding, filter);
   if (cycles * 1000 >= 1) {
-    finding.help.push_back({says::help_milliseconds,
-                            {{"value", number(time.value.number)},
-                             {"parameter", parameter_name(time)},
-                             {"microseconds", number(time.value.number * 1000)}}});
+    finding.help.push_back(
+        {says::milliseconds_meant,
+         {{"value", number(time.value.number)},
+          {"replacement", parameter_name(time) + " " + number(time.value.number * 1000)}}});
   }
   finding.help.push_back({says::help,
                           {{"parameter", parameter_name(time)},

@@ -42,6 +42,13 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
                             {"order", order},
                             {"shortest", microseconds(cycle)},
                             {"longest", microseconds(cycle * fir.longest_order())}}});
+  double const time = fir.order_time.value.number;
+  double const as_milliseconds = axis.cycle_time.cycles({time * 1000});
+  if (short_one && as_milliseconds >= 1 && as_milliseconds <= fir.longest_order()) {
+    finding.help.push_back({says::milliseconds_meant,
+                            {{"value", number(time)},
+                             {"replacement", parameter_name(fir.order_time) + " " + number(time * 1000)}}});
+  }
   if (short_one) {
     react(finding, order_too_low, {says::kernel_reaction_not_active, {}});
   } else {

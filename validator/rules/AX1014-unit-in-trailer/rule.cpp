@@ -1,0 +1,93 @@
+#include "validator/engine/rule.hpp"
+
+#include "diagnostics/format_number.hpp"
+#include "validator/rules/helpers.hpp"
+#include "validator/rules/sentences.hpp"
+#include "validator/views/units_text.hpp"
+#include "validator/views/written_unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"`{parameter}` is in {unit}, not in {written}",
+                            "`{parameter}` gilt in {unit}, nicht in {written}"};
+constexpr Sentence reaction{"it ignores the unit", "sie übergeht die Einheit"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+Span unit_span(Line const& line) {
+  Span const trailer = line.assignment().trailer;
+  std::string_view const text = line.context.source.slice(trailer);
+  std::size_t const size = std::min(text.find_first_of(" \t("), text.size());
+  return {.begin = trailer.begin, .end = trailer.begin + static_cast<std::uint32_t>(size)};
+}
+
+struct WrittenUnit {
+  std::string_view unit;        ///< of the parameter
+  std::optional<double> ratio;  ///< none where no conversion leads to it
+};
+
+/// For a value with another unit than the parameter's behind it.
+std::optional<WrittenUnit> other_unit(Line const& line) {
+  Reading const& reading = line.reading();
+  bool const has_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
+  if (!has_text || reading.status != ReadingStatus::value || !schema::is_number(reading.row->type))
+    return std::nullopt;
+  std::string const word = line.text(unit_span(line));
+  if (reading.row->unit_translatory.empty() || !is_unit(word)) return std::nullopt;
+  // A list may be one for all axes, so that the kind of axis is not known.
+  for (std::string_view const unit : {reading.row->unit_translatory, reading.row->unit_rotary}) {
+    auto const ratio = unit_ratio(word, unit);
+    if (ratio && *ratio == 1) return std::nullopt;
+    if (ratio) return WrittenUnit{.unit = unit, .ratio = ratio};
+  }
+  return WrittenUnit{.unit = reading.row->unit_translatory, .ratio = std::nullopt};
+}
+
+/// The number in the unit of the parameter; empty where that has decimals and the parameter takes none.
+std::string converted(Reading const& reading, double ratio) {
+  double value = reading.value.number * ratio;
+  double const whole = std::round(value);
+  constexpr double rounding = 1e-12;
+  bool const is_whole = std::abs(value - whole) <= rounding * std::abs(whole);
+  if (is_whole) value = whole;
+  return is_whole || !schema::is_integer(reading.row->type) ? format_rounded(value, 15) : std::string();
+}
+
+void describe(Finding& finding, Line const& line) {
+  WrittenUnit const unit = *other_unit(line);
+  Span const value = line.assignment().value;
+  Span const word = unit_span(line);
+  finding.message =
+      message(says::headline,
+              {{"parameter", line.name()}, {"unit", raw_unit_name(unit.unit)}, {"written", line.text(word)}});
+  set_reaction(finding, says::reaction, {}, line.text(value));
+  add_physical(finding, *line.reading().row, machine::AxisType::translatory, line.reading().value.number);
+  std::string const number = unit.ratio ? converted(line.reading(), *unit.ratio) : std::string();
+  if (number.empty()) return;
+  // What was meant stays readable, as a comment.
+  finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",
+                           message(says::parameter_fix, {{"replacement", number}}));
+}
+
+void unit_in_trailer(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (other_unit(line)) report_line<describe>(report, line, unit_span(line));
+  });
+}
+
+}  // namespace
+
+extern constinit Rule const ax1014{
+    .code = Code{1014},
+    .name = "unit-in-trailer",
+    .check = unit_in_trailer,
+};
+
+}  // namespace axisc::validator::checks

@@ -1,0 +1,124 @@
+#include "validator/views/written_unit.hpp"
+
+#include "diagnostics/ascii.hpp"
+#include "schema/value.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+
+namespace axisc::validator {
+namespace {
+
+enum class Quantity : std::uint8_t {
+  time,
+  frequency,
+  length,
+  angle,
+  velocity,
+  angular_velocity,
+  acceleration,
+  angular_acceleration,
+  jerk,
+  angular_jerk,
+  ratio,
+};
+
+struct UnitRow {
+  std::string_view text;
+  Quantity quantity{};
+  double factor = 1;  ///< to s, Hz, m, ° and what is made of them
+};
+
+constexpr double minute = 60;
+constexpr double revolution = 360;
+
+constexpr UnitRow table[] = {
+    {.text = "s", .quantity = Quantity::time, .factor = 1},
+    {.text = "ms", .quantity = Quantity::time, .factor = 1e-3},
+    {.text = "us", .quantity = Quantity::time, .factor = 1e-6},
+    {.text = "min", .quantity = Quantity::time, .factor = minute},
+    {.text = "Hz", .quantity = Quantity::frequency, .factor = 1},
+    {.text = "hz", .quantity = Quantity::frequency, .factor = 1},
+    {.text = "mHz", .quantity = Quantity::frequency, .factor = 1e-3},
+    {.text = "kHz", .quantity = Quantity::frequency, .factor = 1e3},
+    {.text = "khz", .quantity = Quantity::frequency, .factor = 1e3},
+    {.text = "m", .quantity = Quantity::length, .factor = 1},
+    {.text = "mm", .quantity = Quantity::length, .factor = 1e-3},
+    {.text = "um", .quantity = Quantity::length, .factor = 1e-6},
+    {.text = "nm", .quantity = Quantity::length, .factor = 1e-9},
+    {.text = "deg", .quantity = Quantity::angle, .factor = 1},
+    {.text = "mdeg", .quantity = Quantity::angle, .factor = 1e-3},
+    {.text = "rad", .quantity = Quantity::angle, .factor = revolution / (2 * std::numbers::pi)},
+    {.text = "m/s", .quantity = Quantity::velocity, .factor = 1},
+    {.text = "mm/s", .quantity = Quantity::velocity, .factor = 1e-3},
+    {.text = "um/s", .quantity = Quantity::velocity, .factor = 1e-6},
+    {.text = "m/min", .quantity = Quantity::velocity, .factor = 1 / minute},
+    {.text = "mm/min", .quantity = Quantity::velocity, .factor = 1e-3 / minute},
+    {.text = "deg/s", .quantity = Quantity::angular_velocity, .factor = 1},
+    {.text = "mdeg/s", .quantity = Quantity::angular_velocity, .factor = 1e-3},
+    {.text = "deg/min", .quantity = Quantity::angular_velocity, .factor = 1 / minute},
+    {.text = "rpm", .quantity = Quantity::angular_velocity, .factor = revolution / minute},
+    {.text = "U/min", .quantity = Quantity::angular_velocity, .factor = revolution / minute},
+    {.text = "1/min", .quantity = Quantity::angular_velocity, .factor = revolution / minute},
+    {.text = "m/s^2", .quantity = Quantity::acceleration, .factor = 1},
+    {.text = "mm/s^2", .quantity = Quantity::acceleration, .factor = 1e-3},
+    {.text = "deg/s^2", .quantity = Quantity::angular_acceleration, .factor = 1},
+    {.text = "m/s^3", .quantity = Quantity::jerk, .factor = 1},
+    {.text = "mm/s^3", .quantity = Quantity::jerk, .factor = 1e-3},
+    {.text = "deg/s^3", .quantity = Quantity::angular_jerk, .factor = 1},
+    {.text = "%", .quantity = Quantity::ratio, .factor = 1e-2},
+};
+
+UnitRow const* find_unit(std::string_view text) {
+  auto const* const found = std::find_if(std::begin(table), std::end(table),
+                                         [text](UnitRow const& row) { return row.text == text; });
+  return found == std::end(table) ? nullptr : found;
+}
+
+/// "[mm/s²]" as "mm/s^2".
+std::string plain(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> spellings = {{
+      {"µ", "u"},
+      {"μ", "u"},
+      {"°", "deg"},
+      {"²", "^2"},
+      {"³", "^3"},
+      {"min-1", "1/min"},
+  }};
+  if (word.starts_with('[') && word.ends_with(']')) word = word.substr(1, word.size() - 2);
+  std::string text(word);
+  for (auto const& [written, usual] : spellings) {
+    if (std::size_t const at = text.find(written); at != std::string::npos) {
+      text.replace(at, written.size(), usual);
+    }
+  }
+  if (text.size() > 1 && ascii::is_digit(text.back()) && text[text.size() - 2] == 's') {
+    text.insert(text.size() - 1, "^");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_unit(std::string_view word) {
+  return find_unit(plain(word)) != nullptr;
+}
+
+std::optional<double> unit_ratio(std::string_view word, std::string_view unit) {
+  double factor = 1;
+  if (std::size_t const blank = unit.find(' ');
+      blank != std::string_view::npos && ascii::is_digit(unit.front())) {
+    factor = schema::read_real(unit.substr(0, blank)).number;
+    unit.remove_prefix(blank + 1);
+  }
+  UnitRow const* const written = find_unit(plain(word));
+  UnitRow const* const wanted = find_unit(unit);
+  if (written == nullptr || wanted == nullptr || written->quantity != wanted->quantity) return std::nullopt;
+  return written->factor / (wanted->factor * factor);
+}
+
+}  // namespace axisc::validator
