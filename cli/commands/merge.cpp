@@ -165,6 +165,7 @@ ExitStatus status_of(Documents const& documents, FindingCounts const& counts) {
 void protect_inputs(std::vector<NamedInput> const& inputs, MergeOptions const& options) {
   if (!options.output) return;
   std::vector<std::string> sources;
+  sources.reserve(inputs.size());
   for (auto const& input : inputs) sources.push_back(input.path);
   for (auto const& word : options.files) {
     if (word.starts_with('@')) sources.push_back(word.substr(1));

@@ -184,14 +184,14 @@ std::string csv_name(std::string_view name) {
   return (is_formula ? "'" : "") + printable(name);
 }
 
-void append_csv_name(std::string& line, std::string_view given) {
-  std::string const name = csv_name(given);
-  if (name.find_first_of(",\"") == std::string::npos) {
-    line += name;
+void append_csv_name(std::string& line, std::string_view name) {
+  std::string const shown_name = csv_name(name);
+  if (shown_name.find_first_of(",\"") == std::string::npos) {
+    line += shown_name;
     return;
   }
   line += '"';
-  for (char const character : name) {
+  for (char const character : shown_name) {
     if (character == '"') line += '"';
     line += character;
   }

@@ -19,16 +19,16 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
-std::string text_table(std::span<std::vector<std::string> const> given, std::size_t indent) {
-  std::vector<std::vector<std::string>> rows(given.begin(), given.end());
-  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), printable);
+std::string text_table(std::span<std::vector<std::string> const> rows, std::size_t indent) {
+  std::vector<std::vector<std::string>> shown(rows.begin(), rows.end());
+  for (auto& row : shown) std::transform(row.begin(), row.end(), row.begin(), printable);
   std::vector<std::size_t> widths;
-  for (auto const& row : rows) {
+  for (auto const& row : shown) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
   }
   std::string text;
-  for (auto const& row : rows) {
+  for (auto const& row : shown) {
     std::string line(indent, ' ');
     for (std::size_t i = 0; i < row.size(); ++i) line += padded(row[i], widths[i]) + "  ";
     line.erase(line.find_last_not_of(' ') + 1);

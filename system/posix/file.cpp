@@ -191,8 +191,9 @@ std::optional<Error> File::take_over_owner(FileStatus const& other) const {
   int const file = descriptor(handle_);
   // Only root may give a file away; the others keep their own name on it, and the group where they belong to it.
   bool const is_given = ::fchown(file, other.user, other.group) == 0;
-  if (!is_given) [[maybe_unused]]
-    bool const has_group = ::fchown(file, static_cast<uid_t>(-1), other.group) == 0;
+  if (!is_given) {
+    [[maybe_unused]] bool const has_group = ::fchown(file, static_cast<uid_t>(-1), other.group) == 0;
+  }
   return error_unless(::fchmod(file, other.permissions) == 0);
 }
 

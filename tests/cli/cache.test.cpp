@@ -348,12 +348,14 @@ TEST_CASE("many processes share a cache") {
   auto const plain = plant.lint({}, false);
   constexpr int processes = 6;
   std::vector<std::thread> threads;
+  threads.reserve(processes);
   std::vector<Outcome> outcomes(processes);
   for (int i = 0; i < processes; ++i) {
     // A small cache, so that they tidy it while others read.
     threads.emplace_back([&, i] {
-      for (int round = 0; round < 4; ++round)
+      for (int round = 0; round < 4; ++round) {
         outcomes[static_cast<std::size_t>(i)] = plant.lint({"--cache-size", "60K"});
+      }
     });
   }
   for (auto& thread : threads) thread.join();

@@ -11,7 +11,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string const hostile = "X\x1b]0;pwn\x07\n::error::injected\n\xC2\x9B\xE2\x80\xAE\xE2\x80\x8B";
+std::string const hostile =
+    "X\x1b]0;pwn\x07\n::error::injected\n\xC2\x9B\xE2\x80\xAE\xE2\x80\xAC\xE2\x80\x8B";
 
 /// An image that only a program other than axisc, or a list, can give such a name.
 void write_image(TemporaryFolder const& folder, std::string const& name, std::string const& axis) {
@@ -24,7 +25,8 @@ void write_image(TemporaryFolder const& folder, std::string const& name, std::st
 }
 
 bool is_harmless(std::string const& text) {
-  for (std::string const character : {"\x1b", "\x07", "\xC2\x9B", "\xE2\x80\xAE", "\xE2\x80\x8B", "\n::"}) {
+  for (std::string const character :
+       {"\x1b", "\x07", "\xC2\x9B", "\xE2\x80\xAE\xE2\x80\xAC", "\xE2\x80\x8B", "\n::"}) {
     if (text.find(character) != std::string::npos) return false;
   }
   return !text.empty();

@@ -16,6 +16,7 @@ namespace {
 std::vector<std::string> names(axisc::test::TemporaryFolder const& folder,
                                std::vector<std::string> const& paths) {
   std::vector<std::string> result;
+  result.reserve(paths.size());
   for (auto const& path : paths) result.push_back(fs::path(path).lexically_relative(folder.path()).string());
   return result;
 }
@@ -26,8 +27,9 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("a folder stands for its lists, machine files and programs, sorted") {
   axisc::test::TemporaryFolder const folder;
-  for (auto const* const name : {"b.lis", "A.LIS", "sub/c.lis", "notes.txt", "part.nc"})
+  for (auto const* const name : {"b.lis", "A.LIS", "sub/c.lis", "notes.txt", "part.nc"}) {
     folder.write(name, "");
+  }
   folder.write("other.json", R"({"no": "axes"})");
   folder.write("machine.json", R"({"axes": []})");
   folder.write("broken.json", R"({"axes": [)");

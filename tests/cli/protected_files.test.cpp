@@ -16,7 +16,7 @@ using Arguments = std::vector<std::string>;
 
 /// An image m.axim, what it was made of, and a file of each kind that a command reads.
 Surroundings prepared(TemporaryFolder const& folder) {
-  Surroundings const there = in_folder(folder.path());
+  Surroundings there = in_folder(folder.path());
   folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})");
   folder.write("x.lis", "Ende\n");
   REQUIRE(run_axisc({"compile", "m.json", "-o", "m.axim"}, there).status == 0);

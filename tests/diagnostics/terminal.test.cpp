@@ -13,14 +13,14 @@ TEST_CASE("text for a terminal holds nothing that steers it") {
   CHECK(printable("\0"s) == "␀");
   CHECK(printable("\xC2\x9B") == "\xEF\xBF\xBD");
   CHECK(printable("\xFF") == "\xEF\xBF\xBD");
-  CHECK(printable("\xE2\x80\xAE") == "\xEF\xBF\xBD");
+  CHECK(printable("\xE2\x80\xAE\xE2\x80\xAC") == "\xEF\xBF\xBD\xEF\xBF\xBD");
   CHECK(printable("\xE2\x80\xA8") == "\xEF\xBF\xBD");
 }
 
 TEST_CASE("what a reader would not see is not visible") {
   // A separator, joiners and spaces without width, marks of direction, a byte order mark, a tag, a soft hyphen.
   for (auto const* const hidden : {"\x1b", "\n", "\x7f", "\u0085", "\u200b", "\u200d", "\u2060", "\u2028",
-                                   "\u202e", "\u2066", "\ufeff", "\U000e0041", "\u00ad"}) {
+                                   "\u202e\u202c", "\u2066\u2069", "\ufeff", "\U000e0041", "\u00ad"}) {
     std::string const text = "a"s + hidden + "b";
     CHECK_FALSE(is_visible(text));
     CHECK(is_visible(printable(text)));
