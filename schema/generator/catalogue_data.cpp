@@ -88,6 +88,7 @@ std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::stri
   std::string const complaints = contradictions(readings);
   if (!complaints.empty()) throw DataError(complaints);
   std::vector<ParameterRow> rows;
+  rows.reserve(readings.size());
   for (RowReading& reading : readings) rows.push_back(std::move(reading.row));
   return rows;
 }

@@ -2,7 +2,6 @@
 
 #include "diagnostics/ascii.hpp"
 #include "grammar/lexical.hpp"
-#include "validator/values/reading.hpp"
 #include "validator/values/short_number.hpp"
 
 #include <algorithm>
