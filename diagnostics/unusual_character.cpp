@@ -91,6 +91,11 @@ constexpr UnusualCharacter table[] = {
     {.code = 0xFEFF, .name = "ZERO WIDTH NO-BREAK SPACE", .instead = ""},
 };
 
+static_assert(std::is_sorted(std::begin(table), std::end(table),
+                             [](UnusualCharacter const& a, UnusualCharacter const& b) {
+                               return a.code < b.code;
+                             }));
+
 }  // namespace
 
 UnusualCharacter const* find_unusual(char32_t character) {

@@ -39,9 +39,12 @@ class Search {
 
   std::vector<Candidate> run() && {
     find_slips_of_the_pen();
-    find_whole_parts();
-    find_swaps();
-    if (best_ > static_cast<std::size_t>(Slip::one_letter)) find_in_family();
+    // One letter explains a name well enough, and most names are mistyped so.
+    if (best_ > static_cast<std::size_t>(Slip::one_letter)) {
+      find_whole_parts();
+      find_swaps();
+      find_in_family();
+    }
     std::erase_if(found_, [this](Candidate const& candidate) {
       return static_cast<std::size_t>(candidate.slip) > best_ + 1;
     });

@@ -36,7 +36,8 @@ constexpr Sentence examples{R"(Examples:
   axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
   axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
 
-A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next.
+A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next;
+`# axisc: allow-file AX3005` silences it in the whole file.
 Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
                             R"(Beispiele:
   axisc lint x.lis --cycle-time 1ms      eine Achse
@@ -53,7 +54,7 @@ Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something coul
   axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
 
 Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
-einer Zeile, in der nächsten.
+einer Zeile, in der nächsten; `# axisc: allow-file AX3005` in der ganzen Datei.
 Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
 
 }  // namespace axisc::cli::says

@@ -159,7 +159,6 @@ constexpr JsonShape max_length = whole_number(1, 255);
 constexpr std::array<std::string_view, 3> axis_type_words = {"T", "R", "S"};
 constexpr JsonShape axis_type{.words = axis_type_words};
 constexpr JsonShape axis_types{.kind = Kind::list, .items = &axis_type, .fewest = 1, .distinct = true};
-constexpr JsonShape former_name{.pattern = "^[a-z][a-z0-9_]*([.][a-z][a-z0-9_]*)*$"};
 constexpr JsonShape since{.accepts = is_build,
                           .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
                           .sentence = says::settings_build};
@@ -187,7 +186,7 @@ constexpr std::array row_keys = {
     JsonKey{"max_length", &max_length, optional, "Of a string, in characters."},
     JsonKey{"axis_types", &axis_types, optional,
             "Kinds of axis (translatory, rotary, spindle) that know the parameter; left out: all."},
-    JsonKey{"former_name", &former_name, optional,
+    JsonKey{"former_name", &configuration::json_text, optional,
             "What the control called it in earlier versions, without []."},
     JsonKey{"since", &since, optional, "Build of the control that introduced the parameter."}};
 

@@ -164,6 +164,10 @@ PlainSuggestions suggest_names_plainly(std::string_view name) {
     meant.push_back({*cost, difference, distance, &parameter, begins_alike});
   }
   std::sort(meant.begin(), meant.end());
+  auto const is_letter = [](Meant const& each) { return each.text_distance == 1; };
+  if (std::any_of(meant.begin(), meant.end(), is_letter)) {
+    std::erase_if(meant, [](Meant const& each) { return each.text_distance > 2; });
+  }
   int const best = meant.empty() ? 0 : meant.front().cost;
   std::erase_if(meant, [&](Meant const& each) { return renamed ? each.cost != 0 : each.cost > best + 1; });
   auto const lacks_beginning = [](Meant const& each) { return !each.begins_alike; };

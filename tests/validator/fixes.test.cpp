@@ -126,6 +126,30 @@ TEST_CASE("commands") {
   CHECK(block("#FILTER ON [AX DEV=0.01]", 5001) == "no finding");
 }
 
+TEST_CASE("times in milliseconds and frequencies in millihertz") {
+  auto const helps = [](std::string const& name, std::string const& text, std::string const& wanted) {
+    tests::MapFiles files(std::map<std::string, std::string>{{name, text}});
+    SourceSet sources;
+    validator::CheckOptions options;
+    options.cycle_time = design::CycleTime{1'000'000};
+    std::string all;
+    for (Finding const& finding : validator::check(files, name, options, sources).findings) {
+      for (Message const& help : finding.help) all += render(help, Language::english) + "\n";
+    }
+    return all.find(wanted) != std::string::npos;
+  };
+  std::string const fir = "filter_fir.type 1\nfilter_fir.enable 1\nfilter_fir.order_time ";
+  CHECK(helps("x.lis", fir + "20", "20 ms are `filter_fir.order_time 20000`"));
+  CHECK_FALSE(helps("x.lis", fir + "900", "ms are"));
+  CHECK(helps("x.nc", "#FILTER ON [ORDER_TIME=20]", "20 ms are `ORDER_TIME=20000`"));
+  CHECK_FALSE(helps("x.nc", "#FILTER ON [ORDER_TIME=900]", "ms are"));
+  std::string const lowpass = "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 ";
+  CHECK(helps("x.lis", lowpass + "17500", "17500 mHz are `filter[0].fg_f0 17.5`"));
+  CHECK_FALSE(helps("x.lis", lowpass + "600", "mHz"));
+  CHECK(helps("x.lis", "getriebe[0].dynamik.vb_max 1.500.000", "`1500000`"));
+  CHECK(helps("x.lis", "kopf.mds_ident 4 0", "`40`"));
+}
+
 TEST_CASE("a guess does not keep a list from being compiled") {
   std::string const list =
       "kopf.achs_nr 1\nkopf.log_achs_name X\npath[0].type 3\nfir.type 1\nfilter.order 1\n";

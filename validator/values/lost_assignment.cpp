@@ -3,7 +3,6 @@
 #include "diagnostics/ascii.hpp"
 #include "grammar/character_class.hpp"
 #include "schema/edit_distance.hpp"
-#include "schema/indexed_name.hpp"
 #include "schema/name_candidates.hpp"
 
 #include <algorithm>
@@ -111,29 +110,27 @@ namespace {
 constexpr std::array<std::string_view, 5> compiled_families = {
     "filter", "filter_fir", "vib_guard", "lr_param.add_interface", "lr_param.improved_position_control"};
 
-/// As many parts of a name as the family has, without indices.
-std::string beginning_of(std::string_view name, std::string_view family) {
-  auto parts = std::count(family.begin(), family.end(), '.') + 1;
-  std::string beginning;
-  for (; parts > 0 && !name.empty(); --parts) {
-    std::string_view const part = schema::take_part(name);
-    beginning.append(beginning.empty() ? "" : ".").append(part.substr(0, part.find('[')));
-  }
-  return beginning;
+/// As many parts of a name as the family has, up to the first index.
+std::string_view beginning_of(std::string_view name, std::string_view family) {
+  auto dots = std::count(family.begin(), family.end(), '.');
+  auto const ends = [&dots](char byte) { return byte == '[' || (byte == '.' && dots-- == 0); };
+  return {name.begin(), std::find_if(name.begin(), name.end(), ends)};
 }
 
 }  // namespace
 
 bool is_compiled_family(std::string_view name) {
-  return std::any_of(compiled_families.begin(), compiled_families.end(), [name](std::string_view family) {
-    return name.starts_with(family) && beginning_of(name, family) == family;
-  });
+  return std::any_of(compiled_families.begin(), compiled_families.end(),
+                     [name](std::string_view family) { return beginning_of(name, family) == family; });
 }
 
 bool is_close_to_compiled_family(std::string_view name) {
   return std::any_of(compiled_families.begin(), compiled_families.end(), [name](std::string_view family) {
     std::size_t const limit = schema::slips_of_the_pen(family.size());
-    return schema::edit_distance(ascii::lower_case(beginning_of(name, family)), family, limit) <= limit;
+    std::string_view const beginning = beginning_of(name, family);
+    bool const is_as_long =
+        beginning.size() <= family.size() + limit && family.size() <= beginning.size() + limit;
+    return is_as_long && schema::edit_distance(ascii::lower_case(beginning), family, limit) <= limit;
   });
 }
 

@@ -1,6 +1,7 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
+#include "validator/rules/thousands.hpp"
 
 namespace axisc::validator::says {
 
@@ -61,6 +62,7 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message_of(trouble.headline, Argument{"value", value});
   set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
   if (!trouble.control.empty()) finding.control->message = trouble.control;
+  if (describe_thousands(finding, value)) return;
   if (std::size_t const comment = value.find('('); comment != std::string::npos) {
     if (!schema::is_complete_number(std::string_view(value).substr(0, comment))) return;
     std::uint32_t const at = line.assignment().value.begin + static_cast<std::uint32_t>(comment);

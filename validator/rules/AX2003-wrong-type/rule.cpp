@@ -1,12 +1,10 @@
 #include "validator/engine/rule.hpp"
 
-#include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
-#include "validator/sentences.hpp"
+#include "validator/rules/thousands.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace axisc::validator::says {
@@ -33,21 +31,6 @@ SentenceRef headline(schema::Parameter const& parameter) {
   return schema::is_integer(parameter.type) ? says::integer : says::symbol;
 }
 
-/// `500.000` or `1.500.000`: either a decimal point, or points between thousands as in German.
-bool has_thousands_points(std::string_view value) {
-  constexpr std::size_t group = 3;
-  if (value.starts_with('-') || value.starts_with('+')) value.remove_prefix(1);
-  auto const all_digits = [](std::string_view text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), ascii::is_digit);
-  };
-  std::size_t const point = value.find('.');
-  if (point > group || !all_digits(value.substr(0, point))) return false;
-  for (value.remove_prefix(point); !value.empty(); value.remove_prefix(group + 1)) {
-    if (value.size() <= group || value.front() != '.' || !all_digits(value.substr(1, group))) return false;
-  }
-  return true;
-}
-
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.reading().row;
   std::string const value = line.text(line.reading().text);
@@ -59,15 +42,7 @@ void describe(Finding& finding, Line const& line) {
     finding.control->message = "1001138";
     return;
   }
-  if (has_thousands_points(value)) {
-    std::string digits = value;
-    std::erase(digits, '.');
-    for (std::string number : {digits, value.substr(0, value.find('.'))}) {
-      finding.help.push_back(
-          message_of(says::parameter_did_you_mean, Argument{"suggestion", std::move(number)}));
-    }
-    return;
-  }
+  if (describe_thousands(finding, value)) return;
   double const real = schema::read_real(value).number;
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
