@@ -1,7 +1,7 @@
 #include "cli/formats/explain_formats.hpp"
 #include "cli/formats/parameter_facts.hpp"
 #include "diagnostics/location.hpp"
-#include "schema/description.hpp"
+#include "schema/descriptions/description.hpp"
 
 #include <nlohmann/json.hpp>
 
