@@ -36,6 +36,7 @@ constexpr Sentence examples{R"(Examples:
   axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
 
 A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next.
+
 Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
                             R"(Beispiele:
   axisc lint x.lis --cycle-time 1ms      eine Achse
