@@ -1,6 +1,5 @@
 #include "image/image_difference.hpp"
 
-#include "diagnostics/format_number.hpp"
 #include "schema/catalogue.hpp"
 #include "schema/value.hpp"
 
@@ -45,10 +44,7 @@ std::optional<std::string> default_text(std::string const& name) {
   auto const found = schema::find(name);
   if (found.status != schema::NameLookup::Status::found) return std::nullopt;
   auto const& parameter = schema::parameter(found.parameter);
-  if (!parameter.has_default) return std::nullopt;
-  auto const value = schema::default_value(parameter);
-  bool const is_number = value && value->text.empty() && parameter.type != schema::DataType::string;
-  return is_number ? format_exact(value->number) : std::string(parameter.default_text);
+  return parameter.has_default ? std::optional(std::string(parameter.default_text)) : std::nullopt;
 }
 
 std::string place(ImageValue const& value) {

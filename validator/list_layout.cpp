@@ -25,6 +25,7 @@ constexpr std::size_t longest_aligned_line = 1024;
 /// A list keeps its own columns if it has so many lines, of which so many have their values in one column.
 constexpr std::size_t smallest_layout = 12;
 constexpr std::size_t layout_percent = 75;
+constexpr std::size_t widest_column = 200;
 
 /// An assignment in three parts; `comment` may be empty.
 struct Row {
@@ -62,10 +63,19 @@ class Layout {
     return kind_of_list(source_, list_.tree, list_.readings) == configuration::ListKind::axis;
   }
 
-  std::string write() && {
+  /// True if write() kept one column for all values of the list.
+  [[nodiscard]] bool keeps_columns() const { return file_column_ != 0; }
+
+  std::string write() {
     auto const rows = this->rows();
-    file_column_ = common_column(rows, &Row::value);
-    comment_column_ = file_column_ == 0 ? 0 : common_column(rows, &Row::comment);
+    file_column_ = common_column(rows, [this](Row const& row) { return column_of(row, row.value); });
+    if (file_column_ != 0) {
+      // Comments stay where they are only if the values before them end in time.
+      comment_column_ = common_column(rows, [this](Row const& row) {
+        auto const column = row.comment.empty() ? 0 : column_of(row, row.comment);
+        return column > value_begin(row) + width(row.value) ? column : 0;
+      });
+    }
     for (std::size_t begin = 0; begin < rows.size();) {
       std::size_t end = begin + 1;
       while (end < rows.size() && rows[end].number == rows[end - 1].number + 1) ++end;
@@ -110,20 +120,27 @@ class Layout {
         std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
   }
 
-  /// The column that most rows have in common for one of their parts; 0 where there is none.
-  [[nodiscard]] std::size_t common_column(std::vector<Row> const& rows, std::string_view Row::*part) const {
+  /// The column that most rows have in common; 0 where there is none.
+  template <typename Column>
+  [[nodiscard]] static std::size_t common_column(std::vector<Row> const& rows, Column column) {
     std::map<std::size_t, std::size_t> rows_at;
-    std::size_t count = 0;
-    for (Row const& row : rows) {
-      if ((row.*part).empty()) continue;
-      auto const begin = static_cast<std::size_t>((row.*part).data() - source_.bytes().data());
-      ++rows_at[columns(source_.bytes().substr(row.line.begin, begin - row.line.begin))];
-      ++count;
-    }
-    for (auto const& [column, number] : rows_at) {
-      if (count >= smallest_layout && number * 100 >= count * layout_percent) return column;
+    for (Row const& row : rows) ++rows_at[column(row)];
+    std::size_t const count = rows.size() - rows_at[0];
+    for (auto const& [at, number] : rows_at) {
+      bool const is_usual = at != 0 && at <= widest_column && number * 100 >= count * layout_percent;
+      if (is_usual && count >= smallest_layout) return at;
     }
     return 0;
+  }
+
+  [[nodiscard]] std::size_t column_of(Row const& row, std::string_view part) const {
+    auto const begin = static_cast<std::size_t>(part.data() - source_.bytes().data());
+    return columns(source_.bytes().substr(row.line.begin, begin - row.line.begin));
+  }
+
+  /// With one column for all values of the list.
+  [[nodiscard]] std::size_t value_begin(Row const& row) const {
+    return std::max(file_column_, name_end(row) + 1);
   }
 
   [[nodiscard]] std::size_t columns(std::string_view text) const {
@@ -151,16 +168,15 @@ class Layout {
       copied_ = row.line.end;
       out_ += row.indent;
       out_ += row.name;
-      std::size_t const begin =
-          file_column_ == 0 ? value_column : std::max(file_column_, name_end(row) + gap);
+      std::size_t const begin = file_column_ == 0 ? value_column : value_begin(row);
       out_.append(begin - name_end(row), ' ');
       out_ += row.value;
       if (row.comment.empty()) continue;
       std::size_t const wide = width(row.value);
       std::size_t const end = begin + wide;
-      std::size_t const comment =
-          comment_column_ == 0 ? begin + std::max(wide, value_width) + gap : comment_column_;
-      out_.append(std::max(comment, end + gap) - end, ' ');
+      std::size_t comment = begin + std::max(wide, value_width) + gap;
+      if (comment_column_ != 0) comment = std::max(comment_column_, end + 1);
+      out_.append(comment - end, ' ');
       out_ += row.comment;
     }
   }
@@ -177,7 +193,11 @@ class Layout {
 
 std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue) {
   Layout layout(source, catalogue);
-  return layout.is_axis_list() ? std::move(layout).write() : std::string(source.bytes());
+  if (!layout.is_axis_list()) return std::string(source.bytes());
+  auto text = layout.write();
+  if (layout.keeps_columns() || text == source.bytes()) return text;
+  // The paragraphs may have got a common column only now.
+  return Layout(SourceText(source.name(), text), catalogue).write();
 }
 
 }  // namespace axisc::validator

@@ -16,7 +16,7 @@ namespace axisc::validator {
 /// the list, its order, indentation, encoding, line ends and all other lines are preserved. A value whose end only the
 /// control knows (a string with blanks, a symbol with text after it) keeps all of its line up to the `(`. Unchanged are
 /// lines that cannot be read, lines whose value cannot be read and is not separated from a `(`, and lines of more than
-/// 1,024 bytes. Applying it twice changes nothing. Cost: two to three times that of reading the list.
+/// 1,024 bytes. Applying it twice changes nothing. Cost: up to six times that of reading the list.
 [[nodiscard]] std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue = {});
 
 }  // namespace axisc::validator

@@ -32,6 +32,7 @@ constexpr Sentence examples{R"(Examples:
 
 An image that would not change is left untouched, so that build systems rebuild nothing that depends on it.
 Equal inputs give the same bytes, wherever they are. Findings go to standard error.
+
 Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could not be read or written.)",
                             R"(Beispiele:
   axisc compile maschine.json -o fraese.axim
@@ -43,6 +44,7 @@ Exit status: 0 written, 1 errors (or warnings with --werror), 2 something could 
 
 Ein Abbild, das sich nicht ändern würde, bleibt unberührt; Build-Systeme bauen dann nichts davon Abhängiges neu.
 Gleiche Eingaben ergeben dieselben Bytes, wo immer sie liegen. Befunde gehen auf die Standardfehlerausgabe.
+
 Rückgabewert: 0 geschrieben, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, {bytes} bytes",
                             "{file}: geschrieben, Achsen: {axes}, Filter: {filters}, {bytes} Bytes"};

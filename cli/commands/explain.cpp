@@ -9,7 +9,7 @@
 #include "cli/settings/settings.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
-#include "schema/description.hpp"
+#include "schema/descriptions/description.hpp"
 
 namespace axisc::cli::says {
 

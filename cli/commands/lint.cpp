@@ -38,6 +38,7 @@ constexpr Sentence examples{R"(Examples:
 
 A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next;
 `# axisc: allow-file AX3005` silences it in the whole file.
+
 Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
                             R"(Beispiele:
   axisc lint x.lis --cycle-time 1ms      eine Achse

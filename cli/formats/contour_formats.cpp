@@ -15,7 +15,7 @@ constexpr Sentence group{"{group}: axes {axes}, NC cycle time {cycle_time} µs",
                          "{group}: Achsen {axes}, NC-Zykluszeit {cycle_time} µs"};
 constexpr Sentence feed{"feed [mm/min]", "Vorschub [mm/min]"};
 constexpr Sentence order{"order", "Ordnung"};
-constexpr Sentence lists{"lists'", "Listen"};
+constexpr Sentence lists{"from lists", "aus Listen"};
 constexpr Sentence what{"contour", "Kontur"};
 constexpr Sentence axis{"{axis} [µm]", "{axis} [µm]"};
 constexpr Sentence deviation{"deviation [µm]", "Abweichung [µm]"};

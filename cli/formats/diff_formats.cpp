@@ -1,5 +1,6 @@
 #include "cli/formats/diff_formats.hpp"
 
+#include "cli/formats/parameter_facts.hpp"
 #include "cli/formats/sentences.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
@@ -72,8 +73,9 @@ class Lines {
   [[nodiscard]] std::vector<Line> parameters(image::AxisChange const& axis) const {
     std::vector<Line> lines;
     for (auto const& change : axis.parameters) {
-      lines.push_back({change.name, value(change.before, change.default_text),
-                       value(change.after, change.default_text), places(change)});
+      auto const otherwise = default_of(change);
+      lines.push_back(
+          {change.name, value(change.before, otherwise), value(change.after, otherwise), places(change)});
     }
     return lines;
   }
@@ -183,6 +185,11 @@ std::string markdown_table(Lines const& words, std::vector<Line> const& lines, S
 }
 
 }  // namespace
+
+std::optional<std::string> default_of(image::ParameterChange const& change) {
+  auto const* const row = schema::find(change.name).row;
+  return row != nullptr && change.default_text ? std::optional(default_text(*row)) : change.default_text;
+}
 
 std::optional<double> corner_deviation_um(image::ChainFigures const& figures_of_chain, double feed,
                                           design::CycleTime cycle_time) {

@@ -19,6 +19,9 @@ struct ShownDifference {
 [[nodiscard]] std::string diff_markdown(ShownDifference const& shown, Language language);
 [[nodiscard]] std::string diff_json(ShownDifference const& shown);
 
+/// The default in plain numbers.
+[[nodiscard]] std::optional<std::string> default_of(image::ParameterChange const& change);
+
 /// Corner deviation in µm for a path of `feed` mm/min.
 [[nodiscard]] std::optional<double> corner_deviation_um(image::ChainFigures const& figures, double feed,
                                                         design::CycleTime cycle_time);

@@ -30,7 +30,7 @@ ordered_json axis_json(image::AxisChange const& axis, ShownDifference const& sho
     json["parameters"].push_back({{"name", change.name},
                                   {"before", optional_json(change.before)},
                                   {"after", optional_json(change.after)},
-                                  {"default", optional_json(change.default_text)},
+                                  {"default", optional_json(default_of(change))},
                                   {"place_before", change.place_before},
                                   {"place_after", change.place_after}});
   }

@@ -2,7 +2,7 @@
 #include "cli/formats/parameter_facts.hpp"
 #include "cli/report/json_text.hpp"
 #include "diagnostics/location.hpp"
-#include "schema/description.hpp"
+#include "schema/descriptions/description.hpp"
 
 #include <nlohmann/json.hpp>
 

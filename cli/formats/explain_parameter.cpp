@@ -1,7 +1,7 @@
 #include "cli/formats/explain_formats.hpp"
 #include "cli/formats/parameter_facts.hpp"
 #include "diagnostics/format_number.hpp"
-#include "schema/description.hpp"
+#include "schema/descriptions/description.hpp"
 #include "schema/value.hpp"
 #include "validator/views/units_text.hpp"
 

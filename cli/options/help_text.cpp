@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t widest = 100;
 constexpr std::size_t narrowest = 40;
 constexpr std::size_t meaning_column = 30;
+/// A shorter line of a text ends a paragraph; a longer one was broken there for the eye.
+constexpr std::size_t shortest_full_line = 80;
 /// Below this width meanings have lines of their own.
 constexpr std::size_t two_columns = 70;
 
@@ -77,8 +79,7 @@ std::string help_paragraphs(std::string_view text, std::size_t width) {
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     if (!line.empty() && line.front() != ' ') {
       paragraph.append(paragraph.empty() ? "" : " ").append(line);
-      if (!line.ends_with(':')) continue;
-      end_paragraph();
+      if (display_width(line) < shortest_full_line) end_paragraph();
       continue;
     }
     end_paragraph();

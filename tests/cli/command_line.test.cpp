@@ -119,10 +119,12 @@ TEST_CASE("help rows break between words") {
 }
 
 TEST_CASE("help is as wide as the terminal") {
-  CHECK(help_paragraphs("Two lines\nbecome one.\n\nExamples:\n  axisc lint x   one axis", 30) ==
-        "Two lines become one.\n\nExamples:\n  axisc lint x   one axis\n");
-  CHECK(help_paragraphs("Two lines become one.\n  axisc lint x   one axis", 20) ==
-        "Two lines become\none.\n  axisc lint x\n      one axis\n");
+  std::string const full(80, 'x');
+  CHECK(help_paragraphs(full + "\nand its rest.\nA new paragraph\n\nExamples:\n  axisc lint x   one axis",
+                        100) ==
+        full + " and its rest.\nA new paragraph\n\nExamples:\n  axisc lint x   one axis\n");
+  CHECK(help_paragraphs("One line becomes two.\n  axisc lint x   one axis", 20) ==
+        "One line becomes\ntwo.\n  axisc lint x\n      one axis\n");
 }
 
 TEST_CASE("lists are split at commas") {

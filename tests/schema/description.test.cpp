@@ -1,4 +1,4 @@
-#include "schema/description.hpp"
+#include "schema/descriptions/description.hpp"
 
 #include "support/catch.hpp"
 

@@ -125,7 +125,7 @@ TEST_CASE("a list with one column for all values keeps it") {
       list + "kenngr.achs_typ 1 ( type\nantr.a_very_long_name.that_does_not_fit_here 2 ( long\n";
   CHECK(aligned(added) == list +
                               "kenngr.achs_typ                           1               ( type\n"
-                              "antr.a_very_long_name.that_does_not_fit_here  2           ( long\n");
+                              "antr.a_very_long_name.that_does_not_fit_here 2            ( long\n");
 }
 
 TEST_CASE("what only the control can take apart keeps its line") {

@@ -33,7 +33,7 @@ extern constinit Rule const ax3035{
     .code = Code{3035},
     .name = "ipc-no-active-stage",
     .severity = Severity::warning,
-    .parameters = "ipc.stage[].* ipc.enable",
+    .parameters = "ipc.*",
     .check = ipc_no_active_stage,
 };
 

@@ -49,7 +49,7 @@ extern constinit Rule const ax3041{
     .severity = Severity::warning,
     .parameters =
         "lr_param.add_interface.enable lr_param.add_interface.filter[].enable "
-        "lr_param.add_interface.filter[].order",
+        "lr_param.add_interface.filter[].order lr_param.add_interface.filter[].time_constant",
     .check = interface_disabled,
 };
 
