@@ -90,8 +90,8 @@ TEST_CASE("what does not touch the kernel stands beside the parameters") {
   CHECK(monitored.parameters.empty());
   CHECK(monitored.tolerance == 0.001);
   CHECK(monitored.acceleration_factor == 2.5);
-  CHECK(command("#FILTER ON").tolerance == 0);
-  CHECK(command("#FILTER ON").acceleration_factor == 1);
+  CHECK_FALSE(command("#FILTER ON").tolerance);
+  CHECK_FALSE(command("#FILTER ON").acceleration_factor);
 }
 
 TEST_CASE("ranges of #FILTER") {

@@ -117,6 +117,8 @@ class CommandCheck {
     for (std::size_t i = 0; i < command_.keywords.size(); ++i) check_keyword(i);
     if (command_.command_switch == CommandSwitch::on) result_.filter_switch = machine::FilterSwitch::on;
     if (command_.command_switch == CommandSwitch::off) result_.filter_switch = machine::FilterSwitch::off;
+    checked_.filter_switch = result_.filter_switch;
+    checked_.hsc = hsc_;
     if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
     std::stable_sort(
         checked_.mistakes.begin(), checked_.mistakes.end(),
