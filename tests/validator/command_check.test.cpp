@@ -151,6 +151,8 @@ TEST_CASE("#VIB GUARD") {
   CHECK(guard("#VIB GUARD ON [MODE=4 FREQ=1 DAMPING=0 AX_DEV=0 ACC_FACT=10]").empty());
   CHECK(guard("#VIB GUARD OFF").empty());
   CHECK(guard("#VIB GUARD ON [FREQ=P1]").empty());
+  CHECK(guard("#VIB GUARD ON [FREQ=499.9]").empty());
+  CHECK(guard("#VIB GUARD ON [FREQ=500]") == "AX5002 <500> ");
   CHECK(guard("#VIB GUARD ON [MODE=0 FREQ=0.5 DAMPING=1.1 AX_DEV=-1 ACC_FACT=0]") ==
         "AX5002 <0> AX5002 <0.5> AX5002 <1.1> AX5002 <-1> AX5002 <0> ");
   CHECK(guard("#VIB GUARD ON [MODE=2.5]") == "AX5002 <2.5> ");

@@ -263,6 +263,8 @@ class CommandCheck {
       mistake.control = "50911";
       mistake.reaction = says::filter_reaction_clipped;
       mistake.value = std::to_string(limits_.longest_order());
+    } else if (name == "FREQ" && value > range.minimum) {
+      mistake.control = "50913";
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";
       mistake.reaction = says::filter_reaction_inactive;
