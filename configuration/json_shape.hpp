@@ -3,6 +3,7 @@
 #pragma once
 
 #include "configuration/sentences.hpp"
+#include "design/units.hpp"
 #include "diagnostics/message.hpp"
 
 #include <cstddef>
@@ -81,7 +82,9 @@ inline constexpr JsonShape json_null{.kind = JsonShapeKind::null};
 inline constexpr JsonShape json_text{};  ///< not empty
 inline constexpr JsonShape json_texts{.kind = JsonShapeKind::list, .items = &json_text};
 /// Microseconds, from a nanosecond to a second.
-inline constexpr JsonShape json_cycle_time{
-    .kind = JsonShapeKind::number, .lowest = 1e-3, .highest = 1e6, .sentence = says::json_cycle_time};
+inline constexpr JsonShape json_cycle_time{.kind = JsonShapeKind::number,
+                                           .lowest = design::shortest_cycle_time.microseconds(),
+                                           .highest = design::longest_cycle_time.microseconds(),
+                                           .sentence = says::json_cycle_time};
 
 }  // namespace axisc::configuration

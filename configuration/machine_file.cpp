@@ -31,6 +31,16 @@ constexpr Sentence unknown_axis{"this machine has no axis \"{name}\"",
 constexpr Sentence invisible_name{
     "\"{key}\" must not contain control characters, line breaks or other invisible characters",
     "\"{key}\" darf keine Steuerzeichen, Zeilenumbrüche oder andere unsichtbare Zeichen enthalten"};
+constexpr Sentence repeated_group{"the group name \"{name}\" is used twice",
+                                  "der Gruppenname \"{name}\" kommt zweimal vor"};
+constexpr Sentence grouped_twice{"axis \"{name}\" is in a group already",
+                                 "Achse \"{name}\" ist schon in einer Gruppe"};
+constexpr Sentence repeated_slave{"axis \"{name}\" is the slave of a gantry already",
+                                  "Achse \"{name}\" ist schon Slaveachse eines Gantryverbunds"};
+constexpr Sentence own_slave{"axis \"{name}\" cannot be its own slave",
+                             "Achse \"{name}\" kann nicht ihre eigene Slaveachse sein"};
+constexpr Sentence circular_gantry{R"(axis "{name}" cannot follow "{master}", which follows it)",
+                                   R"(Achse "{name}" kann nicht "{master}" folgen, die ihr selbst folgt)"};
 constexpr Sentence json_fix{"write \"{replacement}\"", "\"{replacement}\" schreiben"};
 constexpr Sentence json_first{"first here", "zuerst hier"};
 
@@ -137,10 +147,17 @@ class MachineFileReader {
     if (!check.readable.front()) return machine;
     JsonReading(document, check.readable, source_).fill(machine_file_shape, document.root(), &machine);
     require_distinct_axes(machine.axes);
-    for (MachineFileGroup& group : machine.groups) require_axes(group.axes);
+    for (MachineFileGroup& group : machine.groups) {
+      require_axes(group.axes);
+      if (group.name) require_new(group_names_, *group.name, says::repeated_group);
+      std::erase_if(group.axes, [this](LocatedText const& axis) {
+        return !require_new(grouped_axes_, axis, says::grouped_twice);
+      });
+    }
     for (MachineFileGantry& gantry : machine.gantries) {
       if (!gantry.master.text.empty() && !is_axis(gantry.master)) gantry.master.text.clear();
       require_axes(gantry.slaves);
+      std::erase_if(gantry.slaves, [&](LocatedText const& slave) { return !follows(gantry.master, slave); });
     }
     std::erase_if(machine.gantries, [](MachineFileGantry const& each) { return each.master.text.empty(); });
     return machine;
@@ -204,13 +221,43 @@ class MachineFileReader {
     return false;
   }
 
+  /// False for a name that `known` has already.
+  bool require_new(std::map<std::string, Place>& known, LocatedText const& name, SentenceRef sentence) {
+    auto const [first, is_new] = known.try_emplace(name.text, name.place);
+    if (is_new) return true;
+    Message message{.sentence = sentence, .arguments = {{"name", name.text}}};
+    relate(add(name.place.span, std::move(message)), first->second);
+    return false;
+  }
+
+  /// False where `slave` cannot follow `master`.
+  bool follows(LocatedText const& master, LocatedText const& slave) {
+    if (master.text.empty()) return true;
+    if (slave.text == master.text) {
+      add(slave.place.span, {.sentence = says::own_slave, .arguments = {{"name", slave.text}}});
+      return false;
+    }
+    if (!require_new(slaves_, slave, says::repeated_slave)) return false;
+    // No master is its own, so that every chain of them ends.
+    for (auto leader = masters_.find(master.text); leader != masters_.end();
+         leader = masters_.find(leader->second)) {
+      if (leader->second != slave.text) continue;
+      add(slave.place.span,
+          {.sentence = says::circular_gantry, .arguments = {{"name", slave.text}, {"master", master.text}}});
+      return false;
+    }
+    masters_.emplace(slave.text, master.text);
+    return true;
+  }
+
   void require_axes(std::vector<LocatedText>& names) {
     std::erase_if(names, [this](LocatedText const& name) { return !is_axis(name); });
   }
 
   SourceId source_;
   std::deque<Finding>& findings_;
-  std::map<std::string, Place> axis_names_;
+  std::map<std::string, Place> axis_names_, group_names_, grouped_axes_, slaves_;
+  std::map<std::string, std::string> masters_;  ///< of slaves
 };
 
 }  // namespace

@@ -7,8 +7,8 @@ constinit Sentence const json_known_keys{"keys here: {keys}", "Schlüssel an die
 constinit Sentence const json_missing_key{"the key \"{key}\" is missing here",
                                           "hier fehlt der Schlüssel \"{key}\""};
 constinit Sentence const json_cycle_time{
-    "the cycle time must be above 0 and at most 1000000 µs, not {value} µs",
-    "die Zykluszeit muss größer als 0 und höchstens 1000000 µs sein, nicht {value} µs"};
+    "the cycle time must be 20 to 100000 µs, not {value} µs; a millisecond is 1000",
+    "die Zykluszeit muss 20 bis 100000 µs betragen, nicht {value} µs; eine Millisekunde ist 1000"};
 constinit Sentence const json_repeated_value{R"("{value}" is in "{key}" twice)",
                                              R"("{value}" steht zweimal in "{key}")"};
 

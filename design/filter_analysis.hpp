@@ -44,6 +44,8 @@ struct StepFigures {
   /// First cycle from which the step response stays within `tolerance` (a share of the step) of its final value;
   /// none where it is not certain to do so within `longest` cycles.
   std::optional<std::uint64_t> settling_cycles;
+  /// First cycle from which the step response was within `tolerance` as long as it was looked at.
+  std::uint64_t within_from = 0;
 };
 
 /// Stops as soon as what is left in the states changes none of the figures (13 digits), at the latest after `longest`
@@ -53,7 +55,8 @@ struct StepFigures {
                                        double tolerance);
 /// StepFigures::overshoot alone, for which less has to be looked at. Cost: half of step_figures().
 [[nodiscard]] double step_overshoot(std::span<FilterDesign const> chain, std::uint64_t longest);
-/// StepFigures::settling_cycles alone. Cost: as above.
+/// StepFigures::within_from alone; none where the step response is not within `tolerance` after `longest` cycles. What a
+/// filter before a blocking one, or one with a tiny share, still has to do need not show. Cost: as above.
 [[nodiscard]] std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain,
                                                            std::uint64_t longest, double tolerance);
 

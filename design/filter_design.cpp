@@ -18,6 +18,23 @@ FilterDesign design_oscillator(OscillatorSpecification const& specification, Cyc
                                        : design_exact(specification, cycle_time);
 }
 
+bool is_loadable(IncrementSection const& section) {
+  constexpr double largest_numerator = 64;
+  auto const [p, q, k, b] = section;
+  bool const is_stable = k > 0 && b > 0 && b < 2 && 4 - k - 2 * b > 0;
+  return is_stable && std::abs(p) <= largest_numerator && std::abs(q) <= largest_numerator;
+}
+
+double rounding_error(FilterDesign const& filter) {
+  constexpr double rounding_of_a_section = 0x1p-49;  // k up to 4, b up to 2, and as much in the numerator
+  double error = 0;
+  for (IncrementSection const& section : filter.sections) {
+    if (!is_loadable(section)) return HUGE_VAL;
+    error += rounding_of_a_section / (4 - section.k - 2 * section.b);
+  }
+  return error * filter.share.filtered;
+}
+
 DirectSection direct_form(IncrementSection const& section, bool blocks_constant) {
   auto const [p, q, k, b] = section;
   double const a1 = k + b - 2;

@@ -145,7 +145,7 @@ StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longe
 
   StepFigures figures;
   double highest = 0;
-  std::uint64_t settling = 0;
+  std::uint64_t& settling = figures.within_from;
   Rest rest;
   for (std::uint64_t n = 0; n < longest; ++n) {
     Signal y{1, n == 0 ? 1.0 : 0.0};
@@ -183,7 +183,8 @@ std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain
   auto const is_enough = [tolerance](Rest const& rest, double /*excess*/) {
     return rest.value <= negligible_rest * tolerance;
   };
-  return follow_step(chain, longest, tolerance, is_enough).settling_cycles;
+  std::uint64_t const within_from = follow_step(chain, longest, tolerance, is_enough).within_from;
+  return within_from < longest ? std::optional(within_from) : std::nullopt;
 }
 
 }  // namespace axisc::design

@@ -38,4 +38,8 @@ struct CycleTime {
   friend constexpr auto operator<=>(CycleTime const&, CycleTime const&) = default;
 };
 
+/// NC cycle times that controls run with; a list or machine that asks for another one has mistaken the unit.
+inline constexpr CycleTime shortest_cycle_time{20'000};
+inline constexpr CycleTime longest_cycle_time{100'000'000};
+
 }  // namespace axisc::design

@@ -16,4 +16,18 @@ std::string to_text(FilterParameters const& parameters) {
   return text;
 }
 
+FilterParameters parameters_after(FilterParameters const& before, FilterCommand const& command) {
+  if (command.filter_switch == FilterSwitch::off || command.hsc) return before;
+  FilterParameters after = command.parameters;
+  if (command.filter_switch == FilterSwitch::on) return after;
+  auto const keep = [](auto& value, auto const& earlier) {
+    if (!value) value = earlier;
+  };
+  keep(after.order, before.order);
+  keep(after.share_percent, before.share_percent);
+  keep(after.frequency, before.frequency);
+  keep(after.quality, before.quality);
+  return after;
+}
+
 }  // namespace axisc::machine

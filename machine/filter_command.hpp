@@ -35,8 +35,13 @@ struct FilterCommand {
   FilterSwitch filter_switch = FilterSwitch::unchanged;
   bool hsc = false;  ///< [HSC]: acts on the HSC filters, without parameters
   FilterParameters parameters;
-  double tolerance = 0;            ///< AX_DEV in mm (inch where the machine file says so); 0: no monitoring
-  double acceleration_factor = 1;  ///< ACC_FACT
+  std::optional<double> tolerance =
+      std::nullopt;  ///< AX_DEV in mm (inch where the machine file says so); 0: no monitoring
+  std::optional<double> acceleration_factor = std::nullopt;  ///< ACC_FACT
 };
+
+/// The parameters in force after `command`, where `before` were those that earlier commands of the program gave: ON forgets
+/// them, without ON or OFF the command changes those that it names. OFF and [HSC] change none.
+[[nodiscard]] FilterParameters parameters_after(FilterParameters const& before, FilterCommand const& command);
 
 }  // namespace axisc::machine

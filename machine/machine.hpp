@@ -120,7 +120,7 @@ struct MachineList {
 struct MachineGroup {
   std::string name;
   std::vector<std::size_t> axes;  ///< indices into Machine::axes, in the order of the machine file
-  /// The distinct #FILTER ON (or switchless) parameter sets of the group's programs and of filter_sets, in the order of
+  /// The distinct parameter sets that are in force after the commands of the group's programs and of filter_sets, in the order of
   /// their first use, in canonical form; without `#FILTER ON` alone, OFF and [HSC], which need none.
   std::vector<FilterParameters> filter_sets;
 };

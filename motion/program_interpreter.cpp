@@ -302,7 +302,9 @@ void ProgramInterpreter::take_filter(Token const& token) {
   }
   FilterChange change;
   change.command = *checked.command;
-  change.tolerance = change.command.tolerance * units_per_mm * (channel_.inch ? mm_per_inch : 1);
+  if (change.command.tolerance) {
+    change.tolerance = *change.command.tolerance * units_per_mm * (channel_.inch ? mm_per_inch : 1);
+  }
   auto const behind = kept_.find(']', last);
   auto const line_end = kept_.find('\n', last);
   bool const bracket = !command.keywords.empty() && behind != std::string::npos && behind < line_end;

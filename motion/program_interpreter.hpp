@@ -24,8 +24,8 @@ namespace axisc::motion {
 /// A #FILTER command.
 struct FilterChange {
   machine::FilterCommand command;
-  double tolerance = 0;  ///< AX_DEV in position units
-  std::string text;      ///< as the program writes it, blanks and comments around it left out
+  std::optional<double> tolerance;  ///< AX_DEV in position units
+  std::string text;                 ///< as the program writes it, blanks and comments around it left out
   std::uint32_t line = 0;
 };
 

@@ -59,9 +59,14 @@ void Simulation::command(FilterChange const& change) {
   }
   learn_answers();
   if (!change.command.hsc) {
-    bool const off = change.command.filter_switch == machine::FilterSwitch::off;
-    tolerance_ = off ? 0 : change.tolerance;
-    acceleration_factor_ = off ? 1 : change.command.acceleration_factor;
+    if (change.command.filter_switch != machine::FilterSwitch::unchanged) {
+      tolerance_ = 0;
+      acceleration_factor_ = 1;
+    }
+    if (change.command.filter_switch != machine::FilterSwitch::off) {
+      tolerance_ = change.tolerance.value_or(tolerance_);
+      acceleration_factor_ = change.command.acceleration_factor.value_or(acceleration_factor_);
+    }
   }
   begin_pass(change.text, change.line);
 }

@@ -32,6 +32,18 @@ Bank const* find_bank(Channel const& channel, axisrt_filter_command const& comma
   return nullptr;
 }
 
+/// SET keeps the parameters of earlier commands that it does not name.
+axisrt_filter_command with_earlier(Channel const& channel, axisrt_filter_command command) {
+  if (command.action != AXISRT_ACTION_SET || has(command.keywords, axim_keyword_hsc)) return command;
+  Bank const& earlier = channel.banks[channel.state->bank];
+  if (!has(command.keywords, axim_keyword_order)) command.order = earlier.order;
+  if (!has(command.keywords, axim_keyword_share)) command.share = earlier.share;
+  if (!has(command.keywords, axim_keyword_fcut)) command.fcut = earlier.frequency;
+  if (!has(command.keywords, axim_keyword_quality)) command.quality = earlier.quality;
+  command.keywords |= earlier.keywords;
+  return command;
+}
+
 /// What a command makes of the slots of a channel.
 struct Switching {
   uint32_t action;
@@ -89,6 +101,12 @@ uint32_t fade_cycles(Channel const& channel, Switching const& change) {
   }
 }
 
+void remember(Channel const& channel, Switching const& change) {
+  if (change.action == AXISRT_ACTION_PROGRAM_END) channel.state->bank = 0;
+  if (change.bank == nullptr || has(change.bank->keywords, axim_keyword_hsc)) return;
+  channel.state->bank = static_cast<uint32_t>(change.bank - channel.banks);
+}
+
 axisrt_status apply(Channel const& channel, Switching const& change) {
   bool busy = false;
   bool changes = false;
@@ -110,6 +128,7 @@ axisrt_status apply(Channel const& channel, Switching const& change) {
     if (slot.group->kernel[slot.lane] != target.kernel) switch_slot(slot, target.kernel, rests ? 0 : fade);
     slot.state->on = target.on;
   });
+  remember(channel, change);
   return AXISRT_OK;
 }
 
@@ -117,7 +136,8 @@ axisrt_status execute(axisrt const& runtime, uint32_t group, axisrt_filter_comma
   if (changes_from(runtime) != nullptr) return AXISRT_BUSY;
   Switching change{.action = command.action, .bank = nullptr, .pass = runtime.kernels + runtime.kernel_count};
   if (command.action == AXISRT_ACTION_ON || command.action == AXISRT_ACTION_SET) {
-    change.bank = find_bank(runtime.channels[group], command);
+    Channel const& channel = runtime.channels[group];
+    change.bank = find_bank(channel, with_earlier(channel, command));
     if (change.bank == nullptr) return AXISRT_NO_BANK;
   }
   return apply(runtime.channels[group], change);

@@ -77,10 +77,15 @@ struct Bank {
   uint32_t reserved;
 };
 
+struct ChannelState {
+  uint32_t bank;  ///< of the channel: the parameters that the commands so far have given the FIR filters
+};
+
 /// An NC channel.
 struct Channel {
   Slot const* const* members;  ///< slots of its axes; null for an axis without one
   Bank const* banks;
+  ChannelState* state;
   uint32_t member_count;
   uint32_t bank_count;
   uint32_t name_offset;

@@ -22,12 +22,17 @@ class StateWalk {
 
   /// False where the layouts differ, or the visitor refused a number; the state of `to` is unusable then.
   [[nodiscard]] bool walk() {
-    bool good = from_.slot_count == to_.slot_count && from_.kernel_count == to_.kernel_count;
+    bool good = from_.slot_count == to_.slot_count && from_.channel_count == to_.channel_count &&
+                from_.kernel_count == to_.kernel_count;
     good = good && port(from_.setpoint.port, to_.setpoint.port);
     good = good && port(from_.additional_interface.port, to_.additional_interface.port);
     good = good && port(from_.velocity.port, to_.velocity.port);
     for (uint32_t i = 0; i < from_.slot_count && good; ++i) {
       good = visitor_.number(from_.slots[i].state->on, to_.slots[i].state->on, 1);
+    }
+    for (uint32_t i = 0; i < from_.channel_count && good; ++i) {
+      good = visitor_.number(from_.channels[i].state->bank, to_.channels[i].state->bank,
+                             to_.channels[i].bank_count - 1);
     }
     return good;
   }

@@ -76,6 +76,12 @@ struct alignas(64) Parameter {
   return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
 }
 
+/// The table of what its numbers mean stands for a range.
+[[nodiscard]] constexpr bool is_listed_only(Parameter const& parameter) {
+  return !parameter.number_names.empty() && parameter.minimum.kind == Limit::Kind::none &&
+         parameter.maximum.kind == Limit::Kind::none;
+}
+
 /// All slots of a row; gives the place after them.
 template <typename Output>
 constexpr Output write_slots(Parameter const& parameter, Output out) {

@@ -86,6 +86,7 @@ constexpr PlainKind plain_kind_of(Parameter const& parameter) {
     bool const is_plain = !has_limits && has_plain_symbols(parameter) && !may_be_bit_mask(parameter);
     return is_plain ? PlainKind::symbol : PlainKind::none;
   }
+  if (is_listed_only(parameter)) return PlainKind::none;
   if (parameter.type == DataType::string) return has_limits ? PlainKind::none : PlainKind::text;
   return parameter.type == DataType::real64 ? PlainKind::real : PlainKind::integer;
 }

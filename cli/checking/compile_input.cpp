@@ -1,15 +1,30 @@
 #include "cli/checking/compile_input.hpp"
 
+#include "axisrt.h"
 #include "cli/checking/compilable.hpp"
+#include "cli/failure.hpp"
+#include "codegen/aligned_bytes.hpp"
 
 #include <string_view>
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence refused_image{
+    "{file}: no image was written, because a controller would refuse it ({status}: {reason}); correct the "
+    "findings "
+    "that are silenced",
+    "{file}: es wurde kein Abbild geschrieben, weil eine Steuerung es ablehnen würde ({status}: {reason}); "
+    "die "
+    "unterdrückten Befunde beheben"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 namespace {
 
-CompiledImage image_of(machine::Machine const& machine, CompileJob const& job) {
+CompiledImage image_of(machine::Machine const& machine, CompileJob const& job, std::string const& path) {
   CompiledImage image;
   for (auto const& axis : machine.axes) {
     image.filters += axis.filters.size() + axis.interface_filters.size() + (axis.kernel ? 1 : 0);
@@ -17,6 +32,13 @@ CompiledImage image_of(machine::Machine const& machine, CompileJob const& job) {
   }
   image.axes = machine.axes.size();
   auto const bytes = codegen::write_image(machine, job.image, job.designs);
+  codegen::AlignedBytes const aligned(bytes);
+  if (auto const status = axisrt_verify(aligned.data(), aligned.size()); status != AXISRT_OK) {
+    throw Failure({.sentence = says::refused_image,
+                   .arguments = {{"file", path},
+                                 {"status", axisrt_status_name(status)},
+                                 {"reason", axisrt_status_text(status)}}});
+  }
   image.bytes.assign(reinterpret_cast<char const*>(bytes.data()), bytes.size());
   return image;
 }
@@ -33,7 +55,7 @@ void compile(CompileJob const& job, std::string const& path, configuration::File
   compiled.checked.findings = std::move(findings);
   if (compiled.skipped || objectionable(job.checking, judged.counts)) return;
   require_machine(path, judged.result, sources, job.report_format.write.language);
-  compiled.image = image_of(*judged.result.machine, job);
+  compiled.image = image_of(*judged.result.machine, job, path);
 }
 
 }  // namespace

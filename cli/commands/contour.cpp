@@ -1,11 +1,13 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
+#include "cli/failure.hpp"
 #include "cli/files/path_machine.hpp"
 #include "cli/formats/contour_formats.hpp"
 #include "cli/formats/contour_groups.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
+#include "diagnostics/format_number.hpp"
 
 #include <algorithm>
 
@@ -33,6 +35,9 @@ constexpr Sentence option_angle{"change of direction at the corner in degrees, 0
                                 "Richtungsänderung an der Ecke in Grad, 0 bis 180 (Standardwert: 90)"};
 constexpr Sentence option_radius{"radius of the circle in mm (default: 10)",
                                  "Radius des Kreises in mm (Standardwert: 10)"};
+constexpr Sentence feed_above_limit{
+    "axis {axis} cannot move at {feed} mm/min; its vb_max (P-AXIS-00212) is {limit} mm/min",
+    "Achse {axis} kann nicht mit {feed} mm/min fahren; ihr vb_max (P-AXIS-00212) ist {limit} mm/min"};
 constexpr Sentence option_tolerance{
     "allowed axis error in mm: which feed and which order keep it",
     "erlaubter Achsfehler in mm: welcher Vorschub, welche Ordnung hält ihn ein"};
@@ -52,6 +57,8 @@ constexpr Sentence bad_orders{"--order needs whole numbers from 0 to {limit}, no
 namespace axisc::cli {
 
 namespace {
+
+constexpr double mm_per_min_of_um_per_s = 0.06;
 
 enum class Format : std::uint8_t { text, csv, json };
 
@@ -121,6 +128,24 @@ ContourRequest read_options(ContourOptions const& options) {
   return wanted;
 }
 
+/// Says which of the wanted feeds no motion of the group reaches.
+void remark_feeds(machine::Machine const& machine, machine::MachineGroup const& group,
+                  ContourOptions const& options, ContourRequest const& wanted, Invocation const& invocation) {
+  double const fastest = *std::max_element(wanted.feeds.begin(), wanted.feeds.end());
+  for (auto const index : group.axes) {
+    auto const& axis = machine.axes[index];
+    double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
+    if (!options.feeds || axis.type != machine::AxisType::translatory || !(limit > 0) || fastest <= limit)
+      continue;
+    invocation.streams.err.write(warning_line({.sentence = says::feed_above_limit,
+                                               .arguments = {{"feed", format_exact(fastest)},
+                                                             {"axis", axis.name},
+                                                             {"limit", format_rounded(limit, 6)}}},
+                                              invocation.language));
+    return;
+  }
+}
+
 }  // namespace
 
 ExitStatus contour(Invocation const& invocation) {
@@ -143,6 +168,7 @@ ExitStatus contour(Invocation const& invocation) {
                      .groups = {}};
   for (std::size_t i = first; i < machine.groups.size(); ++i) {
     if (machine.groups[i].axes.empty()) continue;
+    remark_feeds(machine, machine.groups[i], options, wanted, invocation);
     auto const commands = options.filter
                               ? std::vector{read_filter_command(machine, machine.groups[i], *options.filter,
                                                                 invocation.language)}

@@ -39,13 +39,16 @@ class CommandCollector final : public motion::PathListener {
  public:
   void motion(motion::ProgrammedBlock const& /*block*/) override {}
   void command(motion::FilterChange const& change) override {
-    auto const& parameters = change.command.parameters;
-    if (parameters.empty() || change.command.filter_switch == machine::FilterSwitch::off) return;
-    if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
+    current_ = machine::parameters_after(current_, change.command);
+    if (current_.empty() || std::find(sets.begin(), sets.end(), current_) != sets.end()) return;
+    sets.push_back(current_);
   }
   void end() override {}
 
   std::vector<machine::FilterParameters> sets;
+
+ private:
+  machine::FilterParameters current_;
 };
 
 /// Passes the simulation's events to the summary and to the CSV of cycles.

@@ -5,6 +5,7 @@
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
 #include "schema/closest_word.hpp"
 #include "validator/engine/rule.hpp"
 
@@ -17,9 +18,12 @@ constexpr Sentence bad_build{
     "\"{value}\" is not a build of the control; write V3.1.3075.04, V2.11.2803 or V3.00.3013",
     "\"{value}\" ist kein Stand der Steuerung; Schreibweise V3.1.3075.04, V2.11.2803 oder V3.00.3013"};
 constexpr Sentence bad_cycle_time{
-    "\"{value}\" is not a valid cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds",
-    "\"{value}\" ist keine gültige Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs): bis 1 s, in ganzen "
+    "\"{value}\" is not a valid cycle time; write 1ms, 250us or 1000 (µs), in whole nanoseconds",
+    "\"{value}\" ist keine gültige Zykluszeit; richtig ist 1ms, 250us oder 1000 (µs), in ganzen "
     "Nanosekunden"};
+constexpr Sentence unusual_cycle_time{
+    "{time}? A cycle time is between 20 µs and 100 ms; write {meant}",
+    "{time}? Eine Zykluszeit liegt zwischen 20 µs und 100 ms; {meant} schreiben"};
 constexpr Sentence unknown_code{"there is no code \"{code}\"; `axisc explain --all` lists them",
                                 "den Code \"{code}\" gibt es nicht; `axisc explain --all` nennt alle"};
 constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean {meant}?",
@@ -109,7 +113,14 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
   if (!word) return std::nullopt;
   auto const time = parse_cycle_time(*word);
   if (!time) throw Failure({.sentence = says::bad_cycle_time, .arguments = {{"value", *word}}});
-  return time;
+  if (*time >= design::shortest_cycle_time && *time <= design::longest_cycle_time) return time;
+  // A bare number was meant in milliseconds.
+  auto const meant = parse_cycle_time(*word + "ms");
+  bool const possible =
+      meant && *meant >= design::shortest_cycle_time && *meant <= design::longest_cycle_time;
+  throw Failure({.sentence = says::unusual_cycle_time,
+                 .arguments = {{"time", format_exact(time->microseconds()) + " µs"},
+                               {"meant", possible ? *word + "ms" : "1ms"}}});
 }
 
 validator::CheckOptions check_options(CheckingOptions const& given) {

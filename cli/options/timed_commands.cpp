@@ -16,10 +16,12 @@ constexpr Sentence no_banks{
     "no axis of a channel in {file} has a FIR or HSC filter that \"{command}\" could switch",
     "keine Achse eines Kanals in {file} hat einen FIR- oder HSC-Filter, den \"{command}\" schalten könnte"};
 constexpr Sentence no_bank{
-    "{file} has no kernels for \"{command}\"; it has: {banks}. Name the command in filter_sets of the "
-    "machine file",
-    "{file} enthält keine Kerne für \"{command}\"; vorhanden: {banks}. Den Befehl in filter_sets der "
-    "Maschinendatei nennen"};
+    "{file} has no kernels for \"{command}\", which asks for {needed}; it has: {banks}. Name `#FILTER "
+    "{needed}` in "
+    "filter_sets of the machine file",
+    "{file} enthält keine Kerne für \"{command}\", also für {needed}; vorhanden: {banks}. `#FILTER {needed}` "
+    "in "
+    "filter_sets der Maschinendatei nennen"};
 constexpr Sentence late{
     "--at {cycle}:{command}: there is no such cycle; the run has the cycles 0 to {last}",
     "--at {cycle}:{command}: diesen Zyklus gibt es nicht; der Lauf hat die Zyklen 0 bis {last}"};
@@ -45,13 +47,18 @@ namespace {
   throw Failure({.sentence = text, .arguments = std::move(arguments)});
 }
 
+/// "ON [ORDER=20]".
+std::string bank_text(machine::FilterParameters const& parameters, bool hsc) {
+  auto const keywords = hsc ? "HSC" : to_text(parameters);
+  return keywords.empty() ? "ON" : "ON [" + keywords + "]";
+}
+
 /// "ON, ON [ORDER=20], ON [HSC]": the commands that the image's channels can execute, each once.
 std::string banks_of(image::ImageContents const& image) {
   std::vector<std::string> banks;
   for (auto const& group : image.groups) {
     for (auto const& bank : group.banks) {
-      auto const keywords = bank.hsc ? "HSC" : to_text(bank.parameters);
-      auto const text = keywords.empty() ? std::string("ON") : "ON [" + keywords + "]";
+      auto const text = bank_text(bank.parameters, bank.hsc);
       if (std::find(banks.begin(), banks.end(), text) == banks.end()) banks.push_back(text);
     }
   }
@@ -78,7 +85,7 @@ TimedCommand read_timed_command(std::string const& word, ImageFile const& file, 
   if (colon == std::string::npos || !cycle) {
     throw Failure({.sentence = says::bad_timed_command, .arguments = {{"value", word}}});
   }
-  TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}};
+  TimedCommand command{.cycle = *cycle, .text = word.substr(colon + 1), .command = {}, .parameters = {}};
   if (file.contents.groups.empty()) refuse(says::no_banks, command, path);
   auto checked = validator::parse_filter_command(command.text, limits_of(file.contents));
   if (!checked.mistakes.empty() || !checked.command) {
@@ -99,6 +106,8 @@ std::vector<TimedCommand> read_timed_commands(std::vector<std::string> const& wo
   for (auto const& word : words) commands.push_back(read_timed_command(word, file, path, language));
   std::stable_sort(commands.begin(), commands.end(),
                    [](TimedCommand const& a, TimedCommand const& b) { return a.cycle < b.cycle; });
+  machine::FilterParameters current;
+  for (auto& timed : commands) timed.parameters = current = parameters_after(current, timed.command);
   return commands;
 }
 
@@ -124,7 +133,9 @@ void execute(TimedCommand const& command, image::RuntimeHost& host, image::Image
         refuse(says::command_standstill, command, path);
     }
   }
-  if (!executed) refuse(says::no_bank, command, path, {{"banks", banks_of(image)}});
+  if (!executed)
+    refuse(says::no_bank, command, path,
+           {{"banks", banks_of(image)}, {"needed", bank_text(command.parameters, command.command.hsc)}});
 }
 
 }  // namespace axisc::cli

@@ -15,6 +15,7 @@ struct TimedCommand {
   std::uint64_t cycle = 0;
   std::string text;  ///< the command as it was written
   machine::FilterCommand command;
+  machine::FilterParameters parameters;  ///< in force after it
 };
 
 /// The commands by rising cycle, those of one cycle in the order of the command line. Failure for a value that is not

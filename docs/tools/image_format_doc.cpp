@@ -172,7 +172,7 @@ slots, that of HSC (bit 4) the HSC slots; the other members, and members without
 belongs to the first group that names its axis; groups without a slot are not stored.
 
     #FILTER ON [...]     the bank's kernels, switched on
-    #FILTER [...]        the bank's kernels for the slots that are on
+    #FILTER [...]        those of the bank with the last one's parameters and these, for the slots that are on
     #FILTER OFF          no kernel, FIR and HSC
     end of the program   as at start-up; its fade is the longer one of bank 0 and of OFF, standstill if one of them needs it
 

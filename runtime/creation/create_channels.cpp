@@ -9,6 +9,7 @@ void build_channels(ImageView const& view, Layout const& layout, Memory memory) 
   auto* const banks = memory.part<Bank>(layout.banks);
   auto* const choices = memory.part<Kernel const*>(layout.choices);
   auto* const channels = memory.part<Channel>(layout.channels);
+  auto* const states = memory.part<ChannelState>(layout.channel_states);
   for (uint32_t i = 0; i < view.members.count; ++i) members[i] = nullptr;
   for (uint32_t i = 0; i < view.slots.count; ++i) {
     uint32_t const member = view.slots[i][field::slot::member];
@@ -31,8 +32,10 @@ void build_channels(ImageView const& view, Layout const& layout, Memory memory) 
   }
   for (uint32_t i = 0; i < view.groups.count; ++i) {
     Record<record::group> const record = view.groups[i];
+    states[i] = {.bank = 0};
     channels[i] = {.members = members + record[field::group::first_member],
                    .banks = banks + record[field::group::first_bank],
+                   .state = states + i,
                    .member_count = record[field::group::member_count],
                    .bank_count = record[field::group::bank_count],
                    .name_offset = record[field::group::name_offset],

@@ -107,6 +107,7 @@ Layout lay_out(Amounts const& amounts) {
   layout.slots = memory.take<Slot>(amounts.slots);
   layout.slot_switches = memory.take<SlotSwitch>(amounts.slots);
   layout.channels = memory.take<Channel>(amounts.channels);
+  layout.channel_states = memory.take<ChannelState>(amounts.channels);
   layout.members = memory.take<Slot const*>(amounts.members);
   layout.banks = memory.take<Bank>(amounts.banks);
   layout.choices = memory.take<Kernel const*>(amounts.choices);

@@ -59,6 +59,7 @@ struct Layout {
   uint64_t slots = 0;
   uint64_t slot_switches = 0;
   uint64_t channels = 0;
+  uint64_t channel_states = 0;
   uint64_t members = 0;
   uint64_t banks = 0;
   uint64_t choices = 0;

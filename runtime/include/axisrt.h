@@ -252,10 +252,12 @@ axisrt_status axisrt_step_velocity(axisrt* runtime, const axisrt_velocities* in,
 
 /* What the NC command #FILTER asks for. */
 typedef enum axisrt_action {
-  AXISRT_ACTION_SET = 0,        /* #FILTER [...]: other parameters, the switch stays as it is */
-  AXISRT_ACTION_ON = 1,         /* #FILTER ON [...]: the lists' values with these parameters */
+  /* #FILTER [...]: changes the parameters that it names, keeps those of earlier commands, and leaves the switch as it is */
+  AXISRT_ACTION_SET = 0,
+  AXISRT_ACTION_ON =
+      1, /* #FILTER ON [...]: the lists' values with these parameters; forgets earlier commands */
   AXISRT_ACTION_OFF = 2,        /* #FILTER OFF: FIR and HSC filters; keywords are ignored */
-  AXISRT_ACTION_PROGRAM_END = 3 /* the state of start-up; keywords are ignored */
+  AXISRT_ACTION_PROGRAM_END = 3 /* the state of start-up: the lists' values; keywords are ignored */
 } axisrt_action;
 
 #define AXISRT_KEYWORD_ORDER 1u   /* ORDER, or ORDER_TIME through axisrt_order_of_time */
@@ -267,7 +269,7 @@ typedef enum axisrt_action {
 typedef struct axisrt_filter_command {
   uint32_t size;     /* sizeof(axisrt_filter_command) */
   uint32_t action;   /* an axisrt_action */
-  uint32_t keywords; /* AXISRT_KEYWORD_... that the command names; the others keep the lists' values */
+  uint32_t keywords; /* AXISRT_KEYWORD_... that the command names */
   uint32_t order;
   double share;
   double fcut;
@@ -275,7 +277,8 @@ typedef struct axisrt_filter_command {
 } axisrt_filter_command;
 
 /* Switches the FIR (with AXISRT_KEYWORD_HSC the HSC) filters of all axes of a group to the kernels that the
- * image holds for these parameters; nothing is computed here. To be called between two cycles.
+ * image holds for these parameters (those in force after the command, AXISRT_ACTION_SET included; AXISRT_NO_BANK without them);
+ * nothing is computed here. To be called between two cycles.
  *
  * While every axis of the group is at standstill (no increment of 2^-30 units or more for as many cycles as
  * its longest kernel remembers), the change is immediate, and no output moves by more than such increments

@@ -52,6 +52,24 @@ TEST_CASE("with errors nothing is written and an old image stays") {
   CHECK(folder.entries() == 1);
 }
 
+TEST_CASE("an image that a controller would refuse is not written") {
+  TemporaryFolder const folder;
+  auto const old = folder.write("u.axim", "old");
+  std::string const filter =
+      "filter[0].order 3\nfilter[0].type BANDSTOP\nfilter[0].prototype BESSEL\nfilter[0].fg_f0 124.9\n"
+      "filter[0].guete 1\n";
+  std::vector<std::string> const compile{"compile", folder / "u.lis", "-o", old, "--cycle-time", "4ms"};
+  folder.write("u.lis", "filter[0].enable 1\n" + filter);
+  auto const found = run_axisc(compile);
+  CHECK(found.status == 1);
+  CHECK_THAT(found.err, Catch::Matchers::Contains("AX6001"));
+  folder.write("u.lis", "filter[0].enable 1 ( axisc: allow AX6001\n" + filter);
+  auto const silenced = run_axisc(compile);
+  CHECK(silenced.status == 2);
+  CHECK_THAT(silenced.err, Catch::Matchers::Contains("AXISRT_UNSTABLE"));
+  CHECK(folder.read("u.axim") == "old");
+}
+
 TEST_CASE("a list without cycle time is refused") {
   TemporaryFolder const folder;
   auto const outcome = run_axisc({"compile", list, "-o", folder / "x.axim"});

@@ -53,6 +53,15 @@ TEST_CASE("contour deviations as text, CSV and JSON") {
   check_golden("tests/cli/data/golden/contour.de.text", run_axisc(arguments, there).out);
 }
 
+TEST_CASE("a feed that no axis reaches is remarked") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, average(40), average(40));
+  CHECK(run_axisc({"contour", "m.json", "--feed", "30000"}, there).err.empty());
+  auto const outcome = run_axisc({"contour", "m.json", "--feed", "1000,400000"}, there);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.err, Catch::Matchers::Contains("axis X cannot move at 400000 mm/min; its vb_max"));
+}
+
 TEST_CASE("the manual's corner and its formula") {
   TemporaryFolder const folder;
   auto const there = machine(folder, average(40), average(40));

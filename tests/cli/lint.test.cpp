@@ -188,9 +188,8 @@ TEST_CASE("mistakes on the command line are one line with a way out") {
     CHECK(outcome.err == "axisc: error: " + expected + "\n");
   };
   check({"lnit"}, "there is no command \"lnit\"; did you mean \"lint\"?");
-  check(
-      {"lint", "x.lis", "--cycle-time", "1,5ms"},
-      "\"1,5ms\" is not a valid cycle time; write 1ms, 250us or 1000 (µs): up to 1 s, in whole nanoseconds");
+  check({"lint", "x.lis", "--cycle-time", "1,5ms"},
+        "\"1,5ms\" is not a valid cycle time; write 1ms, 250us or 1000 (µs), in whole nanoseconds");
   check({"lint", "x.lis", "--disable", "AX3O05"}, "there is no code \"AX3O05\"; did you mean AX3005?");
   check({"lint", "x.lis", "--axis-type", "X"}, "--axis-type does not know \"X\"; choose from T, R, S");
   check({"lint", "x.lis", "-j", "0"}, "-j needs a positive whole number, not \"0\"");
@@ -276,4 +275,28 @@ TEST_CASE("standard input may be the text of a file with a name") {
   auto const fixed = run_axisc({"lint", "-", "--stdin-filename", "axes/x.lis", "--fix"}, there);
   CHECK(fixed.out == "filter[0].order 2\n");
   CHECK(folder.read("axes/x.lis") == "on disk\n");
+}
+
+TEST_CASE("a cycle time that no control has is a mistaken unit") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 600\n");
+  auto const there = in_folder(folder.path());
+  auto const refused = [&](std::string const& time, std::string const& said) {
+    auto const outcome = run_axisc({"lint", "x.lis", "--cycle-time", time}, there);
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Catch::Matchers::Contains(said));
+  };
+  refused("1", "1 µs? A cycle time is between 20 µs and 100 ms; write 1ms");
+  refused("0.5", "write 0.5ms");
+  refused("0.001", "write 1ms");
+  refused("1s", "write 1ms");
+  refused("19us", "19 µs?");
+  for (std::string const time : {"20us", "62.5us", "100ms"}) {
+    CHECK(run_axisc({"lint", "x.lis", "--cycle-time", time}, there).status != 2);
+  }
+  folder.write("axisc.json", R"({"cycle_time_us": 1})");
+  auto const settings = run_axisc({"lint", "x.lis"}, there);
+  CHECK(settings.status == 2);
+  CHECK_THAT(settings.err, Catch::Matchers::Contains("axisc.json:1:19"));
 }

@@ -51,6 +51,10 @@ TEST_CASE("a command at cycle 0 belongs to the start") {
   CHECK(line_from_end(with("0:#FILTER OFF").out) == "99,99,99");
   CHECK(line_from_end(with("0:#FILTER ON [ORDER=40]").out) == "79,59,99");
   CHECK(line_from_end(with("0:#FILTER ON [ORDER_TIME=30000 SHARE=50]").out) == "84,84,99");
+  CHECK(line_from_end(run_axisc({"run", "m.axim", "--signal", "ramp:1000", "--cycles", "100", "--at",
+                                 "0:#FILTER ON [ORDER=30 SHARE=50]", "--at", "0:#FILTER [ORDER=30]"},
+                                there)
+                          .out) == "84,84,99");
   // NoVib at 50 Hz, twice a period of 20 cycles: h = 20.
   CHECK(line_from_end(with("0:#FILTER ON [HSC]").out) == "89,89,79");
 }
@@ -77,6 +81,7 @@ TEST_CASE("what commands are refused") {
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, Catch::Matchers::Contains(expected));
   };
+  check({"0:#FILTER ON [ORDER=40]", "5:#FILTER [SHARE=50]"}, "asks for ON [ORDER=40 SHARE=50]");
   check({"0:#FILTER ON [ORDER=41]"}, "it has: ON, ON [ORDER=40], ON [ORDER=30 SHARE=50], ON [HSC]");
   check({"10:#FILTER ON [ORDERS=40]"}, "no keyword");
   check({"x:#FILTER ON"}, "expected CYCLE:COMMAND");

@@ -123,6 +123,10 @@ TEST_CASE("a constant setpoint comes out unchanged through any sequence of comma
   for (std::uint32_t const order : {0U, 1U, 12U, 77U, 100U})
     group.filter_sets.push_back(test::filter_set(order));
   group.filter_sets.push_back(test::filter_set({}, 50));
+  // Without ON, orders and the share come together.
+  for (std::size_t i = 0; i < 5; ++i) {
+    group.filter_sets.push_back(test::filter_set(group.filter_sets[i].order, 50));
+  }
   machine.groups = {group};
   image::RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
   test::Random random(15);

@@ -51,7 +51,8 @@ machine::Machine switching_machine() {
   machine.axes[4].kernel = test::fir({.type = KernelType::time_delay, .order = 20}, true);
   machine.groups = {{.name = "channel",
                      .axes = {0, 1, 2, 3, 4},
-                     .filter_sets = {test::filter_set(10), test::filter_set(90, 70), test::filter_set(0)}}};
+                     .filter_sets = {test::filter_set(10), test::filter_set(90, 70), test::filter_set(0),
+                                     test::filter_set(10, 70), test::filter_set(0, 70)}}};
   return machine;
 }
 

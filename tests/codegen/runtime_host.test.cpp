@@ -117,6 +117,8 @@ TEST_CASE("commands reach the bank of their parameters", "[runtime-host]") {
   command.hsc = false;
   command.parameters = test::filter_set(41);
   CHECK(runtime.command(0, command) == AXISRT_NO_BANK);
+  command.parameters = {};
+  CHECK(runtime.command(0, command) == AXISRT_OK);
   command.filter_switch = machine::FilterSwitch::off;
   CHECK(runtime.command(0, command) == AXISRT_OK);
   CHECK(kernel_of(0) == AXISRT_NO_KERNEL);

@@ -71,6 +71,43 @@ TEST_CASE("poles that rounding moves onto the unit circle are reported there") {
   }
 }
 
+TEST_CASE("the loader's test, and what rounding leaves of a design next to half the sampling rate") {
+  CycleTime const cycle_time{1'000'000};
+  RandomCases cases(5);
+  for (int i = 0; i < 2000; ++i) {
+    Case const c = cases.next();
+    for (IncrementSection const& section :
+         design_filter(c.specification, c.cycle_time, Precision::quick).sections) {
+      CHECK(is_loadable(section) == loads(section));
+    }
+  }
+  constexpr double pi = 3.14159265358979323846;
+  for (std::uint32_t order = 1; order <= 6; ++order) {
+    for (double const distance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+      double const f0 = 500 - 1000 * distance;
+      auto const design =
+          design_filter(filter_of(FilterType::lowpass, Prototype::critical_damping, order, f0), cycle_time,
+                        Precision::exact);
+      // The bilinear transform of the prototype: s = j tan(pi f T) / tan(pi f0 T), and tan(pi/2 - x) = 1/tan(x).
+      double const c = std::sqrt(std::exp2(1.0 / order) - 1);
+      double worst = 0;
+      for (double const times : {0.1, 0.5, 1.0, 3.0, 10.0, 100.0}) {
+        if (distance * times >= 0.5) continue;
+        double const s = std::tan(pi * distance) / std::tan(pi * distance * times);
+        auto const expected = std::pow(1.0 / std::complex<double>(1, s * c), static_cast<int>(order));
+        auto const found = response(design, {500 - 1000 * distance * times}, cycle_time);
+        worst = std::max(worst, std::abs(found - expected));
+      }
+      INFO(order << " " << distance << " " << worst << " " << rounding_error(design));
+      CHECK(worst <= rounding_error(design));
+      CHECK(rounding_error(design) <= 1000 * worst + 1e-12);
+    }
+  }
+  auto const beyond = design_filter(filter_of(FilterType::bandstop, Prototype::bessel, 3, 124.9),
+                                    CycleTime{4'000'000}, Precision::exact);
+  CHECK(std::isinf(rounding_error(beyond)));
+}
+
 TEST_CASE("quick and exact designs respond alike") {
   RandomCases cases(3);
   for (int i = 0; i < 300; ++i) {

@@ -31,10 +31,12 @@ struct Ignore final : motion::PathListener {
   explicit Ignore(machine::MachineGroup& where) : group(where) {}
   void motion(motion::ProgrammedBlock const&) override {}
   void command(motion::FilterChange const& change) override {
-    if (!change.command.parameters.empty()) group.filter_sets.push_back(change.command.parameters);
+    current = machine::parameters_after(current, change.command);
+    if (!current.empty()) group.filter_sets.push_back(current);
   }
   void end() override {}
   machine::MachineGroup& group;
+  machine::FilterParameters current;
 };
 
 void interpret(motion::ProgramChannel const& channel, motion::PathListener& listener,

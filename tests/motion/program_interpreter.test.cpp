@@ -18,7 +18,7 @@ struct Script final : PathListener {
                                 std::isinf(block.feed) ? "rapid" : fmt::format("{:.6g}", block.feed)));
   }
   void command(FilterChange const& change) override {
-    lines.push_back(fmt::format("{} tolerance {:.6g}", change.text, change.tolerance));
+    lines.push_back(fmt::format("{} tolerance {:.6g}", change.text, change.tolerance.value_or(0)));
   }
   void end() override { lines.emplace_back("end"); }
   std::vector<std::string> lines;

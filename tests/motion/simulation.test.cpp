@@ -184,4 +184,34 @@ TEST_CASE("kernels change at rest, between passes") {
   CHECK(found.passes[1].command == "#FILTER ON [ORDER=10]");
 }
 
+TEST_CASE("a command without ON keeps the tolerance and the order of those before it") {
+  std::string const path = "G01 X5 F6000\nY5\nX0\nY0\n";
+  auto const found = simulated(channel_of({{.order = 40}, {.order = 40}}),
+                               "#FILTER ON [AX_DEV=0.002 ORDER=60]\n" + path + "#FILTER [SHARE=90]\n" + path +
+                                   "#FILTER [AX_DEV=0]\n" + path + "#FILTER ON [ORDER=60 SHARE=90]\n" + path +
+                                   "#FILTER ON [AX_DEV=0.002]\n" + path + "#FILTER ON\n" + path);
+  REQUIRE(found.passes.size() == 6);
+  for (std::size_t const pass : {0U, 1U, 4U}) {
+    CHECK(found.passes[pass].axis_error[0] <= 20);
+    CHECK(found.passes[pass].axis_error[0] > 19);
+  }
+  CHECK(found.passes[2].axis_error[0] > 200);
+  CHECK(found.passes[3].axis_error[0] == found.passes[2].axis_error[0]);
+  CHECK(found.passes[3].cycles == found.passes[2].cycles);
+  CHECK(found.passes[5].axis_error[0] > 100);
+  CHECK(found.passes[5].axis_error[0] < found.passes[3].axis_error[0]);
+}
+
+TEST_CASE("a command without ON keeps the acceleration of corners") {
+  auto machine = channel_of({{.order = 4}, {.order = 4}});
+  for (auto& axis : machine.axes) axis.transition_weight = 500;
+  std::string const path = "G01 X5 F6000\nY5\nX0\nY0\n";
+  auto const found =
+      simulated(std::move(machine), "#FILTER ON [ACC_FACT=10]\n" + path + "#FILTER [SHARE=100]\n" + path +
+                                        "#FILTER ON [SHARE=100]\n" + path);
+  REQUIRE(found.passes.size() == 3);
+  CHECK(found.passes[1].cycles == found.passes[0].cycles);
+  CHECK(found.passes[2].cycles > found.passes[0].cycles);
+}
+
 }  // namespace axisc::motion

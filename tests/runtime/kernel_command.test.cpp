@@ -43,10 +43,11 @@ TEST_CASE("at rest a command changes the kernel at once, and no output moves") {
   std::vector<Step> const steps = {
       {AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER, 8, 0, 1, none},
       {AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER | AXISRT_KEYWORD_SHARE, 3, 50, 3, none},
-      {AXISRT_ACTION_SET, AXISRT_KEYWORD_ORDER, 8, 0, 1, none},
+      {AXISRT_ACTION_ON, AXISRT_KEYWORD_ORDER, 8, 0, 1, none},
       {AXISRT_ACTION_ON, AXISRT_KEYWORD_HSC, 0, 0, 1, 2},
       {AXISRT_ACTION_ON, 0, 0, 0, 0, 2},
       {AXISRT_ACTION_ON, AXISRT_KEYWORD_QUALITY, 0, 0, 2, 2},
+      {AXISRT_ACTION_ON, 0, 0, 0, 0, 2},
       {AXISRT_ACTION_OFF, 0, 0, 0, none, none},
       {AXISRT_ACTION_SET, AXISRT_KEYWORD_ORDER, 8, 0, none, none},
       {AXISRT_ACTION_SET, AXISRT_KEYWORD_HSC, 0, 0, none, none},
@@ -62,6 +63,40 @@ TEST_CASE("at rest a command changes the kernel at once, and no output moves") {
     CHECK(runtime.state(0).fading == 0);
     for (double const y : runtime.step_all({1e9, 1e9, 1e9})) CHECK(y == 1e9);
   }
+}
+
+TEST_CASE("without ON a command keeps what earlier ones said, ON forgets it") {
+  ImageRecord image = channel_image();
+  auto& banks = image.groups[0].banks;
+  banks.push_back({.keywords = 9, .order = 8, .quality = 0.5, .choices = {3, none, none}});
+  banks.push_back({.keywords = 11, .order = 8, .share = 50, .quality = 0.5, .choices = {2, none, none}});
+  TestRuntime runtime(write_image(image));
+  runtime.reset_all(0);
+  auto const gives = [&](axisrt_action action, std::uint32_t keywords, std::uint32_t order, double share,
+                         std::uint32_t kernel) {
+    REQUIRE(runtime.command(action, keywords, order, share) == AXISRT_OK);
+    CHECK(runtime.state(0).kernel == kernel);
+  };
+  constexpr std::uint32_t order = AXISRT_KEYWORD_ORDER;
+  constexpr std::uint32_t share = AXISRT_KEYWORD_SHARE;
+  constexpr std::uint32_t quality = AXISRT_KEYWORD_QUALITY;
+  gives(AXISRT_ACTION_ON, order, 8, 0, 1);
+  gives(AXISRT_ACTION_SET, 0, 0, 0, 1);
+  gives(AXISRT_ACTION_SET, quality, 0, 0, 3);
+  gives(AXISRT_ACTION_ON, AXISRT_KEYWORD_HSC, 0, 0, 3);
+  gives(AXISRT_ACTION_SET, AXISRT_KEYWORD_HSC, 0, 0, 3);
+  gives(AXISRT_ACTION_SET, share, 0, 50, 2);
+  // ORDER=3 with the share and the quality of before is no bank, and nothing changes.
+  CHECK(runtime.command(AXISRT_ACTION_SET, order, 3) == AXISRT_NO_BANK);
+  gives(AXISRT_ACTION_SET, order, 8, 0, 2);
+  gives(AXISRT_ACTION_OFF, order, 77, 0, none);
+  gives(AXISRT_ACTION_SET, share | order, 8, 50, none);
+  gives(AXISRT_ACTION_ON, order | share, 3, 50, 3);
+  gives(AXISRT_ACTION_SET, order, 3, 0, 3);
+  gives(AXISRT_ACTION_PROGRAM_END, 0, 0, 0, 0);
+  gives(AXISRT_ACTION_SET, order, 8, 0, 1);
+  gives(AXISRT_ACTION_ON, 0, 0, 0, 0);
+  gives(AXISRT_ACTION_SET, quality, 0, 0, 2);
 }
 
 TEST_CASE("a command at rest does what the kernel does from then on") {

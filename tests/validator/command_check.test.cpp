@@ -90,8 +90,8 @@ TEST_CASE("what does not touch the kernel stands beside the parameters") {
   CHECK(monitored.parameters.empty());
   CHECK(monitored.tolerance == 0.001);
   CHECK(monitored.acceleration_factor == 2.5);
-  CHECK(command("#FILTER ON").tolerance == 0);
-  CHECK(command("#FILTER ON").acceleration_factor == 1);
+  CHECK_FALSE(command("#FILTER ON").tolerance);
+  CHECK_FALSE(command("#FILTER ON").acceleration_factor);
 }
 
 TEST_CASE("ranges of #FILTER") {
@@ -151,6 +151,8 @@ TEST_CASE("#VIB GUARD") {
   CHECK(guard("#VIB GUARD ON [MODE=4 FREQ=1 DAMPING=0 AX_DEV=0 ACC_FACT=10]").empty());
   CHECK(guard("#VIB GUARD OFF").empty());
   CHECK(guard("#VIB GUARD ON [FREQ=P1]").empty());
+  CHECK(guard("#VIB GUARD ON [FREQ=499.9]").empty());
+  CHECK(guard("#VIB GUARD ON [FREQ=500]") == "AX5002 <500> ");
   CHECK(guard("#VIB GUARD ON [MODE=0 FREQ=0.5 DAMPING=1.1 AX_DEV=-1 ACC_FACT=0]") ==
         "AX5002 <0> AX5002 <0.5> AX5002 <1.1> AX5002 <-1> AX5002 <0> ");
   CHECK(guard("#VIB GUARD ON [MODE=2.5]") == "AX5002 <2.5> ");

@@ -45,12 +45,13 @@ TEST_CASE("columns count characters") {
   CHECK(with_key("\"a\\\"b\": 1, \"inch\": 2") == Lines{"2:1 AX4020", "2:20 AX4020"});
 }
 
-TEST_CASE("cycle times from above 0 to 1 s") {
-  for (char const* const good : {"1000", "62.5", "0.001", "1000000", "1e3"}) {
+TEST_CASE("cycle times from 20 µs to 100 ms") {
+  for (char const* const good : {"1000", "62.5", "20", "100000", "1e3"}) {
     INFO(good);
     CHECK(with_key(std::string("\"cycle_time_us\": ") + good).empty());
   }
-  for (char const* const bad : {"0", "-1000", "1000001", "0.0001", "1e300", "\"1000\"", "null", "[1000]"}) {
+  for (char const* const bad : {"0", "-1000", "1000001", "0.0001", "1", "19.999", "100000.5", "1e300",
+                                "\"1000\"", "null", "[1000]"}) {
     INFO(bad);
     CHECK(with_key(std::string("\"cycle_time_us\": ") + bad) == Lines{"2:18 AX4020"});
   }
@@ -88,6 +89,31 @@ TEST_CASE("names that dangle or repeat") {
   CHECK(found("{" + axes + ",\n\"gantries\": [{\"master\": \"Y\", \"slaves\": [\"X\"]}]}") ==
         Lines{"2:25 AX4020"});
   CHECK(found("{" + axes + ",\n\"gantries\": [{\"slaves\": [\"X\"]}]}") == Lines{"2:14 AX4020"});
+}
+
+TEST_CASE("names that may occur once") {
+  std::string const axes =
+      "{\"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}, {\"name\": \"Y\", \"list\": \"x.lis\"}, "
+      "{\"name\": \"Z\", \"list\": \"x.lis\"}], \"cycle_time_us\": 1000,\n";
+  auto const mistakes = [&](std::string const& member) {
+    Lines lines;
+    for (auto const& line : found(axes + member + "}")) {
+      if (line.find("AX4020") != std::string::npos) lines.push_back(line);
+    }
+    return lines;
+  };
+  CHECK(mistakes(R"("groups": [{"name": "a", "axes": ["X", "Y"]}, {"name": "b", "axes": ["Z"]}])").empty());
+  CHECK(mistakes(R"("groups": [{"name": "a", "axes": ["X"]}, {"name": "a", "axes": ["Z"]}])") ==
+        Lines{"2:51 AX4020"});
+  CHECK(mistakes(R"("groups": [{"axes": ["X", "Y"]}, {"axes": ["Z", "X"]}])") == Lines{"2:49 AX4020"});
+  CHECK(mistakes(R"("groups": [{"axes": ["X", "Y", "X"]}])") == Lines{"2:32 AX4020"});
+  CHECK(mistakes(R"("gantries": [{"master": "X", "slaves": ["Y", "Z"]}])").empty());
+  CHECK(mistakes(R"("gantries": [{"master": "X", "slaves": ["Y", "Y"]}])") == Lines{"2:46 AX4020"});
+  CHECK(mistakes(R"("gantries": [{"master": "X", "slaves": ["Y"]}, {"master": "Z", "slaves": ["Y"]}])") ==
+        Lines{"2:75 AX4020"});
+  CHECK(mistakes(R"("gantries": [{"master": "X", "slaves": ["X"]}])") == Lines{"2:41 AX4020"});
+  CHECK(mistakes(R"("gantries": [{"master": "X", "slaves": ["Y"]}, {"master": "Y", "slaves": ["X"]}])") ==
+        Lines{"2:75 AX4020"});
 }
 
 TEST_CASE("a file that cannot be read is reported where it is named") {

@@ -48,7 +48,7 @@ TEST_CASE("distinct parameter sets in the order of their first use") {
                                      "filter_sets": ["#FILTER ON [ORDER=60]", "#FILTER ON [ORDER=30]"])",
                    {{"a.nc",
                      "#FILTER ON [SHARE=80 ORDER=40]\n#FILTER ON\n#FILTER OFF [ORDER=5]\n"
-                     "#FILTER [ORDER=30]\n#FILTER ON [AX_DEV=0.1 ACC_FACT=1]\n"},
+                     "#FILTER ON [ORDER=30]\n#FILTER ON [AX_DEV=0.1 ACC_FACT=1]\n"},
                     {"b.nc",
                      "#FILTER ON [ORDER_TIME=30000]\n#FILTER ON [ORDER=40 SHARE=80.0 AX_DEV=1]\n"
                      "#FILTER ON [FCUT=50]\n#FILTER ON [QUALITY=0.5 ORDER=0]\n"}}),
@@ -56,6 +56,27 @@ TEST_CASE("distinct parameter sets in the order of their first use") {
   CHECK(sets_of(checked) ==
         Lines{"ORDER=40 SHARE=80", "ORDER=30", "FCUT=50", "ORDER=0 QUALITY=0.5", "ORDER=60"});
   CHECK(checked.result.not_compiled.empty());
+}
+
+TEST_CASE("without ON a command builds on those before it in its program") {
+  auto const sets = [](std::string const& program, std::string const& more = "") {
+    Checked const checked(machine_text(R"(, "programs": ["a.nc", "b.nc"])" + more,
+                                       {{"a.nc", program}, {"b.nc", "#FILTER [FCUT=50]\n"}}),
+                          "m.json");
+    return sets_of(checked);
+  };
+  CHECK(sets("#FILTER ON [ORDER=60]\n#FILTER [SHARE=50]\n#FILTER [AX_DEV=0.1]\n#FILTER [ORDER=20]\n") ==
+        Lines{"ORDER=60", "ORDER=60 SHARE=50", "ORDER=20 SHARE=50", "FCUT=50"});
+  CHECK(sets("#FILTER ON [ORDER=60]\n#FILTER OFF\n#FILTER [SHARE=50]\n") ==
+        Lines{"ORDER=60", "ORDER=60 SHARE=50", "FCUT=50"});
+  CHECK(sets("#FILTER ON [ORDER=60]\n#FILTER ON [SHARE=50]\n") == Lines{"ORDER=60", "SHARE=50", "FCUT=50"});
+  // What a variable gives is unknown until the next ON.
+  CHECK(sets("#FILTER ON [ORDER=P1]\n#FILTER [SHARE=50]\n#FILTER ON [SHARE=40]\n#FILTER [ORDER=5]\n") ==
+        Lines{"SHARE=40", "ORDER=5 SHARE=40", "FCUT=50"});
+  CHECK(sets("#FILTER OFF [ORDER=P1]\n#FILTER [SHARE=50]\n") == Lines{"SHARE=50", "FCUT=50"});
+  CHECK(
+      sets("#FILTER ON [ORDER=4]\n", R"(, "filter_sets": ["#FILTER ON [ORDER=60]", "#FILTER [SHARE=50]"])") ==
+      Lines{"ORDER=4", "FCUT=50", "ORDER=60", "SHARE=50"});
 }
 
 TEST_CASE("each channel has the sets of its own programs and of those of all") {

@@ -132,6 +132,8 @@ class CommandCheck {
     }
     if (command_.command_switch == CommandSwitch::on) result_.filter_switch = machine::FilterSwitch::on;
     if (command_.command_switch == CommandSwitch::off) result_.filter_switch = machine::FilterSwitch::off;
+    checked_.filter_switch = result_.filter_switch;
+    checked_.hsc = hsc_;
     if (usable_ && command_.kind == CommandKind::filter) checked_.command = finished();
     std::stable_sort(
         checked_.mistakes.begin(), checked_.mistakes.end(),
@@ -343,6 +345,8 @@ class CommandCheck {
       mistake.control = "50911";
       mistake.reaction = says::filter_reaction_clipped;
       mistake.value = std::to_string(limits_.longest_order());
+    } else if (name == "FREQ" && value > range.minimum) {
+      mistake.control = "50913";
     } else if (name == "ORDER_TIME") {
       mistake.control = "50910";
       mistake.reaction = says::filter_reaction_inactive;

@@ -50,6 +50,8 @@ struct CheckedCommand {
   /// #FILTER with its parameters in canonical form. None for #VIB GUARD, and if a value cannot be used: unreadable, out
   /// of range, or a variable. An ORDER_TIME below one cycle is a mistake and gives order 0.
   std::optional<machine::FilterCommand> command;
+  machine::FilterSwitch filter_switch = machine::FilterSwitch::unchanged;  ///< also where there is no command
+  bool hsc = false;
   std::vector<CommandMistake> mistakes;
 };
 

@@ -17,10 +17,10 @@ KeywordRange closed(std::string_view keyword, double minimum, double maximum) {
   return range;
 }
 
-KeywordRange at_least(std::string_view keyword, double minimum, std::string_view unit) {
+KeywordRange at_least(std::string_view keyword, double minimum) {
   KeywordRange range;
   range.minimum = minimum;
-  range.text = fmt::format("{} ≥ {}{}", keyword, format_exact(minimum), unit);
+  range.text = fmt::format("{} ≥ {}", keyword, format_exact(minimum));
   return range;
 }
 
@@ -40,11 +40,11 @@ KeywordRange order_time(CommandLimits const& limits) {
   return range;
 }
 
-KeywordRange cut_off(CommandLimits const& limits) {
-  KeywordRange range = closed("FCUT", 1, limits.cycle_time.nyquist().value);
+KeywordRange below_nyquist(std::string_view keyword, CommandLimits const& limits) {
+  KeywordRange range = closed(keyword, 1, limits.cycle_time.nyquist().value);
   range.below_maximum = true;
   range.text =
-      fmt::format("1 Hz ≤ FCUT < 0.5/T = {} Hz", format_rounded(limits.cycle_time.nyquist().value, 6));
+      fmt::format("1 Hz ≤ {} < 0.5/T = {} Hz", keyword, format_rounded(limits.cycle_time.nyquist().value, 6));
   range.depends_on_cycle_time = true;
   return range;
 }
@@ -87,13 +87,13 @@ KeywordRange range_of(std::string_view keyword, CommandLimits const& limits) {
   if (keyword == "ORDER") return order(limits);
   if (keyword == "ORDER_TIME") return order_time(limits);
   if (keyword == "SHARE") return with_control(closed(keyword, 0, 100), share_refused);
-  if (keyword == "FCUT") return cut_off(limits);
+  if (keyword == "FCUT") return below_nyquist(keyword, limits);
   if (keyword == "ACC_FACT") return closed(keyword, 1, 10);
   if (keyword == "QUALITY") return quality();
   if (keyword == "MODE") return mode();
-  if (keyword == "FREQ") return at_least(keyword, 1, " Hz");
+  if (keyword == "FREQ") return below_nyquist(keyword, limits);
   if (keyword == "DAMPING") return with_control(closed(keyword, 0, 1), damping_refused);
-  return at_least(keyword, 0, "");
+  return at_least(keyword, 0);
 }
 
 }  // namespace axisc::validator

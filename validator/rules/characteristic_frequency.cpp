@@ -31,6 +31,12 @@ void add_windowed_sinc(FirView const& fir, Frequencies& found) {
   found.push_back({fir.frequency, fir.anchor(fir.frequency), "filter_fir.type 3", Filtering::setpoint});
 }
 
+void add_vibration_guard(EffectiveValues const& values, Frequencies& found) {
+  EffectiveValue const& frequency = values.at("vib_guard.freq");
+  if (frequency.unusable || !frequency.set()) return;
+  found.push_back({frequency, frequency, "vib_guard", Filtering::vibration_guard});
+}
+
 // The documented default, -1, means that no frequency is configured.
 void add_stages(PositionControlView const& position_control, Frequencies& found) {
   for (StageView const& stage : position_control.active_stages()) {
@@ -48,6 +54,7 @@ std::vector<CharacteristicFrequency> characteristic_frequencies(AxisContext cons
   Frequencies found;
   add_standard_filters(axis.filters, found);
   add_windowed_sinc(axis.fir, found);
+  add_vibration_guard(axis.values, found);
   add_stages(axis.position_control, found);
   return found;
 }

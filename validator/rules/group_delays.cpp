@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/sentences.hpp"
+#include "validator/views/gantry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@ Delays delays_of(GroupContext const& context) {
   if (context.group.axes.size() < 2) return delays;
   for (std::size_t const index : context.group.axes) {
     LoadedAxis const& axis = context.whole.machine.axes[index];
+    if (master_of(context.whole.machine, index)) continue;
     if (auto const delay = axis_delay(axis.merged.values, context.whole.cycle_time)) {
       delays.push_back({axis, *delay});
     }
@@ -46,7 +48,38 @@ std::string cycles_text(double cycles) {
 }
 
 Message delay_of(DelayedAxis const& axis) {
-  return {says::group_axis_delay, {{"axis", axis.axis.name}, {"cycles", cycles_text(axis.delay.cycles)}}};
+  bool const none = axis.delay.shares.empty();
+  return {none ? says::group_axis_delay : says::group_axis_shares,
+          {{"axis", axis.axis.name},
+           {"cycles", cycles_text(axis.delay.cycles)},
+           {"shares", shares_text(axis.delay)}}};
+}
+
+std::string shares_text(AxisDelay const& delay) {
+  std::string text;
+  for (DelayShare const& share : delay.shares) {
+    text.append(text.empty() ? "`" : ", `")
+        .append(share.filter)
+        .append("` ")
+        .append(cycles_text(share.cycles));
+  }
+  return text;
+}
+
+DelayShare const* largest_difference(AxisDelay const& axis, AxisDelay const& other) {
+  DelayShare const* found = nullptr;
+  double largest = 0;
+  for (auto at = axis.shares.rbegin(); at != axis.shares.rend(); ++at) {
+    DelayShare const& share = *at;
+    if (!share.cause->value_place()) continue;
+    auto const same = std::find_if(other.shares.begin(), other.shares.end(),
+                                   [&](DelayShare const& known) { return known.filter == share.filter; });
+    double const difference = std::abs(share.cycles - (same == other.shares.end() ? 0 : same->cycles));
+    if (found != nullptr && difference <= largest) continue;
+    found = &share;
+    largest = difference;
+  }
+  return found;
 }
 
 void relate_others(Finding& finding, Delays const& delays, std::size_t reported) {

@@ -21,7 +21,7 @@ struct DelayedAxis {
 
 using Delays = std::vector<DelayedAxis>;
 
-/// The axes whose delay is known; none for a channel of one axis.
+/// The axes whose delay is known; none for a channel of one axis. Gantry slaves are compared with their masters (AX4021).
 [[nodiscard]] Delays delays_of(GroupContext const& context);
 
 [[nodiscard]] bool less_delayed(DelayedAxis const& left, DelayedAxis const& right);
@@ -35,8 +35,14 @@ using Delays = std::vector<DelayedAxis>;
 /// Cycles for display.
 [[nodiscard]] std::string cycles_text(double cycles);
 
-/// States the delay of an axis.
+/// States the delay of an axis, and what each of its filters contributes.
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);
+/// "`filter[1]` 3.907, `filter_fir` 20".
+[[nodiscard]] std::string shares_text(AxisDelay const& delay);
+
+/// The filter of `axis` whose share differs most from that of the same filter in `other`, and that a list sets, in doubt the
+/// later one; null where `axis` has none.
+[[nodiscard]] DelayShare const* largest_difference(AxisDelay const& axis, AxisDelay const& other);
 
 /// Points to what delays the axes other than `reported`.
 void relate_others(Finding& finding, Delays const& delays, std::size_t reported);

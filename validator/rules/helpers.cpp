@@ -55,4 +55,15 @@ bool is_default_or_off(schema::Parameter const& parameter, double value) {
   return standard && standard->number == value;
 }
 
+std::string allowed_values(schema::Parameter const& parameter) {
+  std::string text;
+  for (schema::Symbol const& symbol :
+       parameter.symbols.empty() ? parameter.number_names : parameter.symbols) {
+    if (!text.empty()) text += ", ";
+    text += symbol.word;
+    if (symbol.number) text += " (" + std::to_string(*symbol.number) + ")";
+  }
+  return text;
+}
+
 }  // namespace axisc::validator

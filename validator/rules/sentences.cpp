@@ -2,6 +2,7 @@
 
 namespace axisc::validator::says {
 
+constinit Sentence const parameter_values{"values: {values}", "Werte: {values}"};
 constinit Sentence const parameter_fix{"write `{replacement}`", "`{replacement}` schreiben"};
 
 constinit Sentence const filter_reaction_off{"the filter is switched off", "der Filter wird abgeschaltet"};
@@ -13,6 +14,8 @@ constinit Sentence const kernel_reaction_not_active{"the filter is not active", 
 
 constinit Sentence const group_axis_delay{"axis \"{axis}\": {cycles} cycles",
                                           "Achse „{axis}“: {cycles} Zyklen"};
+constinit Sentence const group_axis_shares{"axis \"{axis}\": {cycles} cycles ({shares})",
+                                           "Achse „{axis}“: {cycles} Zyklen ({shares})"};
 constinit Sentence const group_help_same{"configure the filters of all axes of a channel alike",
                                          "die Filter aller Achsen eines Kanals gleich konfigurieren"};
 

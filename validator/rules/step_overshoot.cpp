@@ -3,6 +3,7 @@
 #include "design/filter_analysis.hpp"
 #include "validator/rules/filter_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -24,16 +25,16 @@ constexpr double measured_periods = 20;
 }  // namespace
 
 std::optional<double> step_overshoot(FilterContext const& context) {
-  design::CycleTime const cycle_time = context.axis.cycle_time;
-  auto specification = context.axis.designs.specification(context.filter);
+  auto const& specification = context.axis.designs.specification(context.filter);
   if (!specification) return std::nullopt;
+  return step_overshoot(*specification, context.axis.cycle_time);
+}
+
+double step_overshoot(design::FilterSpecification specification, design::CycleTime cycle_time) {
   double const slowest = lowest_measured / cycle_time.seconds();
-  bool const is_slower = specification->frequency.value < slowest;
-  if (is_slower) specification->frequency = {slowest};
-  std::array const chain{is_slower
-                             ? design::design_filter(*specification, cycle_time, design::Precision::quick)
-                             : *context.axis.designs.of(context.filter)};
-  double const cycles_per_period = 1 / (specification->frequency.value * cycle_time.seconds());
+  specification.frequency.value = std::max(specification.frequency.value, slowest);
+  std::array const chain{design::design_filter(specification, cycle_time, design::Precision::quick)};
+  double const cycles_per_period = 1 / (specification.frequency.value * cycle_time.seconds());
   auto const longest = static_cast<std::uint64_t>(std::ceil(measured_periods * cycles_per_period)) + 1;
   return design::step_overshoot(chain, longest);
 }

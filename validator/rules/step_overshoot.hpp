@@ -12,6 +12,8 @@ namespace axisc::validator::checks {
 /// falls into the first periods. Far below the sampling rate a step response depends on time and frequency only through
 /// their product, so a very slow filter is measured by a faster one. Cost: at most 20,000 cycles.
 [[nodiscard]] std::optional<double> step_overshoot(FilterContext const& context);
+/// The same for a filter that no list configures.
+[[nodiscard]] double step_overshoot(design::FilterSpecification specification, design::CycleTime cycle_time);
 
 /// The label of a finding that states the overshoot.
 [[nodiscard]] Message overshoot_label(double overshoot);

@@ -108,10 +108,19 @@ class Judge {
     if (!integer && (assignment_.kind != ValueKind::real || schema::is_integer(parameter.type))) {
       fail(ReadingStatus::wrong_type);
     } else if (schema::is_integer(parameter.type)) {
+      if (is_unlisted(parameter)) return fail(ReadingStatus::unknown_symbol);
       number(schema::read_integer(token(), parameter.type));
     } else {
       number(schema::read_real(token()));
     }
+  }
+
+  /// Where a table of numbers stands for the range, a number that it does not list means nothing.
+  [[nodiscard]] bool is_unlisted(schema::Parameter const& parameter) {
+    double const value = integer();
+    return schema::is_listed_only(parameter) &&
+           std::none_of(parameter.number_names.begin(), parameter.number_names.end(),
+                        [value](schema::Symbol const& symbol) { return symbol.number == value; });
   }
 
   void boolean(schema::Parameter const& parameter) {

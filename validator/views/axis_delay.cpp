@@ -5,6 +5,7 @@
 #include "validator/views/hsc_view.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace axisc::validator {
 namespace {
@@ -20,8 +21,13 @@ class Sum {
   }
 
  private:
-  void add(double cycles, EffectiveValue const& cause) {
+  static std::string name_of(FilterView const& filter) {
+    return "filter[" + std::to_string(filter.index) + "]";
+  }
+
+  void add(std::string filter, double cycles, EffectiveValue const& cause) {
     result_.cycles += cycles;
+    result_.shares.push_back({.filter = std::move(filter), .cycles = cycles, .cause = &cause});
     if (result_.cause != nullptr && std::abs(cycles) <= largest_) return;
     largest_ = std::abs(cycles);
     result_.cause = &cause;
@@ -36,7 +42,8 @@ class Sum {
       auto const specification = filter.specification(cycle_time_);
       if (!specification) return false;
       auto const design = design::design_filter(*specification, cycle_time_, design::Precision::quick);
-      add(design.group_delay_cycles, filter.anchor(filter.enable));
+      add(name_of(filter), design.group_delay_cycles, filter.anchor(filter.enable));
+      result_.filters.push_back(*specification);
     }
     return true;
   }
@@ -49,7 +56,8 @@ class Sum {
       result_.kernel = machine::ConfiguredKernel{
           .family = machine::KernelFamily::hsc, .index = 0, .specification = *kernel, .on_at_start = false};
       EffectiveValue const& cause = filter.order.value.number > 0 ? filter.order : filter.time_constant;
-      add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : filter.prototype);
+      add(name_of(filter), design::kernel_delay_cycles(*kernel, cycle_time_),
+          cause.set() ? cause : filter.prototype);
     }
     return true;
   }
@@ -64,7 +72,7 @@ class Sum {
                                                .specification = *kernel,
                                                .on_at_start = fir.enable.value.flag()};
     EffectiveValue const& cause = fir.order.value.number > 0 ? fir.order : fir.order_time;
-    add(design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : fir.type);
+    add("filter_fir", design::kernel_delay_cycles(*kernel, cycle_time_), cause.set() ? cause : fir.type);
     return true;
   }
 

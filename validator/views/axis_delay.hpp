@@ -5,11 +5,22 @@
 #include "validator/values/effective_values.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace axisc::validator {
 
+/// What one filter of the axis contributes.
+struct DelayShare {
+  std::string filter;  ///< `filter[0]` or `filter_fir`
+  double cycles = 0;
+  EffectiveValue const* cause = nullptr;  ///< its parameter; valid while the EffectiveValues live
+};
+
 struct AxisDelay {
   double cycles = 0;  ///< at 0 Hz: of the active filter[i] and of the configured FIR or HSC filter
+  std::vector<DelayShare> shares;                    ///< in the order of the chain
+  std::vector<design::FilterSpecification> filters;  ///< the active filter[i], without HSC
   /// The parameter that delays most; null if nothing delays. Valid while the EffectiveValues live.
   EffectiveValue const* cause = nullptr;
   std::optional<machine::ConfiguredKernel> kernel;

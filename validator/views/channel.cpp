@@ -26,14 +26,16 @@ class SetCollector {
   SetCollector(CommandLimits const& limits, std::vector<NotCompiled>& not_compiled)
       : limits_(limits), not_compiled_(not_compiled) {}
 
+  /// A program begins with the lists' values.
+  void begin_program() { current_ = machine::FilterParameters{}; }
+
   void add(CheckedCommand const& checked, Place place, std::string_view written) {
+    follow(checked);
     if (checked.command) {
-      machine::FilterCommand const& command = *checked.command;
-      bool const needs_none =
-          command.filter_switch == machine::FilterSwitch::off || command.hsc || command.parameters.empty();
-      if (needs_none || std::find(sets.begin(), sets.end(), command.parameters) != sets.end()) return;
+      if (!current_ || current_->empty()) return;
+      if (std::find(sets.begin(), sets.end(), *current_) != sets.end()) return;
       if (sets.size() < configuration::most_filter_sets) {
-        sets.push_back(command.parameters);
+        sets.push_back(*current_);
       } else if (!std::exchange(is_full_, true)) {
         refuse(place, says::too_many_commands, {{"limit", std::to_string(configuration::most_filter_sets)}});
       }
@@ -47,6 +49,16 @@ class SetCollector {
   std::vector<machine::FilterParameters> sets;
 
  private:
+  /// After a command whose values are unknown, only ON makes them known again.
+  void follow(CheckedCommand const& checked) {
+    if (!checked.command) {
+      bool const changes = !checked.hsc && checked.filter_switch != machine::FilterSwitch::off;
+      if (changes) current_.reset();
+    } else if (current_ || checked.command->filter_switch == machine::FilterSwitch::on) {
+      current_ = machine::parameters_after(current_.value_or(machine::FilterParameters{}), *checked.command);
+    }
+  }
+
   void refuse(Place place, SentenceRef text, std::vector<Argument> arguments) {
     not_compiled_.push_back(
         {.place = place, .feature = {.sentence = text, .arguments = std::move(arguments)}});
@@ -55,10 +67,12 @@ class SetCollector {
   CommandLimits const& limits_;
   std::vector<NotCompiled>& not_compiled_;
   bool is_full_ = false;
+  std::optional<machine::FilterParameters> current_;
 };
 
 void add_program(LoadedProgram const& program, SourceSet const& sources, SetCollector& collector) {
   std::string_view const text = sources[program.source].bytes();
+  collector.begin_program();
   for (grammar::NcCommand const& command : program.tree.commands) {
     if (command.kind != grammar::CommandKind::filter) continue;
     collector.add(check_command(command, text, collector.limits(), Variables::accepted),
@@ -82,6 +96,7 @@ std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machi
   SetCollector collector(limits, not_compiled);
   for (std::size_t const program : group.programs) add_program(machine.programs[program], sources, collector);
   for (configuration::LocatedText const& set : machine.filter_sets) {
+    collector.begin_program();
     collector.add(parse_filter_command(set.text, limits), set.place, set.text);
   }
   return std::move(collector.sets);

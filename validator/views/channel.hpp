@@ -15,8 +15,9 @@ namespace axisc::validator {
 [[nodiscard]] bool has_time_delay(LoadedMachine const& machine, LoadedGroup const& group);
 
 /// MachineGroup::filter_sets: the distinct parameter sets that the commands of the group's programs and the machine's
-/// filter_sets ask for, in the order of their first use. A command with a variable asks for none, because its value is
-/// unknown; a command whose mistake was silenced is added to `not_compiled`.
+/// filter_sets ask for, in the order of their first use. Commands of a program are followed in the order of its lines, so that
+/// one without ON keeps what earlier ones said; each entry of filter_sets stands for itself. A command with a variable asks for
+/// none, because its value is unknown, nor does one that builds on it; a command whose mistake was silenced is added to `not_compiled`.
 [[nodiscard]] std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machine,
                                                                     LoadedGroup const& group,
                                                                     SourceSet const& sources,

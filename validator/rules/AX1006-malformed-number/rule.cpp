@@ -56,9 +56,12 @@ Trouble trouble_of(schema::NumberStatus status) {
 }
 
 void describe(Finding& finding, Line const& line) {
-  schema::NumberStatus const status = line.reading().number;
-  Trouble const trouble = trouble_of(status);
   std::string const value = line.text(line.assignment().value);
+  // A hexadecimal number has neither sign nor exponent.
+  bool const signed_hexadecimal = value.find("0x") == 1 || value.find("0X") == 1;
+  schema::NumberStatus const status =
+      signed_hexadecimal ? schema::NumberStatus::not_a_number : line.reading().number;
+  Trouble const trouble = trouble_of(status);
   finding.message = message_of(trouble.headline, Argument{"value", value});
   set_reaction(finding, trouble.reaction, {}, std::string(trouble.result));
   if (!trouble.control.empty()) finding.control->message = trouble.control;

@@ -22,7 +22,7 @@ void describe(Finding& finding, Line const& line) {
   finding.message = message(is_symbol ? says::headline : says::string);
   std::string const value = line.text({.begin = line.assignment().value.begin, .end = trouble.end});
   set_reaction(finding, says::reaction, {{"value", value}}, is_symbol ? "" : value);
-  if (is_symbol) finding.control->message = "2022";
+  if (is_symbol) finding.control->message = "2021";
   Span const before{.begin = trouble.begin, .end = trouble.begin};
   finding.fix = replace_by(line.place(before), "( ", message(says::fix));
 }

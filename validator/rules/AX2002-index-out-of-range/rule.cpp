@@ -50,15 +50,25 @@ void relate_block(Finding& finding, Line const& first) {
   }
 }
 
+/// The number in the brackets as it is written, however large.
+std::string written_index(std::string_view name, std::size_t position) {
+  std::size_t at = name.find('[');
+  for (; position > 0 && at != std::string_view::npos; --position) at = name.find('[', at + 1);
+  if (at == std::string_view::npos) return {};
+  name.remove_prefix(at + 1);
+  return std::string(name.substr(0, name.find(']')));
+}
+
 void describe(Finding& finding, Line const& line) {
   using Status = schema::NameLookup::Status;
   Span const written = line.assignment().name;
   schema::NameLookup const name = line.context.list.catalogue.find(line.context.source.slice(written));
   std::string const pattern(name.row->name);
   if (name.status == Status::index_out_of_range) {
-    finding.message = message(says::headline, {{"index", std::to_string(name.index.at(name.index_position))},
-                                               {"parameter", pattern},
-                                               {"last", std::to_string(name.array_size - 1)}});
+    finding.message = message(
+        says::headline, {{"index", written_index(line.context.source.slice(written), name.index_position)},
+                         {"parameter", pattern},
+                         {"last", std::to_string(name.array_size - 1)}});
   } else {
     finding.message = message(name.status == Status::index_missing ? says::missing : says::superfluous,
                               {{"parameter", pattern}});

@@ -1,16 +1,19 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 #include "validator/rules/thousands.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace axisc::validator::says {
 
 constexpr Sentence parameter_no_number{"it finds no number", "sie findet keine Zahl"};
 
+constexpr Sentence no_switch{"it finds no truth value", "sie findet keinen Wahrheitswert"};
 constexpr Sentence integer{"`{parameter}` needs a whole number, not `{value}`",
                            "`{parameter}` braucht eine ganze Zahl, nicht `{value}`"};
 constexpr Sentence real{"`{parameter}` needs a number, not `{value}`",
@@ -31,19 +34,46 @@ SentenceRef headline(schema::Parameter const& parameter) {
   return schema::is_integer(parameter.type) ? says::integer : says::symbol;
 }
 
+// Message numbers of the control.
+constexpr std::string_view no_boolean = "1019";
+constexpr std::string_view no_number = "1001138";
+
+/// Where its numbers have names, the value was perhaps meant as one of them.
+void name_numbers(Finding& finding, Line const& line, std::string const& value) {
+  schema::Parameter const& parameter = *line.reading().row;
+  if (parameter.number_names.empty()) return;
+  finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
+  auto const named = std::find_if(parameter.number_names.begin(), parameter.number_names.end(),
+                                  [&](schema::Symbol const& symbol) {
+                                    std::string_view const start = symbol.word.substr(0, value.size());
+                                    return value.size() > 2 && ascii::equal_ignoring_case(start, value);
+                                  });
+  if (named == parameter.number_names.end()) return;
+  std::string const number = std::to_string(named->number.value_or(0));
+  finding.fix = replace_by(line.place(line.reading().text), number,
+                           message(says::parameter_fix, {{"replacement", number}}));
+}
+
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.reading().row;
   std::string const value = line.text(line.reading().text);
   finding.message =
       message_of(headline(parameter), Argument{"parameter", line.name()}, Argument{"value", value});
+  if (parameter.type == schema::DataType::boolean) {
+    set_reaction(finding, says::no_switch);
+    finding.control->message = no_boolean;
+  }
   if (!schema::is_number(parameter.type)) return;
   if (line.assignment().kind != grammar::ValueKind::real) {
     set_reaction(finding, says::parameter_no_number, {}, "0");
-    finding.control->message = "1001138";
+    finding.control->message = no_number;
+    name_numbers(finding, line, value);
     return;
   }
   if (describe_thousands(finding, value)) return;
-  double const real = schema::read_real(value).number;
+  schema::NumberReading const reading = schema::read_real(value);
+  double const real = reading.number;
+  if (reading.status != schema::NumberStatus::good) return;
   if (real != std::floor(real) || std::abs(real) >= 1e15) return;
   std::string const whole = format_exact(real);
   finding.fix = replace_by(line.place(line.reading().text), whole,

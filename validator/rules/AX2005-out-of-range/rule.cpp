@@ -3,6 +3,9 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/views/units_text.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace axisc::validator::says {
 
 constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"};
@@ -10,6 +13,11 @@ constexpr Sentence parameter_value_in_unit{"this is {value}", "das sind {value}"
 constexpr Sentence headline{"`{parameter}` is out of range: {range}",
                             "`{parameter}` liegt außerhalb des Bereichs: {range}"};
 constexpr Sentence raw{"as written in the list: {range}", "in der Schreibweise der Liste: {range}"};
+constexpr Sentence reports{"it reports the value; what it continues with is not documented",
+                           "sie meldet den Wert; womit sie weiterarbeitet, ist nicht dokumentiert"};
+constexpr Sentence corrects{"it corrects the value", "sie korrigiert den Wert"};
+constexpr Sentence switches_off{"it switches Improved Position Control of the axis off",
+                                "sie schaltet die optimierte Lageregelung der Achse ab"};
 constexpr Sentence file{"limit from {file}", "Grenze aus {file}"};
 
 }  // namespace axisc::validator::says
@@ -27,12 +35,37 @@ bool is_wrong(schema::Parameter const& parameter, double value) {
          !is_default_or_off(parameter, value);
 }
 
+struct Reaction {
+  std::uint16_t p_axis;
+  std::string_view message;  ///< number
+  Sentence const& sentence;
+};
+
+constexpr std::array reactions{
+    Reaction{80, "110490", says::reports},      Reaction{164, "110240", says::reports},
+    Reaction{351, "110496", says::reports},     Reaction{568, "110627", says::corrects},
+    Reaction{571, "110626", says::corrects},    Reaction{585, "110633", says::reports},
+    Reaction{590, "110632", says::reports},     Reaction{593, "110637", says::reports},
+    Reaction{750, "70593", says::reports},      Reaction{751, "70592", says::reports},
+    Reaction{752, "70594", says::reports},      Reaction{754, "70603", says::switches_off},
+    Reaction{755, "70604", says::switches_off}, Reaction{757, "70606", says::reports}};
+
+void say_reaction(Finding& finding, schema::Parameter const& parameter) {
+  auto const known = std::find_if(reactions.begin(), reactions.end(), [&](Reaction const& reaction) {
+    return reaction.p_axis == parameter.p_axis;
+  });
+  if (known == reactions.end()) return;
+  set_reaction(finding, known->sentence);
+  finding.control->message = known->message;
+}
+
 void describe(Finding& finding, AxisContext const& context, schema::Slot slot, double value) {
   schema::Parameter const& parameter = context.values.row(slot);
   name_parameter(finding, parameter, slot);
   std::string_view const unit = unit_of(parameter, context.type);
   finding.message = message_of(says::headline, Argument{"parameter", finding.parameter},
                                Argument{"range", range_text(parameter, unit, true)});
+  say_reaction(finding, parameter);
   if (!unit.empty()) {
     finding.label = message_of(says::parameter_value_in_unit, Argument{"value", physical(value, unit)});
   }

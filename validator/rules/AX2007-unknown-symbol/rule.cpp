@@ -8,7 +8,6 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"`{value}` is not a valid value for `{parameter}`",
                             "`{value}` ist kein gültiger Wert für `{parameter}`"};
-constexpr Sentence allowed{"values: {values}", "Werte: {values}"};
 constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert nicht"};
 
 }  // namespace axisc::validator::says
@@ -16,23 +15,16 @@ constexpr Sentence reaction{"it does not know the value", "sie kennt den Wert ni
 namespace axisc::validator::checks {
 namespace {
 
-/// "LOWPASS (1), HIGHPASS (2)".
-std::string allowed_values(schema::Parameter const& parameter) {
-  std::string text;
-  for (schema::Symbol const& symbol : parameter.symbols) {
-    if (!text.empty()) text += ", ";
-    text += symbol.word;
-    if (symbol.number) text += " (" + std::to_string(*symbol.number) + ")";
-  }
-  return text;
-}
-
 void describe(Finding& finding, Line const& line) {
   schema::Parameter const& parameter = *line.reading().row;
   std::string const value = line.text(line.reading().text);
   finding.message = message_of(says::headline, Argument{"value", value}, Argument{"parameter", line.name()});
-  finding.notes.push_back(message_of(says::allowed, Argument{"values", allowed_values(parameter)}));
-  set_reaction(finding, says::reaction);
+  finding.notes.push_back(message_of(says::parameter_values, Argument{"values", allowed_values(parameter)}));
+  if (parameter.symbols.empty()) {
+    finding.control.reset();  // what it makes of a number that means nothing is not documented
+  } else {
+    set_reaction(finding, says::reaction);
+  }
   std::vector<std::string_view> const suggestions = schema::suggest_symbols(parameter, value);
   for (std::string_view const suggestion : suggestions) {
     finding.help.push_back(
@@ -56,7 +48,7 @@ void unknown_symbol(ListContext const& context, Report& report) {
 extern constinit Rule const ax2007{
     .code = Code{2007},
     .name = "unknown-symbol",
-    .control = "2022",
+    .control = "2021",
     .about = [](schema::Parameter const& parameter) { return parameter.is_enumeration(); },
     .precedence = Precedence::before_family,
     .check = unknown_symbol,

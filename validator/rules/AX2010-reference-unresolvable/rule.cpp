@@ -3,6 +3,8 @@
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/reference_words.hpp"
 
+#include <cstdint>
+
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"there is no parameter {p_axis}", "einen Parameter {p_axis} gibt es nicht"};
@@ -10,10 +12,34 @@ constexpr Sentence no_value{
     "`{name}` ({p_axis}) has no value: no list sets it, and it has no default",
     "`{name}` ({p_axis}) hat keinen Wert: keine Liste setzt ihn, und er hat keinen Standardwert"};
 
+constexpr Sentence overwritten{"it cannot resolve the reference; a later line applies",
+                               "sie kann den Verweis nicht auflösen; es gilt eine spätere Zeile"};
+
 }  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
+
+bool exists(AxisContext const& context, std::uint32_t p_axis) {
+  if (p_axis == 0 || p_axis > UINT16_MAX) return false;
+  return !context.values.catalogue().find_number(static_cast<std::uint16_t>(p_axis)).empty();
+}
+
+/// References to nothing in lines that a later one of their list overwrites, which resolving never sees.
+void report_overwritten(AxisContext const& context, LoadedList const& list, Report& report) {
+  for (std::uint32_t const number : list.readings.without_value()) {
+    Reading const reading = list.readings[number];
+    if (!reading.known() || reading.status != ReadingStatus::reference) continue;
+    bool const applies = list.readings.last_of(reading.slot) == number + 1;
+    if (applies || exists(context, reading.reference.p_axis)) continue;
+    ReferenceProblem const problem{
+        .slot = reading.slot, .p_axis = reading.reference.p_axis, .target = {}, .circle = {}};
+    Finding& finding = report.add(Place{.source = list.source, .span = list.tree.assignments[number].value},
+                                  context.values.row(reading.slot), reading.slot,
+                                  message(says::headline, {{"p_axis", named(problem)}}));
+    set_reaction(finding, says::overwritten);
+  }
+}
 
 void reference_unresolvable(AxisContext const& context, Report& report) {
   for_each_problem(context, ReferenceTrouble::unresolvable,
@@ -25,6 +51,9 @@ void reference_unresolvable(AxisContext const& context, Report& report) {
                              : message(says::headline, {{"p_axis", named(problem)}});
                      keep_earlier(context, report.add(value, text), value);
                    });
+  for (LoadedList const* const list : lists_of(context)) {
+    if (list != nullptr) report_overwritten(context, *list, report);
+  }
 }
 
 }  // namespace

@@ -22,7 +22,20 @@ namespace {
 
 // Message numbers of the control.
 constexpr std::string_view setpoint_refused = "50557";
+constexpr std::string_view guard_refused = "50913";
 constexpr std::string_view position_controller_refused = "70420";
+
+std::string_view message_of(Filtering filtering) {
+  switch (filtering) {
+    case Filtering::setpoint:
+      return setpoint_refused;
+    case Filtering::vibration_guard:
+      return guard_refused;
+    case Filtering::position_controller:
+      return position_controller_refused;
+  }
+  return {};
+}
 
 void frequency_above_nyquist(AxisContext const& axis, Report& report) {
   double const nyquist = axis.cycle_time.nyquist().value;
@@ -45,8 +58,7 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
                                {"parameter", parameter_name(found.frequency)},
                                {"hertz", number(hertz)}}});
     }
-    react(finding, found.filtering == Filtering::setpoint ? setpoint_refused : position_controller_refused,
-          {says::filter_reaction_refused, {}});
+    react(finding, message_of(found.filtering), {says::filter_reaction_refused, {}});
   }
 }
 
@@ -55,7 +67,7 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
 extern constinit Rule const ax3002{
     .code = Code{3002},
     .name = "frequency-above-nyquist",
-    .control = control_numbers<setpoint_refused, position_controller_refused>,
+    .control = control_numbers<setpoint_refused, guard_refused, position_controller_refused>,
     .parameters =
         "filters[].fg_f0 filters[].type filters[].enable filters[].order filters[].prototype "
         "filter_fir.fcut filter_fir.type ipc.stage[].filter.fg_f0 ipc.stage[].filter[].fg_f0 "

@@ -21,6 +21,7 @@ namespace {
 void frequency_zero(AxisContext const& axis, Report& report) {
   for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
     if (found.frequency.value.number > 0) continue;
+    if (found.filtering == Filtering::vibration_guard) continue;  // its range begins at 1 Hz
     Finding& finding = report.add(
         found.anchor,
         {says::headline, {{"frequency", number(found.frequency.value.number)}, {"user", found.user}}});

@@ -14,11 +14,30 @@ constexpr Sentence bessel{
     "{p_axis}: BESSEL overshoots slightly above order 1; not recommended for positions",
     "{p_axis}: BESSEL schwingt über Ordnung 1 leicht über; für Positionen nicht empfohlen"};
 constexpr Sentence help{"`CRIT_DAMPING` does not overshoot", "`CRIT_DAMPING` schwingt nicht über"};
+constexpr Sentence help_lower{
+    "lower `{parameter}`: above 0.1/T = {limit} Hz `CRIT_DAMPING` overshoots, too, here by {overshoot} %",
+    "`{parameter}` verringern: über 0,1/T = {limit} Hz schwingt auch `CRIT_DAMPING` über, hier um "
+    "{overshoot} %"};
 
 }  // namespace axisc::validator::says
 
 namespace axisc::validator::checks {
 namespace {
+
+constexpr double noticeable = 1e-3;
+
+/// What `CRIT_DAMPING` would do: close to half the sampling rate the bilinear transform makes poles negative.
+Message help_of(FilterContext const& context) {
+  auto specification = context.axis.designs.specification(context.filter);
+  if (!specification) return {says::help, {}};
+  specification->prototype = design::Prototype::critical_damping;
+  double const overshoot = step_overshoot(*specification, context.axis.cycle_time);
+  if (overshoot < noticeable) return {says::help, {}};
+  return {says::help_lower,
+          {{"parameter", parameter_name(context.filter.frequency)},
+           {"limit", number(0.2 * context.axis.cycle_time.nyquist().value)},
+           {"overshoot", percent(overshoot)}}};
+}
 
 void overshooting_prototype(FilterContext const& context, Report& report) {
   FilterView const& filter = context.filter;
@@ -38,7 +57,7 @@ void overshooting_prototype(FilterContext const& context, Report& report) {
   }
   finding.notes.push_back(
       {butterworth ? says::butterworth : says::bessel, {{"p_axis", parameter_number(filter.prototype)}}});
-  finding.help.push_back({says::help, {}});
+  finding.help.push_back(help_of(context));
 }
 
 }  // namespace

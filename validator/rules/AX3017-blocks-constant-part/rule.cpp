@@ -8,6 +8,9 @@ constexpr Sentence headline{"`{type}` blocks the constant part of the position s
                             "`{type}` sperrt den Gleichanteil des Positionssollwerts"};
 constexpr Sentence label{"with a share of {share} %, {left} % of a constant position remains",
                          "bei {share} % Signalanteil bleiben {left} % einer konstanten Position übrig"};
+constexpr Sentence to_zero{
+    "the axis goes to position 0 and stays there, whatever the program commands",
+    "die Achse fährt auf Position 0 und bleibt dort, was das Programm auch kommandiert"};
 constexpr Sentence note{
     "the filters act on absolute positions; with share s only 1 - s of the constant part remains",
     "die Filter wirken auf absolute Positionen; beim Anteil s bleibt nur 1 - s des Gleichanteils"};
@@ -25,7 +28,9 @@ void blocks_constant_part(FilterContext const& context, Report& report) {
       report.add(filter.anchor(filter.type), {says::headline, {{"type", std::string(filter.type_word())}}});
   if (!filter.share.unusable) {
     double const share = filter.share.value.number / 100;
-    finding.label = Message{says::label, {{"share", percent(share)}, {"left", percent(1 - share)}}};
+    finding.label = share == 1
+                        ? Message{says::to_zero, {}}
+                        : Message{says::label, {{"share", percent(share)}, {"left", percent(1 - share)}}};
   }
   finding.notes.push_back({says::note, {}});
 }

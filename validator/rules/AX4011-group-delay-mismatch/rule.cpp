@@ -20,8 +20,8 @@ constexpr Sentence headline{
     "die Achsen des Kanals laufen nicht synchron: ihre Filterverzögerungen unterscheiden sich um {cycles} "
     "Zyklen "
     "({milliseconds} ms)"};
-constexpr Sentence missing{"axis \"{axis}\": {cycles} cycles, {missing} too few",
-                           "Achse „{axis}“: {cycles} Zyklen, {missing} zu wenig"};
+constexpr Sentence odd{"axis \"{axis}\" is out of step with the others: `{filter}` makes the difference",
+                       "Achse „{axis}“ läuft nicht mit den anderen: `{filter}` macht den Unterschied"};
 constexpr Sentence limit{
     "filter[0] to filter[2] if active, filter_fir or HSC if configured, at 0 Hz; differences below half a "
     "cycle are ignored",
@@ -111,28 +111,61 @@ std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
   return fix;
 }
 
+bool in_step(DelayedAxis const& left, DelayedAxis const& right) {
+  return std::abs(left.delay.cycles - right.delay.cycles) < noticeable_delay;
+}
+
+std::size_t companions(Delays const& delays, DelayedAxis const& of) {
+  return static_cast<std::size_t>(std::count_if(delays.begin(), delays.end(),
+                                                [&](DelayedAxis const& axis) { return in_step(axis, of); }));
+}
+
+/// An axis that the others disagree with, one of those, and the filter of the former that makes the difference.
+struct OddAxis {
+  std::size_t index;
+  std::size_t typical;
+  DelayShare const* filter;
+};
+
+/// None where no axis stands alone against a majority, or where it lacks what the others have.
+std::optional<OddAxis> odd_axis(Delays const& delays) {
+  std::size_t typical = 0;
+  for (std::size_t i = 1; i < delays.size(); ++i) {
+    if (companions(delays, delays[i]) > companions(delays, delays[typical])) typical = i;
+  }
+  if (2 * companions(delays, delays[typical]) <= delays.size()) return std::nullopt;
+  std::optional<OddAxis> odd;
+  for (std::size_t i = 0; i < delays.size(); ++i) {
+    if (in_step(delays[i], delays[typical])) continue;
+    DelayShare const* const filter = largest_difference(delays[i].delay, delays[typical].delay);
+    if (filter == nullptr) return std::nullopt;
+    odd = {.index = i, .typical = typical, .filter = filter};
+  }
+  return odd;
+}
+
 void group_delay_mismatch(GroupContext const& context, Report& report) {
   Delays const delays = delays_of(context);
   double const difference = spread(delays);
   auto const last = last_cause(delays);
   if (difference < noticeable_delay || !last) return;
-  report.axis = delays[*last].axis.name;
+  auto const odd = odd_axis(delays);
+  std::size_t const reported = odd ? odd->index : *last;
+  report.axis = delays[reported].axis.name;
   double const milli = difference * context.whole.cycle_time.microseconds() / 1e3;
   Finding& finding = report.add(
-      *delays[*last].delay.cause,
+      odd ? *odd->filter->cause : *delays[*last].delay.cause,
       {says::headline, {{"cycles", cycles_text(difference)}, {"milliseconds", format_rounded(milli, 4)}}});
-  finding.label = delay_of(delays[*last]);
-  double const longest = std::max_element(delays.begin(), delays.end(), less_delayed)->delay.cycles;
+  finding.label = delay_of(delays[reported]);
+  if (odd) {
+    finding.notes.push_back(
+        {says::odd, {{"axis", std::string(report.axis)}, {"filter", odd->filter->filter}}});
+  }
   for (DelayedAxis const& axis : delays) {
-    if (&axis == &delays[*last]) continue;
-    double const missing = longest - axis.delay.cycles;
-    finding.notes.push_back({missing < noticeable_delay ? says::group_axis_delay : says::missing,
-                             {{"axis", axis.axis.name},
-                              {"cycles", cycles_text(axis.delay.cycles)},
-                              {"missing", cycles_text(missing)}}});
+    if (&axis != &delays[reported]) finding.notes.push_back(delay_of(axis));
   }
   finding.notes.push_back({says::limit, {}});
-  relate_others(finding, delays, *last);
+  if (!odd) relate_others(finding, delays, reported);
   finding.fix = repair(context, delays);
   finding.help.push_back({finding.fix ? says::help_delay : says::group_help_same, {}});
 }

@@ -1,0 +1,79 @@
+// What the rules about single parameters say, and what they repair.
+#include "support/catch.hpp"
+#include "support/checked.hpp"
+
+#include <algorithm>
+
+namespace {
+
+using namespace axisc;
+using tests::Checked;
+using tests::Lines;
+
+struct Said {
+  std::string message, notes, control, fix;
+};
+
+/// The first finding of a list.
+Said said(std::string const& list) {
+  Checked const checked(list);
+  REQUIRE_FALSE(checked.result.findings.empty());
+  Finding const& finding = checked.result.findings.front();
+  Said said;
+  said.message = render(finding.message, Language::english);
+  for (Message const& note : finding.notes) said.notes += render(note, Language::english);
+  if (finding.control) said.control = finding.control->message;
+  if (finding.fix) said.fix = finding.fix->edits.at(0).text;
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("a word for a number is answered by what the numbers mean") {
+  Said const type = said("filter_fir.type GAUSS\n");
+  CHECK_THAT(type.notes, Catch::Matchers::Contains("Gaussian (2), windowed sinc (3)"));
+  CHECK(type.fix == "2");
+  CHECK(type.control == "1001138");
+  CHECK(said("kenngr.antr_typ sercos\n").fix == "2");
+  CHECK(said("kenngr.antr_typ XY\n").fix.empty());
+  CHECK(said("filter[0].order 1e400\n").fix.empty());
+}
+
+TEST_CASE("numbers that a table of numbers does not list") {
+  CHECK(Checked("kenngr.antr_typ 9\n").found() == Lines{"1:17 AX2007"});
+  CHECK(said("kenngr.antr_typ 9\n").control.empty());
+  CHECK(Checked("kenngr.antr_typ 0x20\nkenngr.achs_mode 0x401\n").found().empty());
+  CHECK(Checked("filter_fir.type 5\n").found() == Lines{"1:17 AX2005"});
+}
+
+TEST_CASE("findings cite the control where it has a number") {
+  CHECK(said("filter[0].enable YES\n").control == "1019");
+  CHECK(said("filter[0].guete 0.5\n").control == "110490");
+  CHECK(said("filter[0].share_percent 101\n").control == "110240");
+  CHECK(said("filter_fir.share 101\n").control == "110632");
+  CHECK(said("vib_guard.mode 5\n").control == "110626");
+  CHECK(said("filter[0].type LOWPAS\n").control == "2021");
+}
+
+TEST_CASE("what is written is quoted as it is written") {
+  CHECK(said("filter[0].order -0x10\n").message == "`-0x10` is not a number");
+  CHECK_THAT(said("filter[99999999999999999999].order 1\n").message,
+             Catch::Matchers::StartsWith("index 99999999999999999999 is out of range"));
+}
+
+TEST_CASE("lower limits next to limits that are expressions") {
+  CHECK(Checked("getriebe[0].dynamik.a_overload_max 999\n").found() == Lines{"1:36 AX2005"});
+  CHECK(Checked("getriebe[0].dynamik.a_overload_max 1000\n").found().empty());
+  CHECK(Checked("antr.add_ready_for_operation.bit_nr -2\n").found() == Lines{"1:37 AX2005"});
+  CHECK(Checked("antr.add_ready_for_operation.bit_nr -1\n").found().empty());
+  CHECK(Checked("lr_hw[0].nummer 3\n").found() == Lines{"1:17 AX2005"});
+}
+
+TEST_CASE("a line that a later one overwrites keeps its error") {
+  CHECK(Checked("getriebe[0].vb_eilgang P-AXIS-99999\ngetriebe[0].vb_eilgang P-AXIS-99999\n").found() ==
+        Lines{"1:24 AX2010", "2:24 AX2010"});
+  CHECK(Checked("getriebe[0].vb_eilgang P-AXIS-99999\ngetriebe[0].vb_eilgang P-AXIS-00212\n").found() ==
+        Lines{"1:24 AX2010"});
+  CHECK(Checked("getriebe[0].vb_eilgang P-AXIS-00212\ngetriebe[0].vb_eilgang P-AXIS-00212\n").found() ==
+        Lines{"1:24 AX2006"});
+}
