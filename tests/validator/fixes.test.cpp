@@ -52,6 +52,26 @@ TEST_CASE("names") {
   CHECK(line("filter[0.order 2", 1004) == "filter[0].order 2");
 }
 
+TEST_CASE("a slip in a family that is compiled is an error") {
+  auto const is_error = [](std::string const& text) {
+    tests::MapFiles files(std::map<std::string, std::string>{{"x.lis", text}});
+    SourceSet sources;
+    auto const findings = validator::check(files, "x.lis", {}, sources).findings;
+    return !findings.empty() && findings.front().severity == Severity::error;
+  };
+  for (char const* const name :
+       {"filter[0].foo", "filtr[0].foo", "fir_filter.foo", "fir_filter.type", "vib_gard.foo",
+        "lr_param.add_interfce.foo", "lr_param.ipc.enable", "vib_guard.order"}) {
+    INFO(name);
+    CHECK(is_error(std::string(name) + " 1"));
+  }
+  for (char const* const name :
+       {"path[0].type", "folder.foo", "getriebe[0].vb_max", "lr_param.foo", "hugo.egon"}) {
+    INFO(name);
+    CHECK_FALSE(is_error(std::string(name) + " 1"));
+  }
+}
+
 TEST_CASE("numbers") {
   CHECK(line("getriebe[0].dynamik.vb_max 500.000", 2003) == "none");
   CHECK(line("getriebe[0].dynamik.vb_max 500.0", 2003) == "getriebe[0].dynamik.vb_max 500");

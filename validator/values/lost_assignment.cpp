@@ -130,7 +130,12 @@ bool is_close_to_compiled_family(std::string_view name) {
     std::string_view const beginning = beginning_of(name, family);
     bool const is_as_long =
         beginning.size() <= family.size() + limit && family.size() <= beginning.size() + limit;
-    return is_as_long && schema::edit_distance(ascii::lower_case(beginning), family, limit) <= limit;
+    if (!is_as_long) return false;
+    std::string const written = ascii::lower_case(beginning);
+    std::size_t const middle = written.find('_');
+    bool const is_swapped =
+        middle != std::string::npos && written.substr(middle + 1) + "_" + written.substr(0, middle) == family;
+    return is_swapped || schema::edit_distance(written, family, limit) <= limit;
   });
 }
 

@@ -26,7 +26,7 @@ struct LostAssignment {
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,
 /// `lr_param.improved_position_control`. `name` may be misspelt behind its family.
 [[nodiscard]] bool is_compiled_family(std::string_view name);
-/// The same, with a slip of the pen in the family.
+/// The same, with a slip of the pen in the family, or its two words swapped.
 [[nodiscard]] bool is_close_to_compiled_family(std::string_view name);
 
 }  // namespace axisc::validator
