@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 namespace axisc::cli {
 
 namespace {
@@ -124,6 +126,14 @@ bool ReportStream::was_elsewhere(Identity const& identity, std::uint32_t occurre
 
 void ReportStream::print(WrittenFinding const& finding, Identity const& identity, std::uint32_t occurrence) {
   auto const format = plan_.report_format.format;
+  // A shard keeps it among its findings, for the run that combines them.
+  if (format == FindingFormat::sarif && identity.code == cycle_time_assumed && !plan_.shard) {
+    auto const result = nlohmann::json::parse(fill_holes(finding.text, {}));
+    plan_.report_format.context.notices.push_back({.code = identity.code,
+                                                   .severity = finding.severity,
+                                                   .sentence = result["message"]["text"].get<std::string>()});
+    return;
+  }
   bool const has_elements = std::exchange(has_elements_, true);
   if (format == FindingFormat::sarif) {
     // Rule indices stay as holes: which rules are listed is known only at the end.

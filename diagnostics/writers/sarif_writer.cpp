@@ -96,6 +96,11 @@ class SarifHead {
     for (std::string const& failure : context_.failures) {
       notifications.push_back({{"level", "error"}, {"message", {{"text", failure}}}});
     }
+    for (RunNotice const& notice : context_.notices) {
+      notifications.push_back({{"level", severity_name(notice.severity)},
+                               {"message", {{"text", notice.sentence}}},
+                               {"associatedRule", {{"id", code_text(notice.code)}}}});
+    }
     Json invocation = {{"executionSuccessful", context_.failures.empty()}};
     if (!notifications.empty()) invocation["toolExecutionNotifications"] = std::move(notifications);
     return invocation;

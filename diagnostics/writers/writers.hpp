@@ -53,12 +53,20 @@ struct RuleFacts {
   Page page;                 ///< may be empty
 };
 
+/// A finding about the run as a whole, which SARIF tells as a notification of the tool.
+struct RunNotice {
+  Code code{};
+  Severity severity = Severity::note;
+  std::string sentence;
+};
+
 /// Context that formats of code hosts need besides the findings.
 struct ReportContext {
   std::vector<RuleFacts> rules;  ///< by rising code
   std::string version;           ///< of the program: "0.1.0"
   RepositoryPaths paths;
   std::vector<std::string> failures;  ///< inputs that could not be read, one sentence each
+  std::vector<RunNotice> notices = {};
 };
 
 /// Shape of the text form:

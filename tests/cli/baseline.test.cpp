@@ -198,3 +198,19 @@ TEST_CASE("statistics count the findings of each code") {
   CHECK(json["statistics"][0]["count"] == 1);
   CHECK(lint(folder, {"--statistics", "--format", "sarif"}).status == 2);
 }
+
+TEST_CASE("SARIF tells what was assumed as a notification of the tool, also in parts of a run") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", list_with_frequency("600"));
+  auto const there = in_folder(folder.path());
+  auto const whole = run_axisc({"lint", "x.lis", "--format", "sarif"}, there).out;
+  CHECK(sarif_complaints(whole) == std::vector<std::string>{});
+  auto const run = nlohmann::json::parse(whole)["runs"][0];
+  REQUIRE(run["results"].size() == 1);
+  CHECK(run["results"][0]["ruleId"] == "AX3002");
+  auto const& notice = run["invocations"][0]["toolExecutionNotifications"][0];
+  CHECK(notice["associatedRule"]["id"] == "AX9006");
+  CHECK(notice["level"] == "note");
+  folder.write("shard.txt", run_axisc({"lint", "x.lis", "--format", "sarif", "--shard", "1/1"}, there).out);
+  CHECK(run_axisc({"merge", "shard.txt"}, there).out == whole);
+}
