@@ -127,12 +127,12 @@ TEST_CASE("what cannot be read or written is one line") {
   };
   auto const copy = folder.write("x.lis", "kopf.achs_nr 1\nEnde\n");
   check({"compile", machine, "-o", folder / "missing/x.axim"}, "AX9002]: cannot write");
-  check({"compile", machine, "-o", folder.path()}, "it is a folder");
+  check({"compile", machine, "-o", folder.path()}, "holds no machine");
   check({"compile", machine, "-o", "/dev/full"}, "no space is left");
   check({"compile", machine}, "-o is missing");
   check({"compile", "-o", folder / "x.axim"}, "INPUT is missing");
   check({"compile", machine, list, "-o", folder / "x.axim"}, "need --output-folder");
-  check({"compile", folder.path(), "-o", folder / "x.axim"}, "it is a folder");
+  check({"compile", folder.path(), "-o", folder / "x.axim"}, "holds no machine");
   check({"compile", folder / "missing.lis", "-o", folder / "x.axim"}, "AX9001]");
   check({"compile", copy, "-o", copy, "--cycle-time", "1ms"}, "is one of the inputs");
   check({"compile", machine, "-o", folder / "x.axim", "--image-version", "4294967296"},

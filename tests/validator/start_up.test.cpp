@@ -87,8 +87,11 @@ TEST_CASE("a missing list does not keep the others from being checked") {
   CHECK_FALSE(result.machine.has_value());
 }
 
-TEST_CASE("start-up lists that name each other, or themselves, are read once") {
+TEST_CASE("a start-up list that names itself is neither an axis nor a channel") {
   Contents contents = controller();
   contents["hochlauf.lis"] += "achs_mds[1] hochlauf.lis\nsda_mds[1] hochlauf.lis\n";
-  CHECK(loaded(std::move(contents)).axes.size() == 3);
+  validator::LoadedMachine const machine = loaded(std::move(contents));
+  CHECK(machine.axes.size() == 2);
+  CHECK(machine.groups.size() == 1);
+  CHECK_FALSE(machine.complete);
 }

@@ -49,7 +49,10 @@ extern constinit Rule const ax2007{
     .code = Code{2007},
     .name = "unknown-symbol",
     .control = "2021",
-    .about = [](schema::Parameter const& parameter) { return parameter.is_enumeration(); },
+    .about =
+        [](schema::Parameter const& parameter) {
+          return parameter.is_enumeration() || !parameter.number_names.empty();
+        },
     .precedence = Precedence::before_family,
     .check = unknown_symbol,
 };

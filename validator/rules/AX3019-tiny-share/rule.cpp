@@ -41,6 +41,7 @@ extern constinit Rule const ax3019{
     .code = Code{3019},
     .name = "tiny-share",
     .severity = Severity::note,
+    .parameters = "filters[].* filter_fir.*",
     .check = tiny_share,
 };
 

@@ -44,6 +44,7 @@ extern constinit Rule const ax6006{
     .code = Code{6006},
     .name = "reduced-accuracy",
     .severity = Severity::note,
+    .parameters = "filters[].*",
     .needs = Needs::cycle_time,
     .silenced_by = codes<6001>,
     .check = reduced_accuracy,

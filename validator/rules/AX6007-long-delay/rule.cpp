@@ -38,6 +38,7 @@ extern constinit Rule const ax6007{
     .code = Code{6007},
     .name = "long-delay",
     .severity = Severity::note,
+    .parameters = "filter[].* filter_fir.*",
     .needs = Needs::cycle_time,
     .check = long_delay,
 };

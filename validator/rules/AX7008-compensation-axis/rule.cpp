@@ -35,6 +35,7 @@ extern constinit Rule const ax7008{
     .code = Code{7008},
     .name = "compensation-axis",
     .control = "110229",
+    .parameters = "kopf.achs_nr",
     .check = compensation_axis,
 };
 

@@ -41,6 +41,7 @@ extern constinit Rule const ax7010{
     .code = Code{7010},
     .name = "axis-in-two-channels",
     .severity = Severity::warning,
+    .parameters = "kopf.achs_nr",
     .check = axis_in_two_channels,
 };
 

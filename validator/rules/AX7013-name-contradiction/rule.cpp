@@ -43,6 +43,7 @@ extern constinit Rule const ax7013{
     .code = Code{7013},
     .name = "name-contradiction",
     .severity = Severity::note,
+    .parameters = "kopf.log_achs_name kopf.achs_nr",
     .check = name_contradiction,
 };
 

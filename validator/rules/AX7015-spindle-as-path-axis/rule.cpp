@@ -37,6 +37,7 @@ extern constinit Rule const ax7015{
     .code = Code{7015},
     .name = "spindle-as-path-axis",
     .severity = Severity::warning,
+    .parameters = "kopf.achs_nr kenngr.achs_typ",
     .check = spindle_as_path_axis,
 };
 
