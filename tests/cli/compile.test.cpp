@@ -127,7 +127,7 @@ TEST_CASE("what cannot be read or written is one line") {
   };
   auto const copy = folder.write("x.lis", "kopf.achs_nr 1\nEnde\n");
   check({"compile", machine, "-o", folder / "missing/x.axim"}, "AX9002]: cannot write");
-  check({"compile", machine, "-o", folder.path()}, "holds no machine");
+  check({"compile", machine, "-o", folder.path()}, "it is a folder");
   check({"compile", machine, "-o", "/dev/full"}, "no space is left");
   check({"compile", machine}, "-o is missing");
   check({"compile", "-o", folder / "x.axim"}, "INPUT is missing");

@@ -21,6 +21,7 @@ extern constinit Rule const ax2099{
     .code = Code{2099},
     .name = "nameless-axis",
     .severity = Severity::warning,
+    .parameters = "kopf.log_achs_name",
     .check = nameless_axis,
 };
 
