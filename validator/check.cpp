@@ -46,7 +46,8 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);
   }
-  result.is_other_list = !machine.machine_file && !machine.start_up && !machine.lists.empty() && machine.axes.empty();
+  result.is_other_list =
+      !machine.machine_file && !machine.start_up && !machine.lists.empty() && machine.axes.empty();
   result.files = std::move(machine.files);
   return result;
 }

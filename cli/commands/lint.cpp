@@ -261,8 +261,8 @@ class Lint {
 
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
-    auto fixed = fix_inputs(job_, part_.paths(), choice_, baseline, identity_paths_,
-                            ChangeableFiles(inputs_.named));
+    auto fixed =
+        fix_inputs(job_, part_.paths(), choice_, baseline, identity_paths_, ChangeableFiles(inputs_.named));
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {

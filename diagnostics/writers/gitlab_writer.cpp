@@ -31,13 +31,14 @@ std::string_view severity_of(Severity severity) {
 Json as_json(Finding const& finding, SourceSet const& sources, ReportContext const& context,
              Language language) {
   Location const location = finding.place ? locate(*finding.place, sources) : Location{};
-  return {{"description", code_text(finding.code) + ": " + render(finding.message, language, Values::as_given)},
-          {"check_name", code_text(finding.code)},
-          {"fingerprint", ""},
-          {"severity", severity_of(finding.severity)},
-          {"location",
-           {{"path", shown_path(context.paths, file_of(finding, sources))},
-            {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
+  return {
+      {"description", code_text(finding.code) + ": " + render(finding.message, language, Values::as_given)},
+      {"check_name", code_text(finding.code)},
+      {"fingerprint", ""},
+      {"severity", severity_of(finding.severity)},
+      {"location",
+       {{"path", shown_path(context.paths, file_of(finding, sources))},
+        {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
 }
 
 }  // namespace

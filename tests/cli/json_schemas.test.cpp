@@ -32,7 +32,8 @@ struct FileKind {
 
 std::vector<FileKind> const& kinds() {
   static std::vector<FileKind> const all = {
-      {"docs/schemas/machine.schema.json", "docs/machine-file.md", axisc::configuration::machine_file_shape, R"({
+      {"docs/schemas/machine.schema.json", "docs/machine-file.md", axisc::configuration::machine_file_shape,
+       R"({
         "machine": "mill", "cycle_time_us": 1000, "default_list": "default.lis",
         "axes": [{"name": "X", "list": "x.lis", "drive": "profiDrive", "position_control": "CNC", "type": "t"},
                  {"name": "Y", "list": "y.lis", "drive": "RT Ethernet", "type": "S"}],

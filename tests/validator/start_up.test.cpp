@@ -95,3 +95,20 @@ TEST_CASE("a start-up list that names itself is neither an axis nor a channel") 
   CHECK(machine.groups.size() == 1);
   CHECK_FALSE(machine.complete);
 }
+
+TEST_CASE("a list beside the start-up list is taken, and only --pedantic says so") {
+  Contents contents = controller();
+  contents["hochlauf.lis"] += "achs_mds[0] lists/x.lis\n";
+  for (bool const pedantic : {false, true}) {
+    validator::CheckOptions options;
+    options.pedantic = pedantic;
+    tests::MapFiles files(contents);
+    SourceSet sources;
+    auto const result = validator::check(files, "hochlauf.lis", options, sources);
+    auto const is_note = [](Finding const& finding) {
+      return code_text(finding.code) == "AX7002" && finding.severity == Severity::note;
+    };
+    CHECK(std::count_if(result.findings.begin(), result.findings.end(), is_note) == (pedantic ? 1 : 0));
+    CHECK(result.machine.has_value());
+  }
+}

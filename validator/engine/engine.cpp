@@ -304,6 +304,7 @@ class Engine {
       Reported& finding = reported_.findings[number];
       if (!policy_.enabled(*finding.rule, finding.place.source) || !wanted(finding)) continue;
       finding.severity = policy_.severity(finding.rule->code, finding.severity);
+      if (!policy_.shows(*finding.rule, finding.severity)) continue;
       standing.push_back(static_cast<std::uint32_t>(number));
     }
   }

@@ -41,6 +41,11 @@ bool Policy::enabled(Rule const& rule, SourceId source) {
   return !contains(*disabled, rule.code);
 }
 
+bool Policy::shows(Rule const& rule, Severity severity) const {
+  bool const only_note = severity == Severity::note && rule.severity != Severity::note;
+  return !only_note || options_.pedantic || options_.severities.contains(rule.code);
+}
+
 bool Policy::disables(Code code, std::string const& file) const {
   return contains(options_.disabled, code) || contains(disabled_in(file), code);
 }

@@ -23,6 +23,8 @@ class Policy {
   [[nodiscard]] bool enabled(Rule const& rule) const;
   /// False if the rule is disabled everywhere, or in this source. Cost: patterns are compared once per source.
   [[nodiscard]] bool enabled(Rule const& rule, SourceId source);
+  /// False for a note of a rule whose findings are usually more than that, without `pedantic`.
+  [[nodiscard]] bool shows(Rule const& rule, Severity severity) const;
   /// The options disable the code everywhere or in the file of that name. Independent of `pedantic`.
   [[nodiscard]] bool disables(Code code, std::string const& file) const;
 
