@@ -41,6 +41,9 @@ constexpr Sentence own_slave{"axis \"{name}\" cannot be its own slave",
                              "Achse \"{name}\" kann nicht ihre eigene Slaveachse sein"};
 constexpr Sentence circular_gantry{R"(axis "{name}" cannot follow "{master}", which follows it)",
                                    R"(Achse "{name}" kann nicht "{master}" folgen, die ihr selbst folgt)"};
+constexpr Sentence ethercat{
+    "EtherCAT is the bus: \"CANopen\" where the drive speaks CoE, \"SERCOS\" where it speaks SoE",
+    "EtherCAT ist der Bus: \"CANopen\" für Antriebe mit CoE, \"SERCOS\" für solche mit SoE"};
 constexpr Sentence json_fix{"write \"{replacement}\"", "\"{replacement}\" schreiben"};
 constexpr Sentence json_first{"first here", "zuerst hier"};
 
@@ -132,7 +135,8 @@ namespace {
 
 class MachineFileReader {
  public:
-  MachineFileReader(SourceId source, std::deque<Finding>& findings) : source_(source), findings_(findings) {}
+  MachineFileReader(SourceText const& text, SourceId source, std::deque<Finding>& findings)
+      : text_(text), source_(source), findings_(findings) {}
 
   void broken(JsonError const& error) {
     Finding& finding =
@@ -175,6 +179,9 @@ class MachineFileReader {
   void tell(JsonProblem const& problem) {
     Finding& finding = add(problem.span, problem.message);
     suggest(finding, problem.suggestion);
+    if (ascii::equal_ignoring_case(text_.slice(problem.span), "\"EtherCAT\"")) {
+      finding.help.push_back({.sentence = says::ethercat, .arguments = {}});
+    }
     if (!problem.known_keys.empty()) {
       finding.notes.push_back(
           {.sentence = says::json_known_keys, .arguments = {{"keys", problem.known_keys}}});
@@ -254,6 +261,7 @@ class MachineFileReader {
     std::erase_if(names, [this](LocatedText const& name) { return !is_axis(name); });
   }
 
+  SourceText const& text_;
   SourceId source_;
   std::deque<Finding>& findings_;
   std::map<std::string, Place> axis_names_, group_names_, grouped_axes_, slaves_;
@@ -264,7 +272,7 @@ class MachineFileReader {
 
 MachineFile read_machine_file(SourceSet const& sources, SourceId source, std::deque<Finding>& findings) {
   SourceText const& text = sources[source];
-  MachineFileReader reader(source, findings);
+  MachineFileReader reader(text, source, findings);
   auto const parsed = parse_json(text.bytes(), text.text_begin());
   if (auto const* const error = std::get_if<JsonError>(&parsed)) {
     reader.broken(*error);

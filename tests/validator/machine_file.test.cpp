@@ -187,3 +187,16 @@ TEST_CASE("a file in JSON is a machine file, another one a list") {
   CHECK_FALSE(configuration::looks_like_machine_file("kopf.achs_nr 1\n"));
   CHECK_FALSE(configuration::looks_like_machine_file(""));
 }
+
+TEST_CASE("a bus in the place of a drive is told the drives that it has") {
+  for (std::string const word : {"EtherCAT", "ethercat"}) {
+    Checked const checked(
+        {{"m.json", R"({"axes": [{"name": "X", "list": "x.lis", "drive": ")" + word + "\"}]}"},
+         {"x.lis", ""}},
+        "m.json");
+    REQUIRE(checked.result.findings.size() == 1);
+    REQUIRE(checked.result.findings.front().help.size() == 1);
+    CHECK(render(checked.result.findings.front().help[0], Language::english).find("CoE") !=
+          std::string::npos);
+  }
+}
