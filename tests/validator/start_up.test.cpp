@@ -112,3 +112,16 @@ TEST_CASE("a list beside the start-up list is taken, and only --pedantic says so
     CHECK(result.machine.has_value());
   }
 }
+
+TEST_CASE("a comment in a channel list or a start-up list silences a finding there") {
+  Contents contents = controller();
+  contents["sda2.lis"] = "gruppe[0].achse[0].log_achs_nr 1 ( axisc: allow AX7010\n";
+  contents["hochlauf.lis"] += "achs_mds[9] more.lis ( axisc: allow list-ignored\n";
+  tests::MapFiles files(contents);
+  SourceSet sources;
+  auto const result = validator::check(files, "hochlauf.lis", {}, sources);
+  std::string codes;
+  for (Finding const& finding : result.findings) codes += code_text(finding.code) + " ";
+  // achs_mds[3] has no such comment; the program switches on a filter that the lists do not have.
+  CHECK(codes == "AX7003 AX5006 ");
+}

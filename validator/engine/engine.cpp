@@ -1,5 +1,6 @@
 #include "validator/engine/engine.hpp"
 
+#include "grammar/axis_list.hpp"
 #include "validator/engine/policy.hpp"
 #include "validator/engine/precedence.hpp"
 #include "validator/engine/suppression.hpp"
@@ -282,6 +283,12 @@ class Engine {
     }
     for (LoadedProgram const& program : machine_.programs) {
       suppressions.add(sources_, program.source, program.tree.directives);
+    }
+    if (machine_.start_up) {
+      for (SourceId const source : machine_.start_up->sources) {
+        if (sources_[source].bytes().find("axisc:") == std::string_view::npos) continue;
+        suppressions.add(sources_, source, grammar::parse_axis_list(sources_[source]).directives);
+      }
     }
     Standing standing;
     standing.reserve(reported_.findings.size());

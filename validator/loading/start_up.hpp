@@ -35,7 +35,8 @@ struct StartUpCompensation {
 };
 
 struct StartUp {
-  SourceId source{};
+  std::vector<SourceId>
+      sources;  ///< the start-up list, and every list that was read beside those of the axes
   configuration::StartUpList list;
   configuration::RealTimeList real_time;
   std::vector<std::size_t> entries;     ///< of each of LoadedMachine::axes: index into list.axes

@@ -47,7 +47,7 @@ LocatedText const* name_in_channels(StartUp const& start_up, double number) {
 
 void Loader::load_start_up_list(SourceId source) {
   StartUp& start_up = machine_.start_up.emplace();
-  start_up.source = source;
+  start_up.sources.push_back(source);
   start_up.list = configuration::read_start_up_list(sources_[source], source);
   if (start_up.list.default_axis_list) {
     machine_.default_list = axis_list_found(start_up, *start_up.list.default_axis_list);
@@ -171,6 +171,7 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
   machine_.files.push_back(noted.found->path);
   SourceId const source =
       sources_.add(SourceText(noted.found->path, std::get<std::string>(std::move(bytes))));
+  start_up.sources.push_back(source);
   noted.kind = configuration::decided_kind(sources_[source]);
   bool const fits = !wanted || !noted.kind || noted.kind == wanted;
   return fits ? std::optional(source) : std::nullopt;
