@@ -74,8 +74,7 @@ class TextBlock {
   static Bytes greater(Bytes bytes, char byte) { return std::bit_cast<Bytes>(bytes > every(byte)); }
 
   [[nodiscard]] Bytes unusual(unsigned i) const {
-    // The byte 0x7F becomes the least of all.
-    Bytes const printable = greater(bytes_[i] + every(1), ' ');
+    Bytes const printable = greater(bytes_[i], ' ' - 1) & ~equal(bytes_[i], '\x7F');
     Bytes const blank = equal(bytes_[i], '\t');
     Bytes const line_end = equal(bytes_[i], lexical::line_feed) |
                            (equal(bytes_[i], lexical::carriage_return) & equal(next_[i], lexical::line_feed));

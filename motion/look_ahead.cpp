@@ -259,7 +259,8 @@ void LookAhead::hand_on(std::size_t count, bool stops) {
     sink_.block_end(block, last ? nullptr : &blocks_[stretch.block + 1]);
     velocity_ = stretch.piece.velocity_out;
   }
-  if (monitor_.active()) {
+  // Where the path stops, nothing is left to look back at.
+  if (monitor_.active() && !stops) {
     kept_.assign(stretches_.begin() + static_cast<std::ptrdiff_t>(i), stretches_.end());
     for (auto& stretch : kept_) stretch.block -= count;
     kept_blocks_ = blocks_.size() - count;
