@@ -27,12 +27,6 @@ ChannelAxis& axis_at(std::vector<ChannelAxis>& axes, std::uint32_t index) {
                      [index](ChannelAxis const& axis) { return axis.index == index; });
 }
 
-std::optional<ListCount> as_count(ListedValue const& listed) {
-  auto const number = as_number(listed.value);
-  if (!number) return std::nullopt;
-  return ListCount{.number = *number, .place = listed.value.place};
-}
-
 std::optional<LocatedText> as_name(ListedValue const& listed) {
   if (listed.value.text.empty()) return std::nullopt;
   return listed.value;

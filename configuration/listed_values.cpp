@@ -69,4 +69,10 @@ std::optional<std::uint32_t> as_number(LocatedText const& value) {
   return error == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
+std::optional<ListCount> as_count(ListedValue const& listed) {
+  auto const number = as_number(listed.value);
+  if (!number) return std::nullopt;
+  return ListCount{.number = *number, .place = listed.value.place};
+}
+
 }  // namespace axisc::configuration

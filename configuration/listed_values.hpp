@@ -25,6 +25,12 @@ struct NameIndices {
   [[nodiscard]] std::uint32_t operator[](std::size_t position) const { return index.at(position); }
 };
 
+/// A number with its place: how many entries there are, or the number of an axis.
+struct ListCount {
+  std::uint32_t number = 0;
+  Place place;
+};
+
 /// All assignments up to `Ende`, in the order of the lines; lines that the grammar refuses are left out. Cost: one pass.
 [[nodiscard]] std::vector<ListedValue> listed_values(SourceText const& text, SourceId source);
 
@@ -34,5 +40,6 @@ struct NameIndices {
 
 /// A decimal integer; none for everything else.
 [[nodiscard]] std::optional<std::uint32_t> as_number(LocatedText const& value);
+[[nodiscard]] std::optional<ListCount> as_count(ListedValue const& listed);
 
 }  // namespace axisc::configuration

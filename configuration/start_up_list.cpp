@@ -63,12 +63,6 @@ std::uint32_t& index_of_compensation(CompensationEntry& entry) {
   return entry.list.index;
 }
 
-std::optional<ListCount> as_count(ListedValue const& listed) {
-  auto const number = as_number(listed.value);
-  if (!number) return std::nullopt;
-  return ListCount{.number = *number, .place = listed.value.place};
-}
-
 void read_line(ListedValue& listed, StartUpList& list) {
   for (EntryArray const& array : entry_arrays) {
     if (auto const indices = match_name(listed.name, array.pattern)) {

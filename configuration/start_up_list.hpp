@@ -2,7 +2,7 @@
 #pragma once
 
 #include "configuration/list_kind.hpp"
-#include "configuration/located_text.hpp"
+#include "configuration/listed_values.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,12 +15,6 @@ namespace axisc::configuration {
 struct ListEntry {
   std::uint32_t index = 0;
   LocatedText file;  ///< as written
-};
-
-/// A number of entries, `zahl_mds`.
-struct ListCount {
-  std::uint32_t number = 0;
-  Place place;
 };
 
 /// A compensation list and the number of the axis that it belongs to.

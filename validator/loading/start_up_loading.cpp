@@ -119,9 +119,8 @@ void Loader::load_compensations(StartUp& start_up) {
     compensation.entry = entry;
     for (configuration::ListedValue const& listed :
          configuration::listed_values(sources_[*source], *source)) {
-      auto const number = configuration::as_number(listed.value);
-      if (!number || !configuration::match_name(listed.name, "kopf.achs_nr")) continue;
-      compensation.own_axis = configuration::ListCount{.number = *number, .place = listed.value.place};
+      if (!configuration::match_name(listed.name, "kopf.achs_nr")) continue;
+      compensation.own_axis = configuration::as_count(listed);
     }
   }
 }
