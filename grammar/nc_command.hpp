@@ -63,6 +63,11 @@ struct NcCommand {
   std::uint32_t line = 0;  ///< of the name, from 1
 };
 
+/// False for a command that is neither read nor may be a misspelt one of those that are.
+[[nodiscard]] inline bool is_of_interest(NcCommand const& command) {
+  return command.kind != CommandKind::other || !command.resembling.empty();
+}
+
 /// The text of one command, "#FILTER ON [ORDER=20]", with nothing but blanks and comments around it; none
 /// where the text begins with anything else. Spans count from the start of `text`.
 [[nodiscard]] std::optional<NcCommand> parse_nc_command(std::string_view text);

@@ -157,8 +157,7 @@ void ProgramReader::find_directives(std::string_view text, std::uint32_t offset)
 }
 
 void ProgramCollector::command(NcCommand command) {
-  bool const may_be_meant = command.kind != CommandKind::other || !command.resembling.empty();
-  if (may_be_meant) program.commands.push_back(std::move(command));
+  if (is_of_interest(command)) program.commands.push_back(std::move(command));
 }
 
 NcProgram parse_nc_program(std::string_view bytes, std::uint32_t text_begin) {

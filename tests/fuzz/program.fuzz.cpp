@@ -48,7 +48,8 @@ class Checker final : public ProgramListener {
       check_span(command.problem->span);
       require(!command.problem->span.empty());
     }
-    if (command.kind != CommandKind::other) commands.push_back(std::move(command));
+    check_span(command.resembling);
+    if (is_of_interest(command)) commands.push_back(std::move(command));
   }
 
   void directive(Directive const& directive) override { check_span(directive.comment); }
@@ -83,7 +84,6 @@ void check_meaning(NcCommand const& command, std::string_view bytes) {
   }
 }
 
-/// What is kept of a long program says the same as the whole of it.
 /// What an excerpt keeps of a text: its lines end in LF alone.
 std::string with_line_feeds(std::string_view text) {
   std::string lines;
@@ -94,6 +94,7 @@ std::string with_line_feeds(std::string_view text) {
   return lines;
 }
 
+/// What is kept of a long program says the same as the whole of it.
 void check_excerpt(NcProgram const& whole, std::string_view bytes) {
   ProgramExcerptReader reader;
   LineSplitter splitter(bytes);
