@@ -46,8 +46,8 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);
   }
-  result.is_other_list =
-      !machine.machine_file && !machine.start_up && !machine.lists.empty() && machine.axes.empty();
+  result.is_other_list = machine.axes.empty() && !machine.start_up && !machine.machine_file &&
+                         (!machine.other_lists.empty() || machine.list_of_unknown_kind.has_value());
   result.files = std::move(machine.files);
   return result;
 }
