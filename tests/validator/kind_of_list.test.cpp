@@ -126,3 +126,24 @@ TEST_CASE("only names of another kind of list are mended, and catalogues that kn
                                   {"AX2001", Severity::note, false},
                                   {"AX2004", Severity::warning, false}});
 }
+
+TEST_CASE("values of other lists are words that are joined, words with digits, lists of numbers and paths") {
+  std::string const list =
+      "zahl_mds                     1\n"
+      "sercos_lwl_baudrate[0]       2MBAUD\n"
+      "error_protocol_mode          REPORT | REPORT_EXTENDED |PRINT   ( comment\n"
+      "error_filter[0].reason       20804,20805,21209\n"
+      "configuration.channel[0].decoder.function  FCT_DEFAULT | FCT_NO_DISPLAY\n"
+      "digital_driver_adr           0xD0000\n"
+      "history_filename             C:\\temp\\x.hist   ( comment\n"
+      "mds_time_slots               2   # comment\n";
+  validator::CheckOptions options;
+  options.pedantic = true;
+  options.kind = schema::ListKind::startup;
+  CHECK(check(list, options).codes == Codes{});
+  // A misspelt word is a warning, alone or joined with others; one that nobody knows is a note.
+  CHECK(check("error_protocol_mode REPORT | REPROT\n", options).codes == Codes{"AX2007"});
+  options.pedantic = false;
+  CHECK(check("error_protocol_mode REPORT | REPROT\n", options).codes == Codes{"AX2007"});
+  CHECK(check("error_protocol_mode REPORT | HUGO_EGON_7\n", options).codes == Codes{});
+}

@@ -160,7 +160,7 @@ class Judge {
       return fail(ReadingStatus::unknown_symbol);
     }
     if (assignment_.kind == ValueKind::real) return fail(ReadingStatus::wrong_type);
-    if (schema::is_bit_mask(parameter)) return bit_mask(parameter);
+    if (schema::is_bit_mask(parameter) || joins_words(parameter)) return bit_mask(parameter);
 
     Span const word =
         reading_.quoted
@@ -173,6 +173,12 @@ class Judge {
     reading_.symbol_folded = symbol.folded;
     accept(schema::value_of(*symbol.symbol));
     text_behind_symbol(end);
+  }
+
+  /// In other kinds of lists words are joined where no document says so.
+  [[nodiscard]] bool joins_words(schema::Parameter const& parameter) const {
+    return parameter.kind != schema::ListKind::axis &&
+           source_.slice(free_text()).find('|') != std::string_view::npos;
   }
 
   /// What the numbers of a list's words are is documented for few of the other kinds of lists.

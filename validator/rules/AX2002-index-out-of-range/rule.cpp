@@ -89,7 +89,11 @@ void index_out_of_range(ListContext const& context, Report& report) {
     bool const goes_on = !block.empty() && block == last;
     last = block;
     if (goes_on) return;
-    report_line<describe>(report, line, line.assignment().name);
+    Reported& reported = report_line<describe>(report, line, line.assignment().name);
+    // Which of their parameters are arrays is less certain of other kinds of lists.
+    bool const is_certain = context.list.kind == configuration::ListKind::axis ||
+                            line.reading().name_status == Reading::NameStatus::index_out_of_range;
+    if (!is_certain) reported.severity = Severity::note;
   });
 }
 

@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/ascii.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 #include "validator/sentences.hpp"
@@ -36,10 +37,27 @@ void describe(Finding& finding, Line const& line) {
                            message_of(says::parameter_fix, Argument{"replacement", best}));
 }
 
+/// One of the words that `|` joins is nearly one of the parameter's.
+bool is_misspelt(Line const& line) {
+  std::string const value = line.text(line.reading().text);
+  std::string_view rest = value;
+  while (true) {
+    std::size_t const bar = rest.find('|');
+    std::string_view const word = ascii::trimmed(rest.substr(0, bar));
+    bool const is_known = schema::read_symbol(*line.reading().row, word).symbol != nullptr;
+    if (!is_known && !schema::suggest_symbols(*line.reading().row, word).empty()) return true;
+    if (bar == std::string_view::npos) return false;
+    rest.remove_prefix(bar + 1);
+  }
+}
+
 void unknown_symbol(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
     if (line.reading().status != ReadingStatus::unknown_symbol) return;
-    report_line<describe>(report, line, line.reading().text);
+    Reported& reported = report_line<describe>(report, line, line.reading().text);
+    // The documents of other kinds of lists do not know every word.
+    bool const is_certain = context.list.kind == configuration::ListKind::axis || is_misspelt(line);
+    if (!is_certain) reported.severity = Severity::note;
   });
 }
 
