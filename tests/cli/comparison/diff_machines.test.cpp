@@ -85,7 +85,7 @@ TEST_CASE("two folders in every format and language") {
       auto const outcome = run_axisc({"diff", "old", "new", "--lang", language, "--format", form}, there);
       CHECK(outcome.status == 0);
       CHECK(outcome.err.empty());
-      check_golden("tests/cli/data/golden/diff-folders." + language + "." + form, outcome.out);
+      check_golden("tests/cli/data/golden/diff/folders." + language + "." + form, outcome.out);
     }
   }
   CHECK(run_axisc({"diff", "old", "new", "--exit-code", "--quiet"}, there).status == 2);
@@ -102,7 +102,7 @@ TEST_CASE("two axes of one machine in both languages") {
       auto const outcome = run_axisc(
           {"diff", "old", "--axis", "X", "--axis", "U", "--lang", language, "--format", form}, there);
       CHECK(outcome.status == 0);
-      check_golden("tests/cli/data/golden/diff-axes." + language + "." + form, outcome.out);
+      check_golden("tests/cli/data/golden/diff/axes." + language + "." + form, outcome.out);
     }
   }
 }

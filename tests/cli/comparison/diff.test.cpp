@@ -41,7 +41,7 @@ TEST_CASE("what changed in every format and language") {
           run_axisc({"diff", "old.json", "new.json", "--lang", language, "--format", form}, there);
       CHECK(outcome.status == 0);
       CHECK(outcome.err.empty());
-      check_golden("tests/cli/data/golden/diff." + language + "." + form, outcome.out);
+      check_golden("tests/cli/data/golden/diff/lists." + language + "." + form, outcome.out);
     }
   }
 }
