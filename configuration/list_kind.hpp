@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/source_text.hpp"
+#include "schema/list_kind.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,23 +13,8 @@
 
 namespace axisc::configuration {
 
-enum class ListKind : std::uint8_t {
-  axis,
-  startup,
-  channel,
-  real_time,
-  manual,
-  tool,
-  zero_offset,
-  clamp_offset,
-  compensation,
-  external_variables,
-  hardware,
-  setting_control,
-  volumetric_compensation,
-  cycle_module,
-};
-inline constexpr std::size_t list_kinds = 14;
+using schema::list_kinds;
+using schema::ListKind;
 
 /// The beginning of its parameters' numbers: "P-CHAN".
 [[nodiscard]] std::string number_prefix(ListKind kind);

@@ -1,12 +1,13 @@
 #include "schema/catalogue.hpp"
 
 #include "diagnostics/ascii.hpp"
-#include "schema/extension.hpp"
 #include "schema/indexed_name.hpp"
 #include "schema/name_hash.hpp"
 #include "schema/name_matching.hpp"
 #include "schema/parameter_row.hpp"
 #include "schema/plain_values.hpp"
+#include "schema/tables/extension.hpp"
+#include "schema/tables/kind_tables.hpp"
 #include "schema/words.hpp"
 
 #include <algorithm>
@@ -188,7 +189,7 @@ ParameterId parameter_of(Slot slot) {
   return row(slot).parameter;
 }
 
-std::array<std::uint32_t, 2> indices_of(Slot slot) {
+Indices indices_of(Slot slot) {
   return indices_of(row(parameter_of(slot)), slot);
 }
 
@@ -201,22 +202,34 @@ Slot slot_of(ParameterId id, std::uint32_t first_index, std::uint32_t second_ind
   return slot_of(row(id), first_index, second_index);
 }
 
-std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot) {
-  auto const entry = static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(parameter.first_slot);
-  if (parameter.array[1] == 0) return {entry, 0};
-  return {entry / parameter.array[1], entry % parameter.array[1]};
+Indices indices_of(Parameter const& parameter, Slot slot) {
+  auto entry = static_cast<std::uint32_t>(slot) - static_cast<std::uint32_t>(parameter.first_slot);
+  Indices indices{};
+  for (std::size_t i = parameter.index_count(); i-- > 1;) {
+    indices.at(i) = entry % parameter.array.at(i);
+    entry /= parameter.array.at(i);
+  }
+  indices.front() = entry;
+  return indices;
 }
 
 Slot slot_of(Parameter const& parameter, std::uint32_t first_index, std::uint32_t second_index) {
-  std::uint32_t const row_size = parameter.array[1] == 0 ? 1 : parameter.array[1];
-  return static_cast<Slot>(static_cast<std::uint32_t>(parameter.first_slot) + first_index * row_size +
-                           second_index);
+  return slot_of(parameter, Indices{first_index, second_index, 0});
+}
+
+Slot slot_of(Parameter const& parameter, Indices const& indices) {
+  std::uint32_t entry = indices.front();
+  for (std::size_t i = 1; i < parameter.index_count(); ++i) {
+    entry = entry * parameter.array.at(i) + indices.at(i);
+  }
+  return static_cast<Slot>(static_cast<std::uint32_t>(parameter.first_slot) + entry);
 }
 
 std::string slot_name(Parameter const& parameter, Slot slot) {
   if (parameter.index_count() == 0) return std::string(parameter.name);
-  bool const is_built_in =
-      static_cast<std::size_t>(slot) < schema::slot_count() && &row(row(slot).parameter) == &parameter;
+  bool const is_built_in = parameter.kind == ListKind::axis &&
+                           static_cast<std::size_t>(slot) < schema::slot_count() &&
+                           &row(row(slot).parameter) == &parameter;
   if (is_built_in) return slot_name(slot);
   auto const indices = indices_of(parameter, slot);
   constexpr std::size_t digits = 5;
@@ -236,40 +249,46 @@ bool is_symbol_of_any_parameter(std::string_view word) {
   return std::binary_search(std::begin(word_table), std::end(word_table), word);
 }
 
+Catalogue Catalogue::of(ListKind kind) {
+  Catalogue catalogue;
+  if (kind != ListKind::axis) catalogue.own_ = kind_tables(kind);
+  return catalogue;
+}
+
 Catalogue Catalogue::with(std::vector<ParameterRow> rows) const {
   std::vector<ParameterRow> all;
-  if (extension_) {
-    for (ParameterRow const& own : extension_->own_rows()) {
+  if (own_) {
+    for (ParameterRow const& own : own_->own_rows()) {
       auto const is_same = [&own](ParameterRow const& row) { return row.name == own.name; };
       if (std::none_of(rows.begin(), rows.end(), is_same)) all.push_back(own);
     }
   }
   std::move(rows.begin(), rows.end(), std::back_inserter(all));
   Catalogue result;
-  result.extension_ = std::make_shared<Extension const>(std::move(all));
+  result.own_ = std::make_shared<Extension const>(std::move(all));
   return result;
 }
 
 std::span<Parameter const> Catalogue::parameters() const {
-  return extension_ ? extension_->parameters() : schema::parameters();
+  return own_ ? own_->parameters() : schema::parameters();
 }
 
 Parameter const& Catalogue::parameter_of(Slot slot) const {
-  return parameter(extension_ ? extension_->parameter_of(slot) : schema::parameter_of(slot));
+  return parameter(own_ ? own_->parameter_of(slot) : schema::parameter_of(slot));
 }
 
 std::size_t Catalogue::slot_count() const {
-  return extension_ ? extension_->slot_count() : schema::slot_count();
+  return own_ ? own_->slot_count() : schema::slot_count();
 }
 
 NameLookup Catalogue::find(std::string_view name) const {
-  if (!extension_) return schema::find(name);
-  return find_folding(name, [this](std::string_view text) { return extension_->find_as_written(text); });
+  if (!own_) return schema::find(name);
+  return find_folding(name, [this](std::string_view text) { return own_->find_as_written(text); });
 }
 
 ConcreteParameter Catalogue::find_exact(std::string_view name) const {
   if (is_built_in()) return schema::find_exact(name);
-  NameLookup const lookup = extension_->find_as_written(name);
+  NameLookup const lookup = own_->find_as_written(name);
   if (lookup.status != NameLookup::Status::found) return {};
   return {.row = lookup.row, .slot = lookup.slot};
 }
@@ -277,27 +296,32 @@ ConcreteParameter Catalogue::find_exact(std::string_view name) const {
 void Catalogue::find_plain(std::span<std::string_view const> names, std::span<PlainParameter> found) const {
   if (is_built_in()) return schema::find_plain(names, found);
   std::transform(names.begin(), names.end(), found.begin(),
-                 [this](std::string_view name) { return extension_->find_plain(name); });
+                 [this](std::string_view name) { return own_->find_plain(name); });
 }
 
 std::span<Slot const> Catalogue::slots_limited_by_others() const {
-  return extension_ ? extension_->slots_limited_by_others() : schema::slots_limited_by_others();
+  return own_ ? own_->slots_limited_by_others() : schema::slots_limited_by_others();
 }
 
 std::span<ParameterId const> Catalogue::find_number(std::uint16_t p_axis) const {
-  return extension_ ? extension_->find_number(p_axis) : schema::find_number(p_axis);
+  return own_ ? own_->find_number(p_axis) : schema::find_number(p_axis);
 }
 
 bool Catalogue::is_symbol_of_any_parameter(std::string_view word) const {
-  return schema::is_symbol_of_any_parameter(word) || (extension_ && extension_->knows_word(word));
+  bool const is_own = own_ && own_->knows_word(word);
+  return is_own || (kind() == ListKind::axis && schema::is_symbol_of_any_parameter(word));
 }
 
 NameSuggestions Catalogue::suggest_names(std::string_view name) const {
-  return extension_ ? schema::suggest_names(extension_->vocabulary(), name) : schema::suggest_names(name);
+  return own_ ? schema::suggest_names(own_->vocabulary(), name) : schema::suggest_names(name);
 }
 
 std::string_view Catalogue::file_of(Parameter const& parameter) const {
-  return extension_ ? extension_->file_of(parameter.name) : std::string_view();
+  return own_ ? own_->file_of(parameter.name) : std::string_view();
+}
+
+ListKind Catalogue::kind() const {
+  return own_ ? own_->kind() : ListKind::axis;
 }
 
 }  // namespace axisc::schema

@@ -1,11 +1,13 @@
-// The catalogue of all axis parameters: what exists, of which type, in which range.
+// The catalogues of all parameters: what exists, of which type, in which range.
 //
-// The facts are in axis-parameters.json; a generator turns them at build time into constant tables with a
-// perfect hash over all concrete names, so that nothing is parsed or allocated when the program starts.
-// Schema files of the user add to them or replace them: class Catalogue.
+// The facts about axis lists are in axis-parameters.json; a generator turns them at build time into constant tables with
+// a perfect hash over all concrete names, so that nothing is parsed or allocated when the program starts. Schema files of
+// the user add to them or replace them. The facts about the other kinds of lists are in other-lists.json; they become
+// tables too, whose names are looked up in a map that is made when the first list of that kind is read: class Catalogue.
 #pragma once
 
 #include "schema/data_type.hpp"
+#include "schema/list_kind.hpp"
 
 #include <array>
 #include <cstdint>
@@ -28,7 +30,11 @@ struct Symbol {
 /// One row of the catalogue: an index into parameters().
 enum class ParameterId : std::uint16_t {};
 /// One concrete parameter: a row with its indices, `filter[2].order`. Dense from 0 to slot_count() - 1.
-enum class Slot : std::uint16_t {};
+enum class Slot : std::uint32_t {};
+/// Of a concrete parameter, in the order of the brackets; zeros where there are fewer.
+using Indices = std::array<std::uint32_t, 3>;
+/// Entries per index, 0 for a missing index.
+using ArraySizes = std::array<std::uint16_t, 3>;
 
 struct Limit {
   enum class Kind : std::uint8_t { none, number, parameter };
@@ -46,13 +52,15 @@ struct alignas(64) Parameter {
       symbols;  ///< words of an enumeration; for booleans FALSE, TRUE and further words for 0 and 1
   DataType type{};
   bool has_default = false;
-  std::uint16_t p_axis = 0;      ///< 140 for P-AXIS-00140; 0 where no number is documented
-  std::uint16_t max_length = 0;  ///< of a string, in characters; 0 where none is documented
+  std::uint16_t p_axis = 0;        ///< 140 for P-AXIS-00140; 0 where no number is documented
+  std::uint16_t max_length = 0;    ///< of a string, in characters; 0 where none is documented
+  bool is_flags = false;           ///< an enumeration of which a value joins several words by `|`
+  ListKind kind = ListKind::axis;  ///< of the lists that it stands in
   Slot first_slot{};
-  std::uint16_t slots = 1;
-  std::array<std::uint16_t, 2> array{};  ///< array sizes per index, 0 for a missing index
-  std::string_view name;                 ///< pattern: `filter[].order`
-  std::string_view default_text;         ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
+  std::uint32_t slots = 1;
+  ArraySizes array{};
+  std::string_view name;          ///< pattern: `filter[].order`
+  std::string_view default_text;  ///< as documented: number, word, text (may be empty) or P-AXIS-nnnnn
   std::string_view
       unit_translatory;          ///< unit of the raw number ("0.1 um", "us", "Hz"); empty where it has none
   std::string_view unit_rotary;  ///< the same for rotary axes and spindles
@@ -65,7 +73,9 @@ struct alignas(64) Parameter {
   /// What default_text says, where it is a decimal number and was read already; else not a number.
   double default_number = std::numeric_limits<double>::quiet_NaN();
 
-  [[nodiscard]] std::size_t index_count() const { return array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U; }
+  [[nodiscard]] std::size_t index_count() const {
+    return array[2] != 0 ? 3U : array[1] != 0 ? 2U : array[0] != 0 ? 1U : 0U;
+  }
   [[nodiscard]] constexpr bool is_enumeration() const {
     return !symbols.empty() && type != DataType::boolean;
   }
@@ -85,8 +95,8 @@ struct alignas(64) Parameter {
 /// All slots of a row; gives the place after them.
 template <typename Output>
 constexpr Output write_slots(Parameter const& parameter, Output out) {
-  for (std::uint16_t i = 0; i < parameter.slots; ++i) {
-    *out++ = static_cast<Slot>(static_cast<std::uint16_t>(parameter.first_slot) + i);
+  for (std::uint32_t i = 0; i < parameter.slots; ++i) {
+    *out++ = static_cast<Slot>(static_cast<std::uint32_t>(parameter.first_slot) + i);
   }
   return out;
 }
@@ -98,7 +108,8 @@ constexpr Output write_slots(Parameter const& parameter, Output out) {
 /// `filter[2].order` for one of the parameter's slots; its indices; and the slot of indices that are in
 /// range.
 [[nodiscard]] std::string slot_name(Parameter const& parameter, Slot slot);
-[[nodiscard]] std::array<std::uint32_t, 2> indices_of(Parameter const& parameter, Slot slot);
+[[nodiscard]] Indices indices_of(Parameter const& parameter, Slot slot);
+[[nodiscard]] Slot slot_of(Parameter const& parameter, Indices const& indices);
 [[nodiscard]] Slot slot_of(Parameter const& parameter, std::uint32_t first_index = 0,
                            std::uint32_t second_index = 0);
 
@@ -116,9 +127,9 @@ struct NameLookup {
   ParameterId parameter{};
   Parameter const* row = nullptr;  ///< of `parameter`; null where it is unknown
   Slot slot{};
-  std::array<std::uint32_t, 2> index{};
+  Indices index{};
   std::uint8_t index_position =
-      0;  ///< 0 or 1: of the offending index, counted in the row's name (superfluous: in `name`)
+      0;  ///< 0 to 2: of the offending index, counted in the row's name (superfluous: in `name`)
   std::uint16_t array_size = 0;  ///< of that index; 0 where it is superfluous
 };
 
@@ -132,7 +143,7 @@ struct NameLookup {
 [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis);
 
 [[nodiscard]] ParameterId parameter_of(Slot slot);
-[[nodiscard]] std::array<std::uint32_t, 2> indices_of(Slot slot);
+[[nodiscard]] Indices indices_of(Slot slot);
 /// `filter[2].order`.
 [[nodiscard]] std::string slot_name(Slot slot);
 /// Slot of a row with these indices; the indices are in range.
@@ -179,17 +190,19 @@ void find_plain(std::span<std::string_view const> names, std::span<PlainParamete
 /// Parameters of which another one gives a limit.
 [[nodiscard]] std::span<Slot const> slots_limited_by_others();
 
-class Extension;
+class OwnTables;
 struct ParameterRow;
 
-/// The catalogue that a check works with: the built-in one, which the functions above look into, or that with
-/// the rows of schema files. Copies share one; rows live as long as any of them.
+/// The catalogue that a check works with: the built-in one of axis parameters, which the functions above look into, that
+/// with the rows of schema files, or that of another kind of list. Copies share one; rows live as long as any of them.
 class Catalogue {
  public:
   /// The built-in one. Cost: none.
   Catalogue() = default;
+  /// That of a kind of list. Cost: none; its first look-up takes the names apart, once in a process.
+  [[nodiscard]] static Catalogue of(ListKind kind);
   /// This one with `rows`, of which each replaces the row of its name. Their array sizes sum up to less than
-  /// most_slots; limits and defaults name numbers that are there.
+  /// most_slots; limits and defaults name numbers that are there. This one is of axis parameters.
   [[nodiscard]] Catalogue with(std::vector<ParameterRow> rows) const;
 
   [[nodiscard]] std::span<Parameter const> parameters() const;
@@ -211,15 +224,17 @@ class Catalogue {
   [[nodiscard]] bool is_symbol_of_any_parameter(std::string_view word) const;
   [[nodiscard]] NameSuggestions suggest_names(std::string_view name) const;
 
-  [[nodiscard]] bool is_built_in() const { return extension_ == nullptr; }
+  [[nodiscard]] ListKind kind() const;
+  /// That of axis parameters without schema files.
+  [[nodiscard]] bool is_built_in() const { return own_ == nullptr; }
   /// The schema file that a row comes from; empty where it was built in.
   [[nodiscard]] std::string_view file_of(Parameter const& parameter) const;
 
  private:
-  std::shared_ptr<Extension const> extension_;
+  std::shared_ptr<OwnTables const> own_;  ///< none: built in
 };
 
-/// Slots have 16 bits.
+/// Of axis parameters: 16 bits count them.
 inline constexpr std::size_t most_slots = 65535;
 
 }  // namespace axisc::schema

@@ -43,21 +43,22 @@ bool is_number_of_type(std::string_view text, DataType type) {
   return magnitude <= 0 - static_cast<std::uint64_t>(range.lowest);
 }
 
-std::string p_axis_text(std::uint16_t number) {
+std::string number_text(ListKind kind, std::uint16_t number) {
   if (number == 0) return {};
-  std::string text = "P-AXIS-00000";
+  std::string text = "P-";
+  text.append(row_of(kind).family).append("-00000");
   for (std::size_t at = text.size(); number != 0; number /= 10) {
     text[--at] = static_cast<char>('0' + number % 10);
   }
   return text;
 }
 
-std::optional<std::uint16_t> parse_p_axis(std::string_view text) {
-  constexpr std::string_view prefix = "P-AXIS-";
+std::optional<std::uint16_t> parse_number(ListKind kind, std::string_view text) {
   constexpr std::size_t digits = 5;
-  if (!text.starts_with(prefix) || text.size() != prefix.size() + digits) return std::nullopt;
+  if (text.size() < digits) return std::nullopt;
   std::uint16_t number = 0;
-  if (!read_whole(text.substr(prefix.size()), number) || number == 0) return std::nullopt;
+  bool const is_one = read_whole(text.substr(text.size() - digits), number) && number != 0;
+  if (!is_one || text != number_text(kind, number)) return std::nullopt;
   return number;
 }
 

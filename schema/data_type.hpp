@@ -1,6 +1,8 @@
 // The data types of axis parameters, a row each: their names and which numbers they hold. And the numbers of parameters.
 #pragma once
 
+#include "schema/list_kind.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -104,9 +106,15 @@ struct DataRange {
 /// True for a number as lists write it that the type can hold: decimal or hexadecimal, no leading zeros.
 [[nodiscard]] bool is_number_of_type(std::string_view text, DataType type);
 
-/// "P-AXIS-00140"; empty for 0.
-[[nodiscard]] std::string p_axis_text(std::uint16_t number);
-/// 140 of "P-AXIS-00140".
-[[nodiscard]] std::optional<std::uint16_t> parse_p_axis(std::string_view text);
+/// "P-AXIS-00140", "P-CHAN-00035"; empty for 0.
+[[nodiscard]] std::string number_text(ListKind kind, std::uint16_t number);
+[[nodiscard]] inline std::string p_axis_text(std::uint16_t number) {
+  return number_text(ListKind::axis, number);
+}
+/// 140 of "P-AXIS-00140"; none for the number of another kind.
+[[nodiscard]] std::optional<std::uint16_t> parse_number(ListKind kind, std::string_view text);
+[[nodiscard]] inline std::optional<std::uint16_t> parse_p_axis(std::string_view text) {
+  return parse_number(ListKind::axis, text);
+}
 
 }  // namespace axisc::schema

@@ -50,7 +50,7 @@ NameLookup check_range(IndexedName const& name, ParameterId id, Parameter const&
     ++position;
   }
   if (lookup.status == NameLookup::Status::found) {
-    lookup.slot = slot_of(parameter, lookup.index[0], lookup.index[1]);
+    lookup.slot = slot_of(parameter, lookup.index);
   }
   return lookup;
 }

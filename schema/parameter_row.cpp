@@ -13,8 +13,10 @@ ParameterRow::Words words_of(std::span<Symbol const> symbols) {
 
 }  // namespace
 
-std::size_t slots_of(std::array<std::uint16_t, 2> const& array) {
-  return std::max<std::size_t>(array[0], 1) * std::max<std::size_t>(array[1], 1);
+std::size_t slots_of(ArraySizes const& array) {
+  std::size_t slots = 1;
+  for (std::uint16_t const size : array) slots *= std::max<std::size_t>(size, 1);
+  return slots;
 }
 
 ParameterRow ParameterRow::from(Parameter const& parameter) {
@@ -24,6 +26,8 @@ ParameterRow ParameterRow::from(Parameter const& parameter) {
   row.type = parameter.type;
   if (parameter.has_default) row.default_text = parameter.default_text;
   row.array = parameter.array;
+  row.is_flags = parameter.is_flags;
+  row.kind = parameter.kind;
   row.unit_translatory = parameter.unit_translatory;
   row.unit_rotary = parameter.unit_rotary;
   row.minimum = parameter.minimum;
@@ -45,8 +49,10 @@ Parameter ParameterRow::view() const {
           .has_default = default_text.has_value(),
           .p_axis = p_axis,
           .max_length = max_length,
+          .is_flags = is_flags,
+          .kind = kind,
           .first_slot = {},
-          .slots = static_cast<std::uint16_t>(slots_of(array)),
+          .slots = static_cast<std::uint32_t>(slots_of(array)),
           .array = array,
           .name = name,
           .default_text = default_text ? std::string_view(*default_text) : std::string_view(),

@@ -19,7 +19,9 @@ struct ParameterRow {
   std::uint16_t p_axis = 0;
   DataType type{};
   std::optional<std::string> default_text;
-  std::array<std::uint16_t, 2> array{};
+  ArraySizes array{};
+  bool is_flags = false;
+  ListKind kind = ListKind::axis;
   std::string unit_translatory, unit_rotary;
   Limit minimum, maximum;
   Words symbols;  ///< of a boolean with FALSE and TRUE
@@ -38,6 +40,6 @@ struct ParameterRow {
 };
 
 /// Concrete parameters of a row with these array sizes.
-[[nodiscard]] std::size_t slots_of(std::array<std::uint16_t, 2> const& array);
+[[nodiscard]] std::size_t slots_of(ArraySizes const& array);
 
 }  // namespace axisc::schema

@@ -23,10 +23,12 @@ ParameterRow::Words words_of(Json const& object) {
 
 class RowReader {
  public:
-  RowReader(Json const& entry, Parameter const* known) : entry_(entry), known_(known) {}
+  RowReader(Json const& entry, Parameter const* known, ListKind kind)
+      : entry_(entry), known_(known), kind_(kind) {}
 
   RowReading read() && {
     if (known_ != nullptr) row_ = ParameterRow::from(*known_);
+    row_.kind = kind_;
     row_.name = entry_.at("name").get<std::string>();
     read_type();
     read_fields();
@@ -68,7 +70,8 @@ class RowReader {
   }
 
   void read_fields() {
-    if (auto const* const id = find("id")) row_.p_axis = parse_p_axis(id->get<std::string>()).value();
+    if (auto const* const id = find("id")) row_.p_axis = parse_number(kind_, id->get<std::string>()).value();
+    if (auto const* const flags = find("flags")) row_.is_flags = flags->get<bool>();
     if (auto const* const text = find("default")) row_.default_text = text->get<std::string>();
     if (auto const* const unit = find("unit")) {
       row_.unit_translatory = (unit->is_string() ? *unit : unit->at("translatory")).get<std::string>();
@@ -99,7 +102,7 @@ class RowReader {
       return;
     }
     auto const text = value->get<std::string>();
-    if (auto const number = parse_p_axis(text)) {
+    if (auto const number = parse_number(kind_, text)) {
       reading_.named.push_back({.key = key, .p_axis = *number});
       limit = {.p_axis = *number, .kind = Kind::parameter, .open = open};
       return;
@@ -133,7 +136,8 @@ class RowReader {
 
   void check_array() {
     auto const indices = static_cast<std::size_t>(std::count(row_.name.begin(), row_.name.end(), '['));
-    std::size_t given = row_.array[1] != 0 ? 2 : row_.array[0] != 0 ? 1 : 0;
+    auto given = static_cast<std::size_t>(
+        std::count_if(row_.array.begin(), row_.array.end(), [](std::uint16_t size) { return size != 0; }));
     if (auto const* const sizes = find("array")) {
       given = sizes->size();
       row_.array = {};
@@ -159,7 +163,7 @@ class RowReader {
   void check_default() {
     if (!row_.default_text) return;
     std::string const& text = *row_.default_text;
-    if (auto const number = parse_p_axis(text)) {
+    if (auto const number = parse_number(kind_, text)) {
       reading_.named.push_back({.key = "default", .p_axis = *number});
       return;
     }
@@ -182,14 +186,15 @@ class RowReader {
 
   Json const& entry_;
   Parameter const* known_;
+  ListKind kind_;
   RowReading reading_;
   ParameterRow& row_ = reading_.row;
 };
 
 }  // namespace
 
-RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known) {
-  return RowReader(entry, known).read();
+RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known, ListKind kind) {
+  return RowReader(entry, known, kind).read();
 }
 
 }  // namespace axisc::schema

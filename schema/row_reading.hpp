@@ -1,5 +1,5 @@
-// Rows of the catalogue as JSON says them: those of axis-parameters.json, which the generator reads, and
-// those of schema files.
+// Rows of a catalogue as JSON says them: those of axis-parameters.json and other-lists.json, which the generator reads,
+// and those of schema files.
 #pragma once
 
 #include "schema/parameter_row.hpp"
@@ -44,7 +44,9 @@ struct RowReading {
 
 /// What `entry` makes of `known`, the row of its name, or of nothing. It replaces what it names and keeps the
 /// rest; with another type, limits, default and words of the old one are dropped. `entry` is as
-/// docs/schemas/schema-file.schema.json says; everything else throws what nlohmann throws.
-[[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known);
+/// docs/schemas/schema-file.schema.json says, with numbers of `kind` and, where it is another than `axis`, with
+/// `"flags": true` for words that are joined by `|`; everything else throws what nlohmann throws.
+[[nodiscard]] RowReading read_row(nlohmann::ordered_json const& entry, Parameter const* known,
+                                  ListKind kind = ListKind::axis);
 
 }  // namespace axisc::schema

@@ -131,6 +131,7 @@ Value value_of(schema::Symbol const& symbol) {
 }
 
 bool is_bit_mask(schema::Parameter const& parameter) {
+  if (parameter.is_flags) return true;
   return parameter.is_enumeration() && is_complete_number(parameter.default_text) &&
          std::none_of(parameter.symbols.begin(), parameter.symbols.end(),
                       [&parameter](schema::Symbol const& symbol) {

@@ -40,8 +40,8 @@ CheckResult check(LoadedMachine& machine, configuration::Files& files, CheckOpti
     result.machine = std::move(built.machine);
     result.not_compiled = std::move(built.not_compiled);
   }
-  result.is_other_list =
-      !machine.machine_file && !machine.start_up && !machine.lists.empty() && machine.axes.empty();
+  result.is_other_list = machine.axes.empty() && !machine.start_up && !machine.machine_file &&
+                         (!machine.other_lists.empty() || machine.list_of_unknown_kind.has_value());
   result.files = machine.files;
   return result;
 }

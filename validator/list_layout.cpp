@@ -59,8 +59,8 @@ class Layout {
   Layout(SourceText const& source, schema::Catalogue const& catalogue)
       : source_(source), list_(judge_list(source, grammar::parse_axis_list(source), catalogue)) {}
 
-  [[nodiscard]] bool is_axis_list() const {
-    return kind_of_list(source_, list_.tree, list_.readings) == configuration::ListKind::axis;
+  [[nodiscard]] std::optional<configuration::ListKind> kind() const {
+    return kind_of_list(source_, list_.tree, list_.readings);
   }
 
   /// True if write() kept one column for all values of the list.
@@ -191,9 +191,16 @@ class Layout {
 
 }  // namespace
 
-std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue) {
+std::string aligned_list(SourceText const& source, schema::Catalogue const& catalogue, AlignedKinds kinds) {
+  using configuration::ListKind;
   Layout layout(source, catalogue);
-  if (!layout.is_axis_list()) return std::string(source.bytes());
+  auto const kind = layout.kind();
+  bool const is_axis_list = kind.value_or(ListKind::axis) == ListKind::axis;
+  bool const stays = (kinds == AlignedKinds::axis_or_unknown && !is_axis_list) ||
+                     (kinds == AlignedKinds::axis && kind != ListKind::axis);
+  if (stays) return std::string(source.bytes());
+  bool const is_other = catalogue.kind() == ListKind::axis && kind && kind != ListKind::axis;
+  if (is_other) return aligned_list(source, schema::Catalogue::of(*kind), kinds);
   auto text = layout.write();
   if (layout.keeps_columns() || text == source.bytes()) return text;
   // The paragraphs may have got a common column only now.

@@ -32,7 +32,10 @@ struct CheckOptions {
   std::vector<PathRule> paths;  ///< each is compared with the file in which a finding is, not with the input
   bool whole_programs = false;  ///< keep all of an NC program, so that fixes can be applied to it
   bool machine = true;          ///< make the machine; who only wants findings need not pay for it
-  schema::Catalogue catalogue;  ///< of the parameters that the lists may set
+  schema::Catalogue catalogue;  ///< of the parameters that axis lists may set
+  std::optional<schema::ListKind> kind;  ///< of the input, where it is a list; none: found out
+  bool from_folder = false;              ///< the input was found in a folder, nobody named it
+  bool is_beside_start_up_list = false;  ///< the same, and a start-up list there does not name it
 };
 
 /// Takes the findings of one input in output order, each as soon as it has words. It may change them and move out of them.

@@ -5,8 +5,12 @@
 namespace axisc::cli {
 
 validator::CheckOptions options_for(CheckJob const& job, std::string const& path) {
-  if (job.settings == nullptr) return job.options;
   auto options = job.options;
+  if (auto const found = job.found.find(path); found != job.found.end()) {
+    options.from_folder = true;
+    options.is_beside_start_up_list = found->second.is_beside_start_up_list;
+  }
+  if (job.settings == nullptr) return options;
   options.catalogue = job.settings->catalogue(path);
   auto const* const settings = job.settings->find(path);
   return settings == nullptr ? options : with_settings(std::move(options), *settings, path);

@@ -3,6 +3,7 @@
 
 #include "cli/checking/checked_input.hpp"
 #include "cli/checking/edited_files.hpp"
+#include "cli/options/inputs.hpp"
 #include "cli/settings/settings.hpp"
 #include "validator/check.hpp"
 
@@ -15,6 +16,7 @@ struct CheckJob {
   bool quiet = false;               ///< without notes
   EditedBytes edited;               ///< read instead of the files
   SettingsFinder* settings = nullptr;
+  std::unordered_map<std::string, FoundInput> found;  ///< see Inputs::found
 };
 
 /// The job's options with the settings that apply to `path`.

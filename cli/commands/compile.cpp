@@ -97,7 +97,8 @@ class Compile {
     job_.check.settings = &settings_;
     job_.report_format.format = options.checking.format;
     job_.report_format.write = {.language = language, .color = color};
-    auto inputs = choose_inputs(options);
+    auto inputs = choose_inputs(options, settings_);
+    job_.check.found = std::move(inputs.found);
     part_ = std::move(inputs.part);
     names_ = std::move(inputs.images);
     name_failures_ = std::move(inputs.failures);

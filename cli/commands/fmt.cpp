@@ -119,12 +119,21 @@ struct Formatted {
   std::optional<Failure> failure;
 };
 
+/// Lists of other kinds are only changed where somebody asks for it.
+validator::AlignedKinds kinds_for(std::string const& path, Inputs const& inputs) {
+  using validator::AlignedKinds;
+  if (inputs.found.contains(path)) return AlignedKinds::axis;
+  bool const is_named = std::find(inputs.named.begin(), inputs.named.end(), path) != inputs.named.end();
+  return is_named ? AlignedKinds::all : AlignedKinds::axis_or_unknown;
+}
+
 /// `name` is that of messages and settings. May be called by several threads, for different lists.
 Formatted format_list(std::string const& path, std::string const& name, FmtOptions const& options,
-                      schema::Catalogue const& catalogue, Language language) {
+                      schema::Catalogue const& catalogue, validator::AlignedKinds kinds, Language language) {
   Formatted result;
   auto const before = read_list(path);
-  auto const after = is_program(name) ? before : validator::aligned_list(SourceText(name, before), catalogue);
+  auto const after =
+      is_program(name) ? before : validator::aligned_list(SourceText(name, before), catalogue, kinds);
   if (path == "-" && !options.check && !options.diff) result.out += after;
   if (after == before) return result;
   result.changed = true;
@@ -152,16 +161,18 @@ ExitStatus fmt(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(!options.named.empty(), "INPUT");
   auto const asked = asked_threads(options.threads);
-  auto inputs = expand_inputs(options.named);
-  ChangeableFiles const changeable(inputs.named);
   SettingsFinder settings(options.schema_files);
+  auto inputs =
+      expand_inputs(options.named, [&settings](std::string const& path) { return settings.wants(path); });
+  ChangeableFiles const changeable(inputs.named);
   bool changed = false;
   auto const lists = lists_of(inputs.paths);
   auto const format = [&](std::size_t i) {
     try {
       require_changeable(lists[i], changeable);
       auto const& name = lists[i] == "-" ? options.stdin_filename.value_or("-") : lists[i];
-      return format_list(lists[i], name, options, settings.catalogue(name), invocation.language);
+      return format_list(lists[i], name, options, settings.catalogue(name), kinds_for(lists[i], inputs),
+                         invocation.language);
     } catch (Failure const& failure) {
       // The other lists are still formatted.
       return Formatted{.changed = false, .out = {}, .failure = failure};

@@ -77,7 +77,8 @@ class Lint {
         streams_(streams),
         settings_(options.checking.schema_files),
         threads_(asked_threads(options.checking.threads)),
-        inputs_(expand_inputs(options.named)) {
+        inputs_(
+            expand_inputs(options.named, [this](std::string const& path) { return settings_.wants(path); })) {
     job_.options = check_options(options.checking);
     job_.options.machine = false;
     job_.quiet = options.checking.quiet;
@@ -85,6 +86,7 @@ class Lint {
     job_.settings = &settings_;
     report_format_.format = options.checking.format;
     report_format_.write = {.language = language, .color = color};
+    job_.found = inputs_.found;
     choice_ = fix_choice(options);
     part_ = choose_part(options.fleet, std::move(inputs_.paths));
   }

@@ -40,15 +40,28 @@ Digest run_digest(CheckJob const& job, ReportFormat const& report_format) {
   return hasher.finish();
 }
 
+namespace {
+
+/// An input that a folder holds is judged otherwise than one that is named.
+void add_found(Hasher& hasher, CheckJob const& job, std::string const& path) {
+  auto const found = job.found.find(path);
+  if (found == job.found.end()) return hasher.number(0);
+  hasher.number(found->second.is_beside_start_up_list ? 2 : 1);
+}
+
+}  // namespace
+
 Digest input_digest(Digest const& run, CheckJob const& job, std::string const& path) {
   Hasher hasher;
   hasher.digest(run);
+  add_found(hasher, job, path);
   hasher.digest(job.settings->digest(path));
   return hasher.finish();
 }
 
 void add_files(Hasher& hasher, CheckJob const& job, std::string const& path) {
   hasher.text(path);
+  add_found(hasher, job, path);
   hasher.digest(job.settings->digest(path));
   RecordedFiles files(nullptr);
   if (has_extension(path, ".json")) {

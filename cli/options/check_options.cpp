@@ -31,6 +31,9 @@ constexpr Sentence unknown_code_meant{"there is no code \"{code}\"; did you mean
 constexpr Sentence option_axis_type{
     "translatory, rotary or spindle, overriding the list (kenngr.achs_typ)",
     "translatorisch, rotatorisch oder Spindel, statt der Angabe in der Liste (kenngr.achs_typ)"};
+constexpr Sentence option_kind{
+    "kind of the lists, whatever they say themselves: axis, startup, channel, real_time, tool and others",
+    "Art der Listen, gleich was sie selbst sagen: axis, startup, channel, real_time, tool und weitere"};
 constexpr Sentence option_build{
     "build of the control, such as V3.1.3075.04; warns about what needs a newer one",
     "Stand der Steuerung, etwa V3.1.3075.04; warnt vor allem, was einen neueren braucht"};
@@ -80,11 +83,20 @@ machine::AxisType parse_axis_type(std::string const& word) {
                  .arguments = {{"option", "--axis-type"}, {"value", word}, {"choices", "T, R, S"}}});
 }
 
+schema::ListKind parse_kind(std::string const& word) {
+  if (auto const kind = schema::find_list_kind(&schema::ListKindRow::word, word)) return *kind;
+  std::string words;
+  for (auto const& row : schema::list_kind_rows) words.append(words.empty() ? "" : ", ").append(row.word);
+  throw Failure({.sentence = says::bad_choice,
+                 .arguments = {{"option", "--kind"}, {"value", word}, {"choices", words}}});
+}
+
 }  // namespace
 
 void declare_checking(CommandLine& command_line, CheckingOptions& options) {
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.value("--axis-type", "T|R|S", options.axis_type, says::option_axis_type);
+  command_line.value("--kind", "KIND", options.kind, says::option_kind);
   command_line.value("--build", "VERSION", options.build, says::option_build);
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
@@ -128,6 +140,7 @@ validator::CheckOptions check_options(CheckingOptions const& given) {
   options.pedantic = given.pedantic;
   options.cycle_time = asked_cycle_time(given.cycle_time);
   if (given.axis_type) options.axis_type = parse_axis_type(*given.axis_type);
+  if (given.kind) options.kind = parse_kind(*given.kind);
   if (given.build) {
     options.build = validator::parse_build_version(*given.build);
     if (!options.build) throw Failure({.sentence = says::bad_build, .arguments = {{"value", *given.build}}});

@@ -18,6 +18,7 @@ struct CheckingOptions {
   std::optional<std::string> cycle_time;
   std::optional<std::string> axis_type;
   std::optional<std::string> build;
+  std::optional<std::string> kind;
   std::optional<std::string> threads;
   std::vector<std::string> disabled;
   std::vector<std::string> schema_files;

@@ -33,14 +33,18 @@ CompileInputs choose_one(CompileOptions const& options) {
   if (named.size() == 1) named.front() = machine_input(named.front());
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
-  CompileInputs chosen{
-      .part = choose_part({}, std::move(named)), .images = {}, .failures = {}, .sources = std::move(sources)};
+  CompileInputs chosen{.part = choose_part({}, std::move(named)),
+                       .images = {},
+                       .failures = {},
+                       .sources = std::move(sources),
+                       .found = {}};
   if (options.output) chosen.images = {*options.output};
   return chosen;
 }
 
-CompileInputs choose_batch(CompileOptions const& options) {
-  auto inputs = expand_inputs(options.inputs);
+CompileInputs choose_batch(CompileOptions const& options, SettingsFinder& settings) {
+  auto inputs =
+      expand_inputs(options.inputs, [&settings](std::string const& path) { return settings.wants(path); });
   // NC programs found in folders are skipped; one that the command line names is a mistake.
   std::erase_if(inputs.paths, [&options](std::string const& path) {
     bool const is_named =
@@ -52,13 +56,14 @@ CompileInputs choose_batch(CompileOptions const& options) {
   return {.part = choose_part(options.fleet, std::move(inputs.paths)),
           .images = std::move(images),
           .failures = std::move(inputs.failures),
-          .sources = std::move(inputs.sources)};
+          .sources = std::move(inputs.sources),
+          .found = std::move(inputs.found)};
 }
 
 }  // namespace
 
-CompileInputs choose_inputs(CompileOptions const& options) {
-  return options.is_batch() ? choose_batch(options) : choose_one(options);
+CompileInputs choose_inputs(CompileOptions const& options, SettingsFinder& settings) {
+  return options.is_batch() ? choose_batch(options, settings) : choose_one(options);
 }
 
 }  // namespace axisc::cli

@@ -3,6 +3,8 @@
 
 #include "cli/failure.hpp"
 #include "cli/options/compile_options.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/settings/settings.hpp"
 
 #include <string>
 #include <vector>
@@ -11,12 +13,13 @@ namespace axisc::cli {
 
 struct CompileInputs {
   Part part;
-  std::vector<std::string> images;   ///< by input; with --print-key there may be none
-  std::vector<Failure> failures;     ///< names of a batch that cannot be used
-  std::vector<std::string> sources;  ///< see Inputs
+  std::vector<std::string> images;                    ///< by input; with --print-key there may be none
+  std::vector<Failure> failures;                      ///< names of a batch that cannot be used
+  std::vector<std::string> sources;                   ///< see Inputs
+  std::unordered_map<std::string, FoundInput> found;  ///< see Inputs
 };
 
 /// Failure for inputs that cannot become an image, and for two images of the same name.
-[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options);
+[[nodiscard]] CompileInputs choose_inputs(CompileOptions const& options, SettingsFinder& settings);
 
 }  // namespace axisc::cli

@@ -46,6 +46,7 @@ struct Found {
   std::string path;
   bool is_link = false;
   bool is_replaced = false;  ///< a start-up list of which a machine file names lists
+  bool is_in_folder = false;
   MachineOutline outline = {};
 };
 
@@ -70,6 +71,10 @@ bool may_be_input(fs::directory_entry const& entry) {
 
 class Expansion {
  public:
+  using Wanted = std::function<bool(std::string const& path)>;
+
+  explicit Expansion(Wanted const& wanted) : wanted_(wanted) {}
+
   void add(NamedInput const& input) {
     std::error_code error;
     auto type = input.path == "-" ? fs::file_type::regular : fs::symlink_status(input.path, error).type();
@@ -87,7 +92,8 @@ class Expansion {
   }
 
   [[nodiscard]] Inputs result() && {
-    Inputs result{.paths = {}, .failures = std::move(failures_), .first = {}, .named = {}, .sources = {}};
+    Inputs result;
+    result.failures = std::move(failures_);
     PathIdentities identities;
     Known lists;
     Known programs;
@@ -118,9 +124,13 @@ class Expansion {
     Known taken;
     for (auto& input : found_) {
       result.sources.push_back(input.path);
-      if (is_alone || is_wanted(input, identities.of(input.path, input.is_link), lists, programs, taken)) {
-        result.paths.push_back(std::move(input.path));
+      if (!is_alone && !is_wanted(input, identities.of(input.path, input.is_link), lists, programs, taken)) {
+        continue;
       }
+      if (input.is_in_folder) {
+        result.found[input.path] = {.is_beside_start_up_list = is_beside_start_up_list(input)};
+      }
+      result.paths.push_back(input.path);
     }
     return result;
   }
@@ -137,6 +147,17 @@ class Expansion {
     return !(has_extension(input.path, ".nc") ? programs : lists).contains(identity);
   }
 
+  /// In its folder or in one above.
+  [[nodiscard]] bool is_beside_start_up_list(Found const& input) const {
+    bool const is_list = !input.outline.is_machine && !has_extension(input.path, ".nc");
+    return is_list && std::any_of(found_.begin(), found_.end(), [&input](Found const& other) {
+             if (!other.outline.is_machine || other.is_replaced || has_extension(other.path, ".json"))
+               return false;
+             auto const folder = fs::path(other.path).parent_path().string();
+             return folder.empty() || input.path.starts_with(folder + "/");
+           });
+  }
+
   void add_folder(std::string const& folder) {
     std::vector<Found> entries;
     auto const start = fs::path(folder).lexically_normal();
@@ -146,11 +167,17 @@ class Expansion {
               [](Found const& left, Found const& right) { return is_before(left.path, right.path); });
     auto const before = found_.size();
     for (auto& entry : entries) {
+      if (!wanted_(entry.path)) continue;
+      entry.is_in_folder = true;
       entry.outline = outline_of(entry.path);
       if (has_extension(entry.path, ".json") && !entry.outline.is_machine) continue;
       found_.push_back(std::move(entry));
     }
-    if (found_.size() == before && failures_.size() == failures) {
+    bool const all_excluded = std::none_of(entries.begin(), entries.end(), [this](Found const& entry) {
+      return entry.path.empty() || wanted_(entry.path);
+    });
+    bool const is_empty = entries.empty() || !all_excluded;
+    if (found_.size() == before && failures_.size() == failures && is_empty) {
       failures_.push_back(
           Failure({.sentence = says::folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
     }
@@ -185,15 +212,16 @@ class Expansion {
                                 cannot_read));
   }
 
+  Wanted const& wanted_;
   std::vector<Found> found_;
   std::vector<Failure> failures_;
 };
 
 }  // namespace
 
-Inputs expand_inputs(std::vector<std::string> const& words) {
+Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted const& wanted) {
   auto const named = read_response_files(words);
-  Expansion expansion;
+  Expansion expansion(wanted);
   for (auto const& input : named) expansion.add(input);
   auto inputs = std::move(expansion).result();
   if (!named.empty()) inputs.first = named.front().path;

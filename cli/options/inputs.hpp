@@ -3,10 +3,17 @@
 
 #include "cli/failure.hpp"
 
+#include <functional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace axisc::cli {
+
+/// What is known of an input that a folder holds.
+struct FoundInput {
+  bool is_beside_start_up_list = false;  ///< of which none in this or a folder above names it
+};
 
 struct Inputs {
   std::vector<std::string> paths;  ///< lists and machine files, in the order in which they are reported
@@ -15,6 +22,8 @@ struct Inputs {
   std::vector<std::string> named;  ///< files and folders that the command line or a response file names
   std::vector<std::string>
       sources;  ///< files that may be read: all inputs, what machine files name, response files
+  std::unordered_map<std::string, FoundInput>
+      found;  ///< of `paths`, those that nobody named: folders hold them
 };
 
 /// A folder is replaced by every list and machine file below it, sorted; `@FILE` by the names in it
@@ -23,7 +32,10 @@ struct Inputs {
 /// of its own.
 /// Whether a file that the command line names exists is found out when it is read. Cost: one system call per file, and
 /// resolving links once per folder.
-[[nodiscard]] Inputs expand_inputs(std::vector<std::string> const& words);
+/// Of what folders hold only files that `wanted` accepts are looked at.
+[[nodiscard]] Inputs expand_inputs(
+    std::vector<std::string> const& words,
+    std::function<bool(std::string const& path)> const& wanted = [](std::string const&) { return true; });
 
 /// The input itself; of a folder the only machine in it: a machine file, or a start-up list of which no machine file names
 /// a list. Failure where there is none, or more than one.

@@ -196,7 +196,7 @@ constexpr JsonShape schema_row_shape{.kind = Kind::object, .title = "Parameter",
 
 namespace {
 
-std::string sizes_text(std::array<std::uint16_t, 2> const& sizes) {
+std::string sizes_text(schema::ArraySizes const& sizes) {
   return sizes[1] == 0 ? std::to_string(sizes[0])
                        : std::to_string(sizes[0]) + " x " + std::to_string(sizes[1]);
 }

@@ -83,11 +83,29 @@ void store_severities(JsonDocument const& document, JsonValue const& value, Sett
   }
 }
 
+constexpr auto kind_words = [] {
+  std::array<std::string_view, schema::list_kinds> words;
+  for (std::size_t i = 0; i < words.size(); ++i) words.at(i) = schema::list_kind_rows.at(i).word;
+  return words;
+}();
+constexpr JsonShape kind_shape{.words = kind_words};
+
+void store_kind(JsonDocument const& /*document*/, JsonValue const& value, PathSettings& settings) {
+  settings.kind = schema::find_list_kind(&schema::ListKindRow::word, value.string);
+}
+
+template <std::vector<std::string> Settings::*patterns>
+void store_patterns(JsonDocument const& document, JsonValue const& value, Settings& settings) {
+  for (auto const item : value.items) (settings.*patterns).push_back(document[item].string);
+}
+
 constexpr std::array path_keys = {
     JsonKey{"pattern", &configuration::json_text, required,
             "Files it applies to, relative to the settings: old/**.", into<&PathSettings::pattern>},
     JsonKey{"disable", &codes_shape, optional, "Findings that are not reported in these files.",
-            by<store_codes<PathSettings>>}};
+            by<store_codes<PathSettings>>},
+    JsonKey{"kind", &kind_shape, optional, "Kind of these lists, whatever they say themselves.",
+            by<store_kind>}};
 constexpr JsonShape path_shape{.kind = Kind::object, .title = "Settings of some files", .keys = path_keys};
 constexpr JsonShape paths_shape{.kind = Kind::list, .items = &path_shape};
 
@@ -103,8 +121,15 @@ constexpr std::array settings_keys = {
     JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
             by<store_severities>},
     JsonKey{"schema", &configuration::json_texts, optional, "Schema files, relative to the settings."},
-    JsonKey{"paths", &paths_shape, optional, "Findings that are not reported in some files.",
-            into<&Settings::paths>}};
+    JsonKey{"paths", &paths_shape, optional,
+            "What holds for some files: findings that are not reported, a kind.", into<&Settings::paths>},
+    JsonKey{
+        "include", &configuration::json_texts, optional,
+        "Patterns of the only files that are looked at where a folder is named, relative to the settings.",
+        by<store_patterns<&Settings::included>>},
+    JsonKey{"exclude", &configuration::json_texts, optional,
+            "Patterns of files that are left out where a folder is named, relative to the settings.",
+            by<store_patterns<&Settings::excluded>>}};
 
 }  // namespace
 
@@ -192,6 +217,17 @@ schema::Catalogue SettingsFinder::catalogue(std::string const& input) {
   return *without_settings_;
 }
 
+bool SettingsFinder::wants(std::string const& path) {
+  auto const* const settings = find(path);
+  if (settings == nullptr || (settings->included.empty() && settings->excluded.empty())) return true;
+  auto const name = relative_to(settings->folder, path);
+  auto const is_among = [&name](std::vector<std::string> const& patterns) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&name](std::string const& pattern) { return matches_glob(pattern, name); });
+  };
+  return !is_among(settings->excluded) && (settings->included.empty() || is_among(settings->included));
+}
+
 Digest SettingsFinder::digest(std::string const& input) {
   if (auto const* const settings = find(input)) return settings->digest;
   std::lock_guard const lock(mutex_);
@@ -273,6 +309,8 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   options.severities = settings.severities;
   auto const names = std::make_shared<RelativeNames>(settings.folder);
   for (auto const& rule : settings.paths) {
+    bool const tells_kind = !options.kind && rule.kind && !has_extension(input, ".json");
+    if (tells_kind && matches_glob(rule.pattern, names->of(input))) options.kind = rule.kind;
     options.paths.push_back(
         {.covers = [names, pattern = rule.pattern](
                        auto const& file) { return matches_glob(pattern, names->of(file)); },

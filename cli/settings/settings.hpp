@@ -7,7 +7,8 @@
 //     "disable": ["AX4007"],
 //     "severity": {"AX3013": "error"},
 //     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
-//     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]
+//     "paths": [{"pattern": "old/**", "disable": ["AX1011"]}, {"pattern": "tools/*.lis", "kind": "tool"}],
+//     "include": ["listen/**"], "exclude": ["old/**"]     of what folders hold
 //   }
 //
 // A severity determines the exit status, which finding of a token is kept, and whether an image is written, in every
@@ -37,6 +38,7 @@ namespace axisc::cli {
 struct PathSettings {
   std::string pattern;  ///< relative to the folder of the settings
   std::vector<Code> disabled;
+  std::optional<schema::ListKind> kind;
 };
 
 struct Settings {
@@ -48,6 +50,8 @@ struct Settings {
   std::vector<Code> disabled;
   std::map<Code, Severity> severities;
   std::vector<PathSettings> paths;
+  std::vector<std::string> included;  ///< patterns of the only files that are looked at in folders; none: all
+  std::vector<std::string> excluded;  ///< patterns of files that are left out there
   std::vector<std::string> schema_files;
   schema::Catalogue catalogue;  ///< with these and those of the command line
   Digest digest;                ///< of everything above
@@ -71,6 +75,8 @@ class SettingsFinder {
   [[nodiscard]] Settings const* find(std::string const& input);
   /// The parameters that the lists of an input may set.
   [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
+  /// False for a file that `include` and `exclude` leave out where a folder holds it.
+  [[nodiscard]] bool wants(std::string const& path);
   /// Digest of the names and contents of settings and schema files.
   [[nodiscard]] Digest digest(std::string const& input);
   [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }

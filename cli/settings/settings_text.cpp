@@ -55,6 +55,7 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
   }
   add("language", language == Language::german ? "de" : "en",
       settings && settings->language ? from_file : from_default);
+  if (command_line.kind) add("kind", std::string(row_of(*command_line.kind).word), from_command_line);
   if (!command_line.disabled.empty()) add("disable", joined(command_line.disabled), from_command_line);
   if (settings) {
     for (auto const& file : settings->schema_files) add("schema", file, from_file);
@@ -63,8 +64,11 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
   if (settings) {
     if (!settings->disabled.empty()) add("disable", joined(settings->disabled), from_file);
     for (auto const& rule : settings->paths) {
-      add("paths: " + rule.pattern, joined(rule.disabled), from_file);
+      if (!rule.disabled.empty()) add("paths: " + rule.pattern, joined(rule.disabled), from_file);
+      if (rule.kind) add("kind: " + rule.pattern, std::string(row_of(*rule.kind).word), from_file);
     }
+    for (auto const& pattern : settings->included) add("include", pattern, from_file);
+    for (auto const& pattern : settings->excluded) add("exclude", pattern, from_file);
     for (auto const& [code, severity] : settings->severities) {
       add("severity: " + code_text(code), std::string(severity_name(severity)), from_file);
     }

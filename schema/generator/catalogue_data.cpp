@@ -77,13 +77,9 @@ std::string contradictions(std::vector<RowReading> const& readings) {
   return lines;
 }
 
-}  // namespace
-
-std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::string const& schema_text) {
-  check_against_schema(parse_json(data_text, "data"), parse_json(schema_text, "schema"));
+std::vector<ParameterRow> read_rows(nlohmann::ordered_json const& entries, ListKind kind) {
   std::vector<RowReading> readings;
-  auto const data = nlohmann::ordered_json::parse(data_text);
-  for (auto const& row : data.at("parameters")) readings.push_back(read_row(row, nullptr));
+  for (auto const& entry : entries) readings.push_back(read_row(entry, nullptr, kind));
   if (readings.empty()) throw DataError("parameters: there are none");
   std::string const complaints = contradictions(readings);
   if (!complaints.empty()) throw DataError(complaints);
@@ -91,6 +87,32 @@ std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::stri
   rows.reserve(readings.size());
   for (RowReading& reading : readings) rows.push_back(std::move(reading.row));
   return rows;
+}
+
+}  // namespace
+
+std::vector<ParameterRow> read_catalogue(std::string const& data_text, std::string const& schema_text) {
+  check_against_schema(parse_json(data_text, "data"), parse_json(schema_text, "schema"));
+  return read_rows(nlohmann::ordered_json::parse(data_text).at("parameters"), ListKind::axis);
+}
+
+KindRows read_kinds(std::string const& data_text) {
+  KindRows kinds;
+  try {
+    auto const data = nlohmann::ordered_json::parse(data_text);
+    for (auto const& entry : data.at("kinds")) {
+      auto const word = entry.at("kind").get<std::string>();
+      auto const kind = find_list_kind(&ListKindRow::word, word);
+      if (!kind || kind == ListKind::axis) throw DataError(word + ": no such kind");
+      if (!kinds.emplace(*kind, read_rows(entry.at("parameters"), *kind)).second) {
+        throw DataError(word + ": appears twice");
+      }
+    }
+  } catch (nlohmann::json::exception const& error) {
+    throw DataError(std::string("other lists: ") + error.what());
+  }
+  if (kinds.size() != list_kinds - 1) throw DataError("other lists: a kind is missing");
+  return kinds;
 }
 
 }  // namespace axisc::schema::generator

@@ -1,6 +1,7 @@
-// The catalogue as the generator sees it: the rows of axis-parameters.json, checked.
+// The catalogues as the generator sees them: the rows of axis-parameters.json and of other-lists.json, checked.
 #pragma once
 
+#include "schema/generator/kind_writer.hpp"
 #include "schema/parameter_row.hpp"
 
 #include <stdexcept>
@@ -20,5 +21,8 @@ class DataError : public std::runtime_error {
 /// mistake.
 [[nodiscard]] std::vector<ParameterRow> read_catalogue(std::string const& data_text,
                                                        std::string const& schema_text);
+
+/// The same of the other kinds of lists, without a JSON schema: what does not fit throws.
+[[nodiscard]] KindRows read_kinds(std::string const& data_text);
 
 }  // namespace axisc::schema::generator

@@ -43,8 +43,9 @@ Outcome generate(std::string const& data, std::string const& descriptions = any_
   std::string const command =
       quote + AXISC_SCHEMA_GENERATOR + "\" \"" + (folder / "data.json").string() + "\" \"" +
       AXISC_SOURCE_DIR + "/docs/schemas/schema-file.schema.json\" \"" +
-      (folder / "descriptions.json").string() + "\" \"" + (folder / "tables.inc").string() + "\" \"" +
-      (folder / "vocabulary.inc").string() + "\" \"" + (folder / "description_tables.inc").string() +
+      (folder / "descriptions.json").string() + "\" \"" + AXISC_SOURCE_DIR + "/schema/other-lists.json\" \"" +
+      (folder / "tables.inc").string() + "\" \"" + (folder / "vocabulary.inc").string() + "\" \"" +
+      (folder / "description_tables.inc").string() + "\" \"" + (folder / "kind_tables.inc").string() +
       "\" 2> \"" + (folder / "message").string() + quote;
   bool const accepted = std::system(command.c_str()) == 0;  // NOLINT(cert-env33-c,concurrency-mt-unsafe)
   return {accepted, read(folder / "message"), read(folder / "tables.inc")};

@@ -11,22 +11,27 @@ namespace {
 
 using namespace axisc;
 
-std::vector<std::string> codes_of(std::string const& text) {
+struct Outcome {
+  std::vector<std::string> codes;
+  bool is_other = false;
+};
+
+Outcome check(std::string const& text, validator::CheckOptions options = {}) {
   tests::MapFiles files({{"x.lis", text}});
   SourceSet sources;
-  std::vector<std::string> codes;
-  validator::CheckOptions options;
   options.cycle_time = design::CycleTime{1'000'000};
-  for (Finding const& finding : validator::check(files, "x.lis", options, sources).findings) {
-    codes.push_back(code_text(finding.code));
-    if (finding.code == Code{7001}) CHECK_FALSE(finding.fix);
-  }
-  return codes;
+  validator::CheckResult const result = validator::check(files, "x.lis", options, sources);
+  Outcome outcome;
+  outcome.is_other = result.is_other_list;
+  for (Finding const& finding : result.findings) outcome.codes.push_back(code_text(finding.code));
+  return outcome;
 }
 
 bool is_other(std::string const& text) {
-  return codes_of(text) == std::vector<std::string>{"AX7001"};
+  return check(text).is_other;
 }
+
+using Codes = std::vector<std::string>;
 
 }  // namespace
 
@@ -59,10 +64,12 @@ TEST_CASE("an axis list with a few foreign names stays one") {
   CHECK(is_other("trafo[0].id 1\nerror_filter[0].reason 1\ngrp_anzahl 1\n"));
 }
 
-TEST_CASE("nothing else is said about a list of another kind, and nothing is aligned") {
-  std::string const list = "wz[1].laenge   1,5\n( axisc: allow AX3005\nEnde\ntext\nwz[2] 1\n";
-  CHECK(is_other(list));
-  CHECK(validator::aligned_list(SourceText("x.lis", list)) == list);
+TEST_CASE("a list of another kind is checked with the catalogue of its kind, and aligned where it is named") {
+  std::string const list = "wz[1].laenge 1,5\nwz[12].gueltig 7\nwz[3].radius x\n";
+  CHECK(check(list).codes == Codes{"AX1005", "AX2003", "AX2003"});
+  SourceText const source("x.lis", list);
+  CHECK(validator::aligned_list(source, {}, validator::AlignedKinds::axis) == list);
+  CHECK(validator::aligned_list(source) == "wz[1].laenge    1,5\nwz[12].gueltig  7\nwz[3].radius    x\n");
 }
 
 TEST_CASE("a machine needs axis lists") {
@@ -71,7 +78,51 @@ TEST_CASE("a machine needs axis lists") {
   SourceSet sources;
   auto const result = validator::check(files, "m.json", {}, sources);
   REQUIRE(result.findings.size() == 1);
-  CHECK(result.findings.front().code == Code{7001});
+  CHECK(result.findings.front().code == Code{7009});
   CHECK(result.findings.front().severity == Severity::error);
   CHECK_FALSE(result.machine);
+}
+
+TEST_CASE("a list in a folder that says nothing about its kind is not checked") {
+  validator::CheckOptions options;
+  options.from_folder = true;
+  for (std::string const text : {"", "hugo.egon 1,5\n", "kopf.nix 5\nanzahl [\n"}) {
+    INFO(text);
+    Outcome const outcome = check(text, options);
+    CHECK(outcome.codes == Codes{"AX7001"});
+    CHECK(outcome.is_other);
+  }
+  CHECK(check("kopf.achs_nr 1\nkenngr.achs_typ 1\n", options).codes.empty());
+}
+
+TEST_CASE("who is asked to take a list for a kind does so") {
+  validator::CheckOptions options;
+  options.kind = schema::ListKind::channel;
+  CHECK(check("kenngr.achs_typ 1\ngruppe[0].achs_anzahl x\n", options).codes == Codes{"AX2003"});
+  options.kind = schema::ListKind::axis;
+  CHECK_FALSE(check("gruppe[0].achs_anzahl 1\n", options).is_other);
+}
+
+TEST_CASE("only names of another kind of list are mended, and catalogues that know less warn") {
+  std::string const list =
+      "gruppe[0].achs_anzal 2\ngruppe[0].bezeichnung A\nh_synch[0] mos\nh_synch[0] MOS\n"
+      "thread[0].cpu 3 ( P-CHAN-09999\nspdl_anzahl -1\n";
+  tests::MapFiles files({{"x.lis", list}});
+  SourceSet sources;
+  validator::CheckOptions options;
+  options.pedantic = true;
+  struct Said {
+    std::string code;
+    Severity severity{};
+    bool has_fix = false;
+    bool operator==(Said const&) const = default;
+  };
+  std::vector<Said> said;
+  for (Finding const& finding : validator::check(files, "x.lis", options, sources).findings) {
+    said.push_back({code_text(finding.code), finding.severity, finding.fix.has_value()});
+  }
+  CHECK(said == std::vector<Said>{{"AX2001", Severity::warning, true},
+                                  {"AX1010", Severity::warning, false},
+                                  {"AX2001", Severity::note, false},
+                                  {"AX2004", Severity::warning, false}});
 }

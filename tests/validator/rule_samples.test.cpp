@@ -4,7 +4,8 @@
 // The samples are in the rule's folder. `fail.lis` is a list, for rules about NC programs `fail.nc`, or a folder `fail` with
 // machine.json or hochlauf.lis where a machine is needed; the same with `pass`. `fail.expected` holds the findings in output order,
 // `line:column CODE`, in other files than the input `file:line:column CODE`, without place `- CODE`. A first line
-// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis or hochlauf.lis.
+// `# test: --cycle-time 1ms --pedantic` gives options, in a folder that of x.lis or hochlauf.lis; `--in-folder` and
+// `--beside-start-up-list` say where the list was found.
 #include "diagnostics/message.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -44,6 +45,11 @@ validator::CheckOptions options_of(std::string const& text) {
   for (std::string word; words >> word;) {
     if (word == "--pedantic") {
       options.pedantic = true;
+      continue;
+    }
+    if (word == "--in-folder" || word == "--beside-start-up-list") {
+      options.from_folder = true;
+      options.is_beside_start_up_list = word == "--beside-start-up-list";
       continue;
     }
     std::string value;

@@ -63,7 +63,7 @@ class Engine {
         policy_(options, sources),
         sources_(sources),
         cycle_time_(machine.cycle_time.value_or(design::CycleTime{})) {
-    list_contexts_.reserve(machine.lists.size());
+    list_contexts_.reserve(machine.lists.size() + machine.other_lists.size());
     // A bad list yields thousands of findings: reserve once instead of growing.
     std::size_t expected = machine.findings.size();
     for (NamedList const& named : machine.lists) {
@@ -78,6 +78,7 @@ class Engine {
       if (enabled(rule)) adopt(reported_, rule, finding);
     }
     run_list_checks();
+    for (NamedList const& named : machine_.other_lists) run_checks_of_other_list(named.list);
     if (!machine_.default_list_missing) {
       for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
       run_machine_checks();
@@ -134,6 +135,26 @@ class Engine {
       }
     }
   }
+
+  /// The catalogues of the other kinds are less complete than that of axis lists: what contradicts them is a warning.
+  void run_checks_of_other_list(LoadedList const& list) {
+    ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
+    std::size_t const before = reported_.findings.size();
+    for (Rule const& rule : rules_with<ListCheck, AxisCheck>()) {
+      if (!policy_.enabled(rule, list.source)) continue;
+      auto const* const only = std::get_if<ListCheck>(&rule.check);
+      ListCheck const check = only != nullptr ? *only : rule.list_check;
+      if (check != nullptr) call(rule, check, context, {}, nullptr);
+    }
+    for (std::size_t i = before; i < reported_.findings.size(); ++i) {
+      Reported& finding = reported_.findings[i];
+      bool const contradicts = is_about_values(finding.rule->code) && finding.severity == Severity::error;
+      if (contradicts) finding.severity = Severity::warning;
+    }
+  }
+
+  /// AX2.
+  [[nodiscard]] static bool is_about_values(Code code) { return static_cast<unsigned>(code) / 1000 == 2; }
 
   void run_axis(std::size_t index) {
     AxisContext const& context =
@@ -284,11 +305,8 @@ class Engine {
     for (LoadedProgram const& program : machine_.programs) {
       suppressions.add(sources_, program.source, program.tree.directives);
     }
-    if (machine_.start_up) {
-      for (SourceId const source : machine_.start_up->sources) {
-        if (sources_[source].bytes().find("axisc:") == std::string_view::npos) continue;
-        suppressions.add(sources_, source, grammar::parse_axis_list(sources_[source]).directives);
-      }
+    for (NamedList const& list : machine_.other_lists) {
+      suppressions.add(sources_, list.list.source, list.list.tree.directives);
     }
     Standing standing;
     standing.reserve(reported_.findings.size());
@@ -347,10 +365,19 @@ class Engine {
       Reported const& finding = reported_.findings[number];
       result.has_errors = result.has_errors || finding.severity == Severity::error;
       Finding told = tell(reported_, finding);
+      if (is_in_other_list(finding.place.source) && !mends_name(told.code)) told.fix.reset();
       sink(told);
     }
     return result;
   }
+
+  [[nodiscard]] bool is_in_other_list(SourceId source) const {
+    return std::any_of(machine_.other_lists.begin(), machine_.other_lists.end(),
+                       [source](NamedList const& list) { return list.list.source == source; });
+  }
+
+  /// In lists of other kinds only names are written anew: too little is known about the rest.
+  [[nodiscard]] static bool mends_name(Code code) { return code == Code{2001}; }
 
   LoadedMachine const& machine_;
   std::deque<AxisViews> const& views_;

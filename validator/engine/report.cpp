@@ -63,7 +63,7 @@ Finding& Report::add(Place place, Message message) {
 Finding& Report::add(Place place, schema::Parameter const& row, schema::Slot slot, Message message) {
   Finding& finding = add(place, std::move(message));
   finding.parameter = schema::slot_name(row, slot);
-  finding.p_axis = schema::p_axis_text(row.p_axis);
+  finding.p_axis = schema::number_text(row.kind, row.p_axis);
   return finding;
 }
 

@@ -142,6 +142,7 @@ struct Rule {
   std::span<Code const> silenced_by = {};
   Check check = {};
   ProgramCheck program_check = nullptr;  ///< for a rule that also checks NC programs
+  ListCheck list_check = nullptr;        ///< for a rule about axes that also checks the lists of other kinds
 };
 
 /// codes<3001, 3040>: for the column `silenced_by`.

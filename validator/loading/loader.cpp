@@ -13,6 +13,8 @@
 namespace axisc::validator {
 namespace {
 
+using configuration::ListKind;
+
 constexpr std::string_view separators = "/\\";
 
 bool ends_in(std::string_view path, std::string_view extension) {
@@ -24,21 +26,33 @@ bool is_machine_text(std::string_view path, std::string_view text) {
   return ends_in(path, ".json") && configuration::looks_like_machine_file(text);
 }
 
-std::string key_of(std::string const& path) {
-  return std::filesystem::path(path).lexically_normal().generic_string();
-}
-
-LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
-  SourceText const& text = sources[source];
+LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue const& catalogue,
+                  ReadList read) {
   LoadedList list;
   list.source = source;
   list.catalogue = catalogue;
-  ReadList read = read_list(text, catalogue);
-  list.kind = kind_of_list(text, read.tree, read.readings);
-  if (list.kind != configuration::ListKind::axis) read = judge_list(text, {}, catalogue);
   list.tree = std::move(read.tree);
   list.readings = std::move(read.readings);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
+  return list;
+}
+
+/// A list that is due to be an axis list.
+LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
+  SourceText const& text = sources[source];
+  ReadList read = read_list(text, catalogue);
+  ListKind const kind = kind_of_list(text, read.tree, read.readings).value_or(ListKind::axis);
+  if (kind != ListKind::axis) read = judge_list(text, {}, catalogue);
+  LoadedList list = loaded(text, source, catalogue, std::move(read));
+  list.kind = kind;
+  return list;
+}
+
+LoadedList parse_other(SourceSet const& sources, SourceId source, ListKind kind) {
+  SourceText const& text = sources[source];
+  schema::Catalogue const catalogue = schema::Catalogue::of(kind);
+  LoadedList list = loaded(text, source, catalogue, read_list(text, catalogue));
+  list.kind = kind;
   return list;
 }
 
@@ -64,6 +78,10 @@ std::string beside(std::string const& path, std::string const& name) {
   return path.substr(0, path.size() - file_name(path).size()) + name;
 }
 
+std::string key_of(std::string const& path) {
+  return std::filesystem::path(path).lexically_normal().generic_string();
+}
+
 bool runs_in(LoadedGroup const& group, std::size_t program) {
   return std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
 }
@@ -81,6 +99,7 @@ std::optional<configuration::FileError> Loader::load(std::string const& path) {
   }
   if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
   machine_.build = options_.build;
+  machine_.is_beside_start_up_list = options_.is_beside_start_up_list;
   return std::nullopt;
 }
 
@@ -96,7 +115,8 @@ std::optional<configuration::FileError> Loader::load_text() {
   auto& text = std::get<std::string>(bytes);
   bool const is_machine = machine_.path == "-" ? configuration::looks_like_machine_file(text)
                                                : is_machine_text(machine_.path, text);
-  bool const is_start_up = !is_machine && configuration::looks_like_start_up_list(text);
+  bool const may_be_start_up = !options_.kind || options_.kind == ListKind::startup;
+  bool const is_start_up = !is_machine && may_be_start_up && configuration::looks_like_start_up_list(text);
   SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
   if (is_machine) {
     load_machine_file(source);
@@ -116,14 +136,31 @@ bool Loader::is_machine_file(std::string const& path) {
 }
 
 void Loader::load_single(SourceId source) {
-  machine_.lists.push_back(
-      {.name = std::string(file_name(machine_.path)), .list = parse(sources_, source, options_.catalogue)});
-  if (machine_.lists.front().list.kind != configuration::ListKind::axis) return;
+  std::string file(file_name(machine_.path));
+  SourceText const& text = sources_[source];
+  bool const is_axis_list = !options_.kind || options_.kind == ListKind::axis;
+  std::optional<ListKind> kind = options_.kind;
+  if (is_axis_list) {
+    ReadList read = read_list(text, options_.catalogue);
+    if (!kind) kind = kind_of_list(text, read.tree, read.readings);
+    if (!kind && !options_.from_folder) kind = ListKind::axis;
+    if (kind == ListKind::axis) {
+      machine_.lists.push_back(
+          {.name = file, .list = loaded(text, source, options_.catalogue, std::move(read))});
+    }
+  }
+  if (!kind) machine_.list_of_unknown_kind = source;
+  if (kind && kind != ListKind::axis) add_other_list(source, *kind, std::move(file));
+  if (machine_.lists.empty()) return;
   LoadedAxis& axis = add_axis(0, std::nullopt);
   EffectiveValue const& name = axis.merged.values.at("kopf.log_achs_name");
   bool const named = name.set() && !name.unusable && !name.value.text.empty();
   axis.name = named ? std::string(name.value.text) : machine_.name;
   machine_.name = axis.name;
+}
+
+void Loader::add_other_list(SourceId source, ListKind kind, std::string name) {
+  machine_.other_lists.push_back({.name = std::move(name), .list = parse_other(sources_, source, kind)});
 }
 
 void Loader::add_default_group() {

@@ -16,6 +16,8 @@ namespace axisc::validator {
 [[nodiscard]] std::string_view without_extension(std::string_view name);
 [[nodiscard]] std::string beside(std::string const& path, std::string const& name);
 [[nodiscard]] bool is_absolute(std::string_view path);
+/// The same for every way to write one path.
+[[nodiscard]] std::string key_of(std::string const& path);
 
 class Loader {
  public:
@@ -32,6 +34,7 @@ class Loader {
   std::optional<configuration::FileError> load_text();
   void load_single(SourceId source);
   void add_default_group();
+  void add_other_list(SourceId source, configuration::ListKind kind, std::string name);
 
   // machine_file_loading.cpp
   void load_machine_file(SourceId source);
@@ -76,7 +79,8 @@ class Loader {
   LoadedMachine& machine_;
   std::map<std::string, std::size_t> by_path_;
   std::map<std::string, std::size_t> programs_by_path_;
-  std::vector<std::size_t> common_programs_;  ///< those that every group runs
+  std::map<std::string, SourceId> others_by_path_;  ///< lists of the other kinds
+  std::vector<std::size_t> common_programs_;        ///< those that every group runs
 };
 
 /// True where the channel runs the program.

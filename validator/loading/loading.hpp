@@ -66,7 +66,12 @@ struct LoadedMachine {
   std::string name;
   std::string path;  ///< the input
   std::optional<design::CycleTime> cycle_time;
-  std::deque<NamedList> lists;  ///< each file once, in the order of reading; addresses stay valid
+  std::deque<NamedList> lists;  ///< of axes, each file once, in the order of reading; addresses stay valid
+  /// Lists of the other kinds, checked line by line: the input itself, or what a start-up list names.
+  std::deque<NamedList> other_lists;
+  bool is_beside_start_up_list =
+      false;  ///< the input is a list that a start-up list in its folder does not name
+  std::optional<SourceId> list_of_unknown_kind;  ///< the input, of which nothing says what it is
   std::optional<std::size_t> default_list;
   bool default_list_missing = false;  ///< it is named but could not be read: effective values are unknown
   bool complete = true;               ///< every file that the input names was read

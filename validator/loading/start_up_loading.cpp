@@ -48,6 +48,7 @@ LocatedText const* name_in_channels(StartUp const& start_up, double number) {
 void Loader::load_start_up_list(SourceId source) {
   StartUp& start_up = machine_.start_up.emplace();
   start_up.sources.push_back(source);
+  add_other_list(source, ListKind::startup, std::string(file_name(machine_.path)));
   start_up.list = configuration::read_start_up_list(sources_[source], source);
   if (start_up.list.default_axis_list) {
     machine_.default_list = axis_list_found(start_up, *start_up.list.default_axis_list);
@@ -162,6 +163,13 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
                                              std::optional<ListKind> wanted) {
   ListSearch& noted = search(start_up, named, wanted);
   if (!noted.found) return std::nullopt;
+  std::string const key = key_of(noted.found->path);
+  auto const known = others_by_path_.find(key);
+  if (known != others_by_path_.end()) {
+    noted.kind = configuration::decided_kind(sources_[known->second]);
+    bool const is_wanted = !wanted || !noted.kind || noted.kind == wanted;
+    return is_wanted ? std::optional(known->second) : std::nullopt;
+  }
   std::variant<std::string, configuration::FileError> bytes = read_text(noted.found->path);
   if (std::holds_alternative<configuration::FileError>(bytes)) {
     noted.found.reset();
@@ -171,8 +179,11 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
   SourceId const source =
       sources_.add(SourceText(noted.found->path, std::get<std::string>(std::move(bytes))));
   start_up.sources.push_back(source);
+  others_by_path_.emplace(key, source);
   noted.kind = configuration::decided_kind(sources_[source]);
   bool const fits = !wanted || !noted.kind || noted.kind == wanted;
+  std::optional<ListKind> const kind = wanted ? wanted : noted.kind;
+  if (fits && kind) add_other_list(source, *kind, shown(noted.found->path));
   return fits ? std::optional(source) : std::nullopt;
 }
 

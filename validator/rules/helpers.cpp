@@ -7,14 +7,14 @@ namespace axisc::validator {
 
 void name_parameter(Finding& finding, schema::Parameter const& row, schema::Slot slot) {
   finding.parameter = schema::slot_name(row, slot);
-  finding.p_axis = schema::p_axis_text(row.p_axis);
+  finding.p_axis = schema::number_text(row.kind, row.p_axis);
 }
 
 void name_parameter(Finding& finding, Line const& line) {
   Reading const reading = line.context.list.readings[line.number];
   if (reading.known()) return name_parameter(finding, *reading.row, reading.slot);
   finding.parameter = line.name();
-  if (reading.row_known()) finding.p_axis = schema::p_axis_text(reading.row->p_axis);
+  if (reading.row_known()) finding.p_axis = schema::number_text(reading.row->kind, reading.row->p_axis);
 }
 
 void set_reaction(Finding& finding, SentenceRef text, std::vector<Argument> arguments, std::string value) {

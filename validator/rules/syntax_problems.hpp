@@ -6,13 +6,18 @@
 
 namespace axisc::validator::checks {
 
-/// A finding for each problem of a kind; `describe(finding, context, problem)` makes its text.
+/// A finding; `describe(finding, context, problem)` makes its text.
+template <auto describe>
+void report_problem(ListContext const& context, grammar::Problem const& problem, Report& report) {
+  report.later(place_of(context, problem.span),
+               [&context, &problem](Finding& finding) { describe(finding, context, problem); });
+}
+
+/// The same for each problem of a kind.
 template <auto describe>
 void report_problems(ListContext const& context, grammar::ProblemKind kind, Report& report) {
   for (grammar::Problem const& problem : context.list.tree.problems) {
-    if (problem.kind != kind) continue;
-    report.later(place_of(context, problem.span),
-                 [&context, &problem](Finding& finding) { describe(finding, context, problem); });
+    if (problem.kind == kind) report_problem<describe>(context, problem, report);
   }
 }
 

@@ -2,8 +2,8 @@
 
 namespace axisc::validator {
 
-configuration::ListKind kind_of_list(SourceText const& source, grammar::AxisList const& list,
-                                     Readings const& readings) {
+std::optional<configuration::ListKind> kind_of_list(SourceText const& source, grammar::AxisList const& list,
+                                                    Readings const& readings) {
   constexpr std::size_t most_asked = 100;
   configuration::KindVote vote;
   std::size_t asked = 0;
@@ -13,10 +13,11 @@ configuration::ListKind kind_of_list(SourceText const& source, grammar::AxisList
     vote.unknown(source.slice(line.name), source.slice(line.trailer));
     if (++asked == most_asked) break;
   }
-  if (vote.is_undisputed()) return configuration::ListKind::axis;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (readings.slot(i)) vote.known(source.slice(list.assignments[i].name));
+    if (vote.is_undisputed() && !vote.is_open()) return configuration::ListKind::axis;
   }
+  if (vote.is_open()) return std::nullopt;
   return vote.winner();
 }
 

@@ -46,7 +46,7 @@ class ListReader {
       : source_(source), bytes_(source.bytes()), catalogue_(catalogue), lines_(source.bytes()) {
     result_.bytes_ = bytes_;
     result_.catalogue_ = catalogue;
-    result_.last_of_slot_.resize(catalogue.slot_count());
+    if (is_axis_list_) result_.last_of_slot_.resize(catalogue.slot_count());
   }
 
   ReadList read() && {
@@ -127,11 +127,11 @@ class ListReader {
   bool read_plain(std::size_t i) {
     schema::PlainParameter const& parameter = parameters_[i];
     PlainValue value;
-    if (parameter.values == nullptr || !PlainValueReader(bytes_, batch_[i]).read(*parameter.values, value)) {
-      return false;
-    }
+    bool const is_plain = is_axis_list_ && parameter.values != nullptr &&
+                          PlainValueReader(bytes_, batch_[i]).read(*parameter.values, value);
+    if (!is_plain) return false;
     batch_[i].kind = value.kind;
-    readings_[i] = {.number = value.number, .other = 0, .slot = parameter.slot, .text = value.text};
+    readings_[i] = {.number = value.number, .other = 0, .slot = brief(parameter.slot), .text = value.text};
     return true;
   }
 
@@ -183,7 +183,7 @@ class ListReader {
     validator::judge(source_, assignment, reading, result_.transcoded_);
     result_.brief_.push_back({.number = reading.value.number,
                               .other = static_cast<std::uint32_t>(result_.others_.size()),
-                              .slot = reading.slot,
+                              .slot = brief(reading.slot),
                               .text = BriefReading::no_text});
     if (!reading.row_known()) suggest(number, assignment);
     if (reading.known()) note_slot(reading.slot, number + 1);
@@ -201,10 +201,13 @@ class ListReader {
 
   /// Notes the slot of an assignment, counted from 1.
   void note_slot(schema::Slot slot, std::uint32_t assignment) {
-    std::uint32_t& last = result_.last_of_slot_[static_cast<std::size_t>(slot)];
+    std::uint32_t& last =
+        is_axis_list_ ? result_.last_of_slot_[static_cast<std::size_t>(slot)] : result_.last_of_many_[slot];
     repetitions_ |= last;
     last = assignment;
   }
+
+  static std::uint16_t brief(schema::Slot slot) { return static_cast<std::uint16_t>(slot); }
 
   void suggest(std::uint32_t number, grammar::Assignment const& assignment) {
     constexpr std::size_t most_suggestions = 1000;
@@ -216,6 +219,7 @@ class ListReader {
   SourceText const& source_;
   std::string_view bytes_;
   schema::Catalogue const& catalogue_;
+  bool is_axis_list_ = catalogue_.kind() == schema::ListKind::axis;
   grammar::AxisListReader lines_;
   Readings result_;
   // Buffers for the lines of one batch.

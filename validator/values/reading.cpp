@@ -142,13 +142,21 @@ class Judge {
     if (!is_truth_value) text_behind_symbol(word.end);
   }
 
+  /// Words of other kinds of lists may begin with digits: `2MBAUD`.
+  [[nodiscard]] bool is_word_with_digits(schema::Parameter const& parameter) const {
+    return parameter.kind != schema::ListKind::axis &&
+           schema::read_symbol(parameter, source_.slice(free_text())).symbol != nullptr;
+  }
+
   void enumeration(schema::Parameter const& parameter) {
-    if (broken_number()) return;
+    if (!is_word_with_digits(parameter) && broken_number()) return;
     if (is_integer_kind(assignment_.kind)) {
       double const value = integer();
       schema::Symbol const* const symbol = schema::symbol_of_number(parameter, value);
       if (symbol != nullptr) return accept(schema::value_of(*symbol));
-      if (schema::is_bit_mask(parameter)) return accept({.number = value, .text = {}});
+      if (schema::is_bit_mask(parameter) || has_unknown_numbers(parameter)) {
+        return accept({.number = value, .text = {}});
+      }
       return fail(ReadingStatus::unknown_symbol);
     }
     if (assignment_.kind == ValueKind::real) return fail(ReadingStatus::wrong_type);
@@ -165,6 +173,13 @@ class Judge {
     reading_.symbol_folded = symbol.folded;
     accept(schema::value_of(*symbol.symbol));
     text_behind_symbol(end);
+  }
+
+  /// What the numbers of a list's words are is documented for few of the other kinds of lists.
+  [[nodiscard]] static bool has_unknown_numbers(schema::Parameter const& parameter) {
+    return parameter.kind != schema::ListKind::axis &&
+           std::none_of(parameter.symbols.begin(), parameter.symbols.end(),
+                        [](schema::Symbol const& symbol) { return symbol.number.has_value(); });
   }
 
   void bit_mask(schema::Parameter const& parameter) {

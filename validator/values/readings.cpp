@@ -12,8 +12,8 @@ Reading Readings::operator[](std::size_t assignment) const {
   BriefReading const& brief = brief_[assignment];
   if (brief.other != 0) return others_[brief.other - 1];
   Reading reading;
-  reading.row = &catalogue_.parameter_of(brief.slot);
-  reading.slot = brief.slot;
+  reading.slot = schema::Slot{brief.slot};
+  reading.row = &catalogue_.parameter_of(reading.slot);
   reading.name_status = schema::NameLookup::Status::found;
   reading.status = ReadingStatus::value;
   reading.text = assignments_[assignment].value;
@@ -28,8 +28,9 @@ Reading Readings::operator[](std::size_t assignment) const {
 
 std::optional<schema::Slot> Readings::slot(std::size_t assignment) const {
   BriefReading const& brief = brief_[assignment];
-  if (brief.other != 0 && !others_[brief.other - 1].known()) return std::nullopt;
-  return brief.slot;
+  if (brief.other == 0) return schema::Slot{brief.slot};
+  Reading const& reading = others_[brief.other - 1];
+  return reading.known() ? std::optional(reading.slot) : std::nullopt;
 }
 
 schema::NameSuggestions const& Readings::suggestions(std::size_t assignment) const {

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace axisc::validator {
@@ -24,7 +25,7 @@ struct BriefReading {
   double number = 0;
   std::uint32_t other =
       0;  ///< 0, or where more has to be said: its number among the other readings, from 1, which say all
-  schema::Slot slot{};
+  std::uint16_t slot = 0;  ///< of axis parameters, which 16 bits count
   std::uint8_t text = no_text;
 };
 static_assert(sizeof(BriefReading) == 16);
@@ -52,6 +53,10 @@ class Readings {
 
   /// The last assignment of a parameter, counted from 1; 0 where there is none. Only a list that was read has them.
   [[nodiscard]] std::uint32_t last_of(schema::Slot slot) const {
+    if (catalogue_.kind() != schema::ListKind::axis) {
+      auto const found = last_of_many_.find(slot);
+      return found == last_of_many_.end() ? 0 : found->second;
+    }
     assert(static_cast<std::size_t>(slot) < last_of_slot_.size());
     return last_of_slot_[static_cast<std::size_t>(slot)];
   }
@@ -86,7 +91,9 @@ class Readings {
   schema::Catalogue catalogue_;
   std::vector<BriefReading> brief_;
   std::vector<Reading> others_;
-  std::vector<std::uint32_t> last_of_slot_;
+  std::vector<std::uint32_t> last_of_slot_;  ///< in axis lists
+  std::unordered_map<schema::Slot, std::uint32_t>
+      last_of_many_;  ///< in lists whose tables have millions of slots
   std::vector<std::uint32_t> doubtful_;
   std::vector<std::uint32_t> without_value_;
   std::vector<Suggested> suggested_;  ///< in the order of the assignments

@@ -1,7 +1,9 @@
 // A controller's folder: its start-up list is the machine.
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
+#include "diagnostics/finding.hpp"
 #include "support/golden.hpp"
+#include "validator/engine/rule.hpp"
 
 #include <filesystem>
 
@@ -111,4 +113,61 @@ TEST_CASE("fmt aligns the axis lists of a folder and leaves the others alone") {
   CHECK(run_axisc({"fmt", "."}, there).status == 0);
   CHECK(folder.read("listen/achsmds6.lis") == "kopf.achs_nr        6\nkopf.log_achs_name  S\nEnde\n");
   CHECK(folder.read("listen/sda_mds1.lis") == before);
+}
+
+TEST_CASE("the folder with a mistake of each kind shows them all") {
+  TemporaryFolder const folder;
+  fs::copy(AXISC_SOURCE_DIR "/samples/mistakes/controller", folder.path(), fs::copy_options::recursive);
+  auto const outcome = run_axisc({"lint", ".", "--pedantic"}, in_folder(folder.path()));
+  CHECK(outcome.status == 1);
+  check_golden("tests/cli/data/golden/controller-mistakes.txt", outcome.out);
+  for (auto const& rule : axisc::validator::rules()) {
+    if (static_cast<unsigned>(rule.code) / 1000 != 7) continue;
+    CHECK_THAT(outcome.out, Catch::Matchers::Contains("[" + axisc::code_text(rule.code) + "]"));
+  }
+}
+
+TEST_CASE("settings choose the files of folders, and say what kind of list they are") {
+  TemporaryFolder const folder;
+  folder.write("a/x.lis", "kenngr.achs_typ 1,5\n");
+  folder.write("old/y.lis", "kenngr.achs_typ 1,5\n");
+  folder.write("tools/t.lis", "anzahl 5\n");
+  auto const there = in_folder(folder.path());
+  auto const out = [&](std::vector<std::string> const& words) { return run_axisc(words, there).out; };
+  using Catch::Matchers::Contains;
+
+  CHECK_THAT(out({"lint", "."}),
+             Contains("a/x.lis:1") && Contains("old/y.lis:1") && Contains("note[AX7001]"));
+  folder.write("axisc.json", R"({"exclude": ["old/**"], "paths": [{"pattern": "tools/*", "kind": "tool"}]})");
+  CHECK_THAT(out({"lint", "."}), Contains("a/x.lis:1") && !Contains("old/y.lis") && !Contains("AX7001"));
+  CHECK_THAT(out({"lint", ".", "--pedantic"}), Contains("note[AX2001]: unknown parameter `anzahl`"));
+  CHECK_THAT(out({"lint", "tools", "--kind", "axis"}),
+             Contains("warning[AX2001]: unknown parameter `anzahl`"));
+  // Who names a file means it.
+  CHECK_THAT(out({"lint", "old/y.lis"}), Contains("old/y.lis:1"));
+  folder.write("axisc.json", R"({"include": ["a/**"]})");
+  CHECK_THAT(out({"lint", "."}), Contains("a/x.lis:1") && !Contains("old/y.lis") && Contains("1 file:"));
+  CHECK_THAT(out({"lint", "--print-config", "a/x.lis"}), Contains("include        a/**"));
+  folder.write("axisc.json", R"({"exclude": ["**"]})");
+  auto const nothing = run_axisc({"lint", "."}, there);
+  CHECK(nothing.status == 0);
+
+  folder.write("axisc.json", R"({"paths": [{"pattern": "tools/*", "kind": "tools"}]})");
+  auto const wrong = run_axisc({"lint", "."}, there);
+  CHECK(wrong.status == 2);
+  CHECK_THAT(wrong.err, Contains("axisc.json:1:") && Contains("zero_offset"));
+  auto const unknown = run_axisc({"lint", "a/x.lis", "--kind", "tools"}, in_folder(folder / "a"));
+  CHECK(unknown.status == 2);
+}
+
+TEST_CASE("fixes mend nothing but misspelt names in lists of other kinds") {
+  TemporaryFolder const folder;
+  auto const there = copy_of_sample(folder);
+  std::string const tools = "wz[1].laenge   1,5\nwz[1].gultig TRUE\nwz[1].radius  5  # a\nwz[1].radius  6\n";
+  folder.write("listen/werkz_d1.lis", tools);
+  CHECK(run_axisc({"lint", ".", "--fix=all"}, there).status == 1);
+  CHECK(folder.read("listen/werkz_d1.lis") ==
+        "wz[1].laenge   1,5\nwz[1].gueltig TRUE\nwz[1].radius  5  # a\nwz[1].radius  6\n");
+  CHECK(run_axisc({"fmt", "."}, there).status == 0);
+  CHECK(folder.read("listen/werkz_d1.lis").substr(0, 18) == "wz[1].laenge   1,5");
 }

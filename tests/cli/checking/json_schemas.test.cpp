@@ -43,7 +43,8 @@ std::vector<FileKind> const& kinds() {
       {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::cli::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
         "severity": {"ax3013": "error"}, "schema": ["build.json"],
-        "paths": [{"pattern": "old/**", "disable": ["AX1011"]}]})"},
+        "paths": [{"pattern": "old/**", "disable": ["AX1011"], "kind": "tool"}],
+        "include": ["**/*.lis"], "exclude": ["old/**"]})"},
       {"docs/schemas/plant.schema.json", "docs/plant-file.md", axisc::cli::plant_file_shape, R"({"plants": [{
         "name": "X", "comment": ["anything"], "motor_mass_kg": 500, "load_mass_kg": 1060, "stiffness_n_per_um": 117.5,
         "damping_n_s_per_mm": 20, "tooth_pitch_mm": 10, "transmission_error_um": 2.8, "structure_mass_kg": 1500,

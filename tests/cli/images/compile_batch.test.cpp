@@ -79,7 +79,7 @@ TEST_CASE("a list of another kind has no image") {
   };
   auto const batch = compile({"lists", "--output-folder", "out", "--depfile", "out.d", "--cache", "cache"});
   CHECK(batch.status == 0);
-  CHECK_THAT(batch.err, Catch::Matchers::Contains("note[AX7001]") &&
+  CHECK_THAT(batch.err, !Catch::Matchers::Contains("[AX") &&
                             Catch::Matchers::EndsWith("images: 1 written, 0 unchanged, 0 not written\n"));
   CHECK(fs::exists(folder / "out/lists/x.axim"));
   CHECK_FALSE(fs::exists(folder / "out/lists/wz.axim"));

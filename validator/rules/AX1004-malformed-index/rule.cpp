@@ -69,8 +69,19 @@ void describe_separate(Finding& finding, Line const& line) {
                            message_of(says::fix, Argument{"replacement", finding.parameter}));
 }
 
+/// `linkage[0][1]`: some names of other kinds of lists have two indices at one part. What they say is not judged.
+bool is_of_other_kind(ListContext const& context, grammar::Problem const& problem) {
+  std::string_view const index = context.source.slice(problem.span);
+  return context.list.kind != configuration::ListKind::axis && index.find("][") != std::string_view::npos &&
+         index.find_first_not_of("[]0123456789") == std::string_view::npos;
+}
+
 void malformed_index(ListContext const& context, Report& report) {
-  report_problems<describe>(context, grammar::ProblemKind::malformed_index, report);
+  for (grammar::Problem const& problem : context.list.tree.problems) {
+    bool const is_wrong =
+        problem.kind == grammar::ProblemKind::malformed_index && !is_of_other_kind(context, problem);
+    if (is_wrong) report_problem<describe>(context, problem, report);
+  }
   for_each_doubtful(context, [&](Line const& line) {
     Span const index = separate_index(line);
     if (index.empty()) return;

@@ -16,14 +16,12 @@ constexpr Sentence note{"{named} is `{name}`", "{named} ist `{name}`"};
 namespace axisc::validator::checks {
 namespace {
 
-constexpr std::string_view prefix = "P-AXIS-";
-
 struct Mention {
   std::uint32_t number = 0;
   Span span;
 };
 
-std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
+std::optional<Mention> next_mention(std::string_view text, std::string_view prefix, std::size_t from) {
   for (std::size_t at = text.find(prefix, from); at != std::string_view::npos;
        at = text.find(prefix, at + 1)) {
     Mention mention;
@@ -37,15 +35,17 @@ std::optional<Mention> next_mention(std::string_view text, std::size_t from) {
   return std::nullopt;
 }
 
-/// The first P-AXIS number in the comment of a line; none if its own is among them, or if the comment has none.
+/// The first number of the list's own kind in the comment of a line; none if its own is among them, or if the comment has none.
 std::optional<Mention> other_parameter(Line const& line) {
   Span const trailer = line.assignment().trailer;
   if (trailer.empty()) return std::nullopt;
   Reading const reading = line.context.list.readings[line.number];
   if (!reading.row_known() || reading.row->p_axis == 0) return std::nullopt;
   std::string_view const text = line.context.source.slice(trailer);
-  std::optional<Mention> first = next_mention(text, 0);
-  for (std::optional<Mention> mention = first; mention; mention = next_mention(text, mention->span.end)) {
+  std::string const prefix = configuration::number_prefix(reading.row->kind) + "-";
+  std::optional<Mention> first = next_mention(text, prefix, 0);
+  for (std::optional<Mention> mention = first; mention;
+       mention = next_mention(text, prefix, mention->span.end)) {
     if (mention->number == reading.row->p_axis) return std::nullopt;
   }
   if (first) {
@@ -55,13 +55,16 @@ std::optional<Mention> other_parameter(Line const& line) {
   return first;
 }
 
+std::string own_number(Line const& line) {
+  schema::Parameter const& row = *line.context.list.readings[line.number].row;
+  return schema::number_text(row.kind, row.p_axis);
+}
+
 void describe(Finding& finding, Line const& line) {
   Mention const first = *other_parameter(line);
   std::string const named = line.text(first.span);
-  finding.message = message(
-      says::headline, {{"named", named},
-                       {"parameter", line.name()},
-                       {"own", schema::p_axis_text(line.context.list.readings[line.number].row->p_axis)}});
+  finding.message =
+      message(says::headline, {{"named", named}, {"parameter", line.name()}, {"own", own_number(line)}});
   if (first.number > UINT16_MAX) return;
   schema::Catalogue const& catalogue = line.context.list.catalogue;
   for (schema::ParameterId const id : catalogue.find_number(static_cast<std::uint16_t>(first.number))) {

@@ -20,7 +20,7 @@ namespace {
 /// A number of another kind of list: then the name is not misspelt, the line is in the wrong list.
 bool is_numbered_elsewhere(Line const& line) {
   auto const kind = configuration::kind_numbered_in(line.context.source.slice(line.assignment().trailer));
-  return kind && *kind != configuration::ListKind::axis;
+  return kind && *kind != line.context.list.kind;
 }
 
 void describe(Finding& finding, Line const& line) {
@@ -52,11 +52,22 @@ bool concerns_image(Line const& line) {
          (suggestions.is_close && is_compiled_family(suggestions.names.front()));
 }
 
+/// By a slip of the pen. Real lists have names that the documents of their kind do not know.
+bool is_explained(Line const& line) {
+  auto const& suggestions = line.context.list.readings.suggestions(line.number);
+  return !is_numbered_elsewhere(line) && !suggestions.names.empty() &&
+         (suggestions.is_close || suggestions.is_certain || suggestions.is_former_name);
+}
+
 void unknown_parameter(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
     if (line.reading().row_known()) return;
     Reported& reported = report_line<describe>(report, line, line.assignment().name);
-    if (concerns_image(line)) reported.severity = Severity::error;
+    if (context.list.kind != configuration::ListKind::axis) {
+      if (!is_explained(line)) reported.severity = Severity::note;
+    } else if (concerns_image(line)) {
+      reported.severity = Severity::error;
+    }
   });
 }
 

@@ -26,9 +26,8 @@ std::string limit_text(schema::DataType type, bool highest) {
   return schema::is_integer(type) ? std::to_string(static_cast<std::int64_t>(limit)) : format_exact(limit);
 }
 
-void describe(Finding& finding, AxisContext const& context, schema::Slot slot, std::string value,
+void describe(Finding& finding, schema::Parameter const& row, schema::Slot slot, std::string value,
               bool positive) {
-  schema::Parameter const& row = context.values.row(slot);
   name_parameter(finding, row, slot);
   std::string type_name(schema::data_type_name(row.type));
   finding.message =
@@ -39,8 +38,26 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, s
   finding.notes.push_back(message_of(says::range, Argument{"type", std::move(type_name)},
                                      Argument{"lowest", std::move(lowest)},
                                      Argument{"highest", std::move(highest)}));
+}
+
+void describe(Finding& finding, AxisContext const& context, schema::Slot slot, std::string value,
+              bool positive) {
+  schema::Parameter const& row = context.values.row(slot);
+  describe(finding, row, slot, std::move(value), positive);
   schema::DataRange const range = schema::data_range(row.type);
   add_physical(finding, row, context.type, positive ? range.highest : range.lowest);
+}
+
+void out_of_data_range_in_list(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    if (line.reading().status != ReadingStatus::out_of_data_range || !line.reading().known()) return;
+    Span const value = line.assignment().value;
+    report.later(line.place(value), [line](Finding& finding) {
+      Reading const& reading = line.reading();
+      describe(finding, *reading.row, reading.slot, line.text(line.assignment().value),
+               reading.value.number > 0);
+    });
+  });
 }
 
 void out_of_data_range(AxisContext const& context, Report& report) {
@@ -69,6 +86,7 @@ extern constinit Rule const ax2004{
     .about = [](schema::Parameter const& parameter) { return schema::is_integer(parameter.type); },
     .precedence = Precedence::before_family,
     .check = out_of_data_range,
+    .list_check = out_of_data_range_in_list,
 };
 
 }  // namespace axisc::validator::checks

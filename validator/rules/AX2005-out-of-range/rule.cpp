@@ -78,6 +78,23 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
   }
 }
 
+/// In the numbers of the list: which kind of axis they are for is not known here.
+void describe_line(Finding& finding, Line const& line) {
+  Reading const& reading = line.reading();
+  std::string const range = range_text(*reading.row, {}, false);
+  finding.message =
+      message_of(says::headline, Argument{"parameter", finding.parameter}, Argument{"range", range});
+}
+
+void out_of_range_in_list(ListContext const& context, Report& report) {
+  for_each_doubtful(context, [&](Line const& line) {
+    Reading const& reading = line.reading();
+    bool const has_value = reading.known() && reading.status == ReadingStatus::value;
+    if (!has_value || !is_wrong(*reading.row, reading.value.number)) return;
+    report_line<describe_line>(report, line, line.assignment().value);
+  });
+}
+
 void out_of_range(AxisContext const& context, Report& report) {
   for_each_doubtful(context, [&](AxisLine const& line) {
     Reading const& reading = line.reading();
@@ -110,6 +127,7 @@ extern constinit Rule const ax2005{
         },
     .precedence = Precedence::after_family,
     .check = out_of_range,
+    .list_check = out_of_range_in_list,
 };
 
 }  // namespace axisc::validator::checks

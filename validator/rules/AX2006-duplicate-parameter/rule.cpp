@@ -4,8 +4,8 @@
 #include "validator/values/readings.hpp"
 
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace axisc::validator::says {
 
@@ -36,13 +36,13 @@ void describe(Finding& finding, Line const& line, grammar::Assignment const& lat
 
 void duplicate_parameter(ListContext const& context, Report& report) {
   if (!context.list.readings.has_repetitions()) return;
-  std::vector<std::uint32_t> last(context.list.catalogue.slot_count(), 0);  // index + 1; 0: not set yet
+  std::unordered_map<schema::Slot, std::uint32_t> last;  // index + 1; 0: not set yet
   Readings const& readings = context.list.readings;
   for (std::uint32_t i = 0; i < readings.size(); ++i) {
     // A broken line sets nothing, so it repeats nothing.
     Reading const reading = readings[i];
     if (!reading.usable()) continue;
-    std::uint32_t const before = std::exchange(last[static_cast<std::size_t>(reading.slot)], i + 1);
+    std::uint32_t const before = std::exchange(last[reading.slot], i + 1);
     if (before == 0) continue;
     std::uint32_t const earlier = before - 1;
     Place const place = place_of(context, context.list.tree.assignments[earlier].value);

@@ -1,4 +1,4 @@
-#include "schema/extension.hpp"
+#include "schema/tables/extension.hpp"
 
 #include "schema/indexed_name.hpp"
 #include "schema/name_matching.hpp"

@@ -2,9 +2,7 @@
 // built-in tables find is still found there.
 #pragma once
 
-#include "schema/parameter_row.hpp"
-#include "schema/plain_values.hpp"
-#include "schema/vocabulary.hpp"
+#include "schema/tables/own_tables.hpp"
 
 #include <cstddef>
 #include <deque>
@@ -20,27 +18,24 @@
 
 namespace axisc::schema {
 
-class Extension {
+class Extension final : public OwnTables {
  public:
   /// The built-in catalogue with `rows`: one of a name that is there already replaces it and keeps its slots,
   /// unless its array sizes differ.
   explicit Extension(std::vector<ParameterRow> rows);
-  Extension(Extension const&) = delete;
-  Extension& operator=(Extension const&) = delete;
 
-  [[nodiscard]] std::vector<ParameterRow> const& own_rows() const { return own_; }
-  [[nodiscard]] std::span<Parameter const> parameters() const { return rows_; }
-  [[nodiscard]] std::size_t slot_count() const;
-  [[nodiscard]] NameLookup find_as_written(std::string_view text) const;
-  /// Of a name exactly as the catalogue spells it, whatever it looks like.
-  [[nodiscard]] PlainParameter find_plain(std::string_view name) const;
-  [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const;
-  [[nodiscard]] std::span<Slot const> slots_limited_by_others() const { return limited_; }
-  [[nodiscard]] ParameterId parameter_of(Slot slot) const;
-  [[nodiscard]] bool knows_word(std::string_view word) const { return words_.contains(word); }
-  [[nodiscard]] Vocabulary vocabulary() const;
-  /// The file of a row; empty for one that was built in.
-  [[nodiscard]] std::string_view file_of(std::string_view name) const;
+  [[nodiscard]] ListKind kind() const override { return ListKind::axis; }
+  [[nodiscard]] std::span<ParameterRow const> own_rows() const override { return own_; }
+  [[nodiscard]] std::span<Parameter const> parameters() const override { return rows_; }
+  [[nodiscard]] std::size_t slot_count() const override;
+  [[nodiscard]] NameLookup find_as_written(std::string_view text) const override;
+  [[nodiscard]] PlainParameter find_plain(std::string_view name) const override;
+  [[nodiscard]] std::span<ParameterId const> find_number(std::uint16_t p_axis) const override;
+  [[nodiscard]] std::span<Slot const> slots_limited_by_others() const override { return limited_; }
+  [[nodiscard]] ParameterId parameter_of(Slot slot) const override;
+  [[nodiscard]] bool knows_word(std::string_view word) const override { return words_.contains(word); }
+  [[nodiscard]] Vocabulary vocabulary() const override;
+  [[nodiscard]] std::string_view file_of(std::string_view name) const override;
 
  private:
   void add(ParameterRow const& row);

@@ -1,0 +1,64 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/filter_words.hpp"
+#include "validator/rules/unequal_filters.hpp"
+#include "validator/views/gantry.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{
+    R"(coupled axes "{master}" and "{slave}": their filters are {cycles} cycles ({milliseconds} ms) apart)",
+    "gekoppelte Achsen „{master}“ und „{slave}“: ihre Filter liegen {cycles} Zyklen ({milliseconds} ms) "
+    "auseinander"};
+constexpr Sentence headline_same_delay{
+    R"(the coupled axes "{master}" and "{slave}" have different filters)",
+    "die gekoppelten Achsen „{master}“ und „{slave}“ haben verschiedene Filter"};
+constexpr Sentence same_delay{"their delays agree, so they differ only while they accelerate",
+                              "die Verzögerungen stimmen überein; sie weichen nur beim Beschleunigen ab"};
+constexpr Sentence coupled_here{"the coupling stands here", "hier steht die Kopplung"};
+constexpr Sentence help{"configure the same filters in both axes",
+                        "in beiden Achsen dieselben Filter konfigurieren"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+void check_pair(configuration::CoupledPair const& pair, MachineContext const& context, Report& report) {
+  if (!pair.master || !pair.slave) return;
+  auto const master_index = axis_numbered(context.machine, pair.master->number);
+  auto const slave_index = axis_numbered(context.machine, pair.slave->number);
+  // What a gantry couples as well is AX4021.
+  if (!master_index || !slave_index || master_index == slave_index) return;
+  if (master_of(context.machine, *slave_index) == master_index) return;
+  auto const master = delayed_axis(context, *master_index);
+  auto const slave = delayed_axis(context, *slave_index);
+  auto const difference = master && slave ? compare_filters({*master, *slave}) : std::nullopt;
+  if (!difference) return;
+  bool const apart = difference->is_apart();
+  Finding& finding =
+      report_difference(*difference, apart ? says::headline : says::headline_same_delay, context, report);
+  finding.related.push_back({.place = pair.slave->place, .message = {says::coupled_here, {}}});
+  if (!apart) finding.notes.push_back({says::same_delay, {}});
+  finding.help.push_back({says::help, {}});
+}
+
+void coupled_filters_differ(MachineContext const& context, Report& report) {
+  if (!context.machine.start_up) return;
+  for (StartUpChannel const& channel : context.machine.start_up->channels) {
+    for (configuration::CoupledPair const& pair : channel.list.pairs) check_pair(pair, context, report);
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax4022{
+    .code = Code{4022},
+    .name = "coupled-filters-differ",
+    .severity = Severity::warning,
+    .parameters = "filter[].* filter_fir.* vib_guard.* kopf.achs_nr",
+    .needs = Needs::cycle_time,
+    .check = coupled_filters_differ,
+};
+
+}  // namespace axisc::validator::checks

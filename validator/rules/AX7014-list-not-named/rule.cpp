@@ -1,0 +1,37 @@
+#include "validator/engine/rule.hpp"
+
+#include "validator/rules/helpers.hpp"
+
+namespace axisc::validator::says {
+
+constexpr Sentence headline{"no start-up list in this folder names this list",
+                            "keine Hochlaufliste in diesem Ordner nennt diese Liste"};
+constexpr Sentence reaction{"it does not read the list", "sie liest die Liste nicht"};
+
+}  // namespace axisc::validator::says
+
+namespace axisc::validator::checks {
+namespace {
+
+void list_not_named(MachineContext const& context, Report& report) {
+  LoadedMachine const& machine = context.machine;
+  if (!machine.is_beside_start_up_list) return;
+  for (auto const* const lists : {&machine.lists, &machine.other_lists}) {
+    for (NamedList const& named : *lists) {
+      std::uint32_t const begin = context.sources[named.list.source].text_begin();
+      Place const place{.source = named.list.source, .span = {.begin = begin, .end = begin}};
+      set_reaction(report.add(place, message(says::headline)), says::reaction);
+    }
+  }
+}
+
+}  // namespace
+
+extern constinit Rule const ax7014{
+    .code = Code{7014},
+    .name = "list-not-named",
+    .severity = Severity::note,
+    .check = list_not_named,
+};
+
+}  // namespace axisc::validator::checks
