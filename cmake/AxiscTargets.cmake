@@ -92,14 +92,14 @@ function(axisc_test_options target)
   target_precompile_headers(${target} REUSE_FROM axisc_test_support)
 endfunction()
 
-# axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder, and the test
-# "grammar". SOURCES adds others; with ONLY these are all.
+# axisc_test(grammar DEPENDS axisc_grammar) makes the program test_grammar of all sources in the folder and in those
+# directly below it, and the test "grammar". SOURCES adds others; with ONLY these are all.
 function(axisc_test name)
   cmake_parse_arguments(ARG "ONLY" "" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
   set(target test_${name})
   set(sources "")
   if(NOT ARG_ONLY)
-    file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
+    file(GLOB sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp" "*/*.cpp")
     foreach(except IN LISTS ARG_EXCEPT)
       list(FILTER sources EXCLUDE REGEX "^${except}")
     endforeach()

@@ -23,15 +23,9 @@ std::deque<AxisViews> views_of(LoadedMachine const& machine) {
 
 }  // namespace
 
-CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
+CheckResult check(LoadedMachine& machine, configuration::Files& files, CheckOptions const& options,
                   SourceSet& sources, FindingSink const& sink) {
   CheckResult result;
-  std::variant<LoadedMachine, configuration::FileError> loaded = load(files, path, options, sources);
-  if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
-    result.unreadable = *error;
-    return result;
-  }
-  auto& machine = std::get<LoadedMachine>(loaded);
   result.cycle_time_known = machine.cycle_time.has_value();
   // Whether silenced or not: the machine lacks what cannot be understood in a machine file.
   bool const is_understood = machine.complete && machine.findings.empty();
@@ -48,7 +42,18 @@ CheckResult check(configuration::Files& files, std::string const& path, CheckOpt
   }
   result.is_other_list = machine.axes.empty() && !machine.start_up && !machine.machine_file &&
                          (!machine.other_lists.empty() || machine.list_of_unknown_kind.has_value());
-  result.files = std::move(machine.files);
+  result.files = machine.files;
+  return result;
+}
+
+CheckResult check(configuration::Files& files, std::string const& path, CheckOptions const& options,
+                  SourceSet& sources, FindingSink const& sink) {
+  std::variant<LoadedMachine, configuration::FileError> loaded = load(files, path, options, sources);
+  if (auto* const machine = std::get_if<LoadedMachine>(&loaded)) {
+    return check(*machine, files, options, sources, sink);
+  }
+  CheckResult result;
+  result.unreadable = std::get<configuration::FileError>(loaded);
   return result;
 }
 

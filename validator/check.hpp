@@ -34,6 +34,10 @@ struct CheckResult {
 /// bad input.
 [[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path,
                                 CheckOptions const& options, SourceSet& sources);
+struct LoadedMachine;
+/// The same for an input that load() has read; the machine stays the caller's.
+[[nodiscard]] CheckResult check(LoadedMachine& machine, configuration::Files& files,
+                                CheckOptions const& options, SourceSet& sources, FindingSink const& sink);
 /// As check() above, but passes one finding at a time to `sink` instead of collecting them in memory.
 [[nodiscard]] CheckResult check(configuration::Files& files, std::string const& path,
                                 CheckOptions const& options, SourceSet& sources, FindingSink const& sink);

@@ -4,7 +4,9 @@
 #include "cli/files/disk_files.hpp"
 #include "cli/options/report_format.hpp"
 
-#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -12,12 +14,25 @@ std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::st
                                                     configuration::Files& files, Invocation const& invocation,
                                                     bool color) {
   SourceSet sources;
-  auto result = validator::check(files, path, options_for(job, path), sources);
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  std::erase_if(result.findings, [](Finding const& finding) { return finding.severity != Severity::error; });
-  if (!result.findings.empty()) {
+  std::optional<validator::LoadedMachine> loaded;
+  return check_machine(job, path, files, invocation, color, sources, loaded);
+}
+
+std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
+                                                    configuration::Files& files, Invocation const& invocation,
+                                                    bool color, SourceSet& sources,
+                                                    std::optional<validator::LoadedMachine>& loaded) {
+  auto const options = options_for(job, path);
+  auto read = validator::load(files, path, options, sources);
+  if (auto const* const error = std::get_if<configuration::FileError>(&read)) throw unreadable(path, *error);
+  loaded = std::get<validator::LoadedMachine>(std::move(read));
+  std::vector<Finding> errors;
+  auto result = validator::check(*loaded, files, options, sources, [&errors](Finding& finding) {
+    if (finding.severity == Severity::error) errors.push_back(std::move(finding));
+  });
+  if (!errors.empty()) {
     invocation.streams.err.write(
-        texts_of(result.findings, sources, {.language = invocation.language, .color = color}));
+        texts_of(errors, sources, {.language = invocation.language, .color = color}));
     return std::nullopt;
   }
   require_machine(path, result, sources, invocation.language);

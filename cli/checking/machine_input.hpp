@@ -3,6 +3,7 @@
 
 #include "cli/checking/check_input.hpp"
 #include "cli/commands/commands.hpp"
+#include "validator/loading/loading.hpp"
 
 #include <optional>
 #include <string>
@@ -16,5 +17,9 @@ namespace axisc::cli {
                                                                   std::string const& path,
                                                                   configuration::Files& files,
                                                                   Invocation const& invocation, bool color);
+/// The same, and keeps what was read: the machine in `loaded` refers to `sources`.
+[[nodiscard]] std::optional<validator::CheckResult> check_machine(
+    CheckJob const& job, std::string const& path, configuration::Files& files, Invocation const& invocation,
+    bool color, SourceSet& sources, std::optional<validator::LoadedMachine>& loaded);
 
 }  // namespace axisc::cli

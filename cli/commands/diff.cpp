@@ -1,34 +1,69 @@
-#include "cli/checking/machine_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/path_machine.hpp"
+#include "cli/comparison/machine_difference.hpp"
+#include "cli/files/path_identity.hpp"
 #include "cli/formats/diff_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
 
-#include <variant>
+#include <memory>
 
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Compares two axis lists, machine files or images: which parameters mean something else, and what that does to
-the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.)",
-    R"(Vergleicht zwei Achslisten, Maschinendateien oder Abbilder: welche Parameter etwas anderes bedeuten und was das
-mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, Abweichung an einer Ecke.)"};
+    R"(Compares two machines, lists or images, or two axes of one machine: which axes there are, which channel they belong
+to, which parameters mean something else, where they are set, what needs a restart of the control, and what that does
+to the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.
+Axes are paired by their number (kopf.achs_nr), else by name. Effective values are compared: internal default, default
+list, axis list. What one side sets to the default of the other is equal.)",
+    R"(Vergleicht zwei Maschinen, Listen oder Abbilder oder zwei Achsen einer Maschine: welche Achsen es gibt, zu welchem
+Kanal sie gehören, welche Parameter etwas anderes bedeuten, wo sie stehen, was einen Neustart der Steuerung braucht und
+was das mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, Abweichung an einer Ecke.
+Achsen gehören über ihre Nummer (kopf.achs_nr) zusammen, sonst über den Namen. Verglichen werden wirksame Werte:
+interner Standardwert, Standardliste, Achsliste. Was eine Seite auf den Standardwert der anderen setzt, ist gleich.)"};
 constexpr Sentence examples{R"(Examples:
-  axisc diff old/machine.json new/machine.json
+  axisc diff old/listen/ new/listen/
+  axisc diff listen/ --axis X --axis Y
   axisc diff x.lis.orig x.lis --cycle-time 1ms
   axisc diff running.axim machine.json --format markdown)",
                             R"(Beispiele:
-  axisc diff alt/maschine.json neu/maschine.json
+  axisc diff alt/listen/ neu/listen/
+  axisc diff listen/ --axis X --axis Y
   axisc diff x.lis.orig x.lis --cycle-time 1ms
   axisc diff laufend.axim maschine.json --format markdown)"};
-constexpr Sentence argument_diff{"two lists, machine files or images, also mixed",
-                                 "zwei Listen, Maschinendateien oder Abbilder, auch gemischt"};
+constexpr Sentence argument_diff{
+    "two folders, start-up lists, machine files, lists or images, also mixed; or one, with two axes",
+    "zwei Ordner, Hochlauflisten, Maschinendateien, Listen oder Abbilder, auch gemischt; oder eins mit zwei "
+    "Achsen"};
+constexpr Sentence option_axis{
+    "only this axis: its name in programs, its number, or its list; given twice: the first of OLD with the "
+    "second of NEW, "
+    "or two axes of one machine",
+    "nur diese Achse: ihr Name im Programm, ihre Nummer oder ihre Liste; zweimal: die erste von ALT mit der "
+    "zweiten von NEU, "
+    "oder zwei Achsen einer Maschine"};
+constexpr Sentence option_all{
+    "also show parameters that one side sets to the default of the other, and those in which axes of one "
+    "machine must "
+    "differ (number, name, drive address)",
+    "auch Parameter zeigen, die eine Seite auf den Standardwert der anderen setzt, und solche, in denen sich "
+    "Achsen einer "
+    "Maschine unterscheiden müssen (Nummer, Name, Antriebsadresse)"};
+constexpr Sentence one_input{
+    "there is nothing to compare {input} with; name a second input, or two of its axes: --axis X --axis Y",
+    "es fehlt, womit {input} zu vergleichen ist; eine zweite Eingabe nennen oder zwei ihrer Achsen: --axis X "
+    "--axis Y"};
+constexpr Sentence same_list{
+    "both sides read {list}, because both start-up lists lead to it; to compare a copy of a folder, keep the "
+    "folder's "
+    "name: backup/listen beside listen, not backup",
+    "beide Seiten lesen {list}, weil beide Hochlauflisten dorthin führen; um die Kopie eines Ordners zu "
+    "vergleichen, den "
+    "Namen des Ordners behalten: sicherung/listen neben listen, nicht sicherung"};
+constexpr Sentence too_many{"`diff` compares two inputs, and at most two axes of them",
+                            "`diff` vergleicht zwei Eingaben und höchstens zwei Achsen davon"};
 constexpr Sentence option_feed{"path feed in mm/min for the corner (default: 1000)",
                                "Bahnvorschub in mm/min für die Ecke (Standardwert: 1000)"};
 constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
@@ -45,15 +80,19 @@ enum class Format : std::uint8_t { text, json, markdown };
 
 struct DiffOptions {
   std::vector<std::string> inputs;
+  std::vector<std::string> axes;
   std::vector<std::string> schema_files;
   std::optional<std::string> cycle_time;
   std::optional<std::string> feed;
   Format format = Format::text;
+  bool all = false;
   bool exit_code = false;
 };
 
 void declare(CommandLine& command_line, DiffOptions& options) {
   command_line.arguments("OLD NEW", options.inputs, says::argument_diff);
+  command_line.values("--axis", "NAME", options.axes, says::option_axis);
+  command_line.flag("--all", options.all, says::option_all);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
   command_line.choice("--format",
@@ -74,48 +113,61 @@ double feed_of(DiffOptions const& options) {
   return *feed;
 }
 
-bool is_image(std::string_view bytes) {
-  return bytes.substr(0, 4) == "AXIM";
-}
-
-/// Returns the content of a file that has been read already; other files come from `files`.
-class HeldFiles final : public configuration::Files {
- public:
-  HeldFiles(configuration::Files& files, std::string path, std::string content)
-      : files_(files), path_(std::move(path)), content_(std::move(content)) {}
-  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
-    if (path == path_) return content_;
-    return files_.read(path);
-  }
-  [[nodiscard]] std::optional<configuration::FileError> read_pieces(
-      std::string const& path, configuration::PieceReceiver const& receive) override {
-    return path == path_ ? Files::read_pieces(path, receive) : files_.read_pieces(path, receive);
-  }
-
- private:
-  configuration::Files& files_;
-  std::string path_, content_;
+/// The two sides of a comparison; they are one where two axes of a machine are compared.
+struct Sides {
+  std::shared_ptr<ComparedMachine> before, after;
 };
 
-/// A list or machine is compiled to an image, so that both sides are compared as the runtime would execute them. None
-/// after errors, which are printed.
-std::optional<ImageFile> load_side(std::string const& input, CheckJob const& job,
-                                   Invocation const& invocation, bool color) {
-  auto const path = machine_input(input);
-  DiskFiles disk(path == "-");
-  auto read = disk.read(path);
-  if (auto const* const error = std::get_if<configuration::FileError>(&read)) {
-    if (*error == configuration::FileError::image || *error == configuration::FileError::binary) {
-      return load_image(path);
+/// Lists name each other from a folder above them, so that the copy of a folder may lead back to the original.
+void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& after,
+                       Invocation const& invocation) {
+  PathIdentities identities;
+  bool const are_start_up_lists =
+      before.loaded && after.loaded && before.loaded->start_up && after.loaded->start_up;
+  if (!are_start_up_lists || identities.of(before.loaded->path) == identities.of(after.loaded->path)) return;
+  for (auto const& was : before.axes) {
+    for (auto const& is : after.axes) {
+      if (identities.of(was.path) != identities.of(is.path)) continue;
+      invocation.streams.err.write(
+          warning_line({.sentence = says::same_list, .arguments = {{"list", is.path}}}, invocation.language));
+      return;
     }
-    throw unreadable(path, *error);
   }
-  auto& content = std::get<std::string>(read);
-  if (is_image(content)) return load_image(path);
-  HeldFiles files(disk, path, std::move(content));
-  auto const result = check_machine(job, path, files, invocation, color);
-  if (!result) return std::nullopt;
-  return image_of(*result->machine, path);
+}
+
+/// None where there is nothing to compare; errors are printed.
+std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invocation const& invocation,
+                                bool color) {
+  Sides sides;
+  sides.before = compared_machine(options.inputs.front(), job, invocation, color);
+  sides.after = options.inputs.size() == 1 ? sides.before
+                                           : compared_machine(options.inputs.back(), job, invocation, color);
+  if (!sides.before || !sides.after) return std::nullopt;
+  warn_of_same_list(*sides.before, *sides.after, invocation);
+  // A list alone does not say its NC cycle time: that of the other side counts.
+  auto const& known = sides.before->cycle_time_known ? *sides.before : *sides.after;
+  auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
+  if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
+    job.options.cycle_time = known.cycle_time;
+    unknown = compared_machine(unknown->input, job, invocation, color);
+  }
+  return sides;
+}
+
+MachineDifference compare(DiffOptions const& options, Sides const& sides) {
+  if (options.axes.empty()) return compare_machines(*sides.before, *sides.after, options.all);
+  return compare_axes(*sides.before, axis_called(*sides.before, options.axes.front()), *sides.after,
+                      axis_called(*sides.after, options.axes.back()), options.all);
+}
+
+/// Two inputs, or two axes of one.
+void require_two_sides(CommandLine const& command_line, DiffOptions const& options) {
+  command_line.require(!options.inputs.empty(), "OLD NEW");
+  if (options.inputs.size() > 2 || options.axes.size() > 2)
+    throw Failure({.sentence = says::too_many, .arguments = {}});
+  if (options.inputs.size() == 1 && options.axes.size() != 2) {
+    throw Failure({.sentence = says::one_input, .arguments = {{"input", options.inputs.front()}}});
+  }
 }
 
 }  // namespace
@@ -125,37 +177,37 @@ ExitStatus diff(Invocation const& invocation) {
   CommandLine command_line("diff", says::purpose, says::examples, invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
-  command_line.require(options.inputs.size() == 2, "OLD NEW");
+  require_two_sides(command_line, options);
   double const feed = feed_of(options);
   SettingsFinder settings(options.schema_files);
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(options.cycle_time);
   job.settings = &settings;
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const load = [&](std::string const& path) { return load_side(path, job, invocation, color); };
-  auto const before = load(options.inputs[0]);
-  auto const after = load(options.inputs[1]);
-  if (!before || !after) return ExitStatus::findings;
+  auto const sides = load_sides(options, job, invocation, color);
+  if (!sides) return ExitStatus::findings;
 
-  auto const difference =
-      image::compare_images({.image = before->bytes.bytes(), .contents = before->contents},
-                            {.image = after->bytes.bytes(), .contents = after->contents});
-  ShownDifference const shown{.before = options.inputs[0],
-                              .after = options.inputs[1],
-                              .difference = difference,
-                              .feed_mm_per_min = feed};
+  auto const difference = compare(options, *sides);
+  bool const of_one_machine = difference.of_one_machine;
+  ShownDifference const shown{
+      .before = of_one_machine ? axis_called(*sides->before, options.axes[0]).name : options.inputs[0],
+      .after = of_one_machine ? axis_called(*sides->after, options.axes[1]).name : options.inputs[1],
+      .difference = difference,
+      .feed_mm_per_min = feed};
   switch (options.format) {
     case Format::text:
       invocation.streams.out.write(diff_text(shown, invocation.language));
       break;
     case Format::json:
-      invocation.streams.out.write(diff_json(shown));
+      invocation.streams.out.write(diff_json(shown, invocation.language));
       break;
     case Format::markdown:
       invocation.streams.out.write(diff_markdown(shown, invocation.language));
       break;
   }
-  return options.exit_code && !difference.empty() ? ExitStatus::findings : ExitStatus::success;
+  bool const has_errors = !sides->before->image || !sides->after->image;
+  return has_errors || (options.exit_code && !difference.empty()) ? ExitStatus::findings
+                                                                  : ExitStatus::success;
 }
 
 }  // namespace axisc::cli

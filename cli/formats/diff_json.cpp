@@ -1,5 +1,8 @@
 #include "cli/formats/diff_formats.hpp"
+#include "cli/formats/parameter_facts.hpp"
 #include "cli/report/json_text.hpp"
+#include "schema/data_type.hpp"
+#include "schema/descriptions/description.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,44 +27,116 @@ ordered_json figures_json(image::ChainFigures const& figures, double feed, desig
   return json;
 }
 
-ordered_json axis_json(image::AxisChange const& axis, ShownDifference const& shown) {
-  ordered_json json{{"name", axis.name}, {"parameters", ordered_json::array()}};
-  for (auto const& change : axis.parameters) {
-    json["parameters"].push_back({{"name", change.name},
-                                  {"before", optional_json(change.before)},
-                                  {"after", optional_json(change.after)},
-                                  {"default", optional_json(default_of(change))},
-                                  {"place_before", change.place_before},
-                                  {"place_after", change.place_after}});
+char const* state_word(ValueState state) {
+  switch (state) {
+    case ValueState::set:
+      return "set";
+    case ValueState::standard:
+      return "default";
+    case ValueState::missing:
+      return "missing";
   }
-  if (!axis.filtering_changed) return json;
+  return "";
+}
+
+ordered_json value_json(ComparedValue const& value) {
+  return value.state == ValueState::set ? ordered_json(value.text) : ordered_json(nullptr);
+}
+
+ordered_json parameter_json(ParameterChange const& change, Language language) {
+  auto const& row = *change.row;
+  auto const default_json = row.has_default ? ordered_json(default_text(row)) : ordered_json(nullptr);
+  return {{"name", change.name},
+          {"before", value_json(change.before)},
+          {"after", value_json(change.after)},
+          {"default", default_json},
+          {"place_before", change.before.place},
+          {"place_after", change.after.place},
+          {"state_before", state_word(change.before.state)},
+          {"state_after", state_word(change.after.state)},
+          {"equal", change.equal},
+          {"p_axis", schema::p_axis_text(row.p_axis)},
+          {"meaning", schema::description_of(row).what.in(language)},
+          {"unit", change.unit},
+          {"restart", change.restart}};
+}
+
+ordered_json number_json(ComparedAxis const& axis) {
+  return optional_json(axis.number);
+}
+
+ordered_json axis_json(AxisDifference const& axis, ShownDifference const& shown, Language language) {
+  ordered_json json{{"name", axis.after->name},
+                    {"name_before", axis.before->name},
+                    {"number_before", number_json(*axis.before)},
+                    {"number_after", number_json(*axis.after)},
+                    {"list_before", axis.before->list},
+                    {"list_after", axis.after->list},
+                    {"parameters", ordered_json::array()}};
+  for (auto const& change : axis.parameters) json["parameters"].push_back(parameter_json(change, language));
+  if (!axis.chain) return json;
   auto const& difference = shown.difference;
-  json["before"] = figures_json(axis.before, shown.feed_mm_per_min, difference.cycle_time_before);
-  json["after"] = figures_json(axis.after, shown.feed_mm_per_min, difference.cycle_time_after);
+  json["before"] = figures_json(axis.chain->before, shown.feed_mm_per_min, difference.before.cycle_time);
+  json["after"] = figures_json(axis.chain->after, shown.feed_mm_per_min, difference.after.cycle_time);
   json["gains"] = ordered_json::array();
-  for (auto const& gain : axis.gains) {
+  for (auto const& gain : axis.chain->gains) {
     json["gains"].push_back(
         {{"frequency_hz", gain.frequency.value}, {"before", gain.before}, {"after", gain.after}});
   }
   return json;
 }
 
+ordered_json channel_json(ComparedChannel const* channel) {
+  if (channel == nullptr) return nullptr;
+  ordered_json json{{"name", channel->name},
+                    {"axes", channel->axes},
+                    {"spindles", channel->spindles},
+                    {"couplings", channel->couplings},
+                    {"programs", ordered_json::array()}};
+  for (auto const& program : channel->programs) json["programs"].push_back(program.name);
+  return json;
+}
+
+ordered_json gantries_json(std::vector<ComparedGantry> const& gantries) {
+  ordered_json json = ordered_json::array();
+  for (auto const& gantry : gantries) json.push_back({{"master", gantry.master}, {"slaves", gantry.slaves}});
+  return json;
+}
+
+ordered_json names_json(std::vector<ComparedAxis const*> const& axes) {
+  ordered_json json = ordered_json::array();
+  for (auto const* const axis : axes) json.push_back(axis->name);
+  return json;
+}
+
 }  // namespace
 
-std::string diff_json(ShownDifference const& shown) {
+std::string diff_json(ShownDifference const& shown, Language language) {
   auto const& difference = shown.difference;
   ordered_json json{{"version", 1},
                     {"before", shown.before},
                     {"after", shown.after},
                     {"equal", difference.empty()},
+                    {"restart", difference.needs_restart()},
                     {"feed_mm_per_min", shown.feed_mm_per_min},
                     {"cycle_time_us",
-                     {{"before", difference.cycle_time_before.microseconds()},
-                      {"after", difference.cycle_time_after.microseconds()}}},
-                    {"axes_removed", difference.axes_removed},
-                    {"axes_added", difference.axes_added},
+                     {{"before", difference.before.cycle_time.microseconds()},
+                      {"after", difference.after.cycle_time.microseconds()}}},
+                    {"axes_removed", names_json(difference.axes_removed)},
+                    {"axes_added", names_json(difference.axes_added)},
+                    {"channels", ordered_json::array()},
+                    {"gantries",
+                     {{"before", gantries_json(difference.gantries_before)},
+                      {"after", gantries_json(difference.gantries_after)}}},
+                    {"set_to_default", difference.set_to_default},
+                    {"left_out", difference.left_out},
                     {"axes", ordered_json::array()}};
-  for (auto const& axis : difference.axes) json["axes"].push_back(axis_json(axis, shown));
+  for (auto const& channel : difference.channels) {
+    json["channels"].push_back({{"before", channel_json(channel.before)},
+                                {"after", channel_json(channel.after)},
+                                {"programs_with_other_content", programs_with_other_content(channel)}});
+  }
+  for (auto const& axis : difference.axes) json["axes"].push_back(axis_json(axis, shown, language));
   return json_document(json);
 }
 

@@ -67,6 +67,7 @@ ordered_json parameter_json(schema::Catalogue const& catalogue, schema::Paramete
   json["meaning"] = text_json(description.what.in(language));
   json["detail"] = text_json(description.detail.in(language));
   json["inferred"] = description.inferred;
+  json["restart"] = description.restart;
   json["values"] = ordered_json::array();
   for (auto const& [value, meaning] : description.values) {
     json["values"].push_back({{"value", value}, {"meaning", meaning.in(language)}});

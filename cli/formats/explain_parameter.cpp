@@ -24,6 +24,8 @@ constexpr Sentence explain_default{"default", "Standardwert"};
 constexpr Sentence unit{"unit of the number", "Einheit der Zahl"};
 constexpr Sentence units{"{translatory} (translatory), {rotary} (rotary)",
                          "{translatory} (translatorisch), {rotary} (rotatorisch)"};
+constexpr Sentence restart{"changes take effect", "Änderungen wirken"};
+constexpr Sentence after_restart{"after a restart of the control", "nach einem Neustart der Steuerung"};
 constexpr Sentence array{"entries", "Einträge"};
 constexpr Sentence entries{"`{first}` to `{last}`", "`{first}` bis `{last}`"};
 constexpr Sentence longest{"longest text, in characters", "längster Text, in Zeichen"};
@@ -158,6 +160,7 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
   row(says::values, values_text(description, language));
   row(says::explain_default, parameter.has_default ? default_in_units(parameter) : "");
   row(says::unit, unit_text(parameter, language));
+  row(says::restart, description.restart ? say(says::after_restart, language) : "");
   row(says::array, entries_text(parameter, language));
   row(says::longest, parameter.max_length == 0 ? "" : std::to_string(parameter.max_length));
   row(says::axis_types, axis_types_text(parameter.axis_types));

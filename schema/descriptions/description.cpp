@@ -31,6 +31,7 @@ struct DescriptionRow {
   std::uint16_t first_value;
   std::uint16_t values;
   bool inferred;
+  bool restart;
 };
 
 #include "description_tables.inc"
@@ -51,8 +52,11 @@ Description description_of(Parameter const& parameter) {
                                   [&](Parameter const& row) { return row.name == parameter.name; });
   if (found == rows.end()) return {};
   DescriptionRow const& row = description_table[std::distance(rows.begin(), found)];
-  Description description{
-      .what = page(row.what), .detail = page(row.detail), .values = {}, .inferred = row.inferred};
+  Description description{.what = page(row.what),
+                          .detail = page(row.detail),
+                          .values = {},
+                          .inferred = row.inferred,
+                          .restart = row.restart};
   for (ValueRow const& value : std::span(value_table).subspan(row.first_value, row.values)) {
     description.values.push_back({.value = text(value.value), .meaning = page(value.meaning)});
   }

@@ -20,6 +20,9 @@ struct Description {
   Page detail;  ///< sentences; may be empty
   std::vector<ValueMeaning> values;
   bool inferred = false;  ///< `what` is only what the family of its name tells
+  /// The control reads the parameter at start-up only: it keeps the old value when lists are loaded again. Documented for
+  /// some parameters; false does not promise that a change works at once.
+  bool restart = false;
 };
 
 /// For a parameter of a schema file that of the built-in one of its name; otherwise empty.

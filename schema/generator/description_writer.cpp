@@ -94,7 +94,8 @@ class DescriptionWriter {
     }
     out << "    {" << pair(parameter.name, row->at("what")) << ", "
         << (row->contains("detail") ? pair(parameter.name, row->at("detail")) : "{}") << ", " << first_value
-        << ", " << value_count_ - first_value << ", " << (inferred ? "true" : "false") << "},\n";
+        << ", " << value_count_ - first_value << ", " << (inferred ? "true" : "false") << ", "
+        << (row->value("restart", false) ? "true" : "false") << "},\n";
   }
 
   void write_value(ParameterRow const& parameter, Json const& value) {

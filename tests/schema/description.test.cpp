@@ -51,6 +51,16 @@ TEST_CASE("a name without a description has that of its number, else that of its
   CHECK(data.what.english == "process data that a CANopen drive sends");
 }
 
+TEST_CASE("what the control reads at start-up only") {
+  for (std::string_view const name : {"kopf.achs_nr", "kenngr.achs_typ", "kenngr.antr_typ",
+                                      "lr_hw[].da_channel", "getriebe[].wegaufz", "trafo.actual_pos.id"}) {
+    INFO(name);
+    CHECK(of(name).restart);
+  }
+  CHECK_FALSE(of("filter[].fg_f0").restart);
+  CHECK_FALSE(of("kopf.log_achs_name").restart);
+}
+
 TEST_CASE("words of an enumeration are described by the words that it has") {
   for (Parameter const& parameter : parameters()) {
     if (!parameter.is_enumeration()) continue;

@@ -1,24 +1,20 @@
 #include "validator/commands/command_check.hpp"
 
 #include "diagnostics/ascii.hpp"
-#include "diagnostics/format_number.hpp"
-#include "grammar/number.hpp"
 #include "schema/closest_word.hpp"
-#include "schema/edit_distance.hpp"
-#include "schema/value.hpp"
 #include "validator/commands/command_keywords.hpp"
+#include "validator/commands/command_mistake.hpp"
+#include "validator/commands/keyword_value.hpp"
+#include "validator/commands/resembling_command.hpp"
 #include "validator/sentences.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace axisc::validator::says {
 
 constexpr Sentence filter_syntax_letter_case{"`{text}` is written in capitals: `{command}`",
                                              "`{text}` wird groß geschrieben: `{command}`"};
-constexpr Sentence filter_syntax_misspelt{"`{text}` is not a command; `{command}` is one",
-                                          "`{text}` ist kein Befehl; `{command}` ist einer"};
 constexpr Sentence filter_syntax_unexpected{"`{text}` does not belong in the command `{command}`",
                                             "`{text}` gehört nicht in den Befehl `{command}`"};
 constexpr Sentence filter_syntax_expected_keyword{
@@ -26,23 +22,10 @@ constexpr Sentence filter_syntax_expected_keyword{
     "hier wird ein Schlüsselwort oder `]` erwartet, nicht `{text}`"};
 constexpr Sentence filter_syntax_unclosed{"this bracket of `{command}` is not closed",
                                           "diese Klammer von `{command}` ist nicht geschlossen"};
-constexpr Sentence filter_syntax_no_value{"the keyword `{keyword}` has no value",
-                                          "das Schlüsselwort `{keyword}` hat keinen Wert"};
-constexpr Sentence filter_syntax_no_number{"`{value}` is not a number, as `{keyword}` needs",
-                                           "`{value}` ist keine Zahl, wie `{keyword}` sie braucht"};
 constexpr Sentence filter_syntax_no_value_allowed{"the keyword `{keyword}` takes no value",
                                                   "das Schlüsselwort `{keyword}` nimmt keinen Wert an"};
 constexpr Sentence filter_syntax_no_filter_command{"this is not a #FILTER command",
                                                    "das ist kein #FILTER-Befehl"};
-constexpr Sentence filter_syntax_syntax_filter{
-    "the syntax is `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
-    "QUALITY=..]` or `#FILTER ON [HSC]`",
-    "die Schreibweise ist `#FILTER [ON | OFF] [ORDER=.. ORDER_TIME=.. SHARE=.. AX_DEV=.. FCUT=.. ACC_FACT=.. "
-    "QUALITY=..]` oder `#FILTER ON [HSC]`"};
-constexpr Sentence filter_syntax_syntax_guard{
-    "the syntax is `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`",
-    "die Schreibweise ist `#VIB GUARD [ON | OFF] [MODE=.. FREQ=.. DAMPING=.. AX_DEV=.. ACC_FACT=..]`"};
-
 constexpr Sentence filter_keyword_unknown{"`{command}` has no keyword `{keyword}`",
                                           "`{command}` hat kein Schlüsselwort `{keyword}`"};
 constexpr Sentence filter_keyword_known{"keywords: {keywords}", "Schlüsselwörter: {keywords}"};
@@ -50,15 +33,6 @@ constexpr Sentence filter_keyword_repeated{"the keyword `{keyword}` occurs twice
                                            "das Schlüsselwort `{keyword}` steht in einem Befehl zweimal"};
 constexpr Sentence filter_keyword_beside_hsc{"`{keyword}` together with `HSC` is not supported",
                                              "`{keyword}` zusammen mit `HSC` wird nicht unterstützt"};
-constexpr Sentence filter_keyword_range{"`{keyword}={value}` is out of range",
-                                        "`{keyword}={value}` liegt außerhalb des Bereichs"};
-constexpr Sentence filter_keyword_range_whole{"{text}, a whole number", "{text}, ganzzahlig"};
-constexpr Sentence filter_keyword_delay{
-    "an axis of the channel has the time delay, which takes at most 100 cycles",
-    "eine Achse des Kanals hat die Zeitverzögerung, die höchstens 100 Zyklen annimmt"};
-constexpr Sentence filter_keyword_variable{
-    "the value of `{keyword}` must be a number, not the variable `{value}`",
-    "der Wert von `{keyword}` muss eine Zahl sein, nicht die Variable `{value}`"};
 
 }  // namespace axisc::validator::says
 
@@ -72,13 +46,7 @@ using grammar::Keyword;
 using grammar::KeywordValue;
 using grammar::NcCommand;
 
-constexpr Code syntax_mistake{5001};
-constexpr Code keyword_mistake{5002};
 constexpr std::string_view hsc = "HSC";
-
-std::string_view slice(std::string_view text, Span span) {
-  return text.substr(span.begin, span.size());
-}
 
 SentenceRef text_of(CommandProblemKind kind) {
   switch (kind) {
@@ -94,21 +62,6 @@ SentenceRef text_of(CommandProblemKind kind) {
   return says::filter_syntax_unexpected;
 }
 
-Message syntax_of(CommandKind kind) {
-  return {.sentence = kind == CommandKind::filter ? says::filter_syntax_syntax_filter
-                                                  : says::filter_syntax_syntax_guard,
-          .arguments = {}};
-}
-
-std::string_view proper_name(CommandKind kind) {
-  return kind == CommandKind::filter ? "#FILTER" : "#VIB GUARD";
-}
-
-/// The number of an integer or real token. A value too large for a double is infinite, and so out of every range.
-double number_of(std::string_view token) {
-  return grammar::real_value(token).value_or(token.front() == '-' ? -HUGE_VAL : HUGE_VAL);
-}
-
 class CommandCheck {
  public:
   CommandCheck(NcCommand const& command, std::string_view text, CommandLimits const& limits,
@@ -117,7 +70,7 @@ class CommandCheck {
 
   CheckedCommand check() {
     if (command_.kind == CommandKind::other) {
-      check_resembling();
+      check_resembling(command_, text_, checked_);
       return std::move(checked_);
     }
     check_structure();
@@ -143,33 +96,10 @@ class CommandCheck {
 
  private:
   CommandMistake& add(Code code, Span span, SentenceRef text, std::vector<Argument> arguments = {}) {
-    CommandMistake& mistake = checked_.mistakes.emplace_back();
-    mistake.code = code;
-    mistake.span = span;
-    mistake.message = {.sentence = text, .arguments = std::move(arguments)};
-    if (code == syntax_mistake) mistake.notes.push_back(syntax_of(command_.kind));
-    return mistake;
+    return add_mistake(checked_, command_.kind, code, span, text, std::move(arguments));
   }
 
   [[nodiscard]] std::string word(Span span) const { return std::string(slice(text_, span)); }
-
-  /// Another command, or a misspelt one of these two.
-  void check_resembling() {
-    std::string const written = word(command_.resembling);
-    std::string letters = ascii::upper_case(written);
-    std::erase_if(letters, [](char byte) { return byte == '_' || ascii::is_blank(byte); });
-    for (CommandKind const kind : {CommandKind::filter, CommandKind::vibration_guard}) {
-      std::string const proper(proper_name(kind));
-      std::string meant = proper;
-      std::erase(meant, ' ');
-      if (schema::edit_distance(letters, meant, 1) > 1) continue;
-      CommandMistake& mistake = add(syntax_mistake, command_.resembling, says::filter_syntax_misspelt,
-                                    {{"text", written}, {"command", proper}});
-      mistake.notes.assign(1, syntax_of(kind));
-      mistake.better = proper;
-      return;
-    }
-  }
 
   /// `ORDER=20 SHARE=80` without brackets: all of it.
   [[nodiscard]] Span keywords_from(std::uint32_t begin) const {
@@ -240,7 +170,9 @@ class CommandCheck {
     } else if (hsc_) {
       beside_hsc(keyword, name);
     } else {
-      check_value(keyword, name);
+      auto const value = checked_value(command_, keyword, text_, limits_, variables_, checked_);
+      usable_ = usable_ && value;
+      if (value) take(name, *value);
     }
   }
 
@@ -277,86 +209,6 @@ class CommandCheck {
     usable_ = false;
     if (std::exchange(beside_hsc_reported_, true)) return;
     add(keyword_mistake, keyword.name, says::filter_keyword_beside_hsc, {{"keyword", name}});
-  }
-
-  /// `20,` as 20 and `0,01` as 0.01.
-  static std::optional<std::string> number_meant(std::string value) {
-    std::size_t const comma = value.find(',');
-    if (comma == std::string::npos) return std::nullopt;
-    if (comma + 1 == value.size()) {
-      value.pop_back();
-    } else {
-      value[comma] = '.';
-    }
-    return schema::is_complete_number(value) ? std::optional(value) : std::nullopt;
-  }
-
-  void check_value(Keyword const& keyword, std::string const& name) {
-    switch (keyword.kind) {
-      case KeywordValue::none:
-      case KeywordValue::missing:
-        usable_ = false;
-        add(syntax_mistake, keyword.name, says::filter_syntax_no_value, {{"keyword", name}});
-        return;
-      case KeywordValue::malformed:
-        usable_ = false;
-        add(syntax_mistake, keyword.value, says::filter_syntax_no_number,
-            {{"value", word(keyword.value)}, {"keyword", name}})
-            .better = number_meant(word(keyword.value));
-        return;
-      case KeywordValue::variable:
-        usable_ = false;
-        if (variables_ == Variables::refused) {
-          add(keyword_mistake, keyword.value, says::filter_keyword_variable,
-              {{"value", word(keyword.value)}, {"keyword", name}});
-        }
-        return;
-      case KeywordValue::integer:
-      case KeywordValue::real:
-        break;
-    }
-    double const value = number_of(slice(text_, keyword.value));
-    KeywordRange const range = range_of(name, limits_);
-    if (!range.contains(value)) out_of_range(keyword, name, value, range);
-    if (usable(name, value, range)) take(name, value);
-  }
-
-  /// An ORDER_TIME below one cycle has a meaning: the filter is off.
-  bool usable(std::string_view name, double value, KeywordRange const& range) {
-    bool const fits = range.contains(value) || (name == "ORDER_TIME" && value >= 0 && value < range.minimum);
-    usable_ = usable_ && fits;
-    return fits;
-  }
-
-  void out_of_range(Keyword const& keyword, std::string const& name, double value,
-                    KeywordRange const& range) {
-    CommandMistake& mistake = add(keyword_mistake, keyword.value, says::filter_keyword_range,
-                                  {{"keyword", name}, {"value", word(keyword.value)}});
-    mistake.label =
-        Message{.sentence = range.whole ? says::filter_keyword_range_whole : axisc::says::as_given,
-                .arguments = {{"text", range.text}}};
-    mistake.control = range.control;
-    if (range.control.empty()) mistake.reaction.reset();
-    bool const order = name == "ORDER" || name == "ORDER_TIME";
-    if (order && limits_.time_delay) {
-      mistake.notes.push_back({.sentence = says::filter_keyword_delay, .arguments = {}});
-    }
-    if (order && value > *range.maximum) {
-      mistake.control = "50911";
-      mistake.reaction = says::filter_reaction_clipped;
-      mistake.value = std::to_string(limits_.longest_order());
-    } else if (name == "FREQ" && value > range.minimum) {
-      mistake.control = "50913";
-    } else if (name == "ORDER_TIME") {
-      mistake.control = "50910";
-      mistake.reaction = says::filter_reaction_inactive;
-      if (range.contains(value * 1000)) {
-        std::string const replacement = "ORDER_TIME=" + format_exact(value * 1000);
-        mistake.help.push_back({.sentence = says::milliseconds_meant,
-                                .arguments = {{"value", format_exact(value)}, {"replacement", replacement}}});
-      }
-    }
-    mistake.depends_on_cycle_time = range.depends_on_cycle_time;
   }
 
   void take(std::string_view name, double value) {

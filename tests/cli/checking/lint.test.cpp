@@ -28,7 +28,7 @@ TEST_CASE("findings in every format and both languages") {
       if (format == "sarif") CHECK(sarif_complaints(outcome.out) == std::vector<std::string>{});
       CHECK(outcome.status == 1);
       CHECK(outcome.err.empty());
-      check_golden("tests/cli/data/golden/lint." + language + "." + format, outcome.out);
+      check_golden("tests/cli/data/golden/lint/" + language + "." + format, outcome.out);
     }
   }
 }

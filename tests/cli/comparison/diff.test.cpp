@@ -41,7 +41,7 @@ TEST_CASE("what changed in every format and language") {
           run_axisc({"diff", "old.json", "new.json", "--lang", language, "--format", form}, there);
       CHECK(outcome.status == 0);
       CHECK(outcome.err.empty());
-      check_golden("tests/cli/data/golden/diff." + language + "." + form, outcome.out);
+      check_golden("tests/cli/data/golden/diff/lists." + language + "." + form, outcome.out);
     }
   }
 }
@@ -112,7 +112,6 @@ TEST_CASE("what diff refuses") {
   folder.write("wrong.lis", "filter[0].guete 3,0\n");
   auto const wrong = run_axisc({"diff", "old.lis", "wrong.lis"}, there);
   CHECK(wrong.status == 1);
-  CHECK(wrong.out.empty());
   CHECK_THAT(wrong.err, Catch::Matchers::Contains("AX1005"));
   CHECK(run_axisc({"diff", "old.lis"}, there).status == 2);
   CHECK(run_axisc({"diff", "old.lis", "missing.lis"}, there).status == 2);

@@ -1,0 +1,120 @@
+#include "cli/comparison/machine_difference.hpp"
+#include "cli/failure.hpp"
+#include "diagnostics/ascii.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace axisc::cli::says {
+
+constexpr Sentence unknown{"{input} has no axis \"{axis}\"; the axes are {axes}",
+                           "{input} hat keine Achse „{axis}“; die Achsen sind {axes}"};
+constexpr Sentence ambiguous{"\"{axis}\" may be {axes}; give the number of the axis, or its list",
+                             "„{axis}“ kann {axes} sein; die Nummer der Achse oder ihre Liste angeben"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+using Matches = std::function<bool(ComparedAxis const&)>;
+
+std::vector<ComparedAxis const*> all_of(ComparedMachine const& machine, Matches const& matches) {
+  std::vector<ComparedAxis const*> found;
+  for (auto const& axis : machine.axes) {
+    if (matches(axis)) found.push_back(&axis);
+  }
+  return found;
+}
+
+bool has_name(ComparedAxis const& axis, std::string const& name) {
+  return axis.name == name || std::find(axis.called.begin(), axis.called.end(), name) != axis.called.end();
+}
+
+bool has_name_in_other_case(ComparedAxis const& axis, std::string const& name) {
+  return std::any_of(axis.called.begin(), axis.called.end(),
+                     [&](std::string const& called) { return ascii::equal_ignoring_case(called, name); }) ||
+         ascii::equal_ignoring_case(axis.name, name);
+}
+
+bool has_list(ComparedAxis const& axis, std::string const& name) {
+  auto const file = validator::file_name(axis.list);
+  return !file.empty() && (axis.list == name || file == name || validator::without_extension(file) == name);
+}
+
+/// "X (1, achsmds1.lis)".
+std::string description(ComparedAxis const& axis) {
+  auto text = axis.name;
+  std::string details = axis.number ? std::to_string(*axis.number) : std::string();
+  if (!axis.list.empty()) details += (details.empty() ? "" : ", ") + axis.list;
+  return details.empty() ? text : text + " (" + details + ")";
+}
+
+std::string descriptions(std::vector<ComparedAxis const*> const& axes) {
+  std::string text;
+  for (auto const* const axis : axes) text += (text.empty() ? "" : ", ") + description(*axis);
+  return text;
+}
+
+bool is_stripped(ComparedMachine const& machine) {
+  return machine.axes.front().values == nullptr;
+}
+
+/// The only axis that matches; null where there is none, or more than one.
+ComparedAxis const* only(ComparedMachine const& machine, Matches const& matches) {
+  auto const found = all_of(machine, matches);
+  return found.size() == 1 ? found.front() : nullptr;
+}
+
+}  // namespace
+
+ComparedAxis const& axis_called(ComparedMachine const& machine, std::string const& name) {
+  Matches const ways[] = {
+      [&](ComparedAxis const& axis) { return has_name(axis, name); },
+      [&](ComparedAxis const& axis) { return axis.number && std::to_string(*axis.number) == name; },
+      [&](ComparedAxis const& axis) { return has_list(axis, name); },
+      [&](ComparedAxis const& axis) { return has_name_in_other_case(axis, name); }};
+  for (auto const& way : ways) {
+    auto const found = all_of(machine, way);
+    if (found.size() == 1) return *found.front();
+    if (found.size() > 1) {
+      throw Failure(
+          {.sentence = says::ambiguous, .arguments = {{"axis", name}, {"axes", descriptions(found)}}});
+    }
+  }
+  auto const all = all_of(machine, [](ComparedAxis const&) { return true; });
+  throw Failure({.sentence = says::unknown,
+                 .arguments = {{"input", machine.input}, {"axis", name}, {"axes", descriptions(all)}}});
+}
+
+std::vector<AxisPair> pair_axes(ComparedMachine const& before, ComparedMachine const& after) {
+  std::vector<AxisPair> pairs;
+  if (before.axes.size() == after.axes.size() &&
+      (before.axes.size() == 1 || is_stripped(before) || is_stripped(after))) {
+    for (std::size_t i = 0; i < after.axes.size(); ++i) pairs.emplace_back(&before.axes[i], &after.axes[i]);
+    return pairs;
+  }
+  for (auto const& axis : after.axes) {
+    auto const has_number = [&](ComparedAxis const& other) {
+      return axis.number && other.number == axis.number;
+    };
+    bool const is_only_one = only(after, has_number) != nullptr;
+    pairs.emplace_back(is_only_one ? only(before, has_number) : nullptr, &axis);
+  }
+  auto const is_paired = [&](ComparedAxis const& axis) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](AxisPair const& pair) { return pair.first == &axis; });
+  };
+  for (auto& [was, is] : pairs) {
+    if (was != nullptr) continue;
+    auto const& name = is->name;
+    was = only(before, [&](ComparedAxis const& axis) { return axis.name == name && !is_paired(axis); });
+  }
+  for (auto const& axis : before.axes) {
+    if (!is_paired(axis)) pairs.emplace_back(&axis, nullptr);
+  }
+  return pairs;
+}
+
+}  // namespace axisc::cli

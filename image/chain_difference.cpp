@@ -1,0 +1,60 @@
+#include "image/chain_difference.hpp"
+
+#include <algorithm>
+
+namespace axisc::image {
+namespace {
+
+ImageKernel const* listed_kernel(ImageContents const& contents, ImageAxis const& axis) {
+  return axis.slot && axis.slot->kernel ? &contents.kernels[*axis.slot->kernel] : nullptr;
+}
+
+bool same_kernel(ImageContents const& before, ImageAxis const& a, ImageContents const& after,
+                 ImageAxis const& b) {
+  if (a.slot.has_value() != b.slot.has_value()) return false;
+  if (a.slot && (a.slot->on_at_start != b.slot->on_at_start || a.slot->family != b.slot->family)) {
+    return false;
+  }
+  ImageKernel const* const was = listed_kernel(before, a);
+  ImageKernel const* const is = listed_kernel(after, b);
+  if (was == nullptr || is == nullptr) return was == is;
+  return was->design.tail_sums == is->design.tail_sums;
+}
+
+bool same_filtering(ImageContents const& before, ImageAxis const& a, ImageContents const& after,
+                    ImageAxis const& b) {
+  bool const same_filters = std::equal(
+      a.filters.begin(), a.filters.end(), b.filters.begin(), b.filters.end(),
+      [](ImageFilter const& was, ImageFilter const& is) { return was.specification == is.specification; });
+  return same_filters && before.cycle_time == after.cycle_time && same_kernel(before, a, after, b);
+}
+
+std::vector<GainChange> compare_gains(ImageContents const& before, std::size_t old_axis,
+                                      ImageContents const& after, std::size_t new_axis) {
+  auto frequencies = characteristic_frequencies(before, old_axis);
+  auto const more = characteristic_frequencies(after, new_axis);
+  frequencies.insert(frequencies.end(), more.begin(), more.end());
+  sort_frequencies(frequencies);
+  double const highest = std::min(before.cycle_time.nyquist().value, after.cycle_time.nyquist().value);
+  std::vector<GainChange> gains;
+  for (design::Hertz const frequency : frequencies) {
+    if (frequency.value > highest) continue;
+    gains.push_back({.frequency = frequency,
+                     .before = chain_magnitude(before, old_axis, frequency),
+                     .after = chain_magnitude(after, new_axis, frequency)});
+  }
+  return gains;
+}
+
+}  // namespace
+
+std::optional<ChainDifference> compare_chains(ImageAxisSide const& before, ImageAxisSide const& after) {
+  auto const& was = before.contents.axes[before.axis];
+  auto const& is = after.contents.axes[after.axis];
+  if (same_filtering(before.contents, was, after.contents, is)) return std::nullopt;
+  return ChainDifference{.before = chain_figures(before.image, before.contents, before.axis),
+                         .after = chain_figures(after.image, after.contents, after.axis),
+                         .gains = compare_gains(before.contents, before.axis, after.contents, after.axis)};
+}
+
+}  // namespace axisc::image
