@@ -52,7 +52,8 @@ SentenceRef sentence_of(pugi::xml_parse_result const& result, std::size_t size) 
     case pugi::status_no_document_element:
       return says::xml_no_element;
     case pugi::status_end_element_mismatch:
-      return static_cast<std::size_t>(result.offset) >= size ? says::xml_unclosed : says::xml_end_mismatch;
+      return static_cast<std::size_t>(result.offset) + 1 >= size ? says::xml_unclosed
+                                                                 : says::xml_end_mismatch;
     default:
       return says::xml_malformed;
   }
@@ -151,11 +152,14 @@ std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
   pugi::xml_parse_result const result = document.load_buffer(
       bytes.data(), bytes.size(), pugi::parse_cdata | pugi::parse_doctype, pugi::encoding_utf8);
   if (!result) {
-    std::size_t const at = std::min(static_cast<std::size_t>(result.offset), bytes.size());
+    SentenceRef const sentence = sentence_of(result, bytes.size());
+    std::size_t at = std::min(static_cast<std::size_t>(result.offset), bytes.size());
+    if (sentence == says::xml_no_element) at = 0;
+    if (sentence == says::xml_unclosed) at = bytes.size();
     std::size_t const section = bytes.rfind(section_begin, at);
-    bool const is_section = result.status == pugi::status_bad_cdata && section != std::string_view::npos;
+    bool const is_section = sentence == says::xml_cdata && section != std::string_view::npos;
     return XmlMistake{.span = is_section ? span_of(section, section_begin.size()) : span_of(at, 0),
-                      .sentence = sentence_of(result, bytes.size())};
+                      .sentence = sentence};
   }
   DocumentReader reader(bytes);
   if (!reader.read(document)) {
@@ -166,7 +170,10 @@ std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
 }
 
 Encoding xml_encoding(std::string_view bytes) {
-  std::string_view const declaration = bytes.substr(0, std::min(bytes.find("?>"), bytes.size()));
+  std::size_t const begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  bool const declares = bytes.substr(begin).starts_with("<?xml");
+  std::string_view const declaration =
+      bytes.substr(0, declares ? std::min(bytes.find("?>"), bytes.size()) : 0);
   constexpr std::string_view key = "encoding=";
   std::size_t const at = declaration.find(key);
   if (at != std::string_view::npos && at + key.size() + 1 < declaration.size()) {

@@ -40,6 +40,9 @@ void Loader::load_project(SourceId source) {
         machine_.path,
         Window{.file = sources_[source].file(), .span = list.span, .encoding = project.encoding})));
   }
+  auto const lists_of_axes =
+      std::count_if(project.lists.begin(), project.lists.end(),
+                    [](ProjectList const& list) { return list.kind == ListKind::axis; });
   std::vector<std::pair<ProjectList const*, std::size_t>> axes;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     ProjectList const& named = project.lists[i];
@@ -47,7 +50,7 @@ void Loader::load_project(SourceId source) {
     auto const list = project_axis_list(start_up, named, windows[i]);
     if (!list) continue;
     LoadedList& loaded = machine_.lists[*list].list;
-    if (!machine_.default_list && is_default_list(named, loaded, sources_[windows[i]])) {
+    if (lists_of_axes > 1 && !machine_.default_list && is_default_list(named, loaded, sources_[windows[i]])) {
       machine_.default_list = list;
       loaded.is_default_list = true;
     } else {
