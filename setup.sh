@@ -7,7 +7,8 @@ set -euo pipefail
 
 packages=(
   g++ cmake ninja-build ccache pkg-config
-  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libxxhash-dev libvalijson-dev
+  libboost1.81-dev libfmt-dev nlohmann-json3-dev libcli11-dev libsodium-dev libxxhash-dev libpugixml-dev
+  libvalijson-dev
   catch2 librapidcheck-dev
 )
 if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
@@ -18,7 +19,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   )
 fi
 if [ "${1:-}" = long ]; then
-  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64)
+  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64)
 fi
 
 missing=()

@@ -24,6 +24,21 @@ bool can_be_written(SourceText const& source, std::string_view text) {
   return true;
 }
 
+/// What ends the CDATA section of a window.
+constexpr std::string_view section_end = "]]>";
+
+/// True where the edit, with what stands around it, would end the section.
+bool ends_section(SourceText const& source, Edit const& edit) {
+  if (!source.is_window()) return false;
+  Span const span = edit.place.span;
+  std::string_view const before = source.bytes().substr(0, span.begin);
+  std::string_view const after = source.bytes().substr(span.end);
+  std::size_t const reach = section_end.size() - 1;
+  std::string text(before.substr(before.size() - std::min(before.size(), reach)));
+  text.append(edit.text).append(after.substr(0, reach));
+  return text.find(section_end) != std::string::npos;
+}
+
 bool has_windows_line_ends(std::string_view bytes) {
   std::size_t const end = bytes.find('\n');
   return end != std::string_view::npos && end > 0 && bytes[end - 1] == '\r';
@@ -63,7 +78,7 @@ std::size_t adjusted(std::uint32_t gap, std::size_t old_width, std::size_t new_w
 
 bool FixBatch::fits(Edit const& edit) const {
   SourceText const& source = sources_[edit.place.source];
-  if (source.is_excerpt() || !can_be_written(source, edit.text)) return false;
+  if (source.is_excerpt() || ends_section(source, edit) || !can_be_written(source, edit.text)) return false;
   auto const next = edits_.lower_bound(edit.place);
   bool const meets_next = next != edits_.end() && next->first.source == edit.place.source &&
                           next->first.span.begin <= edit.place.span.end;
@@ -87,26 +102,29 @@ bool FixBatch::add(Fix const& fix) {
 
 std::vector<EditedSource> FixBatch::apply() const {
   std::vector<EditedSource> edited;
-  std::uint32_t copied = 0;
+  std::size_t copied = 0;
+  auto const file_of = [&](SourceId id) -> std::string const& { return *sources_[id].file(); };
   auto const finish = [&] {
-    if (!edited.empty()) edited.back().bytes += sources_[edited.back().source].bytes().substr(copied);
+    if (!edited.empty())
+      edited.back().bytes += std::string_view(file_of(edited.back().source)).substr(copied);
   };
   for (auto edit = edits_.begin(); edit != edits_.end(); ++edit) {
     auto const& [place, text] = *edit;
-    if (edited.empty() || edited.back().source != place.source) {
+    SourceText const& source = sources_[place.source];
+    if (edited.empty() || &file_of(edited.back().source) != source.file().get()) {
       finish();
       edited.push_back({.source = place.source, .bytes = {}});
       copied = 0;
     }
-    SourceText const& source = sources_[place.source];
     std::string& bytes = edited.back().bytes;
-    bytes += source.slice({.begin = copied, .end = place.span.begin});
+    std::size_t const offset = source.file_offset();
+    bytes.append(*source.file(), copied, offset + place.span.begin - copied);
     bytes += with_line_ends(source.encode(text), has_windows_line_ends(source.bytes()));
-    copied = place.span.end;
+    copied = offset + place.span.end;
     auto const next = std::next(edit);
     bool const is_followed = next != edits_.end() && next->first.source == place.source;
-    std::uint32_t const gap =
-        gap_behind(source.bytes(), copied, is_followed ? next->first.span.begin : source.bytes().size());
+    std::uint32_t const gap = gap_behind(source.bytes(), place.span.end,
+                                         is_followed ? next->first.span.begin : source.bytes().size());
     if (gap == 0 || place.span.empty() || text.find('\n') != std::string_view::npos) continue;
     bytes.append(adjusted(gap, width(source.utf8(place.span)), width(text)), ' ');
     copied += gap;

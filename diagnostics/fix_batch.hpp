@@ -12,7 +12,7 @@ namespace axisc {
 
 struct EditedSource {
   SourceId source{};
-  std::string bytes;  ///< of the whole source; what no edit replaces is as it was, columns included
+  std::string bytes;  ///< of the whole file; what no edit replaces is as it was, columns included
 };
 
 class FixBatch {
@@ -21,10 +21,12 @@ class FixBatch {
   explicit FixBatch(SourceSet const& sources) : sources_(sources) {}
 
   /// Returns false and changes nothing if an edit overlaps or touches one of the batch, needs a character that the
-  /// encoding of its source lacks, or if only an excerpt of its source is available.
+  /// encoding of its source lacks, would end the CDATA section that holds the list, or if only an excerpt of its source is
+  /// available.
   bool add(Fix const& fix);
 
-  /// The changed sources, in their encoding and with their line ends. Text after at least two blanks keeps its column
+  /// The changed files, in their encoding and with their line ends; windows of one file follow one another in the set,
+  /// in the order of the file. Text after at least two blanks keeps its column
   /// if possible: the blanks compensate for a longer or shorter text before them.
   [[nodiscard]] std::vector<EditedSource> apply() const;
 

@@ -45,16 +45,29 @@ Encoding encoding_of(std::string_view bytes, bool is_ascii) {
 
 SourceText::SourceText(std::string name, std::string bytes)
     : name_(std::move(name)),
-      bytes_(std::move(bytes)),
-      text_begin_(std::string_view(bytes_).starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
+      file_(std::make_shared<std::string const>(std::move(bytes))),
+      bytes_(*file_),
+      text_begin_(bytes_.starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
 
 SourceText::SourceText(std::string name, Excerpt excerpt)
     : name_(std::move(name)),
-      bytes_(std::move(excerpt.bytes)),
-      text_begin_(0),
+      file_(std::make_shared<std::string const>(std::move(excerpt.bytes))),
+      bytes_(*file_),
       numbers_(std::move(excerpt.numbers)),
       characters_({.are_ascii = ascii_prefix(bytes_) == bytes_.size(), .encoding = excerpt.encoding}) {
   numbers_.push_back(numbers_.empty() ? 1 : numbers_.back() + 1);
+}
+
+SourceText::SourceText(std::string name, Window window)
+    : name_(std::move(name)), file_(std::move(window.file)), is_window_(true) {
+  std::string_view const before = std::string_view(*file_).substr(0, window.span.begin);
+  std::size_t line = before.rfind('\n') + 1;
+  if (line == 0 && before.starts_with(byte_order_mark)) line = byte_order_mark.size();
+  bytes_ = std::string_view(*file_).substr(line, window.span.end - line);
+  text_begin_ = window.span.begin - static_cast<std::uint32_t>(line);
+  lines_before_ = count_line_ends(before);
+  bool const are_ascii = ascii_prefix(bytes_) == bytes_.size();
+  characters_ = {.are_ascii = are_ascii, .encoding = are_ascii ? Encoding::utf8 : window.encoding};
 }
 
 SourceText::Characters const& SourceText::characters() const {
@@ -79,7 +92,7 @@ void SourceText::count_lines() const {
 }
 
 SourceText::Line const& SourceText::keep_line(std::uint32_t number, std::size_t begin) const {
-  std::size_t const end = std::min(std::string_view(bytes_).find('\n', begin), bytes_.size());
+  std::size_t const end = std::min(bytes_.find('\n', begin), bytes_.size());
   last_line_ = {
       .number = number, .begin = static_cast<std::uint32_t>(begin), .end = static_cast<std::uint32_t>(end)};
   return last_line_;
@@ -96,7 +109,7 @@ SourceText::Line const& SourceText::line_at(std::uint32_t offset) const {
   }
   count_lines();
   std::size_t const block = offset / block_size;
-  std::string_view const before = std::string_view(bytes_).substr(0, offset);
+  std::string_view const before = bytes_.substr(0, offset);
   std::uint32_t const ends = line_ends_before_[block] + count_line_ends(before.substr(block * block_size));
   std::size_t const last_end = before.rfind('\n');
   return keep_line(ends + 1, last_end == std::string_view::npos ? 0 : last_end + 1);
@@ -117,9 +130,9 @@ SourceText::Line const& SourceText::line_numbered(std::uint32_t number) const {
 Position SourceText::position(std::uint32_t offset) const {
   std::uint32_t const at = std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
   Line const& line = line_at(at);
-  std::uint32_t const begin = std::max(line.begin, text_begin_);
+  std::uint32_t const begin = column_begin(line);
 
-  Position position{.line = numbers_.empty() ? line.number : numbers_[line.number - 1],
+  Position position{.line = numbers_.empty() ? lines_before_ + line.number : numbers_[line.number - 1],
                     .column = at - begin + 1};
   if (!characters().are_ascii && encoding() != Encoding::windows_1252) {
     // Continuation bytes up to and including `at` belong to characters that began before.
@@ -138,11 +151,22 @@ Span SourceText::line_span(std::uint32_t line) const {
     bool const is_held = number != numbers_.end() && *number == line;
     line = is_held ? static_cast<std::uint32_t>(number - numbers_.begin()) + 1 : 0;
   }
+  line -= std::min(line, lines_before_);
   if (line == 0 || line > line_count()) return {.begin = size, .end = size};
   Line const& found = line_numbered(line);
   Span span{.begin = std::max(found.begin, text_begin_), .end = found.end};
   if (found.end < size && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
   return span;
+}
+
+Span SourceText::shown_line(std::uint32_t line) const {
+  Span span = line_span(line);
+  if (is_window_ && line == lines_before_ + 1) span.begin = 0;
+  return span;
+}
+
+std::uint32_t SourceText::column_begin(Line const& line) const {
+  return is_window_ ? line.begin : std::max(line.begin, text_begin_);
 }
 
 std::uint32_t SourceText::line_count() const {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,13 @@ struct Excerpt {
   Encoding encoding = Encoding::utf8;  ///< of the whole text
 };
 
+/// A list inside another file: the text of a CDATA section.
+struct Window {
+  std::shared_ptr<std::string const> file;  ///< all of its bytes
+  Span span;                                ///< the list in it
+  Encoding encoding = Encoding::utf8;       ///< of the file
+};
+
 /// The text of one source. Offsets count bytes from the start of the file, the byte order mark included. Facts about
 /// the text are determined on first use, so a SourceText must not be used by several threads at once.
 class SourceText {
@@ -33,14 +41,28 @@ class SourceText {
   SourceText(std::string name, std::string bytes);
   /// Offsets count bytes of the excerpt; lines count lines of the whole text.
   SourceText(std::string name, Excerpt excerpt);
+  /// Offsets count bytes from the begin of the line in which the window begins; lines and columns are those of the file.
+  /// The file is not copied.
+  SourceText(std::string name, Window window);
 
   [[nodiscard]] std::string const& name() const { return name_; }
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
+  /// The text is part of a file, which holds more than this list.
+  [[nodiscard]] bool is_window() const { return is_window_; }
+  /// The list alone: of a window without what stands before it on its first line.
+  [[nodiscard]] std::string_view list_bytes() const { return bytes_.substr(is_window_ ? text_begin_ : 0); }
+  /// All bytes of the file, and where bytes() begin in it.
+  [[nodiscard]] std::shared_ptr<std::string const> const& file() const { return file_; }
+  [[nodiscard]] std::uint32_t file_offset() const {
+    return static_cast<std::uint32_t>(bytes_.data() - file_->data());
+  }
+  /// The lines of the file before bytes(): 0 unless this is a window.
+  [[nodiscard]] std::uint32_t lines_before() const { return lines_before_; }
   /// True if bytes() are only some lines: such a text can be shown, not edited.
   [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
   /// Cost: one pass on first use, here or in a function that depends on it.
   [[nodiscard]] Encoding encoding() const { return characters().encoding; }
-  /// Offset of the first byte after a byte order mark. A marked file whose bytes are not all UTF-8 is windows-1252, but
+  /// Offset of the first byte after a byte order mark, and of a window its begin. A marked file whose bytes are not all UTF-8 is windows-1252, but
   /// its mark is not text either.
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
@@ -51,13 +73,13 @@ class SourceText {
   /// Bytes of line `line` (from 1) without its line end (LF or CRLF) and without a byte order mark; empty, at the end
   /// of the file, for a line that does not exist or is not in the excerpt.
   [[nodiscard]] Span line_span(std::uint32_t line) const;
+  /// line_span(), and on the first line of a window what stands before the list: columns count from here.
+  [[nodiscard]] Span shown_line(std::uint32_t line) const;
   /// At least 1: the empty line after a final line end counts, so that every offset has a line. For an excerpt, the
   /// number of lines in it.
   [[nodiscard]] std::uint32_t line_count() const;
 
-  [[nodiscard]] std::string_view slice(Span span) const {
-    return std::string_view(bytes_).substr(span.begin, span.size());
-  }
+  [[nodiscard]] std::string_view slice(Span span) const { return bytes_.substr(span.begin, span.size()); }
   /// The bytes of `span` as well-formed UTF-8; what cannot be decoded becomes U+FFFD.
   [[nodiscard]] std::string utf8(Span span) const;
   /// A view of the bytes of `span` as well-formed UTF-8: into the text itself if possible, otherwise into `room`.
@@ -85,11 +107,16 @@ class SourceText {
   Line const& line_at(std::uint32_t offset) const;
   Line const& line_numbered(std::uint32_t number) const;
   Line const& keep_line(std::uint32_t number, std::size_t begin) const;
+  /// Where columns of a line count from.
+  [[nodiscard]] std::uint32_t column_begin(Line const& line) const;
   [[nodiscard]] bool is_utf8(Span span) const;
 
   std::string name_;
-  std::string bytes_;
-  std::uint32_t text_begin_;
+  std::shared_ptr<std::string const> file_;
+  std::string_view bytes_;  ///< looks into `file_`
+  std::uint32_t text_begin_ = 0;
+  std::uint32_t lines_before_ = 0;
+  bool is_window_ = false;
   std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
   mutable std::optional<Characters> characters_;
   /// Number of LF before each block of the bytes, and at the end their total; empty until first used.

@@ -183,9 +183,10 @@ Span AxisListReader::span(std::string_view text) const {
   return {.begin = begin, .end = begin + static_cast<std::uint32_t>(text.size())};
 }
 
-AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252) {
+AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252,
+                         std::uint32_t lines_before) {
   AxisListReader reader(bytes);
-  LineSplitter splitter(bytes.substr(text_begin));
+  LineSplitter splitter(bytes.substr(text_begin), lines_before);
   for (std::string_view line; splitter.next(line);) reader.read(line, splitter.number(), windows_1252);
   return std::move(reader).finish(splitter.number());
 }
@@ -194,7 +195,7 @@ AxisList parse_axis_list(SourceText const& source) {
   // The encoding is determined only if a byte depends on it.
   bool const is_ascii = ascii_prefix(source.bytes()) == source.bytes().size();
   return parse_axis_list(source.bytes(), source.text_begin(),
-                         !is_ascii && source.encoding() == Encoding::windows_1252);
+                         !is_ascii && source.encoding() == Encoding::windows_1252, source.lines_before());
 }
 
 Span free_text(std::string_view bytes, Assignment const& assignment) {

@@ -82,9 +82,10 @@ struct AxisList {
 inline constexpr std::size_t longest_line = 1U << 20U;
 
 /// `bytes` without byte order mark begins at `text_begin`; `windows_1252` chooses which bytes above 0x7F are
-/// letters and which are undefined. Cost: one pass, linear also in the number of problems. The caller has
+/// letters and which are undefined; `lines_before` of its file come before `bytes`. Cost: one pass, linear also in the number of problems. The caller has
 /// checked that no line is longer than `longest_line` (see `longest_line_in`).
-[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252);
+[[nodiscard]] AxisList parse_axis_list(std::string_view bytes, std::uint32_t text_begin, bool windows_1252,
+                                       std::uint32_t lines_before = 0);
 
 /// The list of a source, in its encoding.
 [[nodiscard]] AxisList parse_axis_list(SourceText const& source);

@@ -15,7 +15,9 @@ namespace axisc::grammar {
 /// line end. Any other CR stays in its line.
 class LineSplitter {
  public:
-  explicit LineSplitter(std::string_view text) : position_(text.data()), end_(text.data() + text.size()) {}
+  /// `lines_before` of the file come before `text`.
+  explicit LineSplitter(std::string_view text, std::uint32_t lines_before = 0)
+      : position_(text.data()), end_(text.data() + text.size()), number_(lines_before) {}
 
   /// The next line without its line end; false after the last one. A text that ends with a line end has no
   /// empty line after it.
@@ -48,7 +50,7 @@ class LineSplitter {
  private:
   char const* position_;
   char const* end_;
-  std::uint32_t number_ = 0;
+  std::uint32_t number_;
 };
 
 }  // namespace axisc::grammar

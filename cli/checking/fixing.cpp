@@ -193,7 +193,7 @@ class Fixer {
       if (choice_ == FixChoice::all && !fix->edits.empty()) name(*fix, attempt.sources);
       for (auto const& edit : fix->edits) {
         auto const& source = attempt.sources[edit.place.source];
-        result_.original.try_emplace(source.name(), source.bytes());
+        result_.original.try_emplace(source.name(), *source.file());
       }
     }
   }

@@ -11,9 +11,11 @@
 #include "cli/options/machine_outline.hpp"
 #include "cli/sentences.hpp"
 #include "cli/settings/settings.hpp"
+#include "configuration/project_file.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/list_layout.hpp"
 
+#include <deque>
 #include <filesystem>
 #include <unordered_set>
 #include <utility>
@@ -28,6 +30,7 @@ bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen ble
 constexpr Sentence examples{R"(Examples:
   axisc fmt x.lis                        aligns the list in place
   axisc fmt machine.json                 the lists of a machine that are in its folder or below
+  axisc fmt Project.tsproj               the axis lists inside a TwinCAT project
   axisc fmt --check axes/                for pipelines: writes nothing
   axisc fmt @lists.txt -j 4              the lists that a file names, four at a time
   axisc fmt - < x.lis                    to standard output
@@ -36,6 +39,7 @@ Exit status: 0 done, 1 --check found a list to align, 2 something could not be r
                             R"(Beispiele:
   axisc fmt x.lis                        richtet die Liste an Ort und Stelle aus
   axisc fmt maschine.json                die Listen einer Maschine in deren Ordner oder darunter
+  axisc fmt Projekt.tsproj               die Achslisten in einem TwinCAT-Projekt
   axisc fmt --check achsen/              für Pipelines: schreibt nichts
   axisc fmt @listen.txt -j 4             die Listen, die eine Datei nennt, vier zugleich
   axisc fmt - < x.lis                    auf die Standardausgabe
@@ -48,6 +52,13 @@ constexpr Sentence elsewhere{
     "{file} is not formatted: it is neither named nor below a named folder; name it as well",
     "{file} wird nicht formatiert: sie ist nicht genannt und liegt unter keinem genannten Ordner; sie "
     "ebenfalls nennen"};
+constexpr Sentence ends_section{
+    "{file} is not formatted: aligned, a line of a list would hold ]]>, which ends its CDATA section; "
+    "rewrite the "
+    "line",
+    "{file} wird nicht formatiert: ausgerichtet enthielte eine Zeile einer Liste ]]>, was ihren "
+    "CDATA-Abschnitt "
+    "beendet; die Zeile umschreiben"};
 constexpr Sentence would_change{"{file} would be formatted", "{file} würde formatiert"};
 
 }  // namespace axisc::cli::says
@@ -81,7 +92,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
   for (auto const& input : inputs) {
     if (is_program(input)) continue;
     auto const outline = outline_of(input);
-    if (!outline.is_machine) {
+    if (!outline.is_machine || configuration::is_project_name(input)) {
       add(input);
       continue;
     }
@@ -113,6 +124,40 @@ std::string read_list(std::string const& path) {
   return std::move(text);
 }
 
+/// With its axis lists aligned; everything else stays as it is.
+std::string aligned_project(std::string const& name, std::string const& before,
+                            schema::Catalogue const& catalogue) {
+  SourceSet sources;
+  auto const source = sources.add(SourceText(name, before));
+  std::deque<Finding> mistakes;
+  auto const project = configuration::read_project(sources, source, mistakes);
+  if (!mistakes.empty()) {
+    auto const at = sources[source].position(mistakes.front().place->span.begin);
+    throw Failure(name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column),
+                  {mistakes.front().message}, cannot_read);
+  }
+  std::string after;
+  std::size_t copied = 0;
+  for (auto const& list : project.lists) {
+    if (list.kind != configuration::ListKind::axis) continue;
+    auto const aligned = validator::aligned_list(
+        SourceText(name, before.substr(list.span.begin, list.span.size())), catalogue);
+    if (aligned.find("]]>") != std::string::npos) {
+      throw Failure({.sentence = says::ends_section, .arguments = {{"file", name}}}, cannot_write);
+    }
+    after.append(before, copied, list.span.begin - copied).append(aligned);
+    copied = list.span.end;
+  }
+  return after.append(before, copied);
+}
+
+std::string aligned_text(std::string const& name, std::string const& before,
+                         schema::Catalogue const& catalogue, validator::AlignedKinds kinds) {
+  if (is_program(name)) return before;
+  if (configuration::is_project_name(name)) return aligned_project(name, before, catalogue);
+  return validator::aligned_list(SourceText(name, before), catalogue, kinds);
+}
+
 struct Formatted {
   bool changed = false;  ///< the list was, or is to be, written differently
   std::string out;       ///< for standard output
@@ -132,8 +177,7 @@ Formatted format_list(std::string const& path, std::string const& name, FmtOptio
                       schema::Catalogue const& catalogue, validator::AlignedKinds kinds, Language language) {
   Formatted result;
   auto const before = read_list(path);
-  auto const after =
-      is_program(name) ? before : validator::aligned_list(SourceText(name, before), catalogue, kinds);
+  auto const after = aligned_text(name, before, catalogue, kinds);
   if (path == "-" && !options.check && !options.diff) result.out += after;
   if (after == before) return result;
   result.changed = true;

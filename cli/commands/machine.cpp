@@ -7,6 +7,7 @@
 #include "cli/options/inputs.hpp"
 #include "cli/sentences.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace axisc::cli::says {
@@ -24,8 +25,16 @@ constexpr Sentence examples{R"(Examples:
   axisc machine hochlauf.lis --format json > maschine.json)"};
 constexpr Sentence option_format{"output format (default: text); json is a machine file",
                                  "Ausgabeformat (Standardwert: text); json ist eine Maschinendatei"};
-constexpr Sentence argument_machine{"a folder, a start-up list, a machine file, or a list",
-                                    "ein Ordner, eine Hochlaufliste, eine Maschinendatei oder eine Liste"};
+constexpr Sentence argument_machine{"a folder, a start-up list, a TwinCAT project, a machine file, or a list",
+                                    "ein Ordner, eine Hochlaufliste, ein TwinCAT-Projekt, eine "
+                                    "Maschinendatei oder eine Liste"};
+constexpr Sentence lists_in_project{
+    "the lists of {file} are inside the project, and a machine file can only name files; give the project "
+    "itself, which "
+    "every command takes that takes a machine file",
+    "die Listen von {file} stehen im Projekt, und eine Maschinendatei kann nur Dateien nennen; das Projekt "
+    "selbst "
+    "angeben, das jeder Befehl anstelle einer Maschinendatei nimmt"};
 
 }  // namespace axisc::cli::says
 
@@ -57,6 +66,12 @@ ExitStatus machine(Invocation const& invocation) {
   if (auto const* const error = std::get_if<configuration::FileError>(&loaded))
     throw unreadable(path, *error);
   auto const& machine = std::get<validator::LoadedMachine>(loaded);
+  bool const is_project = std::any_of(machine.lists.begin(), machine.lists.end(), [&](auto const& named) {
+    return sources[named.list.source].is_window();
+  });
+  if (is_project && format == Format::json) {
+    throw Failure({.sentence = says::lists_in_project, .arguments = {{"file", path}}});
+  }
   invocation.streams.out.write(format == Format::json ? machine_json(machine, sources)
                                                       : machine_text(machine, sources, invocation.language));
   return machine.complete ? ExitStatus::success : ExitStatus::findings;

@@ -3,6 +3,7 @@
 #include "cli/files/disk_files.hpp"
 #include "configuration/channel_list.hpp"
 #include "configuration/list_search.hpp"
+#include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
 #include "diagnostics/ascii.hpp"
 
@@ -39,6 +40,15 @@ std::string relative_to(fs::path const& folder, std::string const& path) {
   return relative.empty() ? fs::absolute(path).string() : relative.string();
 }
 
+void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string const& path,
+                        SourceText const& channel) {
+  auto const folder = fs::path(path).parent_path();
+  for (auto const& program :
+       configuration::found_programs(files, path, configuration::read_channel_list(channel, SourceId{}))) {
+    outline.programs.push_back(relative_to(folder, program));
+  }
+}
+
 /// The lists and programs that are found.
 MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::string text) {
   MachineOutline outline{.is_machine = true};
@@ -52,11 +62,24 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
     auto const found = configuration::find_list(files, path, channel.file.text);
     auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
     if (!std::holds_alternative<std::string>(bytes)) continue;
-    SourceText const list(found->path, std::get<std::string>(std::move(bytes)));
-    for (auto const& program :
-         configuration::found_programs(files, path, configuration::read_channel_list(list, SourceId{}))) {
-      outline.programs.push_back(relative_to(folder, program));
-    }
+    add_found_programs(outline, files, path,
+                       SourceText(found->path, std::get<std::string>(std::move(bytes))));
+  }
+  return outline;
+}
+
+/// A project holds its lists itself.
+MachineOutline project_outline(DiskFiles& files, std::string const& path, std::string text) {
+  if (!configuration::looks_like_project(text)) return {};
+  SourceSet sources;
+  SourceId const source = sources.add(SourceText(path, std::move(text)));
+  std::deque<Finding> mistakes;
+  auto const project = configuration::read_project(sources, source, mistakes);
+  MachineOutline outline{.is_machine = true};
+  for (auto const& list : project.lists) {
+    if (list.kind != configuration::ListKind::channel) continue;
+    SourceText const text_of_list(path, Window{.file = sources[source].file(), .span = list.span});
+    add_found_programs(outline, files, path, text_of_list);
   }
   return outline;
 }
@@ -78,11 +101,14 @@ bool may_be_start_up_list(DiskFiles& files, std::string const& path) {
 MachineOutline outline_of(std::string const& path) {
   DiskFiles files;
   bool const is_json = has_extension(path, ".json");
-  if (!is_json && (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path)))
+  bool const is_project = configuration::is_project_name(path);
+  if (!is_json && !is_project &&
+      (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path)))
     return {};
   auto bytes = files.read(path);
   if (!std::holds_alternative<std::string>(bytes)) return {.is_machine = is_json};
   auto& text = std::get<std::string>(bytes);
+  if (is_project) return project_outline(files, path, std::move(text));
   return is_json ? read_machine_outline(text) : start_up_outline(files, path, std::move(text));
 }
 

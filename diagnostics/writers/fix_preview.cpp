@@ -78,7 +78,7 @@ template <class Iterator>
 PreviewBlock block_of(Iterator first, Iterator end, std::uint32_t last_line, SourceText const& source) {
   Place const place = (*first)->place;
   PreviewBlock block{.source = place.source, .begin = source.position(place.span.begin), .lines = {}};
-  Span const region{.begin = source.line_span(block.begin.line).begin,
+  Span const region{.begin = source.shown_line(block.begin.line).begin,
                     .end = source.line_span(last_line).end};
   std::string edited, room;
   std::size_t added = 0;

@@ -162,7 +162,7 @@ class TextWriter {
     std::size_t const end =
         location.end.line == location.begin.line ? location.end.column - 1 : std::string_view::npos;
     std::string room;
-    std::string_view const line = source.utf8(source.line_span(location.begin.line), room);
+    std::string_view const line = source.utf8(source.shown_line(location.begin.line), room);
     ShownLine const shown(line, {.begin = begin, .end = end});
     paint_.begin(out_, Style::gutter);
     write_line_number(location.begin.line, "|");

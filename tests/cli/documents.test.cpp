@@ -70,6 +70,14 @@ TEST_CASE("the front page shows what its commands print") {
   check_golden("README.md", executed(read_source_file("README.md"), folder / "try"));
 }
 
+TEST_CASE("the page about TwinCAT projects shows the machine of the sample") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/controller-project", folder / "try",
+           fs::copy_options::recursive);
+  check_golden("docs/twincat-project.md",
+               executed(read_source_file("docs/twincat-project.md"), folder / "try"));
+}
+
 TEST_CASE("the page about a controller's folder shows the machine of the sample") {
   TemporaryFolder const folder;
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/controller", folder / "try",

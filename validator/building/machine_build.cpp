@@ -194,10 +194,11 @@ class AxisBuilder {
       EffectiveValue const& value = *set;
       if (!value.value_place()) continue;
       std::size_t const list = value.origin == Origin::default_list ? *machine_.default_list : axis_.list;
+      SourceText const& source = sources_[value.value_place()->source];
       result.values.push_back({.name = parameter_name(value),
-                               .text = sources_[value.value_place()->source].utf8(value.value_place()->span),
+                               .text = source.utf8(value.value_place()->span),
                                .list = static_cast<std::uint32_t>(list),
-                               .line = value.line});
+                               .line = value.line - source.lines_before()});
     }
   }
 
@@ -231,7 +232,7 @@ BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> co
   built.machine.cycle_time = loaded.cycle_time.value_or(design::CycleTime{});
   for (NamedList const& named : loaded.lists) {
     built.machine.lists.push_back({.name = named.name,
-                                   .content = std::string(sources[named.list.source].bytes()),
+                                   .content = std::string(sources[named.list.source].list_bytes()),
                                    .is_default_list = named.list.is_default_list});
   }
   for (LoadedProgram const& program : loaded.programs) {

@@ -115,11 +115,15 @@ std::optional<configuration::FileError> Loader::load_text() {
   auto& text = std::get<std::string>(bytes);
   bool const is_machine = machine_.path == "-" ? configuration::looks_like_machine_file(text)
                                                : is_machine_text(machine_.path, text);
-  bool const may_be_start_up = !options_.kind || options_.kind == ListKind::startup;
-  bool const is_start_up = !is_machine && may_be_start_up && configuration::looks_like_start_up_list(text);
+  bool const is_project = !is_machine && configuration::is_project_name(machine_.path);
+  bool const may_be_start_up =
+      !is_machine && !is_project && (!options_.kind || options_.kind == ListKind::startup);
+  bool const is_start_up = may_be_start_up && configuration::looks_like_start_up_list(text);
   SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
   if (is_machine) {
     load_machine_file(source);
+  } else if (is_project) {
+    load_project(source);
   } else if (is_start_up) {
     load_start_up_list(source);
   } else {
@@ -200,8 +204,13 @@ std::variant<std::size_t, configuration::FileError> Loader::add_list(std::string
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
   machine_.files.push_back(path);
   SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+  std::size_t const list = add_source(source, std::move(shown));
+  by_path_.emplace(key, list);
+  return list;
+}
+
+std::size_t Loader::add_source(SourceId source, std::string shown) {
   machine_.lists.push_back({.name = std::move(shown), .list = parse(sources_, source, options_.catalogue)});
-  by_path_.emplace(key, machine_.lists.size() - 1);
   return machine_.lists.size() - 1;
 }
 

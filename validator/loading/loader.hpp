@@ -1,6 +1,7 @@
 // Reads the files of an input, each once, into the machine that is being loaded.
 #pragma once
 
+#include "configuration/project_file.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <map>
@@ -54,6 +55,7 @@ class Loader {
   void load_start_up_list(SourceId source);
   void load_channels(StartUp& start_up);
   void add_channel(StartUp& start_up, configuration::ListEntry const& entry);
+  void add_channel(StartUp& start_up, std::uint32_t number, SourceId source);
   void load_compensations(StartUp& start_up);
   void name_axes(StartUp const& start_up);
   /// Index of the axis list; none where it is missing, cannot be read, or is of another kind.
@@ -67,9 +69,17 @@ class Loader {
   /// The path as seen from the folder of the start-up list.
   [[nodiscard]] std::string shown(std::string const& path) const;
 
+  // project_loading.cpp
+  void load_project(SourceId source);
+  /// Index of the list; none where it is of another kind.
+  std::optional<std::size_t> project_axis_list(StartUp& start_up, configuration::ProjectList const& named,
+                                               SourceId source);
+  void group_by_defaults(StartUp const& start_up, std::vector<configuration::ProjectList const*> const& axes);
+
   LoadedAxis& add_axis(std::size_t list, std::optional<machine::AxisType> type);
   /// Index of the list; a file is read once.
   std::variant<std::size_t, configuration::FileError> add_list(std::string const& path, std::string shown);
+  std::size_t add_source(SourceId source, std::string shown);
   std::variant<std::size_t, configuration::FileError> add_program(std::string name, std::string const& path);
   std::variant<std::string, configuration::FileError> read_text(std::string const& path);
 

@@ -83,7 +83,7 @@ struct LoadedMachine {
   std::vector<LoadedGantry> gantries;      ///< of gantries_of(), once everything is loaded
   std::vector<GantryClaim> gantry_claims;  ///< in the order of the machine file
   std::optional<SourceId> machine_file;    ///< none for a single list
-  std::optional<StartUp> start_up;         ///< the machine is that of a start-up list
+  std::optional<StartUp> start_up;         ///< the machine is that of a start-up list or of a project
   bool inch = false;                       ///< lengths in programs are inches
   std::optional<BuildVersion> build;       ///< of the control, where the options name it
   std::deque<Finding> findings;            ///< AX4020: code, place and sentences; the engine adds the rest

@@ -1,4 +1,4 @@
-// What a controller's start-up list and the lists that it names say about the machine.
+// What a controller's start-up list and the lists that it names, or a TwinCAT project, say about the machine.
 #pragma once
 
 #include "configuration/channel_list.hpp"
@@ -39,6 +39,8 @@ struct StartUp {
       sources;  ///< the start-up list, and every list that was read beside those of the axes
   configuration::StartUpList list;
   configuration::RealTimeList real_time;
+  std::vector<std::optional<configuration::LocatedText>>
+      program_names;                    ///< of each of LoadedMachine::axes: DefaultProgName of a project
   std::vector<std::size_t> entries;     ///< of each of LoadedMachine::axes: index into list.axes
   std::deque<StartUpChannel> channels;  ///< those that the control reads, with a list that was found
   std::vector<StartUpCompensation> compensations;  ///< the same

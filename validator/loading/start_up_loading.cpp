@@ -91,10 +91,13 @@ void Loader::load_channels(StartUp& start_up) {
 
 void Loader::add_channel(StartUp& start_up, ListEntry const& entry) {
   auto const source = source_found(start_up, entry.file, ListKind::channel);
-  if (!source) return;
+  if (source) add_channel(start_up, entry.index, *source);
+}
+
+void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId source) {
   StartUpChannel& channel = start_up.channels.emplace_back();
-  channel.index = entry.index;
-  channel.list = configuration::read_channel_list(sources_[*source], *source);
+  channel.index = number;
+  channel.list = configuration::read_channel_list(sources_[source], source);
   channel.group = machine_.groups.size();
   LoadedGroup& group = machine_.groups.emplace_back();
   if (channel.list.name) group.name = channel.list.name->text;
@@ -129,13 +132,16 @@ void Loader::load_compensations(StartUp& start_up) {
 /// Programs use the channel's name. Two axes never get one name.
 void Loader::name_axes(StartUp const& start_up) {
   std::set<std::string> taken;
-  for (LoadedAxis& axis : machine_.axes) {
+  for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
+    LoadedAxis& axis = machine_.axes[i];
     EffectiveValue const& number = axis.merged.values.at("kopf.achs_nr");
     EffectiveValue const& own = axis.merged.values.at("kopf.log_achs_name");
     LocatedText const* const called =
         number.unusable ? nullptr : name_in_channels(start_up, number.value.number);
     std::string name(without_extension(file_name(machine_.lists[axis.list].name)));
     if (own.set() && !own.unusable && !own.value.text.empty()) name = own.value.text;
+    if (i < start_up.program_names.size() && start_up.program_names[i])
+      name = start_up.program_names[i]->text;
     if (called != nullptr) name = called->text;
     std::string unique = name;
     for (std::size_t count = 2; !taken.insert(unique).second; ++count)

@@ -51,7 +51,7 @@ class ListReader {
 
   ReadList read() && {
     result_.brief_.reserve(lines_.list().assignments.capacity());
-    grammar::LineSplitter splitter(bytes_.substr(source_.text_begin()));
+    grammar::LineSplitter splitter(bytes_.substr(source_.text_begin()), source_.lines_before());
     std::string_view line;
     do {
       read_plain_lines(splitter);

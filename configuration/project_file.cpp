@@ -1,0 +1,202 @@
+#include "configuration/project_file.hpp"
+
+#include "configuration/machine_file.hpp"
+#include "configuration/xml_document.hpp"
+#include "diagnostics/ascii.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace axisc::configuration::says {
+
+constexpr Sentence project_no_list{
+    "the project holds no list of a CNC axis or channel (AchsMds, SdaMds); name the project of a CNC",
+    "das Projekt enthält keine Liste einer CNC-Achse oder eines Kanals (AchsMds, SdaMds); das Projekt einer "
+    "CNC angeben"};
+constexpr Sentence project_no_section{
+    "the list in {element} is not a CDATA section, so it is not read; export the project again",
+    "die Liste in {element} ist kein CDATA-Abschnitt und wird nicht gelesen; das Projekt neu exportieren"};
+constexpr Sentence project_sections{
+    "the list in {element} is split into several CDATA sections and is not read; put it into one",
+    "die Liste in {element} ist auf mehrere CDATA-Abschnitte verteilt und wird nicht gelesen; sie in einen "
+    "fassen"};
+
+}  // namespace axisc::configuration::says
+
+namespace axisc::configuration {
+namespace {
+
+struct ListElement {
+  std::string_view name;
+  ListKind kind;
+};
+constexpr std::array list_elements = {ListElement{.name = "AchsMds", .kind = ListKind::axis},
+                                      ListElement{.name = "SdaMds", .kind = ListKind::channel}};
+constexpr std::uint32_t nanoseconds_per_unit = 100;
+constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
+constexpr std::string_view interpolation_task = "GEO";
+
+class ProjectReader {
+ public:
+  ProjectReader(SourceText const& text, SourceId source, std::deque<Finding>& findings)
+      : text_(text), source_(source), findings_(findings) {}
+
+  Project read() && {
+    auto parsed = parse_xml(text_.bytes());
+    if (auto const* const mistake = std::get_if<XmlMistake>(&parsed)) {
+      refuse(mistake->span, {.sentence = mistake->sentence, .arguments = {}});
+      return {};
+    }
+    document_ = std::get<XmlDocument>(std::move(parsed));
+    gather_fields();
+    project_.encoding = xml_encoding(text_.bytes());
+    for (std::size_t i = 0; i < document_.elements.size(); ++i) {
+      for (ListElement const& each : list_elements) {
+        if (document_.elements[i].name == each.name) read_list(i, each.kind);
+      }
+      if (document_.elements[i].name == "Task") read_task(i);
+    }
+    decide_cycle_time();
+    if (project_.lists.empty() && findings_.empty()) {
+      refuse({.begin = text_.text_begin(), .end = text_.text_begin()},
+             {.sentence = says::project_no_list, .arguments = {}});
+    }
+    return std::move(project_);
+  }
+
+ private:
+  struct Field {
+    std::size_t element;  ///< to which it belongs
+    std::string_view name;
+    Span value;
+  };
+
+  struct Task {
+    bool interpolates = false;
+    ListCount cycle;
+  };
+
+  void refuse(Span span, Message message) {
+    Finding& finding = findings_.emplace_back();
+    finding.code = machine_file_code;
+    finding.place = Place{.source = source_, .span = span};
+    finding.message = std::move(message);
+  }
+
+  /// Attributes, and elements that hold nothing but text.
+  void gather_fields() {
+    for (XmlAttribute const& attribute : document_.attributes) {
+      fields_.push_back({.element = attribute.element, .name = attribute.name, .value = attribute.value});
+    }
+    for (XmlElement const& element : document_.elements) {
+      std::optional<Span> value = element.text;
+      if (!value && element.cdata_sections.size() == 1) value = element.cdata_sections.front();
+      if (value) fields_.push_back({.element = element.parent, .name = element.name, .value = *value});
+    }
+    std::stable_sort(fields_.begin(), fields_.end(),
+                     [](Field const& a, Field const& b) { return a.element < b.element; });
+  }
+
+  [[nodiscard]] std::optional<LocatedText> field(std::size_t element, std::string_view name) const {
+    auto at = std::lower_bound(fields_.begin(), fields_.end(), element,
+                               [](Field const& each, std::size_t wanted) { return each.element < wanted; });
+    for (; at != fields_.end() && at->element == element; ++at) {
+      if (at->name != name || at->value.empty()) continue;
+      return LocatedText{.text = text_.utf8(at->value), .place = {.source = source_, .span = at->value}};
+    }
+    return std::nullopt;
+  }
+
+  /// Beside the list, or beside the element that holds it.
+  [[nodiscard]] std::optional<LocatedText> beside(std::size_t element, std::string_view name) const {
+    std::size_t const parent = document_.elements[element].parent;
+    auto found = field(parent, name);
+    return found ? found : field(document_.elements[parent].parent, name);
+  }
+
+  [[nodiscard]] std::optional<ListCount> count_beside(std::size_t element, std::string_view name) const {
+    auto const text = beside(element, name);
+    auto const number = text ? as_number(*text) : std::nullopt;
+    if (!number) return std::nullopt;
+    return ListCount{.number = *number, .place = text->place};
+  }
+
+  void read_list(std::size_t index, ListKind kind) {
+    XmlElement const& element = document_.elements[index];
+    if (element.cdata_sections.size() != 1) {
+      if (!element.text && element.cdata_sections.empty()) return;
+      bool const is_split = !element.cdata_sections.empty();
+      refuse(element.name_span, {.sentence = is_split ? says::project_sections : says::project_no_section,
+                                 .arguments = {{"element", std::string(element.name)}}});
+      return;
+    }
+    LocatedText const own{.text = std::string(element.name),
+                          .place = {.source = source_, .span = element.name_span}};
+    project_.lists.push_back({.kind = kind,
+                              .span = element.cdata_sections.front(),
+                              .name = beside(index, "ItemName").value_or(own),
+                              .program_name = beside(index, "DefaultProgName"),
+                              .default_channel = count_beside(index, "DefaultChannel"),
+                              .default_index = count_beside(index, "DefaultIndex")});
+  }
+
+  void read_task(std::size_t index) {
+    auto const cycle = field(index, "CycleTime");
+    auto const number = cycle ? as_number(*cycle) : std::nullopt;
+    if (!number || *number == 0 || *number > longest_cycle) return;
+    Task& task = tasks_.emplace_back();
+    task.cycle = {.number = *number, .place = cycle->place};
+    for (std::string_view const key : {"Name", "ItemName"}) {
+      auto const name = field(index, key);
+      task.interpolates =
+          task.interpolates ||
+          (name && ascii::upper_case(name->text).find(interpolation_task) != std::string::npos);
+    }
+  }
+
+  /// Of the task whose name says so; else of all tasks, where they agree.
+  void decide_cycle_time() {
+    bool const is_named =
+        std::any_of(tasks_.begin(), tasks_.end(), [](Task const& task) { return task.interpolates; });
+    if (is_named) std::erase_if(tasks_, [](Task const& task) { return !task.interpolates; });
+    bool const agree = std::all_of(tasks_.begin(), tasks_.end(), [this](Task const& task) {
+      return task.cycle.number == tasks_.front().cycle.number;
+    });
+    if (tasks_.empty() || !agree) return;
+    project_.real_time = {.cycle_time = design::CycleTime{tasks_.front().cycle.number * nanoseconds_per_unit},
+                          .place = tasks_.front().cycle.place};
+  }
+
+  SourceText const& text_;
+  SourceId source_;
+  std::deque<Finding>& findings_;
+  XmlDocument document_;
+  std::vector<Field> fields_;  ///< by element
+  std::vector<Task> tasks_;
+  Project project_;
+};
+
+}  // namespace
+
+Project read_project(SourceSet const& sources, SourceId source, std::deque<Finding>& findings) {
+  return ProjectReader(sources[source], source, findings).read();
+}
+
+bool is_project_name(std::string_view path) {
+  constexpr std::array<std::string_view, 2> extensions = {".tsproj", ".xti"};
+  return std::any_of(extensions.begin(), extensions.end(), [path](std::string_view extension) {
+    return path.size() > extension.size() &&
+           ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
+  });
+}
+
+bool looks_like_project(std::string_view bytes) {
+  return std::any_of(list_elements.begin(), list_elements.end(), [bytes](ListElement const& element) {
+    return bytes.find("<" + std::string(element.name)) != std::string_view::npos;
+  });
+}
+
+}  // namespace axisc::configuration

@@ -1,0 +1,41 @@
+// A TwinCAT 3 project or one of its parts (*.tsproj, *.xti): the lists of a machine as texts in one XML file.
+#pragma once
+
+#include "configuration/list_kind.hpp"
+#include "configuration/listed_values.hpp"
+#include "configuration/real_time_list.hpp"
+#include "diagnostics/finding.hpp"
+
+#include <deque>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace axisc::configuration {
+
+/// An axis or channel object: its list, and what stands beside it.
+struct ProjectList {
+  ListKind kind = ListKind::axis;            ///< axis (AchsMds) or channel (SdaMds)
+  Span span;                                 ///< of the list's text in the file
+  LocatedText name;                          ///< ItemName; without one, that of the element
+  std::optional<LocatedText> program_name;   ///< DefaultProgName: what programs call the axis
+  std::optional<ListCount> default_channel;  ///< DefaultChannel, counted from 1
+  std::optional<ListCount> default_index;    ///< DefaultIndex: the place of the axis in that channel
+};
+
+struct Project {
+  std::vector<ProjectList> lists;  ///< in the order of the file
+  RealTimeList real_time;          ///< CycleTime of the task
+  Encoding encoding = Encoding::utf8;
+};
+
+/// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences), and what they concern is left out.
+[[nodiscard]] Project read_project(SourceSet const& sources, SourceId source, std::deque<Finding>& findings);
+
+/// True for a name that ends in .tsproj or .xti.
+[[nodiscard]] bool is_project_name(std::string_view path);
+
+/// True for text with an element for a list. Cost: a search through the bytes.
+[[nodiscard]] bool looks_like_project(std::string_view bytes);
+
+}  // namespace axisc::configuration

@@ -1,0 +1,48 @@
+// XML files: which element a text belongs to, and where its bytes are.
+#pragma once
+
+#include "configuration/located_text.hpp"
+#include "diagnostics/message.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace axisc::configuration {
+
+/// What an element directly contains of its own: spans count bytes of the file; entities are not expanded.
+struct XmlElement {
+  std::string_view name;
+  Span name_span;
+  std::size_t parent = 0;            ///< index into XmlDocument::elements; the root's parent is the root
+  std::optional<Span> text;          ///< of its first text, without blanks around it
+  std::vector<Span> cdata_sections;  ///< what is between `<![CDATA[` and `]]>`
+};
+
+struct XmlAttribute {
+  std::size_t element = 0;
+  std::string_view name;
+  Span value;  ///< without quotes
+};
+
+/// In the order of the file; views look into its bytes.
+struct XmlDocument {
+  std::vector<XmlElement> elements;
+  std::vector<XmlAttribute> attributes;
+};
+
+struct XmlMistake {
+  Span span;
+  SentenceRef sentence;
+};
+
+/// Reads UTF-8 and single-byte encodings. A document type definition is refused, entities are never expanded. Cost: one
+/// pass.
+[[nodiscard]] std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes);
+
+/// The encoding that the XML declaration names, or that the bytes show.
+[[nodiscard]] Encoding xml_encoding(std::string_view bytes);
+
+}  // namespace axisc::configuration

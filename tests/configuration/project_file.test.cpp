@@ -1,0 +1,146 @@
+// XML as projects are written in: what belongs to which element, where its bytes are, and what is refused.
+#include "configuration/project_file.hpp"
+
+#include "configuration/machine_file.hpp"
+#include "configuration/xml_document.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace axisc;
+using namespace axisc::configuration;
+
+struct Read {
+  SourceSet sources;
+  Project project;
+  std::deque<Finding> mistakes;
+
+  explicit Read(std::string text) {
+    SourceId const source = sources.add(SourceText("p.tsproj", std::move(text)));
+    project = read_project(sources, source, mistakes);
+  }
+  [[nodiscard]] std::string at(Span span) const { return std::string(sources[SourceId{}].slice(span)); }
+  [[nodiscard]] std::string mistake() const {
+    if (mistakes.empty()) return "none";
+    Position const position = sources[SourceId{}].position(mistakes.front().place->span.begin);
+    CHECK(mistakes.front().code == machine_file_code);
+    CHECK_FALSE(render(mistakes.front().message, Language::german).empty());
+    return std::to_string(position.line) + ":" + std::to_string(position.column) + " " +
+           render(mistakes.front().message, Language::english);
+  }
+};
+
+std::string axis(std::string const& inside) {
+  return "<P><Axis><ItemName>A</ItemName>" + inside + "</Axis></P>";
+}
+
+bool begins(std::string const& text, std::string const& with) {
+  INFO(text);
+  return text.starts_with(with);
+}
+
+}  // namespace
+
+TEST_CASE("the list of an object with its name and its place in a channel, as elements or attributes") {
+  for (std::string const& text :
+       {std::string(
+            "<P><Axis><ItemName>X1</ItemName><DefaultChannel>2</DefaultChannel><DefaultIndex>3</DefaultIndex>"
+            "<DefaultProgName> X\n</DefaultProgName><AchsMds><![CDATA[kopf.achs_nr "
+            "1\r\n]]></AchsMds></Axis></P>"),
+        std::string(
+            "\xEF\xBB\xBF<P><Axis ItemName='X1' DefaultChannel=\"2\" DefaultIndex='3' DefaultProgName = 'X'>"
+            "<Para><AchsMds>\n <![CDATA[kopf.achs_nr 1\r\n]]> </AchsMds></Para></Axis></P>")}) {
+    Read const read(text);
+    CHECK(read.mistake() == "none");
+    REQUIRE(read.project.lists.size() == 1);
+    ProjectList const& list = read.project.lists.front();
+    CHECK(list.kind == ListKind::axis);
+    CHECK(read.at(list.span) == "kopf.achs_nr 1\r\n");
+    CHECK(list.name.text == "X1");
+    CHECK(read.at(list.name.place.span) == "X1");
+    REQUIRE(list.program_name);
+    CHECK(list.program_name->text == "X");
+    CHECK(list.default_channel->number == 2);
+    CHECK(list.default_index->number == 3);
+  }
+}
+
+TEST_CASE("an object without a name is called as its element, and an empty list is none") {
+  Read const read("<P><SdaMds><![CDATA[]]></SdaMds><AchsMds/><AchsMds></AchsMds></P>");
+  REQUIRE(read.project.lists.size() == 1);
+  CHECK(read.project.lists.front().kind == ListKind::channel);
+  CHECK(read.project.lists.front().name.text == "SdaMds");
+}
+
+TEST_CASE("the cycle time is that of the task that interpolates, or the one on which all agree") {
+  auto const cycle = [](std::string const& tasks) {
+    Read const read("<P><AchsMds><![CDATA[x 1]]></AchsMds>" + tasks + "</P>");
+    return read.project.real_time.cycle_time ? read.project.real_time.cycle_time->nanoseconds : 0;
+  };
+  CHECK(cycle("<Task CycleTime='20000'><Name>CNC Geo</Name></Task><Task CycleTime='40000'/>") == 2'000'000);
+  CHECK(cycle("<Task><CycleTime>10000</CycleTime></Task><Task CycleTime='10000'/>") == 1'000'000);
+  CHECK(cycle("<Task CycleTime='10000'/><Task CycleTime='20000'/>") == 0);
+  CHECK(cycle("<Task CycleTime='0'/>") == 0);
+  CHECK(cycle("<Task CycleTime='99999999999'/>") == 0);
+  CHECK(cycle("<Task/>") == 0);
+}
+
+TEST_CASE("XML that is not well-formed is one finding with its place") {
+  CHECK(begins(Read("<P>\n <A>\n</P>").mistake(), "3:3 this end tag"));
+  CHECK(begins(Read("<P><AchsMds><![CDATA[x").mistake(), "1:13 the CDATA section"));
+  CHECK(begins(Read("<P a=>").mistake(), "1:6 an attribute"));
+  CHECK(begins(Read("").mistake(), "1:1 "));
+  CHECK(begins(Read("   \n").mistake(), "1:1 the file holds no XML element"));
+  CHECK(begins(Read("<P>").mistake(), "1:4 the XML ends"));
+  CHECK(begins(Read(std::string("<P>\0</P>", 8)).mistake(), "1:4 a byte 0"));
+  CHECK(begins(Read("<P/>").mistake(), "1:1 the project holds no list"));
+}
+
+TEST_CASE("lists that are not exactly one CDATA section are refused and named") {
+  CHECK(begins(Read(axis("<AchsMds>kopf.achs_nr 1</AchsMds>")).mistake(),
+               "1:33 the list in AchsMds is not a CDATA"));
+  CHECK(begins(Read(axis("<AchsMds><![CDATA[a]]]]><![CDATA[>]]></AchsMds>")).mistake(),
+               "1:33 the list in AchsMds is split"));
+}
+
+TEST_CASE("document types and entities are never expanded") {
+  std::string bomb = "<?xml version='1.0'?>\n<!DOCTYPE P [<!ENTITY a 'aaaaaaaaaa'>";
+  for (char name = 'b'; name < 'k'; ++name) {
+    std::string const before(1, static_cast<char>(name - 1));
+    bomb += "<!ENTITY " + std::string(1, name) + " '&" + before + ";&" + before + ";'>";
+  }
+  bomb += "]>\n<P><AchsMds><![CDATA[x 1]]></AchsMds><ItemName>&j;</ItemName></P>";
+  Read const refused(bomb);
+  CHECK(begins(refused.mistake(), "2:1 a document type definition"));
+  CHECK(refused.project.lists.empty());
+  Read const unknown(axis("<AchsMds><![CDATA[&lt; x]]></AchsMds>"));
+  CHECK(unknown.at(unknown.project.lists.front().span) == "&lt; x");
+}
+
+TEST_CASE("any nesting is read") {
+  constexpr std::size_t depth = 200'000;
+  std::string text;
+  for (std::size_t i = 0; i < depth; ++i) text += "<a>";
+  text += "<AchsMds><![CDATA[x 1]]></AchsMds>";
+  for (std::size_t i = 0; i < depth; ++i) text += "</a>";
+  Read const read(text);
+  REQUIRE(read.project.lists.size() == 1);
+  CHECK(read.at(read.project.lists.front().span) == "x 1");
+}
+
+TEST_CASE("the encoding is the one that is declared, else the one that the bytes show") {
+  CHECK(xml_encoding("<?xml version='1.0' encoding=\"Windows-1252\"?><P/>") == Encoding::windows_1252);
+  CHECK(xml_encoding("<?xml version='1.0' encoding='ISO-8859-1'?><P/>") == Encoding::windows_1252);
+  CHECK(xml_encoding("<?xml version='1.0' encoding='utf-8'?><P/>") == Encoding::utf8);
+  CHECK(xml_encoding("<P>\xFC</P>") == Encoding::windows_1252);
+  CHECK(xml_encoding("<P encoding='windows-1252'>\xC3\xBC</P>") == Encoding::utf8);
+}
+
+TEST_CASE("projects are known by their names and by the elements for lists") {
+  CHECK(is_project_name("a/M.TsProj"));
+  CHECK(is_project_name("Axis 1.xti"));
+  CHECK_FALSE(is_project_name("M.tspproj"));
+  CHECK_FALSE(is_project_name(".xti"));
+  CHECK(looks_like_project("<a><SdaMds>"));
+  CHECK_FALSE(looks_like_project("<a><Device/></a>"));
+}
