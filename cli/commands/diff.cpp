@@ -163,8 +163,9 @@ MachineDifference compare(DiffOptions const& options, Sides const& sides) {
 /// Two inputs, or two axes of one.
 void require_two_sides(CommandLine const& command_line, DiffOptions const& options) {
   command_line.require(!options.inputs.empty(), "OLD NEW");
-  if (options.inputs.size() > 2 || options.axes.size() > 2)
+  if (options.inputs.size() > 2 || options.axes.size() > 2) {
     throw Failure({.sentence = says::too_many, .arguments = {}});
+  }
   if (options.inputs.size() == 1 && options.axes.size() != 2) {
     throw Failure({.sentence = says::one_input, .arguments = {{"input", options.inputs.front()}}});
   }

@@ -41,6 +41,7 @@ class HeldFiles final : public configuration::Files {
 std::vector<std::string> names_of(std::vector<ComparedAxis> const& axes,
                                   std::vector<std::size_t> const& indices) {
   std::vector<std::string> names;
+  names.reserve(indices.size());
   for (auto const index : indices) names.push_back(axes[index].name);
   return names;
 }

@@ -14,7 +14,6 @@ namespace axisc::cli {
 namespace {
 
 using validator::EffectiveValue;
-using validator::EffectiveValues;
 
 std::string without_blanks(std::string_view text) {
   std::string kept;
@@ -119,9 +118,11 @@ std::vector<ParameterChange> compare_parameters(ComparedMachine const& before, C
   for (auto const& [name, pair] : values) {
     auto const* const was = pair.first != nullptr ? pair.first : old_side.find(name);
     auto const* const is = pair.second != nullptr ? pair.second : new_side.find(name);
+    auto const* const listed = is != nullptr ? is : was;
+    if (listed == nullptr) continue;
     if (was != nullptr && is != nullptr && are_set_alike(*was, *is)) continue;
     ParameterChange change{.name = name,
-                           .row = is != nullptr ? is->row : was->row,
+                           .row = listed->row,
                            .unit = {},
                            .before = was != nullptr ? old_side.compared(*was) : ComparedValue{},
                            .after = is != nullptr ? new_side.compared(*is) : ComparedValue{}};

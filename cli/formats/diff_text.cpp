@@ -14,8 +14,10 @@ constexpr std::size_t line_width = 80;
 
 std::string text_block(std::vector<DiffLine> const& lines) {
   std::vector<std::vector<std::string>> rows;
-  for (auto const& line : lines)
+  rows.reserve(lines.size());
+  for (auto const& line : lines) {
     rows.push_back({printable(line.what), printable(line.before), "→", printable(line.after)});
+  }
   return text_table(rows, 2);
 }
 

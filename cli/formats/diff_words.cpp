@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <tuple>
 
 namespace axisc::cli::says {
@@ -170,11 +169,11 @@ DiffSection DiffWords::channel(ChannelDifference const& channel) const {
 }
 
 std::vector<DiffSection> DiffWords::axes() const {
-  std::vector<DiffSection> sections = shared();
-  bool const some_are_shared = !sections.empty();
+  std::set<ParameterChange const*> told;
+  std::vector<DiffSection> sections = shared(told);
   auto const first = static_cast<std::ptrdiff_t>(sections.size());
   for (auto const& difference : shown_.difference.axes) {
-    auto section = axis(difference, some_are_shared);
+    auto section = axis(difference, told);
     if (section.facts.empty() && section.parameters.empty() && section.effects.empty()) continue;
     auto const same = std::find_if(sections.begin() + first, sections.end(),
                                    [&](DiffSection const& other) { return differ_alike(other, section); });
@@ -188,14 +187,16 @@ std::vector<DiffSection> DiffWords::axes() const {
   return sections;
 }
 
-std::vector<DiffSection> DiffWords::shared() const {
+std::vector<DiffSection> DiffWords::shared(std::set<ParameterChange const*>& told) const {
   auto const axes_of = axes_by_change(shown_.difference);
   std::vector<DiffSection> sections;
   std::map<std::vector<AxisDifference const*>, std::size_t> section_of;
   for (auto const& axis : shown_.difference.axes) {
     for (auto const& change : axis.parameters) {
       auto const& sharing = axes_of.at(key_of(change));
-      if (sharing.size() < 2 || sharing.front() != &axis) continue;
+      if (sharing.size() < 2) continue;
+      told.insert(&change);
+      if (sharing.front() != &axis) continue;
       auto const [known, is_new] = section_of.emplace(sharing, sections.size());
       if (is_new) {
         std::vector<std::string> names;
@@ -208,7 +209,7 @@ std::vector<DiffSection> DiffWords::shared() const {
   return sections;
 }
 
-DiffSection DiffWords::axis(AxisDifference const& axis, bool without_shared) const {
+DiffSection DiffWords::axis(AxisDifference const& axis, std::set<ParameterChange const*> const& told) const {
   DiffSection section{.title = say(says::axis, {{"axis", axis_name(*axis.before, *axis.after)}}),
                       .axes = {axis.after->name}};
   if (axis.renamed) {
@@ -221,12 +222,8 @@ DiffSection DiffWords::axis(AxisDifference const& axis, bool without_shared) con
   if (axis.other_drive) {
     section.facts.push_back({say(says::drive), or_none(axis.before->drive), or_none(axis.after->drive)});
   }
-  auto const axes_of = without_shared ? axes_by_change(shown_.difference)
-                                      : std::map<SharedKey, std::vector<AxisDifference const*>>();
   for (auto const& change : axis.parameters) {
-    auto const sharing = axes_of.find(key_of(change));
-    if (sharing == axes_of.end() || sharing->second.size() < 2)
-      section.parameters.push_back(parameter(change));
+    if (!told.contains(&change)) section.parameters.push_back(parameter(change));
   }
   if (axis.chain) section.effects = effects(*axis.chain);
   return section;
@@ -263,6 +260,7 @@ std::vector<std::string> DiffWords::remarks() const {
       }
     }
     std::vector<std::string> parameters;
+    parameters.reserve(axes_of.size());
     for (auto const& [name, axes] : axes_of) {
       parameters.push_back(say(says::of_axis, {{"parameter", name}, {"axes", joined(axes)}}));
     }

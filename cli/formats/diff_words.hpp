@@ -3,6 +3,7 @@
 
 #include "cli/formats/diff_formats.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,8 +52,10 @@ class DiffWords {
 
  private:
   [[nodiscard]] DiffSection channel(ChannelDifference const& channel) const;
-  [[nodiscard]] DiffSection axis(AxisDifference const& axis, bool without_shared) const;
-  [[nodiscard]] std::vector<DiffSection> shared() const;
+  [[nodiscard]] DiffSection axis(AxisDifference const& axis,
+                                 std::set<ParameterChange const*> const& told) const;
+  /// What lines of the default list change for several axes; `told` receives these changes.
+  [[nodiscard]] std::vector<DiffSection> shared(std::set<ParameterChange const*>& told) const;
   /// "X (number 1, achsmds1.lis)".
   [[nodiscard]] std::string axis_name(ComparedAxis const& was, ComparedAxis const& is) const;
   [[nodiscard]] DiffParameter parameter(ParameterChange const& change) const;

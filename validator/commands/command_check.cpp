@@ -138,8 +138,9 @@ class CommandCheck {
 
   /// `AX DEV=0.01`: two words that are one keyword.
   bool check_separated(std::size_t index) {
-    if (index + 1 == command_.keywords.size() || command_.keywords[index].kind != KeywordValue::none)
+    if (index + 1 == command_.keywords.size() || command_.keywords[index].kind != KeywordValue::none) {
       return false;
+    }
     Span const span{.begin = command_.keywords[index].name.begin,
                     .end = command_.keywords[index + 1].name.end};
     std::string const joined =
