@@ -14,6 +14,10 @@ tree="$folder/tree"
 mkdir -p "$tree"
 rm -rf "$tree/validator/rules"
 (cd "$source" && tar cf - --exclude='./build' --exclude='./.git' --exclude='./bench' --exclude='./tests/data/images' .) | tar xf - -C "$tree"
+# What another state of the source had, and this one has not, would still be compiled.
+(cd "$tree" && find . -path ./build -prune -o -type f -print) | while IFS= read -r file; do
+  [ -e "$source/$file" ] || rm -f "$tree/$file"
+done
 cp -rp "$source/tests/architecture/invented_rule/$rule" "$tree/validator/rules/"
 
 quietly cmake -S "$tree" -B "$tree/build/release" -G Ninja -DCMAKE_BUILD_TYPE="$(cached CMAKE_BUILD_TYPE)" \

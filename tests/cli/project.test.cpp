@@ -147,3 +147,20 @@ TEST_CASE("each axis says to which channel it belongs where no channel list does
   CHECK(outcome.out.find("channel Mill: X1, Y1\n") != std::string::npos);
   CHECK(outcome.out.find("channel 2: Z2\n") != std::string::npos);
 }
+
+TEST_CASE("a list of another kind and another cycle time are told in words of a project") {
+  TemporaryFolder const folder;
+  folder.write(
+      "a.tsproj",
+      "<P><Task CycleTime='10000'/>\n<Axis><AchsMds><![CDATA[kopf.achs_nr 1\n]]></AchsMds></Axis>\n"
+      "<Axis><ItemName>B</ItemName><AchsMds><![CDATA[gruppe[0].achs_anzahl 0\nspdl_anzahl 0\n]]></AchsMds>"
+      "</Axis></P>");
+  auto const outcome = run_axisc({"lint", "a.tsproj", "--cycle-time", "2ms"}, in_folder(folder.path()));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find(
+            "error[AX7009]: the project holds a list of another kind here: its parameters are P-CHAN") !=
+        std::string::npos);
+  CHECK(outcome.out.find("a.tsproj:4:17") != std::string::npos);
+  CHECK(outcome.out.find("warning[AX7012]: the task in the project has") != std::string::npos);
+  CHECK(outcome.out.find("a.tsproj:1:21") != std::string::npos);
+}

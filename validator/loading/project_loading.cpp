@@ -27,6 +27,7 @@ bool is_default_list(ProjectList const& named, LoadedList const& list, SourceTex
 void Loader::load_project(SourceId source) {
   configuration::Project const project = configuration::read_project(sources_, source, machine_.findings);
   StartUp& start_up = machine_.start_up.emplace();
+  start_up.is_project = true;
   start_up.real_time = project.real_time;
   machine_.cycle_time = project.real_time.cycle_time;
   // Every list of a project is read.

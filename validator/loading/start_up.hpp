@@ -35,6 +35,7 @@ struct StartUpCompensation {
 };
 
 struct StartUp {
+  bool is_project = false;  ///< the lists are those inside a TwinCAT project, and there is no start-up list
   std::vector<SourceId>
       sources;  ///< the start-up list, and every list that was read beside those of the axes
   configuration::StartUpList list;

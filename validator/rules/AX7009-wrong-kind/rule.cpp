@@ -12,6 +12,9 @@ constexpr Sentence headline_of_list{
     "die Maschinendatei nennt diese Liste als Achsliste, sie enthält aber {kind}"};
 constexpr Sentence help{"name the list of an axis in the machine file",
                         "in der Maschinendatei die Liste einer Achse nennen"};
+constexpr Sentence in_project{
+    "the project holds a list of another kind here: its parameters are {kind}, expected are {wanted}",
+    "das Projekt enthält hier eine Liste anderer Art: sie enthält {kind}, erwartet wird {wanted}"};
 constexpr Sentence reaction{"it does not find the parameters that it looks for",
                             "sie findet die gesuchten Parameter nicht"};
 
@@ -36,8 +39,9 @@ void wrong_kind(MachineContext const& context, Report& report) {
   if (!context.machine.start_up) return;
   for (ListSearch const& search : context.machine.start_up->searches) {
     if (!search.wanted || !search.kind || search.kind == search.wanted) continue;
+    SentenceRef const headline = context.machine.start_up->is_project ? says::in_project : says::headline;
     Finding& finding =
-        report.add(search.named.place, {says::headline,
+        report.add(search.named.place, {headline,
                                         {{"kind", configuration::number_prefix(*search.kind)},
                                          {"wanted", configuration::number_prefix(*search.wanted)}}});
     react(finding, {says::reaction, {}});
