@@ -23,8 +23,9 @@ Parts parts_of(std::string_view named) {
     if (!part.empty() && part != ".") parts.emplace_back(part);
     named.remove_prefix(std::min(end + 1, named.size()));
   }
-  if (parts.size() > 1 && ascii::equal_ignoring_case(parts.front(), kernel_folder))
+  if (parts.size() > 1 && ascii::equal_ignoring_case(parts.front(), kernel_folder)) {
     parts.erase(parts.begin());
+  }
   return parts;
 }
 

@@ -25,8 +25,9 @@ RealTimeList read_real_time_list(SourceText const& text, SourceId source) {
     if (match_name(listed.name, "cycle_time")) chosen = &listed;
     if (auto const cycle = match_name(listed.name, "thread[].cycle")) cycles[(*cycle)[0]] = &listed;
     auto const function = match_name(listed.name, "thread[].function[].name");
-    if (function && ascii::equal_ignoring_case(listed.value.text, interpolation_task))
+    if (function && ascii::equal_ignoring_case(listed.value.text, interpolation_task)) {
       thread = (*function)[0];
+    }
   }
   if (thread && cycles.contains(*thread)) chosen = cycles[*thread];
   if (chosen == nullptr) return {};

@@ -84,8 +84,9 @@ void read_line(ListedValue& listed, StartUpList& list) {
   }
   for (OtherName const& other : other_names) {
     bool const is_it = match_name(listed.name, other.pattern).has_value();
-    if (is_it && !listed.value.text.empty())
+    if (is_it && !listed.value.text.empty()) {
       list.others.push_back({.file = listed.value, .kind = other.kind});
+    }
   }
 }
 

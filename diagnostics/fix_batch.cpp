@@ -105,8 +105,9 @@ std::vector<EditedSource> FixBatch::apply() const {
   std::size_t copied = 0;
   auto const file_of = [&](SourceId id) -> std::string const& { return *sources_[id].file(); };
   auto const finish = [&] {
-    if (!edited.empty())
+    if (!edited.empty()) {
       edited.back().bytes += std::string_view(file_of(edited.back().source)).substr(copied);
+    }
   };
   for (auto edit = edits_.begin(); edit != edits_.end(); ++edit) {
     auto const& [place, text] = *edit;

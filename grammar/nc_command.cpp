@@ -38,8 +38,9 @@ std::size_t resembling_size(std::string_view text) {
   std::size_t const first_end = first + word_size(text.substr(first));
   if (first_end == first) return 0;
   std::string_view const word = text.substr(first, first_end - first);
-  if (resembles(word, "FI", "ER") || resembles(word, "VIBG", "ARD") || resembles(word, "VIB_", "ARD"))
+  if (resembles(word, "FI", "ER") || resembles(word, "VIBG", "ARD") || resembles(word, "VIB_", "ARD")) {
     return first_end;
+  }
   std::size_t const second = skip_blanks(first_end);
   std::size_t const second_end = second + word_size(text.substr(second));
   bool const is_guard =

@@ -135,8 +135,9 @@ void remark_feeds(machine::Machine const& machine, machine::MachineGroup const& 
   for (auto const index : group.axes) {
     auto const& axis = machine.axes[index];
     double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
-    if (!options.feeds || axis.type != machine::AxisType::translatory || !(limit > 0) || fastest <= limit)
+    if (!options.feeds || axis.type != machine::AxisType::translatory || !(limit > 0) || fastest <= limit) {
       continue;
+    }
     invocation.streams.err.write(warning_line({.sentence = says::feed_above_limit,
                                                .arguments = {{"feed", format_exact(fastest)},
                                                              {"axis", axis.name},

@@ -126,8 +126,9 @@ std::vector<schema::Parameter const*> parameters_with(schema::Catalogue const& c
   auto const search = [&](auto const& text_of) {
     std::vector<schema::Parameter const*> found;
     for (auto const& parameter : catalogue.parameters()) {
-      if (ascii::lower_case(text_of(parameter)).find(wanted) != std::string::npos)
+      if (ascii::lower_case(text_of(parameter)).find(wanted) != std::string::npos) {
         found.push_back(&parameter);
+      }
     }
     return found;
   };

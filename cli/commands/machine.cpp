@@ -63,8 +63,9 @@ ExitStatus machine(Invocation const& invocation) {
   validator::CheckOptions options;
   options.cycle_time = asked_cycle_time(cycle_time);
   auto const loaded = validator::load(files, path, options, sources);
-  if (auto const* const error = std::get_if<configuration::FileError>(&loaded))
+  if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
     throw unreadable(path, *error);
+  }
   auto const& machine = std::get<validator::LoadedMachine>(loaded);
   bool const is_project = std::any_of(machine.lists.begin(), machine.lists.end(), [&](auto const& named) {
     return sources[named.list.source].is_window();

@@ -116,8 +116,9 @@ class Expansion {
           return of_machine_files.contains(list);
         });
         lists.insert(named.begin(), named.end());
-        for (auto& program : identities_of(input, input.outline.programs))
+        for (auto& program : identities_of(input, input.outline.programs)) {
           programs.insert(std::move(program));
+        }
       }
     }
     // A single input has no duplicate, so its links need not be resolved.
@@ -152,8 +153,9 @@ class Expansion {
   [[nodiscard]] bool is_beside_start_up_list(Found const& input) const {
     bool const is_list = !input.outline.is_machine && !has_extension(input.path, ".nc");
     return is_list && std::any_of(found_.begin(), found_.end(), [&input](Found const& other) {
-             if (!other.outline.is_machine || other.is_replaced || has_extension(other.path, ".json"))
+             if (!other.outline.is_machine || other.is_replaced || has_extension(other.path, ".json")) {
                return false;
+             }
              auto const folder = fs::path(other.path).parent_path().string();
              return folder.empty() || input.path.starts_with(folder + "/");
            });

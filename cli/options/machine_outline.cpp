@@ -103,8 +103,9 @@ MachineOutline outline_of(std::string const& path) {
   bool const is_json = has_extension(path, ".json");
   bool const is_project = configuration::is_project_name(path);
   if (!is_json && !is_project &&
-      (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path)))
+      (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path))) {
     return {};
+  }
   auto bytes = files.read(path);
   if (!std::holds_alternative<std::string>(bytes)) return {.is_machine = is_json};
   auto& text = std::get<std::string>(bytes);

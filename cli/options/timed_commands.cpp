@@ -133,9 +133,10 @@ void execute(TimedCommand const& command, image::RuntimeHost& host, image::Image
         refuse(says::command_standstill, command, path);
     }
   }
-  if (!executed)
+  if (!executed) {
     refuse(says::no_bank, command, path,
            {{"banks", banks_of(image)}, {"needed", bank_text(command.parameters, command.command.hsc)}});
+  }
 }
 
 }  // namespace axisc::cli

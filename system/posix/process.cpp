@@ -40,8 +40,9 @@ bool is_terminal(Stream stream) {
 
 std::optional<std::size_t> terminal_width() {
   winsize size{};
-  if (::ioctl(static_cast<int>(Stream::output), TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
+  if (::ioctl(static_cast<int>(Stream::output), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) {
     return std::nullopt;
+  }
   return size.ws_col;
 }
 

@@ -140,12 +140,14 @@ void Loader::name_axes(StartUp const& start_up) {
         number.unusable ? nullptr : name_in_channels(start_up, number.value.number);
     std::string name(without_extension(file_name(machine_.lists[axis.list].name)));
     if (own.set() && !own.unusable && !own.value.text.empty()) name = own.value.text;
-    if (i < start_up.program_names.size() && start_up.program_names[i])
+    if (i < start_up.program_names.size() && start_up.program_names[i]) {
       name = start_up.program_names[i]->text;
+    }
     if (called != nullptr) name = called->text;
     std::string unique = name;
-    for (std::size_t count = 2; !taken.insert(unique).second; ++count)
+    for (std::size_t count = 2; !taken.insert(unique).second; ++count) {
       unique = name + "_" + std::to_string(count);
+    }
     axis.name = std::move(unique);
   }
 }

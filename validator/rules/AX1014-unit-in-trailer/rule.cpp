@@ -37,8 +37,9 @@ struct WrittenUnit {
 std::optional<WrittenUnit> other_unit(Line const& line) {
   Reading const& reading = line.reading();
   bool const has_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
-  if (!has_text || reading.status != ReadingStatus::value || !schema::is_number(reading.row->type))
+  if (!has_text || reading.status != ReadingStatus::value || !schema::is_number(reading.row->type)) {
     return std::nullopt;
+  }
   std::string const word = line.text(unit_span(line));
   if (reading.row->unit_translatory.empty() || !is_unit(word)) return std::nullopt;
   // A list may be one for all axes, so that the kind of axis is not known.
