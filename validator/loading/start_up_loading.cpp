@@ -160,6 +160,7 @@ std::optional<std::size_t> Loader::axis_list_found(StartUp& start_up, LocatedTex
       noted.kind = machine_.lists[*index].list.kind;
       if (noted.kind == ListKind::axis) return *index;
     } else {
+      noted.error = std::get<configuration::FileError>(list);
       noted.found.reset();
     }
   }
@@ -179,7 +180,8 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
     return is_wanted ? std::optional(known->second) : std::nullopt;
   }
   std::variant<std::string, configuration::FileError> bytes = read_text(noted.found->path);
-  if (std::holds_alternative<configuration::FileError>(bytes)) {
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
+    noted.error = *error;
     noted.found.reset();
     return std::nullopt;
   }
