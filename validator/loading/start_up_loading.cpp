@@ -186,8 +186,7 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
     return std::nullopt;
   }
   machine_.files.push_back(noted.found->path);
-  SourceId const source =
-      sources_.add(SourceText(noted.found->path, std::get<std::string>(std::move(bytes))));
+  SourceId const source = add_text(noted.found->path, std::get<std::string>(std::move(bytes)));
   start_up.sources.push_back(source);
   others_by_path_.emplace(key, source);
   noted.kind = configuration::decided_kind(sources_[source]);
