@@ -125,7 +125,8 @@ std::vector<std::string> ranges_by_type(schema::Parameter const& parameter, Lang
     }
   }
   std::vector<std::string> lines;
-  for (auto const& [range, types] : types_of_range) lines.push_back(types + ": " + range);
+  lines.reserve(types_of_range.size());
+  for (auto& [range, types] : types_of_range) lines.push_back(types.append(": ").append(range));
   for (auto const& [pattern, text] : further_ranges) {
     if (parameter.name == pattern) lines.push_back(render({.sentence = text, .arguments = {}}, language));
   }

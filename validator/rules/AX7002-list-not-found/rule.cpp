@@ -10,7 +10,7 @@ constexpr Sentence searched{
     "searched from the folder of the start-up list and from each folder above it, then beside the start-up "
     "list",
     "gesucht ab dem Ordner der Hochlaufliste und ab jedem Ordner darüber, dann neben der Hochlaufliste"};
-constexpr Sentence taken{"\"{path}\" beside the start-up list was taken instead of \"{file}\"",
+constexpr Sentence taken{R"("{path}" beside the start-up list was taken instead of "{file}")",
                          "statt „{file}“ wurde „{path}“ neben der Hochlaufliste genommen"};
 
 }  // namespace axisc::validator::says
