@@ -62,6 +62,16 @@ TEST_CASE("a project and the folder of the same lists give one image and the sam
   auto const contour = run_axisc({"contour", ".", "--feed", "4000"}, of_project);
   CHECK(contour.status == 0);
   CHECK(contour.out == run_axisc({"contour", ".", "--feed", "4000"}, of_lists).out);
+  std::vector<std::string> const simulate{"simulate", ".", "--group", "Fraesen", "--program", "part.nc"};
+  for (auto const* const each : {&folder, &lists}) {
+    each->write("part.nc", "G01 X10 F4000\nX10 Y10\nX0 Y0\nM30\n");
+  }
+  auto const simulated = run_axisc(simulate, of_project);
+  CHECK(simulated.status == 0);
+  CHECK(simulated.out == run_axisc(simulate, of_lists).out);
+  auto const same = run_axisc({"diff", ".", lists.path()}, of_project);
+  CHECK(same.status == 0);
+  CHECK(same.out.find("mean the same") != std::string::npos);
 }
 
 TEST_CASE("findings stand in the lines of the project, and repairs change its CDATA sections only") {

@@ -34,12 +34,14 @@ TEST_CASE("a controller's folder with lists in XML is the machine of the same li
   CHECK(linted.out == "18 files: no findings\n");
   std::string machine = run_axisc({"machine", "."}, of_xml).out;
   check_golden("tests/cli/data/golden/machine.xml.txt", machine);
-  for (auto const* const arguments : {"contour", "simulate"}) {
-    std::vector<std::string> const words =
-        arguments == std::string("contour")
-            ? std::vector<std::string>{"contour", ".", "--feed", "4000"}
-            : std::vector<std::string>{"simulate", ".", "--group", "Fraesen", "prog/init.nc"};
+  for (auto const& words : std::vector<std::vector<std::string>>{
+           {"contour", ".", "--feed", "4000"},
+           {"simulate", ".", "--group", "Fraesen", "--program", "part.nc"}}) {
+    for (auto const* const each : {&folder, &lists}) {
+      each->write("part.nc", "G01 X10 F4000\nX10 Y10\nX0 Y0\nM30\n");
+    }
     auto const outcome = run_axisc(words, of_xml);
+    CHECK(outcome.status == 0);
     CHECK(outcome.out == run_axisc(words, of_lists).out);
   }
 }
