@@ -82,7 +82,7 @@ class SourceText {
   [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
   /// Cost: one pass on first use, here or in a function that depends on it.
   [[nodiscard]] Encoding encoding() const { return characters().encoding; }
-  /// Offset of the first byte after a byte order mark, and of a window its begin. A marked file whose bytes are not all UTF-8 is windows-1252, but
+  /// Offset of the first byte after a byte order mark, and of a window and a translated list their begin. A marked file whose bytes are not all UTF-8 is windows-1252, but
   /// its mark is not text either.
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
