@@ -1,0 +1,277 @@
+#include "cli/execution/port_response.hpp"
+#include "cli/options/filter_symbols.hpp"
+#include "cli/plots/plots.hpp"
+#include "design/filter_analysis.hpp"
+#include "design/kernel_analysis.hpp"
+#include "diagnostics/format_number.hpp"
+#include "image/chain_figures.hpp"
+#include "pictures/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+
+namespace axisc::cli::says {
+
+constexpr Sentence title{"Frequency response: {axes}", "Frequenzgang: {axes}"};
+constexpr Sentence described{"{axis}: group delay at 0 Hz {delay} ms, {corner}",
+                             "{axis}: Gruppenlaufzeit bei 0 Hz {delay} ms, {corner}"};
+constexpr Sentence described_corner{"-3 dB at {frequency} Hz", "-3 dB bei {frequency} Hz"};
+constexpr Sentence described_no_corner{"above -3 dB at all frequencies", "über -3 dB bei allen Frequenzen"};
+constexpr Sentence frequency{"frequency", "Frequenz"};
+constexpr Sentence magnitude{"magnitude", "Betrag"};
+constexpr Sentence phase{"phase", "Phase"};
+constexpr Sentence delay{"group delay", "Gruppenlaufzeit"};
+constexpr Sentence whole_chain{"{axis}, whole chain", "{axis}, ganze Kette"};
+constexpr Sentence no_filter{"No axis has a filter: setpoints pass unchanged.",
+                             "Keine Achse hat einen Filter: Sollwerte gehen unverändert durch."};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+using Response = std::function<design::ResponsePoint(double)>;
+
+/// Below it a picture shows nothing.
+constexpr double floor_db = -80;
+
+struct Source {
+  std::string name;
+  pictures::Role role = pictures::Role::whole;
+  std::size_t colour = 0;
+  Response response;
+};
+
+double decibels_of(design::ResponsePoint const& point) {
+  return std::max(20 * std::log10(point.magnitude), floor_db);
+}
+
+/// Turns jumps of more than half a turn into continuous phase.
+void unwrap(std::vector<pictures::Point>& points) {
+  constexpr double turn = 360;
+  double added = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    double const jump = points[i].y + added - points[i - 1].y;
+    if (std::isfinite(jump)) added -= turn * std::round(jump / turn);
+    points[i].y += added;
+  }
+}
+
+/// Range of what the curves show, with some air.
+void fit(pictures::Panel& panel, double least_span) {
+  double low = 0;
+  double high = 0;
+  bool any = false;
+  for (auto const& curve : panel.curves) {
+    for (auto const& point : curve.points) {
+      if (!std::isfinite(point.y)) continue;
+      low = any ? std::min(low, point.y) : point.y;
+      high = any ? std::max(high, point.y) : point.y;
+      any = true;
+    }
+  }
+  double const span = std::max(high - low, least_span);
+  double const middle = (low + high) / 2;
+  panel.y.low = middle - span * 0.55;
+  panel.y.high = middle + span * 0.55;
+}
+
+class ResponseFigure {
+ public:
+  ResponseFigure(PlotSubject const& subject, ResponsePlot const& wanted)
+      : subject_(subject), wanted_(wanted), contents_(subject.file.contents) {}
+
+  pictures::Figure make() {
+    pictures::Figure figure;
+    collect();
+    figure.title = say(says::title, {{"axes", names()}});
+    figure.description = description();
+    double const nyquist = 0.5 / contents_.cycle_time.seconds();
+    constexpr double decades = 1e-4;
+    figure.x = {.quantity = say(says::frequency),
+                .unit = "Hz",
+                .scale = wanted_.linear_frequency ? pictures::Scale::linear : pictures::Scale::logarithmic,
+                .low = wanted_.linear_frequency ? 0 : nyquist * decades,
+                .high = nyquist};
+    if (sources_.empty()) {
+      figure.nothing = say(says::no_filter);
+      return figure;
+    }
+    figure.panels.push_back(magnitude_panel(figure.x));
+    figure.panels.push_back(phase_panel(figure.x));
+    figure.panels.push_back(delay_panel(figure.x));
+    add_marks(figure);
+    return figure;
+  }
+
+ private:
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
+    return render({.sentence = text, .arguments = std::move(arguments)}, subject_.language);
+  }
+
+  [[nodiscard]] std::string names() const {
+    std::string text;
+    for (auto const axis : subject_.axes) text += (text.empty() ? "" : ", ") + axis_label(contents_, axis);
+    return text;
+  }
+
+  [[nodiscard]] std::string description() const {
+    std::string text;
+    constexpr int digits = 4;
+    for (auto const axis : subject_.axes) {
+      PortResponse const response(contents_, subject_.host, axis, Port::setpoint);
+      auto const corner = image::corner_frequency(contents_, axis);
+      std::string const words =
+          corner ? say(says::described_corner, {{"frequency", format_rounded(corner->value, digits)}})
+                 : say(says::described_no_corner);
+      text += (text.empty() ? "" : "; ") +
+              say(says::described, {{"axis", axis_label(contents_, axis)},
+                                    {"delay", format_rounded(response.at({0}).group_delay_s * 1e3, digits)},
+                                    {"corner", words}});
+    }
+    return text;
+  }
+
+  void collect() {
+    bool const is_alone = subject_.axes.size() == 1;
+    for (auto const index : subject_.axes) {
+      auto const& axis = contents_.axes[index];
+      if (axis.filters.empty() && !axis.slot) continue;
+      note_frequencies(index);
+      auto const whole = std::make_shared<PortResponse>(contents_, subject_.host, index, Port::setpoint);
+      sources_.push_back({.name = say(says::whole_chain, {{"axis", axis_label(contents_, index)}}),
+                          .role = pictures::Role::whole,
+                          .colour = sources_.size(),
+                          .response = [whole](double frequency) { return whole->at({frequency}); }});
+      if (is_alone && axis.filters.size() + (axis.slot ? 1U : 0U) > 1) add_parts(index);
+    }
+  }
+
+  void add_parts(std::size_t index) {
+    auto const cycle_time = contents_.cycle_time;
+    for (auto const& filter : contents_.axes[index].filters) {
+      sources_.push_back({.name = filter_label(filter),
+                          .role = pictures::Role::part,
+                          .colour = sources_.size(),
+                          .response = [&filter, cycle_time](double frequency) {
+                            return design::chain_response({&filter.design, 1}, {frequency}, cycle_time);
+                          }});
+    }
+  }
+
+  void note_frequencies(std::size_t index) {
+    for (auto const frequency : image::characteristic_frequencies(contents_, index)) {
+      exact_.push_back(frequency.value);
+    }
+    auto const& slot = contents_.axes[index].slot;
+    if (!slot || !slot->kernel) return;
+    auto const& kernel = contents_.kernels[*slot->kernel].design;
+    for (auto const zero : design::zero_frequencies(kernel, contents_.cycle_time)) {
+      exact_.push_back(zero.value);
+    }
+  }
+
+  [[nodiscard]] std::vector<pictures::Curve> curves(
+      pictures::Axis const& x, pictures::Axis const& y,
+      std::function<double(design::ResponsePoint const&)> const& quantity) const {
+    std::vector<pictures::Curve> curves;
+    for (auto const& source : sources_) {
+      curves.push_back({.name = source.name,
+                        .role = source.role,
+                        .colour = source.colour,
+                        .points = pictures::sample(x, y, exact_, [&](double frequency) {
+                          return quantity(source.response(frequency));
+                        })});
+    }
+    // The whole chain lies on top of its parts.
+    std::rotate(curves.begin(), curves.begin() + (subject_.axes.size() == 1 ? 1 : 0), curves.end());
+    return curves;
+  }
+
+  [[nodiscard]] pictures::Panel magnitude_panel(pictures::Axis const& x) const {
+    pictures::Panel panel;
+    panel.y = {.quantity = say(says::magnitude), .unit = wanted_.linear_magnitude ? "" : "dB"};
+    double highest = 1;
+    for (auto const& source : sources_) {
+      for (auto const& point : pictures::sample(
+               x, panel.y, exact_, [&](double frequency) { return source.response(frequency).magnitude; })) {
+        if (std::isfinite(point.y)) highest = std::max(highest, point.y);
+      }
+    }
+    panel.y.low = wanted_.linear_magnitude ? 0 : floor_db;
+    panel.y.high = wanted_.linear_magnitude ? highest * 1.05 : 20 * std::log10(highest) + 4;
+    bool const is_linear = wanted_.linear_magnitude;
+    panel.curves = curves(x, panel.y, [is_linear](design::ResponsePoint const& point) {
+      return is_linear ? point.magnitude : decibels_of(point);
+    });
+    return panel;
+  }
+
+  [[nodiscard]] pictures::Panel phase_panel(pictures::Axis const& x) const {
+    constexpr double half_turn = 180;
+    pictures::Panel panel;
+    panel.y = {.quantity = say(says::phase), .unit = "°", .low = -half_turn, .high = half_turn};
+    panel.curves = curves(x, panel.y, [](design::ResponsePoint const& point) {
+      return point.phase_rad * half_turn / std::numbers::pi;
+    });
+    if (wanted_.wraps_phase) {
+      panel.y.ticks = {-180, -90, 0, 90, 180};
+      return panel;
+    }
+    for (auto& curve : panel.curves) unwrap(curve.points);
+    fit(panel, half_turn / 2);
+    return panel;
+  }
+
+  [[nodiscard]] pictures::Panel delay_panel(pictures::Axis const& x) const {
+    pictures::Panel panel;
+    auto const quantity = [](design::ResponsePoint const& point) { return point.group_delay_s * 1e3; };
+    panel.y = {.quantity = say(says::delay), .unit = "ms", .low = -1, .high = 1};
+    panel.curves = curves(x, panel.y, quantity);
+    fit(panel, contents_.cycle_time.seconds() * 1e3);
+    panel.curves = curves(x, panel.y, quantity);
+    return panel;
+  }
+
+  void add_marks(pictures::Figure& figure) const {
+    constexpr int digits = 4;
+    std::vector<double> marks = wanted_.marks;
+    for (auto const axis : subject_.axes) {
+      for (auto const frequency : image::characteristic_frequencies(contents_, axis)) {
+        marks.push_back(frequency.value);
+      }
+    }
+    std::sort(marks.begin(), marks.end());
+    marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
+    for (double const mark : marks) {
+      if (mark < figure.x.low || mark > figure.x.high) continue;
+      figure.marks.push_back({.at = mark, .label = format_rounded(mark, digits) + " Hz"});
+    }
+    figure.marks.push_back({.at = figure.x.high, .label = "0.5/T"});
+  }
+
+  PlotSubject const& subject_;
+  ResponsePlot const& wanted_;
+  image::ImageContents const& contents_;
+  std::vector<Source> sources_;
+  std::vector<double> exact_;
+};
+
+}  // namespace
+
+std::string filter_label(image::ImageFilter const& filter) {
+  auto const& wanted = filter.specification;
+  std::string text = "filter[" + std::to_string(filter.index) + "] " + std::string(type_word(wanted.type));
+  if (design::uses_frequency(wanted.type)) text += " " + format_exact(wanted.frequency.value) + " Hz";
+  return text;
+}
+
+pictures::Figure response_figure(PlotSubject const& subject, ResponsePlot const& wanted) {
+  return ResponseFigure(subject, wanted).make();
+}
+
+}  // namespace axisc::cli
