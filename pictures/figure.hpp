@@ -13,8 +13,8 @@ enum class Scale : std::uint8_t { linear, logarithmic };
 
 /// A quantity along an edge of a panel.
 struct Axis {
-  std::string quantity;  ///< "frequency"
-  std::string unit;      ///< "Hz"; empty for numbers without one
+  std::string quantity = {};  ///< "frequency"
+  std::string unit = {};      ///< "Hz"; empty for numbers without one
   Scale scale = Scale::linear;
   double low = 0;  ///< what the panel shows: low < high, above 0 on a logarithmic scale
   double high = 1;
@@ -35,10 +35,10 @@ enum class Role : std::uint8_t {
 };
 
 struct Curve {
-  std::string name;
+  std::string name = {};
   Role role = Role::whole;
   std::size_t colour = 0;  ///< which of the palette; curves of one name in several panels have one colour
-  std::vector<Point> points;
+  std::vector<Point> points = {};
 };
 
 /// A vertical line across all panels.

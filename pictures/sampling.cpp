@@ -21,7 +21,7 @@ class Sampler {
 
  private:
   /// Where a jump is bracketed closely enough.
-  static constexpr double narrow = 0.01;
+  static constexpr double narrow = 0.004;
 
   [[nodiscard]] Point at(double x) const { return {.x = x, .y = function_(x)}; }
 
@@ -30,12 +30,12 @@ class Sampler {
     return a * std::pow(b / a, share);
   }
 
-  /// Between two neighbours: at a third and two thirds, so that no symmetry hides a bend.
+  /// Between two neighbours: at uneven places, so that no symmetry hides a bend.
   [[nodiscard]] bool is_straight(Point const& a, Point const& b, Point const& middle) const {
     bool const interrupted = std::isnan(a.y);
     if (interrupted != std::isnan(b.y) || interrupted != std::isnan(middle.y)) return false;
     if (interrupted) return true;
-    for (double const share : {0.5, 0.29}) {
+    for (double const share : {0.5, 0.21, 0.79}) {
       Point const point = share == 0.5 ? middle : at(between(a.x, b.x, share));
       if (std::isnan(point.y)) return false;
       double const drawn = up_(a.y) + (up_(b.y) - up_(a.y)) * share;

@@ -10,7 +10,7 @@
 namespace axisc::pictures {
 
 /// Largest distance between a drawn curve and the function, in pixels.
-inline constexpr double largest_error = 0.2;
+inline constexpr double largest_error = 0.1;
 
 /// Points of `function` from x.low to x.high so that the line between them, drawn in a panel with the axes x and y, is
 /// nowhere farther than largest_error from it in vertical direction; jumps are bracketed to a hundredth of a pixel. All of `exact` that are in

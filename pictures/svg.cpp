@@ -191,6 +191,8 @@ class Writer {
         if (is_new && !curve.name.empty()) entries.push_back(&curve);
       }
     }
+    std::stable_partition(entries.begin(), entries.end(),
+                          [](Curve const* curve) { return curve->role == Role::whole; });
     constexpr double sample = 26;
     double x = panel_left;
     y_ += line_height;

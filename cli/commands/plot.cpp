@@ -7,7 +7,7 @@
 #include "cli/options/frequencies.hpp"
 #include "cli/options/timed_commands.hpp"
 #include "cli/plots/plots.hpp"
-#include "cli/report/text_table.hpp"
+#include "cli/sentences.hpp"
 #include "pictures/svg.hpp"
 
 namespace axisc::cli::says {

@@ -12,8 +12,8 @@ namespace {
 
 /// Text is left to the check, which says what is wrong with it.
 bool may_be_image(std::string const& input) {
-  std::error_code error;
-  if (input == "-" || std::filesystem::is_directory(input, error)) return false;
+  std::error_code ignored;
+  if (input == "-" || std::filesystem::is_directory(input, ignored)) return false;
   DiskFiles files;
   bool is_image = false;
   auto const failed = files.read_pieces(input, [&](std::string_view beginning) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -54,10 +55,12 @@ double decibels_of(design::ResponsePoint const& point) {
 void unwrap(std::vector<pictures::Point>& points) {
   constexpr double turn = 360;
   double added = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    double const jump = points[i].y + added - points[i - 1].y;
-    if (std::isfinite(jump)) added -= turn * std::round(jump / turn);
-    points[i].y += added;
+  pictures::Point const* last = nullptr;
+  for (auto& point : points) {
+    if (std::isnan(point.y)) continue;
+    if (last != nullptr) added -= turn * std::round((point.y + added - last->y) / turn);
+    point.y += added;
+    last = &point;
   }
 }
 
@@ -215,7 +218,10 @@ class ResponseFigure {
     constexpr double half_turn = 180;
     pictures::Panel panel;
     panel.y = {.quantity = say(says::phase), .unit = "°", .low = -half_turn, .high = half_turn};
+    // Of nothing that passes there is no phase.
+    constexpr double nothing = 1e-12;
     panel.curves = curves(x, panel.y, [](design::ResponsePoint const& point) {
+      if (point.magnitude < nothing) return std::numeric_limits<double>::quiet_NaN();
       return point.phase_rad * half_turn / std::numbers::pi;
     });
     if (wanted_.wraps_phase) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace axisc::cli::says {
 
@@ -53,10 +54,15 @@ class StepFigure {
     auto const velocities = differences(positions, seconds);
     figure.panels.push_back(panel({says::velocity, "1/s"}, velocities));
     figure.panels.push_back(panel({says::acceleration, "1/s²"}, differences(velocities, seconds)));
+    std::map<std::uint64_t, std::string> settled;
     for (std::size_t i = 0; i < subject_.axes.size(); ++i) {
       if (!chains_[i].settling_cycles || *chains_[i].settling_cycles > cycles) continue;
-      figure.marks.push_back({.at = static_cast<double>(*chains_[i].settling_cycles) * milliseconds(),
-                              .label = say(says::settled_mark, {{"axis", name(i)}})});
+      std::string& axes = settled[*chains_[i].settling_cycles];
+      axes += (axes.empty() ? "" : ", ") + name(i);
+    }
+    for (auto const& [cycle, axes] : settled) {
+      figure.marks.push_back({.at = static_cast<double>(cycle) * milliseconds(),
+                              .label = say(says::settled_mark, {{"axis", axes}})});
     }
     return figure;
   }

@@ -1,0 +1,217 @@
+// Pictures show what response and run compute: the curves are read back from the SVG.
+#include "cli/compiled_machine.hpp"
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "pictures/projection.hpp"
+#include "support/golden.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+using namespace axisc::test;
+using namespace axisc::pictures;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double nyquist = 500;
+constexpr double floor_db = -80;
+
+struct Place {
+  double x, y;
+};
+
+/// Places of the first curve that has this class, in the order of the path.
+std::vector<Place> curve_of(std::string const& svg, std::string const& kind) {
+  auto const begin = svg.find("class=\"curve " + kind);
+  REQUIRE(begin != std::string::npos);
+  auto const path = svg.find(" d=\"", begin) + 4;
+  std::string text = svg.substr(path, svg.find('"', path) - path);
+  std::replace_if(
+      text.begin(), text.end(), [](char letter) { return letter == 'M' || letter == 'L'; }, ' ');
+  std::istringstream in(text);
+  std::vector<Place> places;
+  for (Place place{}; in >> place.x >> place.y;) places.push_back(place);
+  return places;
+}
+
+/// The edge of the first panel: top and height.
+double top_of(std::string const& svg) {
+  auto const at = svg.find(" y=\"", svg.find("<rect class=\"edge\"")) + 4;
+  return std::stod(svg.substr(at));
+}
+
+/// How far the place is from the curve.
+double distance(std::vector<Place> const& curve, Place const& place) {
+  double least = 1e9;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    Place const& a = curve[i - 1];
+    Place const& b = curve[i];
+    double const length = std::hypot(b.x - a.x, b.y - a.y);
+    double const along =
+        length == 0
+            ? 0
+            : std::clamp(((place.x - a.x) * (b.x - a.x) + (place.y - a.y) * (b.y - a.y)) / (length * length),
+                         0.0, 1.0);
+    least =
+        std::min(least, std::hypot(a.x + along * (b.x - a.x) - place.x, a.y + along * (b.y - a.y) - place.y));
+  }
+  return least;
+}
+
+std::string random_list(std::mt19937& random) {
+  auto const number = [&](double low, double high) {
+    return std::to_string(std::uniform_real_distribution(low, high)(random));
+  };
+  auto const count = [&](int low, int high) {
+    return std::to_string(std::uniform_int_distribution(low, high)(random));
+  };
+  std::string list;
+  char const* const types[] = {"LOWPASS", "BANDSTOP", "BANDPASS", "HIGHPASS"};
+  char const* const prototypes[] = {"CRIT_DAMPING", "BUTTERWORTH", "BESSEL"};
+  for (int i = 0; i < 2; ++i) {
+    std::string const name = "filter[" + std::to_string(i) + "].";
+    bool const is_band = i == 0;
+    list += name + "enable 1\n" + name + "type " + types[is_band ? 1 : 0] + "\n" + name + "prototype " +
+            prototypes[std::uniform_int_distribution(0, 2)(random)] + "\n" + name + "order " +
+            (is_band ? "2" : count(1, 4)) + "\n" + name + "fg_f0 " + number(5, 200) + "\n";
+    if (is_band) list += name + "guete " + number(1, 10) + "\n";
+  }
+  return list + "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order " + count(1, 100) + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a drawn magnitude is the response, for random chains") {
+  constexpr int chains = 40;
+  constexpr int frequencies = 1000;
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::mt19937 random(20240229);
+  std::string asked;
+  std::vector<double> shown;
+  for (int i = 0; i < frequencies; ++i) {
+    double const frequency = nyquist * std::pow(10.0, -4.0 * (frequencies - 1 - i) / (frequencies - 1));
+    asked += (i == 0 ? "" : ",") + std::to_string(frequency);
+    shown.push_back(std::stod(std::to_string(frequency)));
+  }
+  double largest = 0;
+  for (int chain = 0; chain < chains; ++chain) {
+    folder.write("x.lis", random_list(random));
+    std::vector<std::string> const compile{"compile", "x.lis",  "--cycle-time", "1ms",
+                                           "-o",      "x.axim", "--quiet"};
+    REQUIRE(run_axisc(compile, there).status == 0);
+    std::string const svg = run_axisc({"plot", "x.axim", "-o", "-"}, there).out;
+    auto const curve = curve_of(svg, "whole");
+    double const top = top_of(svg);
+    std::istringstream rows(run_axisc({"response", "x.axim", "--frequencies", asked}, there).out);
+    std::string row;
+    std::getline(rows, row);
+    Axis const x{.scale = Scale::logarithmic, .low = 0.05, .high = nyquist};
+    // No filter amplifies: 0 dB and 4 dB above are the upper end, unless a band-stop overshoots in frequency.
+    for (double const frequency : shown) {
+      std::getline(rows, row);
+      std::istringstream fields(row);
+      std::string name;
+      std::string magnitude;
+      std::getline(fields, name, ',');
+      std::getline(fields, magnitude, ',');
+      std::getline(fields, magnitude, ',');
+      double const decibels = std::max(20 * std::log10(std::stod(magnitude)), floor_db);
+      Projection const across(x, panel_left, panel_right);
+      Projection const up({.low = floor_db, .high = 4}, top + panel_height, top);
+      largest = std::max(largest, distance(curve, {.x = across(frequency), .y = up(decibels)}));
+    }
+  }
+  CHECK(largest < 0.25);
+}
+
+TEST_CASE("a notch of quality 10 reaches the floor of its picture") {
+  TemporaryFolder const folder;
+  folder.write("x.lis",
+               "filter[0].enable 1\nfilter[0].type BANDSTOP\nfilter[0].order 2\nfilter[0].fg_f0 "
+               "42\nfilter[0].guete 10\n");
+  auto const outcome =
+      run_axisc({"plot", "x.lis", "--cycle-time", "1ms", "-o", "-"}, in_folder(folder.path()));
+  double const top = top_of(outcome.out);
+  auto const curve = curve_of(outcome.out, "whole");
+  auto const lowest =
+      std::max_element(curve.begin(), curve.end(), [](Place a, Place b) { return a.y < b.y; });
+  CHECK(lowest->y == Approx(top + panel_height));
+}
+
+TEST_CASE("approved pictures, in both languages, from a machine and from its image") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  REQUIRE(run_axisc({"compile", mill, "-o", "m.axim", "--quiet"}, there).status == 0);
+  for (std::string const language : {"en", "de"}) {
+    for (std::string const kind : {"response", "step"}) {
+      for (std::string const axis : {"", "X"}) {
+        std::vector<std::string> words{"plot", "m.axim", "--kind", kind, "-o", "p.svg", "--lang", language};
+        if (!axis.empty()) words.insert(words.end(), {"--axis", axis});
+        auto const outcome = run_axisc(words, there);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.empty());
+        std::string const svg = folder.read("p.svg");
+        check_golden("tests/cli/data/golden/plots/" + kind + (axis.empty() ? "" : "." + axis) + "." +
+                         language + ".svg",
+                     svg);
+        words[1] = mill;
+        REQUIRE(run_axisc(words, there).status == 0);
+        CHECK(folder.read("p.svg") == svg);
+      }
+    }
+  }
+}
+
+TEST_CASE("options of the response change its picture") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  auto const plot = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plot", "m.axim", "-o", "-"});
+    return run_axisc(more, there);
+  };
+  std::string const plain = plot({}).out;
+  CHECK_THAT(plain, Contains("magnitude [dB]") && Contains("group delay [ms]") && Contains("40 Hz"));
+  CHECK_THAT(plot({"--mark", "17.5Hz"}).out, Contains("17.5 Hz"));
+  CHECK_THAT(plot({"--magnitude", "linear"}).out, Contains(">magnitude<"));
+  CHECK_THAT(plot({"--wrap"}).out, Contains(">-90<"));
+  CHECK(plot({"--linear"}).out != plain);
+  for (auto const& wrong : std::vector<std::vector<std::string>>{{"--kind", "step", "--mark", "5"},
+                                                                 {"--mark", "501"},
+                                                                 {"--mark", "x"},
+                                                                 {"--axis", "Q"},
+                                                                 {"--kind", "foo"}}) {
+    auto const outcome = plot(wrong);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK_FALSE(outcome.err.empty());
+  }
+  CHECK_THAT(run_axisc({"plot", "m.axim"}, there).err, Contains("-o FILE.svg"));
+  CHECK(run_axisc({"plot", "m.axim", "-o", "m.axim"}, there).status == 2);
+}
+
+TEST_CASE("a picture without a filter says so") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\n");
+  auto const there = in_folder(folder.path());
+  auto const outcome = run_axisc({"plot", "x.lis", "--cycle-time", "1ms", "-o", "-", "--lang", "de"}, there);
+  CHECK(outcome.status == 0);
+  CHECK_THAT(outcome.out, Contains("Keine Achse hat einen Filter"));
+  auto const step = run_axisc({"plot", "x.lis", "--cycle-time", "1ms", "-o", "-", "--kind", "step"}, there);
+  CHECK(step.status == 0);
+  CHECK_THAT(step.out, !Contains("nan") && !Contains("inf"));
+}
+
+TEST_CASE("errors in lists are printed, and nothing is drawn") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "filter[0].enable 1\nfilter[0].order 99\n");
+  auto const outcome =
+      run_axisc({"plot", "x.lis", "--cycle-time", "1ms", "-o", "p.svg"}, in_folder(folder.path()));
+  CHECK(outcome.status == 1);
+  CHECK_THAT(outcome.err, Contains("AX3001"));
+  CHECK_FALSE(outcome.err.empty());
+}
