@@ -14,8 +14,10 @@
 
 #if defined(__GNUC__)
 #define AXISRT_INLINE inline __attribute__((always_inline))
+#define AXISRT_APART __attribute__((noinline))
 #else
 #define AXISRT_INLINE inline
+#define AXISRT_APART
 #endif
 
 // Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
@@ -38,27 +40,32 @@ struct Lanes<1> {
 #if AXISRT_ONE_LANE_IN_VECTOR
   using Real = double __attribute__((vector_size(16)));
   using Bits = uint64_t __attribute__((vector_size(16)));
+  using Signed = int64_t __attribute__((vector_size(16)));
 #else
   using Real = double;
   using Bits = uint64_t;
+  using Signed = int64_t;
 #endif
 };
 template <>
 struct Lanes<2> {
   using Real = double __attribute__((vector_size(16)));
   using Bits = uint64_t __attribute__((vector_size(16)));
+  using Signed = int64_t __attribute__((vector_size(16)));
   using Octets = uint8_t __attribute__((vector_size(2)));
 };
 template <>
 struct Lanes<4> {
   using Real = double __attribute__((vector_size(32)));
   using Bits = uint64_t __attribute__((vector_size(32)));
+  using Signed = int64_t __attribute__((vector_size(32)));
   using Octets = uint8_t __attribute__((vector_size(4)));
 };
 template <>
 struct Lanes<8> {
   using Real = double __attribute__((vector_size(64)));
   using Bits = uint64_t __attribute__((vector_size(64)));
+  using Signed = int64_t __attribute__((vector_size(64)));
   using Octets = uint8_t __attribute__((vector_size(8)));
 };
 
@@ -66,6 +73,8 @@ template <uint32_t Width>
 using Real = typename Lanes<Width>::Real;
 template <uint32_t Width>
 using Bits = typename Lanes<Width>::Bits;
+template <uint32_t Width>
+using Signed = typename Lanes<Width>::Signed;
 
 /// A single number, without a vector around it.
 template <uint32_t Width>
@@ -78,6 +87,10 @@ AXISRT_INLINE Real<1> only_lane(double value) {
 #else
   return value;
 #endif
+}
+
+AXISRT_INLINE Bits<1> only_bits(uint64_t bits) {
+  return __builtin_bit_cast(Bits<1>, only_lane(__builtin_bit_cast(double, bits)));
 }
 
 template <class Vector>
@@ -163,11 +176,6 @@ AXISRT_INLINE Real<Width> magnitude(Real<Width> value) {
 }
 
 template <uint32_t Width>
-AXISRT_INLINE Bits<Width> mask_if_within(Real<Width> value, double limit) {
-  return mask_if_at_most<Width>(magnitude<Width>(value), all<Width>(limit));
-}
-
-template <uint32_t Width>
 AXISRT_INLINE Real<Width> select(Bits<Width> mask, Real<Width> if_set, Real<Width> if_clear) {
   return real_of<Width>((bits_of<Width>(if_set) & mask) | (bits_of<Width>(if_clear) & ~mask));
 }
@@ -176,6 +184,25 @@ AXISRT_INLINE Real<Width> select(Bits<Width> mask, Real<Width> if_set, Real<Widt
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
   return real_of<Width>(mask & bits_of<Width>(value));
+}
+
+/// All bits of a lane set where |value| < limit; clear for NaN. Compares as integers, so that neither a subnormal number nor NaN
+/// leaves a trace in the control word.
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> mask_if_below(Real<Width> value, double limit) {
+  auto const end = __builtin_bit_cast(int64_t, limit);
+  if constexpr (Width == 1) {
+    auto const size = __builtin_bit_cast(int64_t, lane_of(magnitude<Width>(value), 0));
+    return only_bits(opaque(0U - static_cast<uint64_t>(size < end)));
+  } else {
+    return __builtin_bit_cast(Bits<Width>, __builtin_bit_cast(Signed<Width>, magnitude<Width>(value)) < end);
+  }
+}
+
+/// The value as a multiple of 2^-620 (sections_def.hpp).
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> on_grid(Real<Width> value) {
+  return (value + all<Width>(grid)) - all<Width>(grid);
 }
 
 /// The value unchanged, but opaque to the compiler: keeps it from merging a rounded product with a following
