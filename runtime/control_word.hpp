@@ -3,6 +3,8 @@
 // writing it takes longer than the filters of four axes, so that a cycle does so only if it must.
 #pragma once
 
+#include "runtime/compiler.hpp"
+
 #include <stdint.h>
 
 #if defined(_M_X64) && !defined(__GNUC__)
@@ -113,7 +115,7 @@ using PlainArithmetic = Arithmetic<0, 0>;
 /// Calls `work`. A compiler knows nothing of control words and may move what it computes past a change of them, but not out of a
 /// function.
 template <class Work>
-[[gnu::noinline]] auto apart(Work const& work) {
+AXISRT_APART auto apart(Work const& work) {
   return work();
 }
 

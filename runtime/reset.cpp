@@ -24,7 +24,7 @@ void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
 
 /// A call between the cycles, which is going to be done.
 template <uint32_t Count>
-void record(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
+void record_values(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
   record_call(runtime, {.kind = kind, .flags = 0, .status = AXISRT_OK, .index = axis}, values, Count);
 }
 
@@ -32,7 +32,7 @@ axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t k
                          double position) {
   if (axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
   if (!is_within(position, largest_position)) return AXISRT_BAD_INPUT;
-  record(*runtime, kind, axis, {position});
+  record_values(*runtime, kind, axis, {position});
   return in_plain_arithmetic([&] {
     reset_line(*runtime, port, axis, position);
     return AXISRT_OK;
@@ -106,7 +106,7 @@ axisrt_status rebase(axisrt const& runtime, uint32_t axis, double offset) {
     axisrt_rebase(before, axis, offset);
     runtime.change->outputs[axis] += offset;
   }
-  record(runtime, axrd_rebase, axis, {offset});
+  record_values(runtime, axrd_rebase, axis, {offset});
   rebase_line(runtime, line, lane, offset);
   return AXISRT_OK;
 }
@@ -140,7 +140,7 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   if (axisrt* const before = changes_from(*runtime)) {
     axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
   }
-  record(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
+  record_values(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
   return in_plain_arithmetic([&] {
     reset_stages(*runtime, axis, velocities);
     return AXISRT_OK;

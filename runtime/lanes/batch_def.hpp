@@ -109,8 +109,8 @@ AXISRT_INLINE void write_statuses(Bits<Width> happened, uint32_t const* lines, u
   if constexpr (Width == 1) {
     status[lines[0]] = static_cast<uint8_t>(lane_of(happened, 0));
   } else if (consecutive) {
-    auto const octets = __builtin_convertvector(happened, typename Lanes<Width>::Octets);
-    __builtin_memcpy(status + lines[0], &octets, sizeof octets);
+    auto const octets = AXISRT_CONVERT(happened, typename Lanes<Width>::Octets);
+    AXISRT_COPY(status + lines[0], &octets, sizeof octets);
   } else {
     for (uint32_t lane = 0; lane < used; ++lane) status[lines[lane]] = static_cast<uint8_t>(happened[lane]);
   }
@@ -206,11 +206,11 @@ class Place {
 template <uint32_t Width, uint32_t Sections, uint32_t Groups, bool AllReset>
 AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const& call,
                                  Happened<Width>& happened) {
-  [&]<uint32_t... Member>(Members<Member...>) __attribute__((always_inline)) {
+  [&]<uint32_t... Member>(Members<Member...>) AXISRT_INLINE_LAMBDA {
     Place<Width> places[] = {Place<Width>(batch, first + Member)...};
     Signal<Width> signals[] = {places[Member].template begin<AllReset>(call, happened)...};
-    unrolled<Sections>([&]<uint32_t Section>() __attribute__((always_inline)) {
-      unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+    unrolled<Sections>([&]<uint32_t Section>() AXISRT_INLINE_LAMBDA {
+      unrolled<Groups>([&]<uint32_t One>() AXISRT_INLINE_LAMBDA {
         CascadeSignal<Width> const added =
             run_section<Width>(places[One].constants(0) + Section * coefficients_of_section * Width,
                                places[One].states() + Section * states_of_section * Width, signals[One].d);
@@ -221,7 +221,7 @@ AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const&
         }
       });
     });
-    unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+    unrolled<Groups>([&]<uint32_t One>() AXISRT_INLINE_LAMBDA {
       places[One].template end<AllReset>(call, signals[One], happened);
     });
   }
