@@ -174,3 +174,22 @@ TEST_CASE("a list of another kind and another cycle time are told in words of a 
   CHECK(outcome.out.find("warning[AX7012]: the task in the project has") != std::string::npos);
   CHECK(outcome.out.find("a.tsproj:1:21") != std::string::npos);
 }
+
+TEST_CASE("lists of other kinds in a project are checked line by line, by what their lines say") {
+  TemporaryFolder const folder;
+  std::string const axis = "<P><Task CycleTime='10000'/><AchsMds><![CDATA[kopf.achs_nr 1\n]]></AchsMds>\n";
+  folder.write("a.tsproj",
+               axis +
+                   "<C><WerkzD><![CDATA[wz[1].gueltig 1\nwz[1].laenge 1,5\n]]></WerkzD>\n"
+                   "<NullpD><![CDATA[wz[1].radius 2,5\n]]></NullpD><PzvD>text</PzvD><VeD/></C></P>");
+  auto const there = in_folder(folder.path());
+  auto const outcome = run_axisc({"lint", "a.tsproj"}, there);
+  CHECK(outcome.out.find("error[AX1005]: `1,5` has a decimal comma\n --> a.tsproj:4:14") !=
+        std::string::npos);
+  CHECK(outcome.out.find("error[AX1005]: `2,5` has a decimal comma\n --> a.tsproj:6:31") !=
+        std::string::npos);
+  CHECK(outcome.out.find("AX2001") == std::string::npos);
+  CHECK(outcome.out.find("AX4020") == std::string::npos);
+  folder.write("b.tsproj", "<P><WerkzD><![CDATA[wz[1].laenge 1\n]]></WerkzD></P>");
+  CHECK(run_axisc({"lint", "b.tsproj"}, there).out.find("holds no list") != std::string::npos);
+}

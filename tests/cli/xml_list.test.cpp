@@ -33,7 +33,7 @@ TEST_CASE("a controller's folder with lists in XML is the machine of the same li
   CHECK(linted.status == 0);
   CHECK(linted.out == "18 files: no findings\n");
   std::string machine = run_axisc({"machine", "."}, of_xml).out;
-  check_golden("tests/cli/data/golden/machine.xml.txt", machine);
+  check_golden("tests/cli/data/golden/xml/machine.txt", machine);
   for (auto const& words : std::vector<std::vector<std::string>>{
            {"contour", ".", "--feed", "4000"},
            {"simulate", ".", "--group", "Fraesen", "--program", "part.nc"}}) {
@@ -80,7 +80,7 @@ TEST_CASE("an update file is checked by what it holds, at its elements and attri
   auto const there = in_folder(folder.path());
   auto const outcome = run_axisc({"lint", "update.xml", "--fix=all"}, there);
   CHECK(outcome.status == 1);
-  check_golden("tests/cli/data/golden/xml_list.mistakes.txt", outcome.out);
+  check_golden("tests/cli/data/golden/xml/mistakes.txt", outcome.out);
   CHECK(folder.read("update.xml") == update);
   // Found in a folder as well; other XML files are not lists.
   folder.write("other.xml", "<project/>");
@@ -108,7 +108,7 @@ TEST_CASE("XML that is malformed or no list is told with its place") {
   for (std::string const file : {"cut.xml", "other.xml"}) {
     auto const outcome = run_axisc({"lint", file}, there);
     CHECK(outcome.status == 1);
-    check_golden("tests/cli/data/golden/xml_list." + file + ".txt", outcome.out);
+    check_golden("tests/cli/data/golden/xml/" + file + ".txt", outcome.out);
   }
 }
 
@@ -122,5 +122,5 @@ TEST_CASE(
                                                "P-AXIS-00016 Value=\"2\""));
   auto const outcome = run_axisc({"lint", "."}, there);
   CHECK(outcome.status == 1);
-  check_golden("tests/cli/data/golden/xml_list.machine.txt", outcome.out);
+  check_golden("tests/cli/data/golden/xml/machine_mistakes.txt", outcome.out);
 }

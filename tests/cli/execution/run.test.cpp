@@ -153,8 +153,7 @@ TEST_CASE("rows begin with the time where asked for, and text is aligned with fo
   CHECK(csv.out == "time_s,Long_axis_name\n0,1\n0.00025,2\n0.0005,3\n0.00075,3\n");
   auto const text =
       run_axisc({"run", "x.axim", "--time", "--format", "text", "--cycles", "3", "--amplitude", "1"}, there);
-  CHECK(text.out ==
-        "time_s      Long_axis_name\n0           0.3333\n0.00025     0.6667\n0.0005      1\n");
+  CHECK(text.out == "time_s      Long_axis_name\n0           0.3333\n0.00025     0.6667\n0.0005      1\n");
   CHECK(run_axisc({"run", "x.axim", "--format", "text", "--cycles", "1"}, there).out ==
         "Long_axis_name\n0.3333\n");
 }
