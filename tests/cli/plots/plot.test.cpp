@@ -167,6 +167,17 @@ TEST_CASE("approved pictures, in both languages, from a machine and from its ima
   }
 }
 
+TEST_CASE("the documentation shows what the program draws") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  for (std::string const kind : {"response", "step"}) {
+    auto const outcome = run_axisc({"plot", mill, "--kind", kind, "--axis", "X", "-o", "-"}, there);
+    CHECK(outcome.status == 0);
+    check_golden("docs/pictures/" + kind + ".svg", outcome.out);
+  }
+}
+
 TEST_CASE("options of the response change its picture") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
