@@ -20,6 +20,7 @@ struct Axis {
   double high = 1;
   /// Where a label stands; empty: round numbers.
   std::vector<double> ticks = {};
+  std::vector<std::string> names = {};  ///< instead of the numbers of `ticks`, as many
 };
 
 struct Point {
@@ -32,6 +33,8 @@ enum class Role : std::uint8_t {
   part,      ///< a contribution to it: thin
   before,    ///< an earlier state: thin and dashed
   measured,  ///< from a file: dots
+  guide,     ///< what others are compared with: thin and grey
+  bar,       ///< a thick line between its points
 };
 
 struct Curve {
@@ -47,19 +50,38 @@ struct Mark {
   std::string label;
 };
 
+/// Words at a place of a panel.
+struct Label {
+  Point at;
+  std::string words;
+};
+
+inline constexpr double usual_panel_height = 190;
+
 struct Panel {
-  Axis y;
-  std::vector<Curve> curves;
+  Axis y = {};
+  std::vector<Curve> curves = {};
+  std::vector<Label> labels = {};
+  double height = usual_panel_height;  ///< in pixels
+  bool is_bare = false;                ///< without frame, grid and numbers
+};
+
+/// The figures in numbers, for who wants to copy them.
+struct Table {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
 };
 
 /// Panels one above the other that share their horizontal axis.
 struct Figure {
-  std::string title;
-  std::string description;  ///< the figures in words, for who does not see the picture
-  Axis x;
-  std::vector<Panel> panels;
-  std::vector<Mark> marks;
-  std::string nothing;  ///< says why there is nothing to draw; then there are no panels
+  std::string title = {};
+  std::string description = {};  ///< the figures in words, for who does not see the picture
+  Axis x = {};
+  std::vector<Panel> panels = {};
+  std::vector<Mark> marks = {};
+  Table table = {};
+  bool shows_table = false;  ///< the picture has it below its legend
+  std::string nothing = {};  ///< says why there is nothing to draw; then there are no panels
 };
 
 }  // namespace axisc::pictures

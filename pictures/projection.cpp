@@ -25,4 +25,16 @@ double Projection::operator()(double value) const {
   return begin_ + (end_ - begin_) * std::clamp(share, 0.0, 1.0);
 }
 
+void make_equal(Axis& x, Axis& y, double height) {
+  double const across = (x.high - x.low) / (panel_right - panel_left);
+  double const up = (y.high - y.low) / height;
+  auto const widen = [](Axis& axis, double span) {
+    double const middle = (axis.low + axis.high) / 2;
+    axis.low = middle - span / 2;
+    axis.high = middle + span / 2;
+  };
+  if (across > up) widen(y, across * height);
+  if (up > across) widen(x, up * (panel_right - panel_left));
+}
+
 }  // namespace axisc::pictures

@@ -20,6 +20,8 @@ class Projection {
 inline constexpr double picture_width = 800;
 inline constexpr double panel_left = 76;
 inline constexpr double panel_right = picture_width - 20;
-inline constexpr double panel_height = 190;
+
+/// Ranges of both axes widened so that a length is drawn alike in either direction of a panel of this height.
+void make_equal(Axis& x, Axis& y, double height);
 
 }  // namespace axisc::pictures

@@ -11,7 +11,10 @@ namespace {
 class Sampler {
  public:
   Sampler(Axis const& x, Axis const& y, std::function<double(double)> const& function)
-      : scale_(x.scale), across_(x, panel_left, panel_right), up_(y, panel_height, 0), function_(function) {}
+      : scale_(x.scale),
+        across_(x, panel_left, panel_right),
+        up_(y, usual_panel_height, 0),
+        function_(function) {}
 
   std::vector<Point> run(std::vector<double> const& starts) {
     points_.push_back(at(starts.front()));

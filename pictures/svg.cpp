@@ -31,14 +31,15 @@ std::string style() {
       ".paper{fill:#fff}.ink{fill:#222}.quiet{fill:#555}.edge{stroke:#888;fill:none}.grid{stroke:#e4e4e4}"
       ".mark{stroke:#999;stroke-dasharray:3 3}\n"
       ".curve{fill:none;stroke-linejoin:round}.whole{stroke-width:2.4}.part{stroke-width:1.2;opacity:.75}"
-      ".before{stroke-width:1.2;stroke-dasharray:5 3}.measured{stroke-width:1.5;stroke-dasharray:.1 4;"
+      ".before{stroke-width:1.2;stroke-dasharray:5 3}.guide{stroke:#888;stroke-width:1}.bar{stroke-width:14}"
+      ".measured{stroke-width:1.5;stroke-dasharray:.1 4;"
       "stroke-linecap:round}\n";
   for (std::size_t i = 0; i < palette.size(); ++i) {
     text.append(".c").append(std::to_string(i)).append("{stroke:").append(palette[i]).append("}");
   }
   return text +
          "\n@media (prefers-color-scheme: dark){.paper{fill:#17191d}.ink{fill:#eee}.quiet{fill:#aaa}"
-         ".grid{stroke:#33363c}.edge{stroke:#777}}\n</style>\n";
+         ".grid{stroke:#33363c}.edge{stroke:#777}.guide{stroke:#999}}\n</style>\n";
 }
 
 std::string text_element(double x, double y, std::string_view words, std::string_view anchor = "start",
@@ -74,6 +75,7 @@ class Writer {
       for (Panel const& panel : figure_.panels) write_panel(panel);
       write_legend();
     }
+    if (figure_.shows_table) write_table();
     return head(y_ + 12) + text_ + "</svg>\n";
   }
 
@@ -81,7 +83,7 @@ class Writer {
   [[nodiscard]] std::string head(double height) const {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\"" +
            attribute("viewBox", "0 0 " + pixels(picture_width) + " " + pixels(height)) +
-           " role=\"img\" font-family=\"sans-serif\"" + attribute("font-size", text_size) + ">\n<title>" +
+           R"( role="img" font-family="sans-serif")" + attribute("font-size", text_size) + ">\n<title>" +
            escaped(figure_.title) + "</title>\n<desc>" + escaped(figure_.description) + "</desc>\n" +
            style() + "<rect class=\"paper\"" + attribute("width", picture_width) +
            attribute("height", height) + "/>\n";
@@ -114,13 +116,26 @@ class Writer {
   void write_panel(Panel const& panel) {
     bool const is_last = &panel == &figure_.panels.back();
     double const top = y_;
-    double const bottom = y_ + panel_height;
+    double const bottom = y_ + panel.height;
     Projection const up(panel.y, bottom, top);
+    if (!panel.is_bare) write_frame(panel, up, top, bottom, is_last);
+    for (Curve const& curve : panel.curves) write_curve(curve, up);
+    for (Label const& label : panel.labels) {
+      text_ += text_element(across()(label.at.x), up(label.at.y), label.words);
+    }
+    y_ = bottom + (panel.is_bare ? 0 : is_last ? 44 : gap_of_panels);
+  }
+
+  void write_frame(Panel const& panel, Projection const& up, double top, double bottom, bool is_last) {
     constexpr std::size_t rows = 6;
     constexpr std::size_t columns = 12;
-    for (double const tick : ticks_of(panel.y, rows)) {
-      text_ += line_element(panel_left, up(tick), panel_right, up(tick), "grid");
-      text_ += text_element(panel_left - 6, up(tick) + 4, number_text(tick, language_), "end");
+    auto const ticks = ticks_of(panel.y, rows);
+    for (std::size_t i = 0; i < ticks.size(); ++i) {
+      double const y = up(ticks[i]);
+      text_ += line_element(panel_left, y, panel_right, y, "grid");
+      text_ +=
+          text_element(panel_left - 6, y + 4,
+                       panel.y.names.empty() ? number_text(ticks[i], language_) : panel.y.names[i], "end");
     }
     double end_of_label = -1e3;
     for (double const tick : ticks_of(figure_.x, columns)) {
@@ -135,16 +150,15 @@ class Writer {
     for (Mark const& mark : figure_.marks) {
       text_ += line_element(across()(mark.at), top, across()(mark.at), bottom, "mark");
     }
-    for (Curve const& curve : panel.curves) write_curve(curve, up);
     text_ += "<rect class=\"edge\"" + attribute("x", panel_left) + attribute("y", top) +
-             attribute("width", panel_right - panel_left) + attribute("height", panel_height) + "/>\n";
-    text_ += "<text class=\"ink\" text-anchor=\"middle\"" +
-             attribute("transform", "translate(16 " + pixels((top + bottom) / 2) + ") rotate(-90)") + ">" +
-             escaped(axis_label(panel.y)) + "</text>\n";
-    y_ = bottom + gap_of_panels;
+             attribute("width", panel_right - panel_left) + attribute("height", panel.height) + "/>\n";
+    if (panel.y.names.empty()) {
+      text_ += R"(<text class="ink" text-anchor="middle")" +
+               attribute("transform", "translate(16 " + pixels((top + bottom) / 2) + ") rotate(-90)") + ">" +
+               escaped(axis_label(panel.y)) + "</text>\n";
+    }
     if (!is_last) return;
     text_ += text_element((panel_left + panel_right) / 2, bottom + 34, axis_label(figure_.x), "middle");
-    y_ = bottom + 44;
   }
 
   void write_curve(Curve const& curve, Projection const& up) {
@@ -168,10 +182,10 @@ class Writer {
   }
 
   [[nodiscard]] static std::string classes(Curve const& curve) {
-    constexpr std::array<std::string_view, 4> roles = {"whole", "part", "before", "measured"};
+    constexpr std::array<std::string_view, 6> roles = {"whole", "part", "before", "measured", "guide", "bar"};
     std::string text = "curve ";
-    return text.append(roles[static_cast<std::size_t>(curve.role)]).append(" c") +
-           std::to_string(curve.colour % palette.size());
+    text += roles[static_cast<std::size_t>(curve.role)];
+    return curve.role == Role::guide ? text : text + " c" + std::to_string(curve.colour % palette.size());
   }
 
   /// Lines of one picture differ in print, too.
@@ -208,6 +222,29 @@ class Writer {
                "/>\n";
       text_ += text_element(x + sample + 6, y_, curve->name);
       x += width + 18;
+    }
+  }
+
+  /// Columns as wide as their longest cell.
+  void write_table() {
+    constexpr double gap = 18;
+    std::vector<std::vector<std::string>> rows{figure_.table.header};
+    rows.insert(rows.end(), figure_.table.rows.begin(), figure_.table.rows.end());
+    std::vector<double> widths;
+    for (auto const& row : rows) {
+      widths.resize(std::max(widths.size(), row.size()), 0);
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        widths[i] = std::max(widths[i], text_width(row[i], text_size));
+      }
+    }
+    y_ += line_height;
+    for (auto const& row : rows) {
+      y_ += line_height;
+      double x = panel_left;
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        text_ += text_element(x, y_, row[i], "start", &row == &rows.front() ? "quiet" : "ink");
+        x += widths[i] + gap;
+      }
     }
   }
 

@@ -33,10 +33,11 @@ std::vector<double> logarithmic_ticks(Axis const& axis, std::size_t wanted) {
   double const decades = std::log10(axis.high / axis.low);
   bool const has_room = decades * 3 <= static_cast<double>(wanted);
   std::vector<double> ticks;
-  for (double exponent = std::floor(std::log10(axis.low)); exponent <= std::log10(axis.high); ++exponent) {
+  auto const last = static_cast<int>(std::floor(std::log10(axis.high)));
+  for (auto exponent = static_cast<int>(std::floor(std::log10(axis.low))); exponent <= last; ++exponent) {
     for (double const factor : {1.0, 2.0, 5.0}) {
       if (factor != 1.0 && !has_room) continue;
-      double const tick = factor * std::pow(10.0, exponent);
+      double const tick = factor * std::pow(10.0, static_cast<double>(exponent));
       if (tick >= axis.low && tick <= axis.high) ticks.push_back(tick);
     }
   }

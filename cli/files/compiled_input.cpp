@@ -1,7 +1,6 @@
 #include "cli/files/compiled_input.hpp"
 
 #include "cli/files/disk_files.hpp"
-#include "cli/files/path_machine.hpp"
 
 #include <filesystem>
 #include <variant>
@@ -27,13 +26,14 @@ bool may_be_image(std::string const& input) {
 
 }  // namespace
 
-std::optional<ImageFile> compiled_input(std::string const& input,
-                                        std::optional<std::string> const& cycle_time,
-                                        Invocation const& invocation, bool color) {
-  if (may_be_image(input)) return load_image(input);
-  auto const checked = checked_machine(input, cycle_time, invocation, color);
+std::optional<InputImage> compiled_input(std::string const& input,
+                                         std::optional<std::string> const& cycle_time,
+                                         Invocation const& invocation, bool color) {
+  if (may_be_image(input)) return InputImage{.image = load_image(input), .machine = {}};
+  auto checked = checked_machine(input, cycle_time, invocation, color);
   if (!checked) return std::nullopt;
-  return image_of(checked->machine, input);
+  auto image = image_of(checked->machine, input);
+  return InputImage{.image = std::move(image), .machine = std::move(checked)};
 }
 
 }  // namespace axisc::cli

@@ -1,5 +1,4 @@
 #include "cli/execution/port_response.hpp"
-#include "cli/options/filter_symbols.hpp"
 #include "cli/plots/plots.hpp"
 #include "design/filter_analysis.hpp"
 #include "design/kernel_analysis.hpp"
@@ -26,6 +25,7 @@ constexpr Sentence magnitude{"magnitude", "Betrag"};
 constexpr Sentence phase{"phase", "Phase"};
 constexpr Sentence delay{"group delay", "Gruppenlaufzeit"};
 constexpr Sentence whole_chain{"{axis}, whole chain", "{axis}, ganze Kette"};
+constexpr Sentence chain_before{"{axis}, before", "{axis}, vorher"};
 constexpr Sentence no_filter{"No axis has a filter: setpoints pass unchanged.",
                              "Keine Achse hat einen Filter: Sollwerte gehen unverändert durch."};
 
@@ -86,22 +86,23 @@ void fit(pictures::Panel& panel, double least_span) {
 class ResponseFigure {
  public:
   ResponseFigure(PlotSubject const& subject, ResponsePlot const& wanted)
-      : subject_(subject), wanted_(wanted), contents_(subject.file.contents) {}
+      : subject_(subject), wanted_(wanted), contents_(subject.contents()) {}
 
   pictures::Figure make() {
     pictures::Figure figure;
     collect();
-    figure.title = say(says::title, {{"axes", names()}});
+    figure.title = subject_.say(says::title, {{"axes", subject_.names()}});
     figure.description = description();
+    figure.table = chain_table(subject_, wanted_.marks);
     double const nyquist = 0.5 / contents_.cycle_time.seconds();
     constexpr double decades = 1e-4;
-    figure.x = {.quantity = say(says::frequency),
+    figure.x = {.quantity = subject_.say(says::frequency),
                 .unit = "Hz",
                 .scale = wanted_.linear_frequency ? pictures::Scale::linear : pictures::Scale::logarithmic,
                 .low = wanted_.linear_frequency ? 0 : nyquist * decades,
                 .high = nyquist};
     if (sources_.empty()) {
-      figure.nothing = say(says::no_filter);
+      figure.nothing = subject_.say(says::no_filter);
       return figure;
     }
     figure.panels.push_back(magnitude_panel(figure.x));
@@ -112,46 +113,47 @@ class ResponseFigure {
   }
 
  private:
-  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
-    return render({.sentence = text, .arguments = std::move(arguments)}, subject_.language);
-  }
-
-  [[nodiscard]] std::string names() const {
-    std::string text;
-    for (auto const axis : subject_.axes) text += (text.empty() ? "" : ", ") + axis_label(contents_, axis);
-    return text;
-  }
-
   [[nodiscard]] std::string description() const {
     std::string text;
     constexpr int digits = 4;
     for (auto const axis : subject_.axes) {
-      PortResponse const response(contents_, subject_.host, axis, Port::setpoint);
+      PortResponse const response(contents_, subject_.now.host, axis, Port::setpoint);
       auto const corner = image::corner_frequency(contents_, axis);
-      std::string const words =
-          corner ? say(says::described_corner, {{"frequency", format_rounded(corner->value, digits)}})
-                 : say(says::described_no_corner);
+      std::string const words = corner ? subject_.say(says::described_corner,
+                                                      {{"frequency", format_rounded(corner->value, digits)}})
+                                       : subject_.say(says::described_no_corner);
       text += (text.empty() ? "" : "; ") +
-              say(says::described, {{"axis", axis_label(contents_, axis)},
-                                    {"delay", format_rounded(response.at({0}).group_delay_s * 1e3, digits)},
-                                    {"corner", words}});
+              subject_.say(says::described,
+                           {{"axis", axis_label(contents_, axis)},
+                            {"delay", format_rounded(response.at({0}).group_delay_s * 1e3, digits)},
+                            {"corner", words}});
     }
     return text;
   }
 
   void collect() {
     bool const is_alone = subject_.axes.size() == 1;
-    for (auto const index : subject_.axes) {
+    for (std::size_t i = 0; i < subject_.axes.size(); ++i) {
+      auto const index = subject_.axes[i];
+      if (auto const old = subject_.axis_before(index)) {
+        add_chain(*subject_.before, *old, i, pictures::Role::before, says::chain_before);
+      }
+      add_chain(subject_.now, index, i, pictures::Role::whole, says::whole_chain);
       auto const& axis = contents_.axes[index];
-      if (axis.filters.empty() && !axis.slot) continue;
-      note_frequencies(index);
-      auto const whole = std::make_shared<PortResponse>(contents_, subject_.host, index, Port::setpoint);
-      sources_.push_back({.name = say(says::whole_chain, {{"axis", axis_label(contents_, index)}}),
-                          .role = pictures::Role::whole,
-                          .colour = sources_.size(),
-                          .response = [whole](double frequency) { return whole->at({frequency}); }});
       if (is_alone && axis.filters.size() + (axis.slot ? 1U : 0U) > 1) add_parts(index);
     }
+  }
+
+  void add_chain(PlottedImage const& image, std::size_t index, std::size_t colour, pictures::Role role,
+                 SentenceRef name) {
+    auto const& contents = image.contents();
+    if (contents.axes[index].filters.empty() && !contents.axes[index].slot && !subject_.before) return;
+    note_frequencies(contents, index);
+    auto const whole = std::make_shared<PortResponse>(contents, image.host, index, Port::setpoint);
+    sources_.push_back({.name = subject_.say(name, {{"axis", axis_label(contents, index)}}),
+                        .role = role,
+                        .colour = colour,
+                        .response = [whole](double frequency) { return whole->at({frequency}); }});
   }
 
   void add_parts(std::size_t index) {
@@ -166,14 +168,14 @@ class ResponseFigure {
     }
   }
 
-  void note_frequencies(std::size_t index) {
-    for (auto const frequency : image::characteristic_frequencies(contents_, index)) {
+  void note_frequencies(image::ImageContents const& contents, std::size_t index) {
+    for (auto const frequency : image::characteristic_frequencies(contents, index)) {
       exact_.push_back(frequency.value);
     }
-    auto const& slot = contents_.axes[index].slot;
+    auto const& slot = contents.axes[index].slot;
     if (!slot || !slot->kernel) return;
-    auto const& kernel = contents_.kernels[*slot->kernel].design;
-    for (auto const zero : design::zero_frequencies(kernel, contents_.cycle_time)) {
+    auto const& kernel = contents.kernels[*slot->kernel].design;
+    for (auto const zero : design::zero_frequencies(kernel, contents.cycle_time)) {
       exact_.push_back(zero.value);
     }
   }
@@ -190,14 +192,15 @@ class ResponseFigure {
                           return quantity(source.response(frequency));
                         })});
     }
-    // The whole chain lies on top of its parts.
-    std::rotate(curves.begin(), curves.begin() + (subject_.axes.size() == 1 ? 1 : 0), curves.end());
+    // The whole chains lie on top.
+    std::stable_partition(curves.begin(), curves.end(),
+                          [](pictures::Curve const& curve) { return curve.role != pictures::Role::whole; });
     return curves;
   }
 
   [[nodiscard]] pictures::Panel magnitude_panel(pictures::Axis const& x) const {
     pictures::Panel panel;
-    panel.y = {.quantity = say(says::magnitude), .unit = wanted_.linear_magnitude ? "" : "dB"};
+    panel.y = {.quantity = subject_.say(says::magnitude), .unit = wanted_.linear_magnitude ? "" : "dB"};
     double highest = 1;
     for (auto const& source : sources_) {
       for (auto const& point : pictures::sample(
@@ -217,7 +220,7 @@ class ResponseFigure {
   [[nodiscard]] pictures::Panel phase_panel(pictures::Axis const& x) const {
     constexpr double half_turn = 180;
     pictures::Panel panel;
-    panel.y = {.quantity = say(says::phase), .unit = "°", .low = -half_turn, .high = half_turn};
+    panel.y = {.quantity = subject_.say(says::phase), .unit = "°", .low = -half_turn, .high = half_turn};
     // Of nothing that passes there is no phase.
     constexpr double nothing = 1e-12;
     panel.curves = curves(x, panel.y, [](design::ResponsePoint const& point) {
@@ -236,7 +239,7 @@ class ResponseFigure {
   [[nodiscard]] pictures::Panel delay_panel(pictures::Axis const& x) const {
     pictures::Panel panel;
     auto const quantity = [](design::ResponsePoint const& point) { return point.group_delay_s * 1e3; };
-    panel.y = {.quantity = say(says::delay), .unit = "ms", .low = -1, .high = 1};
+    panel.y = {.quantity = subject_.say(says::delay), .unit = "ms", .low = -1, .high = 1};
     panel.curves = curves(x, panel.y, quantity);
     fit(panel, contents_.cycle_time.seconds() * 1e3);
     panel.curves = curves(x, panel.y, quantity);
@@ -268,13 +271,6 @@ class ResponseFigure {
 };
 
 }  // namespace
-
-std::string filter_label(image::ImageFilter const& filter) {
-  auto const& wanted = filter.specification;
-  std::string text = "filter[" + std::to_string(filter.index) + "] " + std::string(type_word(wanted.type));
-  if (design::uses_frequency(wanted.type)) text += " " + format_exact(wanted.frequency.value) + " Hz";
-  return text;
-}
 
 pictures::Figure response_figure(PlotSubject const& subject, ResponsePlot const& wanted) {
   return ResponseFigure(subject, wanted).make();

@@ -38,7 +38,7 @@ TEST_CASE("the line between sampled points is nowhere a quarter of a pixel from 
     CHECK(points.size() < 2000);
     CHECK(std::any_of(points.begin(), points.end(), [](Point const& p) { return p.x == 42 && p.y == -80; }));
     Projection const across(x, panel_left, panel_right);
-    Projection const up(y, panel_height, 0);
+    Projection const up(y, usual_panel_height, 0);
     double largest = 0;
     for (int i = 0; i <= 20000; ++i) {
       double const at = 0.05 * std::pow(1e4, i / 20000.0);

@@ -7,12 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <map>
 #include <random>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 using namespace axisc::test;
 using namespace axisc::pictures;
 using Catch::Matchers::Contains;
+using Catch::Matchers::StartsWith;
 
 namespace {
 
@@ -59,6 +64,36 @@ double distance(std::vector<Place> const& curve, Place const& place) {
         std::min(least, std::hypot(a.x + along * (b.x - a.x) - place.x, a.y + along * (b.y - a.y) - place.y));
   }
   return least;
+}
+
+/// The picture's place of a label of the horizontal axis.
+double tick_of(std::string const& svg, std::string const& label) {
+  auto const end = svg.find("text-anchor=\"middle\">" + label + "</text>");
+  REQUIRE(end != std::string::npos);
+  auto const at = svg.rfind(" x=\"", end) + 4;
+  return std::stod(svg.substr(at));
+}
+
+/// The sample mill with three parameters of its default list changed, in the folder `old`.
+void write_changed_mill(TemporaryFolder const& folder) {
+  for (std::string const name :
+       {"machine.json", "default.lis", "x.lis", "y.lis", "z.lis", "spindle.lis", "part.nc"}) {
+    std::string text = read_source_file("samples/mill/" + name);
+    if (name == "default.lis") {
+      for (auto const& [parameter, value] : std::map<std::string, std::string>{
+               {"filter[0].fg_f0", "48"}, {"filter[0].guete", "3"}, {"filter[1].order", "3"}}) {
+        auto const begin = text.find(parameter);
+        text.replace(begin, text.find('\n', begin) - begin, parameter + " " + value);
+      }
+    }
+    folder.write("old/" + name, text);
+  }
+}
+
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
 }
 
 std::string random_list(std::mt19937& random) {
@@ -121,7 +156,7 @@ TEST_CASE("a drawn magnitude is the response, for random chains") {
       std::getline(fields, magnitude, ',');
       double const decibels = std::max(20 * std::log10(std::stod(magnitude)), floor_db);
       Projection const across(x, panel_left, panel_right);
-      Projection const up({.low = floor_db, .high = 4}, top + panel_height, top);
+      Projection const up({.low = floor_db, .high = 4}, top + usual_panel_height, top);
       largest = std::max(largest, distance(curve, {.x = across(frequency), .y = up(decibels)}));
     }
   }
@@ -139,7 +174,7 @@ TEST_CASE("a notch of quality 10 reaches the floor of its picture") {
   auto const curve = curve_of(outcome.out, "whole");
   auto const lowest =
       std::max_element(curve.begin(), curve.end(), [](Place a, Place b) { return a.y < b.y; });
-  CHECK(lowest->y == Approx(top + panel_height));
+  CHECK(lowest->y == Approx(top + usual_panel_height));
 }
 
 TEST_CASE("approved pictures, in both languages, from a machine and from its image") {
@@ -148,7 +183,7 @@ TEST_CASE("approved pictures, in both languages, from a machine and from its ima
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
   REQUIRE(run_axisc({"compile", mill, "-o", "m.axim", "--quiet"}, there).status == 0);
   for (std::string const language : {"en", "de"}) {
-    for (std::string const kind : {"response", "step"}) {
+    for (std::string const kind : {"response", "step", "delay"}) {
       for (std::string const axis : {"", "X"}) {
         std::vector<std::string> words{"plot", "m.axim", "--kind", kind, "-o", "p.svg", "--lang", language};
         if (!axis.empty()) words.insert(words.end(), {"--axis", axis});
@@ -171,10 +206,131 @@ TEST_CASE("the documentation shows what the program draws") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
-  for (std::string const kind : {"response", "step"}) {
-    auto const outcome = run_axisc({"plot", mill, "--kind", kind, "--axis", "X", "-o", "-"}, there);
+  write_changed_mill(folder);
+  for (auto const& [name, options] : std::map<std::string, std::vector<std::string>>{
+           {"response", {"--axis", "X"}},
+           {"step", {"--kind", "step", "--axis", "X"}},
+           {"delay", {"--kind", "delay"}},
+           {"corner", {"--kind", "corner", "--feed", "1000,2000,4000"}},
+           {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
+           {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
+    std::vector<std::string> words{"plot", mill, "-o", "-"};
+    words.insert(words.end(), options.begin(), options.end());
+    auto const outcome = run_axisc(words, there);
     CHECK(outcome.status == 0);
-    check_golden("docs/pictures/" + kind + ".svg", outcome.out);
+    check_golden("docs/pictures/" + name + ".svg", outcome.out);
+  }
+}
+
+TEST_CASE("approved pictures of contours, of changes and in the terminal") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  write_changed_mill(folder);
+  for (std::string const language : {"en", "de"}) {
+    auto const golden = [&](std::string const& name, std::vector<std::string> words) {
+      words.insert(words.begin(), {"plot", mill});
+      words.insert(words.end(), {"--lang", language});
+      auto const outcome = run_axisc(words, there);
+      CHECK(outcome.status == 0);
+      check_golden("tests/cli/data/golden/plots/" + name + "." + language +
+                       (words.back() == "-" || outcome.out.starts_with("<svg") ? ".svg" : ".txt"),
+                   outcome.out);
+    };
+    std::vector<std::string> const before{"--before", "old/machine.json", "-o", "-"};
+    auto const with_before = [&](std::vector<std::string> words) {
+      words.insert(words.end(), before.begin(), before.end());
+      return words;
+    };
+    golden("corner", {"--kind", "corner", "--feed", "1000,2000,4000", "-o", "-"});
+    golden("circle", {"--kind", "circle", "--feed", "1000,4000", "--radius", "5", "-o", "-"});
+    golden("response.change", with_before({"--axis", "X", "--mark", "48Hz"}));
+    golden("step.change", with_before({"--kind", "step", "--axis", "X"}));
+    golden("delay.change", with_before({"--kind", "delay"}));
+    golden("corner.change", with_before({"--kind", "corner", "--angle", "60"}));
+    golden("circle.change", with_before({"--kind", "circle"}));
+    golden("terminal", {"--kind", "delay", "--before", "old/machine.json"});
+    golden("terminal.response", {"--axis", "X"});
+  }
+}
+
+TEST_CASE("what is read off the picture of a contour is what contour says") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  auto const said = nlohmann::json::parse(
+      run_axisc({"contour", mill, "--feed", "4000", "--angle", "60", "--format", "json"}, there).out);
+  auto const& figures = said["groups"][0];
+  std::string const corner =
+      run_axisc({"plot", mill, "--kind", "corner", "--feed", "4000", "--angle", "60", "-o", "-"}, there).out;
+  // The corner is the bend of the programmed path; a tick of 100 µm gives the scale.
+  auto const programmed = curve_of(corner, "guide");
+  REQUIRE(programmed.size() == 3);
+  double const um_per_pixel = 100 / (tick_of(corner, "0") - tick_of(corner, "-100"));
+  double const read = distance(curve_of(corner, "whole"), programmed[1]) * um_per_pixel;
+  CHECK(read == Approx(figures["contour_deviation_um"].get<double>()).epsilon(0.005));
+
+  std::string const circle =
+      run_axisc({"plot", mill, "--kind", "circle", "--feed", "4000", "-o", "-"}, there).out;
+  auto const ring = curve_of(circle, "guide");
+  auto const drawn = curve_of(circle, "whole");
+  auto const radius = [](std::vector<Place> const& curve) {
+    auto const [left, right] =
+        std::minmax_element(curve.begin(), curve.end(), [](Place a, Place b) { return a.x < b.x; });
+    return (right->x - left->x) / 2;
+  };
+  auto const at = circle.find("× ") + std::string("× ").size();
+  double const factor = std::stod(circle.substr(at));
+  double const deviation = (radius(ring) - radius(drawn)) / radius(ring) * 10'000 / factor;
+  CHECK(deviation == Approx(figures["circle"]["contour_deviation_um"].get<double>()).epsilon(0.02));
+}
+
+TEST_CASE("a change of three parameters is said in numbers") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  write_changed_mill(folder);
+  std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  auto const outcome =
+      run_axisc({"plot", mill, "--before", "old/machine.json", "--axis", "X", "--table"}, there);
+  CHECK(outcome.status == 0);
+  // Delay of both states as inspect says it, and their difference.
+  auto const delay = [&](std::string const& machine) {
+    REQUIRE(run_axisc({"compile", machine, "-o", "m.axim", "--quiet"}, there).status == 0);
+    auto const said = nlohmann::json::parse(run_axisc({"inspect", "m.axim", "--format", "json"}, there).out);
+    return said["axes"][0]["delay_ms"].get<double>();
+  };
+  double const now = delay(mill);
+  double const before = delay("old/machine.json");
+  CHECK(now != before);
+  CHECK_THAT(outcome.out,
+             Contains(rounded(before)) && Contains(rounded(now)) && Contains(rounded(now - before)));
+}
+
+TEST_CASE("pictures for a page, and what does not go together") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  REQUIRE(run_axisc({"plot", "m.axim", "-o", "p.html", "--lang", "de"}, there).status == 0);
+  std::string const page = folder.read("p.html");
+  CHECK_THAT(page,
+             Contains("<html lang=\"de\">") && Contains("<svg") && Contains("<table") && !Contains("src="));
+  REQUIRE(run_axisc({"plot", "m.axim", "-o", "q.x", "--format", "svg"}, there).status == 0);
+  CHECK_THAT(folder.read("q.x"), StartsWith("<svg"));
+  for (auto const& wrong : std::vector<std::vector<std::string>>{{"-o", "q.x"},
+                                                                 {"-o", "-", "--table"},
+                                                                 {"--kind", "corner", "--order", "4"},
+                                                                 {"--kind", "corner", "--axis", "X"},
+                                                                 {"--kind", "corner", "--radius", "4"},
+                                                                 {"--kind", "circle", "--angle", "4"},
+                                                                 {"--kind", "circle", "--feed", "0"},
+                                                                 {"--feed", "100"},
+                                                                 {"--group", "kanal_1"},
+                                                                 {"--before", "nothing.axim"}}) {
+    auto words = wrong;
+    words.insert(words.begin(), {"plot", "m.axim"});
+    auto const outcome = run_axisc(words, there);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK_FALSE(outcome.err.empty());
   }
 }
 
@@ -201,7 +357,7 @@ TEST_CASE("options of the response change its picture") {
     CHECK(outcome.out.empty());
     CHECK_FALSE(outcome.err.empty());
   }
-  CHECK_THAT(run_axisc({"plot", "m.axim"}, there).err, Contains("-o FILE.svg"));
+  CHECK_THAT(run_axisc({"plot", "m.axim"}, there).out, StartsWith("Frequency response"));
   CHECK(run_axisc({"plot", "m.axim", "-o", "m.axim"}, there).status == 2);
 }
 

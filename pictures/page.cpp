@@ -1,0 +1,68 @@
+#include "pictures/page.hpp"
+
+#include "pictures/svg.hpp"
+#include "pictures/svg_text.hpp"
+
+#include <cctype>
+
+namespace axisc::pictures {
+namespace {
+
+bool is_number(std::string const& cell) {
+  return !cell.empty() && (std::isdigit(static_cast<unsigned char>(cell.back())) != 0 || cell == "-");
+}
+
+std::string cell_element(std::string const& cell, std::string_view tag) {
+  std::string text = "<";
+  text.append(tag);
+  if (tag == "th") text += R"( scope="col")";
+  if (tag == "td" && is_number(cell)) text += R"( class="number")";
+  return text.append(">").append(escaped(cell)).append("</").append(tag).append(">");
+}
+
+}  // namespace
+
+std::string_view page_style() {
+  return R"(:root{color-scheme:light dark;--paper:#fff;--ink:#1d1f23;--quiet:#55595f;--line:#c9ccd1;--panel:#f5f6f8;--link:#0a58a6}
+@media (prefers-color-scheme:dark){:root{--paper:#17191d;--ink:#ececec;--quiet:#b0b4ba;--line:#43474e;--panel:#202328;--link:#7db7f0}}
+body{margin:0 auto;max-width:62rem;padding:1rem 1.2rem 3rem;background:var(--paper);color:var(--ink);font:15px/1.5 system-ui,sans-serif}
+a{color:var(--link)}h1{font-size:1.5rem}h2{font-size:1.25rem;margin-top:2.2rem;border-bottom:1px solid var(--line)}h3{font-size:1.05rem;margin-top:1.6rem}
+table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}
+th{color:var(--quiet);font-weight:600}td.number{text-align:right;font-variant-numeric:tabular-nums}
+figure{margin:1rem 0}figure svg{width:100%;height:auto;max-width:800px;display:block}
+pre{background:var(--panel);padding:.6rem .8rem;overflow-x:auto;font-size:13px}
+@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--quiet:#333;--line:#999;--panel:#fff;--link:#000}body{max-width:none;padding:0;font-size:10pt}figure,tr,pre{break-inside:avoid}h2,h3{break-after:avoid}@page{size:A4;margin:15mm}}
+)";
+}
+
+std::string table_element(Table const& table) {
+  if (table.rows.empty()) return {};
+  std::string text = R"(<table tabindex="0"><thead><tr>)";
+  for (auto const& cell : table.header) text += cell_element(cell, "th");
+  text += "</tr></thead><tbody>\n";
+  for (auto const& row : table.rows) {
+    text += "<tr>";
+    for (auto const& cell : row) text += cell_element(cell, "td");
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table>\n";
+}
+
+std::string figure_element(Figure const& figure, Language language) {
+  Figure alone = figure;
+  alone.shows_table = false;
+  return "<figure>" + svg(alone, language) + "</figure>\n" + table_element(figure.table);
+}
+
+std::string page(Figure const& figure, Language language) {
+  std::string_view const code = language == Language::german ? "de" : "en";
+  std::string text = "<!doctype html>\n<html lang=\"";
+  text.append(code).append("\"><head><meta charset=\"utf-8\">\n");
+  text += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
+  text += "\n<title>" + escaped(figure.title) + "</title>\n<style>\n";
+  text.append(page_style());
+  return text + "</style></head>\n<body><main>\n<h1>" + escaped(figure.title) + "</h1>\n" +
+         figure_element(figure, language) + "</main></body></html>\n";
+}
+
+}  // namespace axisc::pictures
