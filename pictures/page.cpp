@@ -8,8 +8,12 @@
 namespace axisc::pictures {
 namespace {
 
-bool is_number(std::string const& cell) {
-  return !cell.empty() && (std::isdigit(static_cast<unsigned char>(cell.back())) != 0 || cell == "-");
+/// A number as our tables write it, or the dash for none.
+bool is_number(std::string_view cell) {
+  if (cell == "-") return true;
+  if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
+  return !cell.empty() && cell.find_first_not_of("0123456789.e+-") == std::string_view::npos &&
+         std::isdigit(static_cast<unsigned char>(cell.front())) != 0;
 }
 
 std::string cell_element(std::string const& cell, std::string_view tag) {
@@ -31,7 +35,7 @@ table{border-collapse:collapse;margin:.6rem 0;display:block;overflow-x:auto}th,t
 th{color:var(--quiet);font-weight:600}td.number{text-align:right;font-variant-numeric:tabular-nums}
 figure{margin:1rem 0}figure svg{width:100%;height:auto;max-width:800px;display:block}
 pre{background:var(--panel);padding:.6rem .8rem;overflow-x:auto;font-size:13px}
-@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--quiet:#333;--line:#999;--panel:#fff;--link:#000}body{max-width:none;padding:0;font-size:10pt}figure,tr,pre{break-inside:avoid}h2,h3{break-after:avoid}@page{size:A4;margin:15mm}}
+@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--quiet:#333;--line:#999;--panel:#fff;--link:#000}body{max-width:none;padding:0;font-size:10pt}pre{white-space:pre-wrap;overflow:visible}table{overflow:visible}figure,tr,pre{break-inside:avoid}h2,h3{break-after:avoid}@page{size:A4;margin:15mm}}
 )";
 }
 

@@ -80,7 +80,9 @@ ContourRequest read_contour_words(ContourWords const& words) {
 
 void declare_contour_words(CommandLine& command_line, ContourWords& words, ContourWords::Shown shown) {
   command_line.value("--feed", "F[,F...]", words.feeds, says::option_feed);
-  command_line.value("--order", "N[,N...]", words.orders, says::option_order);
+  if (shown != ContourWords::Shown::shapes) {
+    command_line.value("--order", "N[,N...]", words.orders, says::option_order);
+  }
   command_line.value("--angle", "DEGREES", words.angle, says::option_angle);
   command_line.value("--radius", "MM", words.radius, says::option_radius);
   if (shown == ContourWords::Shown::all)

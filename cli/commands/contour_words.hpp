@@ -12,7 +12,11 @@ namespace axisc::cli {
 
 /// --feed, --order, --angle, --radius, --tolerance as given.
 struct ContourWords {
-  enum class Shown : std::uint8_t { all, paths };  ///< paths: without --tolerance
+  enum class Shown : std::uint8_t {
+    all,
+    paths,   ///< without --tolerance
+    shapes,  ///< nor --order
+  };
   std::optional<std::string> feeds, orders, angle, radius, tolerance;
 };
 

@@ -20,10 +20,7 @@ GroupChains::GroupChains(machine::Machine machine, std::size_t group,
 
 GroupChains::GroupChains(ImageFile const& image, machine::MachineGroup group,
                          std::vector<machine::FilterCommand> commands, std::string path)
-    : group_(std::move(group)),
-      commands_(std::move(commands)),
-      path_(std::move(path)),
-      image_(&image) {}
+    : group_(std::move(group)), commands_(std::move(commands)), path_(std::move(path)), image_(&image) {}
 
 ImageFile const& GroupChains::image() {
   if (image_ != nullptr) return *image_;

@@ -22,8 +22,8 @@ class GroupChains {
   GroupChains(machine::Machine machine, std::size_t group, std::vector<machine::FilterCommand> commands,
               std::string path);
   /// An image, which has no orders but its own and outlives this. `group` refers to the image's axes.
-  GroupChains(ImageFile const& image, machine::MachineGroup group, std::vector<machine::FilterCommand> commands,
-              std::string path);
+  GroupChains(ImageFile const& image, machine::MachineGroup group,
+              std::vector<machine::FilterCommand> commands, std::string path);
 
   /// Orders that answers() accepts.
   void add_order(std::uint32_t order);
