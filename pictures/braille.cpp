@@ -95,7 +95,7 @@ std::string panel_text(Figure const& figure, Panel const& panel, std::size_t col
   auto const rows = std::max<std::size_t>(
       3, static_cast<std::size_t>(std::lround(share * static_cast<double>(width) / height_of_letter)));
   Dots dots(width, rows);
-  Projection const across(figure.x, 0, dots.width());
+  Projection const across(panel.x ? *panel.x : figure.x, 0, dots.width());
   Projection const up(panel.y, dots.height(), 0);
   for (Curve const& curve : panel.curves) draw(dots, curve, across, up);
   std::string text = panel.is_bare ? "" : std::string(margin, ' ') + label_of(panel.y) + "\n";
@@ -105,8 +105,9 @@ std::string panel_text(Figure const& figure, Panel const& panel, std::size_t col
     return static_cast<std::size_t>(std::clamp(up(value), 0.0, dots.height())) / dots_up;
   };
   if (!panel.y.names.empty()) {
-    for (std::size_t i = 0; i < panel.y.names.size(); ++i)
+    for (std::size_t i = 0; i < panel.y.names.size(); ++i) {
       margins[row_of(panel.y.ticks[i])] = panel.y.names[i];
+    }
   } else if (!panel.is_bare) {
     margins.front() = rounded_text(panel.y.high, language);
     margins.back() = rounded_text(panel.y.low, language);
@@ -118,19 +119,28 @@ std::string panel_text(Figure const& figure, Panel const& panel, std::size_t col
   return text;
 }
 
+std::string axis_text(Axis const& axis, std::size_t columns, Language language) {
+  if (axis.quantity.empty()) return {};
+  std::string const low = rounded_text(axis.low, language);
+  std::string const high = rounded_text(axis.high, language) + " " + axis.unit;
+  std::string const name = "  " + axis.quantity;
+  std::size_t const used = margin + low.size() + name.size();
+  return std::string(margin, ' ') + low + name + padded_left(high, columns > used ? columns - used : 0) +
+         "\n";
+}
+
 }  // namespace
 
 std::string braille(Figure const& figure, std::size_t columns, Language language) {
   std::string text = figure.title + "\n";
   if (figure.panels.empty()) return text + figure.nothing + "\n";
-  for (Panel const& panel : figure.panels) text += panel_text(figure, panel, columns, language);
-  if (!figure.x.quantity.empty()) {
-    std::string const low = rounded_text(figure.x.low, language);
-    std::string const high = rounded_text(figure.x.high, language) + " " + figure.x.unit;
-    std::string const name = "  " + figure.x.quantity;
-    std::size_t const used = margin + low.size() + name.size();
-    text +=
-        std::string(margin, ' ') + low + name + padded_left(high, columns > used ? columns - used : 0) + "\n";
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    Panel const& panel = figure.panels[i];
+    text += panel_text(figure, panel, columns, language);
+    bool const is_last = i + 1 == figure.panels.size();
+    if (is_last || panel.x || figure.panels[i + 1].x) {
+      text += axis_text(panel.x ? *panel.x : figure.x, columns, language);
+    }
   }
   return text;
 }

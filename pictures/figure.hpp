@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,7 @@ struct Panel {
   std::vector<Label> labels = {};
   double height = usual_panel_height;  ///< in pixels
   bool is_bare = false;                ///< without frame, grid and numbers
+  std::optional<Axis> x = {};          ///< its own horizontal axis, without the figure's marks
 };
 
 /// The figures in numbers, for who wants to copy them.
@@ -72,7 +74,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Panels one above the other that share their horizontal axis.
+/// Panels one above the other that share their horizontal axis, as far as they have none of their own.
 struct Figure {
   std::string title = {};
   std::string description = {};  ///< the figures in words, for who does not see the picture

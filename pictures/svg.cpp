@@ -114,19 +114,26 @@ class Writer {
   }
 
   void write_panel(Panel const& panel) {
-    bool const is_last = &panel == &figure_.panels.back();
+    Panel const* const next = &panel == &figure_.panels.back() ? nullptr : &panel + 1;
+    bool const has_numbers = !panel.is_bare && (next == nullptr || panel.x || next->x);
     double const top = y_;
     double const bottom = y_ + panel.height;
     Projection const up(panel.y, bottom, top);
-    if (!panel.is_bare) write_frame(panel, up, top, bottom, is_last);
-    for (Curve const& curve : panel.curves) write_curve(curve, up);
+    Projection const across(axis_of(panel), panel_left, panel_right);
+    if (!panel.is_bare) write_frame(panel, up, top, bottom, has_numbers);
+    for (Curve const& curve : panel.curves) write_curve(curve, across, up);
     for (Label const& label : panel.labels) {
-      text_ += text_element(across()(label.at.x), up(label.at.y), label.words);
+      text_ += text_element(across(label.at.x), up(label.at.y), label.words);
     }
-    y_ = bottom + (panel.is_bare ? 0 : is_last ? 44 : gap_of_panels);
+    y_ = bottom + (panel.is_bare ? 0 : has_numbers ? 44 : gap_of_panels);
+    if (has_numbers && next != nullptr) y_ += gap_of_panels - 6;
   }
 
-  void write_frame(Panel const& panel, Projection const& up, double top, double bottom, bool is_last) {
+  [[nodiscard]] Axis const& axis_of(Panel const& panel) const { return panel.x ? *panel.x : figure_.x; }
+
+  void write_frame(Panel const& panel, Projection const& up, double top, double bottom, bool has_numbers) {
+    Axis const& x_axis = axis_of(panel);
+    Projection const across(x_axis, panel_left, panel_right);
     constexpr std::size_t rows = 6;
     constexpr std::size_t columns = 12;
     auto const ticks = ticks_of(panel.y, rows);
@@ -138,17 +145,18 @@ class Writer {
                        panel.y.names.empty() ? number_text(ticks[i], language_) : panel.y.names[i], "end");
     }
     double end_of_label = -1e3;
-    for (double const tick : ticks_of(figure_.x, columns)) {
-      double const x = across()(tick);
+    for (double const tick : ticks_of(x_axis, columns)) {
+      double const x = across(tick);
       text_ += line_element(x, top, x, bottom, "grid");
       std::string const label = number_text(tick, language_);
       double const half = text_width(label, text_size) / 2;
-      if (!is_last || x - half < end_of_label + 4 || x + half > picture_width) continue;
+      if (!has_numbers || x - half < end_of_label + 4 || x + half > picture_width) continue;
       text_ += text_element(x, bottom + 16, label, "middle");
       end_of_label = x + half;
     }
     for (Mark const& mark : figure_.marks) {
-      text_ += line_element(across()(mark.at), top, across()(mark.at), bottom, "mark");
+      if (panel.x) break;
+      text_ += line_element(across(mark.at), top, across(mark.at), bottom, "mark");
     }
     text_ += "<rect class=\"edge\"" + attribute("x", panel_left) + attribute("y", top) +
              attribute("width", panel_right - panel_left) + attribute("height", panel.height) + "/>\n";
@@ -157,11 +165,11 @@ class Writer {
                attribute("transform", "translate(16 " + pixels((top + bottom) / 2) + ") rotate(-90)") + ">" +
                escaped(axis_label(panel.y)) + "</text>\n";
     }
-    if (!is_last) return;
-    text_ += text_element((panel_left + panel_right) / 2, bottom + 34, axis_label(figure_.x), "middle");
+    if (!has_numbers) return;
+    text_ += text_element((panel_left + panel_right) / 2, bottom + 34, axis_label(x_axis), "middle");
   }
 
-  void write_curve(Curve const& curve, Projection const& up) {
+  void write_curve(Curve const& curve, Projection const& across, Projection const& up) {
     std::string path;
     bool open = false;
     std::string last;
@@ -170,7 +178,7 @@ class Writer {
         open = false;
         continue;
       }
-      std::string const place = pixels(across()(point.x)) + " " + pixels(up(point.y));
+      std::string const place = pixels(across(point.x)) + " " + pixels(up(point.y));
       if (open && place == last) continue;
       path += (open ? "L" : "M") + place;
       open = true;

@@ -85,8 +85,9 @@ void declare_contour_words(CommandLine& command_line, ContourWords& words, Conto
   }
   command_line.value("--angle", "DEGREES", words.angle, says::option_angle);
   command_line.value("--radius", "MM", words.radius, says::option_radius);
-  if (shown == ContourWords::Shown::all)
+  if (shown == ContourWords::Shown::all) {
     command_line.value("--tolerance", "MM", words.tolerance, says::option_tolerance);
+  }
 }
 
 }  // namespace axisc::cli

@@ -8,6 +8,7 @@
 #include "cli/options/frequencies.hpp"
 #include "cli/options/timed_commands.hpp"
 #include "cli/plots/picture_output.hpp"
+#include "cli/plots/plant_figure.hpp"
 #include "cli/plots/plots.hpp"
 #include "cli/plots/plotted_groups.hpp"
 #include "cli/sentences.hpp"
@@ -60,6 +61,19 @@ constexpr Sentence option_magnitude{"magnitude in dB or as a factor (default: db
                                     "Betrag in dB oder als Faktor (Standardwert: db)"};
 constexpr Sentence option_wrap{"phase from -180° to 180° (default: continuous)",
                                "Phase von -180° bis 180° (Standardwert: stetig)"};
+constexpr Sentence option_measured{
+    "also draw a measured response, and what the axis' chain makes of it: frequency_hz, magnitude_db[, "
+    "phase_deg]",
+    "auch einen gemessenen Frequenzgang zeichnen und was die Kette der Achse daraus macht: frequency_hz, "
+    "magnitude_db[, phase_deg]"};
+constexpr Sentence option_plotted_plant{"drive and mechanics for --kind plant",
+                                        "Antrieb und Mechanik für --kind plant"};
+constexpr Sentence option_plotted_move{"there and back with the plant (default: vb_max)",
+                                       "hin und zurück mit der Strecke (Standardwert: vb_max)"};
+constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
+                               "--kind plant braucht --plant und --move"};
+constexpr Sentence plant_of_image{"--kind plant needs the machine: {file} is an image",
+                                  "--kind plant braucht die Maschine: {file} ist ein Abbild"};
 constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
 constexpr Sentence order_of_image{
     "--order needs the machine: {file} is an image, compiled for its own orders only",
@@ -72,10 +86,10 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Kind : std::uint8_t { response, step, delay, corner, circle };
+enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant };
 
 struct PlotOptions {
-  std::optional<std::string> input, before, axis, group, cycle_time;
+  std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move;
   PictureTarget target;
   std::vector<std::string> marks, commands;
   Kind kind = Kind::response;
@@ -91,7 +105,8 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                        {"step", Kind::step},
                        {"delay", Kind::delay},
                        {"corner", Kind::corner},
-                       {"circle", Kind::circle}},
+                       {"circle", Kind::circle},
+                       {"plant", Kind::plant}},
                       options.kind, says::option_kind);
   command_line.value("--before", "OTHER", options.before, says::option_before);
   command_line.flag("--table", options.target.table, says::option_table);
@@ -101,8 +116,11 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.choice("--magnitude", {{"db", false}, {"linear", true}}, options.response.linear_magnitude,
                       says::option_magnitude);
   command_line.flag("--wrap", options.response.wraps_phase, says::option_wrap);
+  command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
   command_line.value("--group", "NAME", options.group, says::option_group);
   declare_contour_words(command_line, options.contour, ContourWords::Shown::paths);
+  command_line.value("--plant", "PLANT.json", options.plant, says::option_plotted_plant);
+  command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_plotted_move);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
                       options.target.format, says::option_picture_format);
@@ -132,13 +150,19 @@ void refuse_mixture(PlotOptions const& options) {
   };
   bool const contour = is_contour(options.kind);
   bool const response = options.kind == Kind::response;
+  bool const plant = options.kind == Kind::plant;
+  bool const of_axes = !contour && !plant;
   for (auto const& [given, option, kinds, fits] : std::initializer_list<Belongs>{
            {!options.marks.empty(), "--mark", "response", response},
            {options.response.linear_frequency, "--linear", "response", response},
            {options.response.linear_magnitude, "--magnitude linear", "response", response},
            {options.response.wraps_phase, "--wrap", "response", response},
-           {options.axis.has_value(), "--axis", "response, step, delay", !contour},
-           {!options.commands.empty(), "--at", "response, step, delay", !contour},
+           {options.measured.has_value(), "--measured", "response", response},
+           {options.axis.has_value(), "--axis", "response, step, delay", of_axes},
+           {!options.commands.empty(), "--at", "response, step, delay", of_axes},
+           {options.before.has_value(), "--before", "response, step, delay, corner, circle", !plant},
+           {options.plant.has_value(), "--plant", "plant", plant},
+           {options.move.has_value(), "--move", "plant", plant},
            {options.group.has_value(), "--group", "corner, circle", contour},
            {options.contour.feeds.has_value(), "--feed", "corner, circle", contour},
            {options.contour.orders.has_value(), "--order", "corner, circle", contour},
@@ -147,6 +171,9 @@ void refuse_mixture(PlotOptions const& options) {
     if (!given || fits) continue;
     throw Failure({.sentence = says::of_kinds,
                    .arguments = {{"option", std::string(option)}, {"kinds", std::string(kinds)}}});
+  }
+  if (plant && (!options.plant || !options.move)) {
+    throw Failure({.sentence = says::plant_needs, .arguments = {}});
   }
 }
 
@@ -199,7 +226,9 @@ ExitStatus plot(Invocation const& invocation) {
   refuse_mixture(options);
   options.target.check();
   std::vector<std::string> inputs{*options.input};
-  if (options.before) inputs.push_back(*options.before);
+  for (auto const& other : {options.before, options.measured, options.plant}) {
+    if (other) inputs.push_back(*other);
+  }
   if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
 
   bool const color = use_color(command_line.color(), system::Stream::error);
@@ -210,9 +239,20 @@ ExitStatus plot(Invocation const& invocation) {
 
   auto const& contents = now->input.image.contents;
   pictures::Figure figure;
-  if (is_contour(options.kind)) {
+  if (options.kind == Kind::plant) {
+    if (!now->input.machine) {
+      throw Failure({.sentence = says::plant_of_image, .arguments = {{"file", *options.input}}});
+    }
+    auto const run = run_plant({.machine_path = *options.input,
+                                .plant_path = *options.plant,
+                                .move = *options.move,
+                                .output = std::nullopt},
+                               *now->input.machine, false);
+    figure = plant_figure(run, invocation.language);
+  } else if (is_contour(options.kind)) {
     figure = contour_figure(options, now->input, before ? &before->input : nullptr, invocation.language);
   } else {
+    if (options.measured) options.response.measured = read_measured_response(*options.measured);
     options.response.marks = frequencies_of(options.marks, contents.cycle_time);
     PlotSubject const subject{
         .now = {.file = now->input.image, .host = now->host},

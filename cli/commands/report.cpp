@@ -153,7 +153,7 @@ ExitStatus report(Invocation const& invocation) {
   auto const path = machine_input(*options.input);
   auto inputs =
       expand_inputs({*options.input}, [&](std::string const& file) { return settings.wants(file); });
-  if (!inputs.failures.empty()) throw inputs.failures.front();
+  if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   if (std::find(inputs.paths.begin(), inputs.paths.end(), path) == inputs.paths.end()) inputs.paths = {path};
   job.found = std::move(inputs.found);
   auto const machine = checked(subject, path, inputs.paths, job);

@@ -69,6 +69,7 @@ pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest con
   auto const curves = contour_curves(subject, wanted, deviation_of);
   pictures::Figure figure;
   std::vector<double> deviations;
+  deviations.reserve(curves.size());
   for (auto const& curve : curves) deviations.push_back(deviation_of(curve.answers, curve.velocity));
   double const largest = *std::max_element(deviations.begin(), deviations.end());
   constexpr double smallest_seen = 1e-3;

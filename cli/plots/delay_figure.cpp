@@ -142,7 +142,7 @@ pictures::Figure delay_figure(PlotSubject const& subject) {
   double highest = 0;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < delays.size(); ++i) {
-    double const y = static_cast<double>(delays.size() - 1 - i);
+    auto const y = static_cast<double>(delays.size() - 1 - i);
     panel.y.ticks.push_back(y);
     panel.y.names.push_back(delays[i].name);
     // What leads is drawn to the left of 0.

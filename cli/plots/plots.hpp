@@ -4,6 +4,7 @@
 #include "cli/execution/group_chains.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/formats/contour_groups.hpp"
+#include "cli/plots/measured_response.hpp"
 #include "diagnostics/message.hpp"
 #include "pictures/figure.hpp"
 
@@ -45,7 +46,8 @@ struct ResponsePlot {
   bool linear_frequency = false;
   bool linear_magnitude = false;
   bool wraps_phase = false;
-  std::vector<double> marks = {};  ///< in Hz
+  std::vector<double> marks = {};            ///< in Hz
+  std::vector<MeasuredPoint> measured = {};  ///< drawn, and for a single axis what its chain makes of it
 };
 
 /// Magnitude, phase and group delay over frequency, as `response` computes them; of a single axis with each of its

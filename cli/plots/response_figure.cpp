@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 
 namespace axisc::cli::says {
 
@@ -26,6 +27,8 @@ constexpr Sentence phase{"phase", "Phase"};
 constexpr Sentence delay{"group delay", "Gruppenlaufzeit"};
 constexpr Sentence whole_chain{"{axis}, whole chain", "{axis}, ganze Kette"};
 constexpr Sentence chain_before{"{axis}, before", "{axis}, vorher"};
+constexpr Sentence measured_curve{"measured", "gemessen"};
+constexpr Sentence filtered_curve{"measured × {axis}", "gemessen × {axis}"};
 constexpr Sentence no_filter{"No axis has a filter: setpoints pass unchanged.",
                              "Keine Achse hat einen Filter: Sollwerte gehen unverändert durch."};
 
@@ -50,6 +53,13 @@ struct Source {
 double decibels_of(design::ResponsePoint const& point) {
   return std::max(20 * std::log10(point.magnitude), floor_db);
 }
+
+double factor_of(double decibels) {
+  return std::pow(10.0, decibels / 20);
+}
+
+/// Colours from here on belong to what was measured.
+constexpr std::size_t measured_colour = 1000 * 6 + 3;
 
 /// Turns jumps of more than half a turn into continuous phase.
 void unwrap(std::vector<pictures::Point>& points) {
@@ -101,7 +111,7 @@ class ResponseFigure {
                 .scale = wanted_.linear_frequency ? pictures::Scale::linear : pictures::Scale::logarithmic,
                 .low = wanted_.linear_frequency ? 0 : nyquist * decades,
                 .high = nyquist};
-    if (sources_.empty()) {
+    if (sources_.empty() && wanted_.measured.empty()) {
       figure.nothing = subject_.say(says::no_filter);
       return figure;
     }
@@ -210,11 +220,53 @@ class ResponseFigure {
     }
     panel.y.low = wanted_.linear_magnitude ? 0 : floor_db;
     panel.y.high = wanted_.linear_magnitude ? highest * 1.05 : 20 * std::log10(highest) + 4;
+    for (auto const& point : wanted_.measured) {
+      panel.y.high = std::max(panel.y.high, wanted_.linear_magnitude ? factor_of(point.magnitude_db) * 1.05
+                                                                     : point.magnitude_db + 4);
+    }
     bool const is_linear = wanted_.linear_magnitude;
     panel.curves = curves(x, panel.y, [is_linear](design::ResponsePoint const& point) {
       return is_linear ? point.magnitude : decibels_of(point);
     });
+    add_measured(
+        panel, x, [](MeasuredPoint const& point) { return std::optional(point.magnitude_db); },
+        [](design::ResponsePoint const& point) { return 20 * std::log10(point.magnitude); });
+    for (auto& curve : panel.curves) {
+      bool const is_measured = curve.colour >= measured_colour && !curve.points.empty();
+      for (auto& point : curve.points) {
+        if (is_measured) point.y = is_linear ? factor_of(point.y) : std::max(point.y, floor_db);
+      }
+    }
     return panel;
+  }
+
+  /// What was measured, and for a single axis what it becomes behind the chain: both quantities add up.
+  void add_measured(pictures::Panel& panel, pictures::Axis const& x,
+                    std::function<std::optional<double>(MeasuredPoint const&)> const& measured,
+                    std::function<double(design::ResponsePoint const&)> const& filter) const {
+    pictures::Curve curve{.name = subject_.say(says::measured_curve),
+                          .role = pictures::Role::measured,
+                          .colour = measured_colour};
+    pictures::Curve behind{.name = {}, .role = pictures::Role::part, .colour = measured_colour + 1};
+    auto const whole = std::find_if(sources_.begin(), sources_.end(), [](Source const& source) {
+      return source.role == pictures::Role::whole;
+    });
+    bool const is_alone = subject_.axes.size() == 1 && whole != sources_.end();
+    if (is_alone) {
+      behind.name = subject_.say(says::filtered_curve, {{"axis", subject_.name(subject_.axes.front())}});
+    }
+    for (auto const& point : wanted_.measured) {
+      auto const value = measured(point);
+      if (!value || point.frequency < x.low || point.frequency > x.high) continue;
+      curve.points.push_back({.x = point.frequency, .y = *value});
+      if (is_alone) {
+        behind.points.push_back(
+            {.x = point.frequency, .y = *value + filter(whole->response(point.frequency))});
+      }
+    }
+    if (curve.points.empty()) return;
+    panel.curves.push_back(std::move(curve));
+    if (is_alone) panel.curves.push_back(std::move(behind));
   }
 
   [[nodiscard]] pictures::Panel phase_panel(pictures::Axis const& x) const {
@@ -227,6 +279,9 @@ class ResponseFigure {
       if (point.magnitude < nothing) return std::numeric_limits<double>::quiet_NaN();
       return point.phase_rad * half_turn / std::numbers::pi;
     });
+    add_measured(
+        panel, x, [](MeasuredPoint const& point) { return point.phase_deg; },
+        [](design::ResponsePoint const& point) { return point.phase_rad * half_turn / std::numbers::pi; });
     if (wanted_.wraps_phase) {
       panel.y.ticks = {-180, -90, 0, 90, 180};
       return panel;

@@ -40,9 +40,16 @@ std::string findings_section(ReportSubject const& subject) {
   for (auto const& finding : subject.findings) {
     if (++shown > most_shown_findings) break;
     std::string const code = code_text(finding.code);
-    text += "<section class=\"finding\"><h3>" + pictures::escaped(severity_word(subject, finding.severity)) +
-            ": <a href=\"#" + code + "\">" + code + "</a> " + pictures::escaped(finding.name) +
-            "</h3>\n<pre tabindex=\"0\">" + pictures::escaped(finding.text) + "</pre></section>\n";
+    text += R"(<section class="finding"><h3>)";
+    text += pictures::escaped(severity_word(subject, finding.severity));
+    text.append(": <a")
+        .append(pictures::attribute("href", "#" + code))
+        .append(">")
+        .append(code)
+        .append("</a> ");
+    text += pictures::escaped(finding.name);
+    text += "</h3>\n<pre tabindex=\"0\">";
+    text.append(pictures::escaped(finding.text)).append("</pre></section>\n");
   }
   if (subject.findings.size() <= most_shown_findings) return text;
   return text +

@@ -18,6 +18,7 @@ using namespace axisc::test;
 using namespace axisc::pictures;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
+using nlohmann::json;
 
 namespace {
 
@@ -28,10 +29,8 @@ struct Place {
   double x, y;
 };
 
-/// Places of the first curve that has this class, in the order of the path.
-std::vector<Place> curve_of(std::string const& svg, std::string const& kind) {
-  auto const begin = svg.find("class=\"curve " + kind);
-  REQUIRE(begin != std::string::npos);
+/// Places of the first path from here on, in its order.
+std::vector<Place> places_of(std::string const& svg, std::size_t begin) {
   auto const path = svg.find(" d=\"", begin) + 4;
   std::string text = svg.substr(path, svg.find('"', path) - path);
   std::replace_if(
@@ -40,6 +39,13 @@ std::vector<Place> curve_of(std::string const& svg, std::string const& kind) {
   std::vector<Place> places;
   for (Place place{}; in >> place.x >> place.y;) places.push_back(place);
   return places;
+}
+
+/// Of the first curve that has this class.
+std::vector<Place> curve_of(std::string const& svg, std::string const& kind) {
+  auto const begin = svg.find("class=\"curve " + kind);
+  REQUIRE(begin != std::string::npos);
+  return places_of(svg, begin);
 }
 
 /// The edge of the first panel: top and height.
@@ -206,6 +212,7 @@ TEST_CASE("the documentation shows what the program draws") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
+  std::string const rack = AXISC_SOURCE_DIR "/samples/motion/rack/";
   write_changed_mill(folder);
   for (auto const& [name, options] : std::map<std::string, std::vector<std::string>>{
            {"response", {"--axis", "X"}},
@@ -213,8 +220,9 @@ TEST_CASE("the documentation shows what the program draws") {
            {"delay", {"--kind", "delay"}},
            {"corner", {"--kind", "corner", "--feed", "1000,2000,4000"}},
            {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
+           {"plant", {"--kind", "plant", "--plant", rack + "plant.json", "--move", "X:800:31800"}},
            {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
-    std::vector<std::string> words{"plot", mill, "-o", "-"};
+    std::vector<std::string> words{"plot", name == "plant" ? rack + "machine.json" : mill, "-o", "-"};
     words.insert(words.end(), options.begin(), options.end());
     auto const outcome = run_axisc(words, there);
     CHECK(outcome.status == 0);
@@ -258,7 +266,7 @@ TEST_CASE("what is read off the picture of a contour is what contour says") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
-  auto const said = nlohmann::json::parse(
+  auto const said = json::parse(
       run_axisc({"contour", mill, "--feed", "4000", "--angle", "60", "--format", "json"}, there).out);
   auto const& figures = said["groups"][0];
   std::string const corner =
@@ -285,6 +293,67 @@ TEST_CASE("what is read off the picture of a contour is what contour says") {
   CHECK(deviation == Approx(figures["circle"]["contour_deviation_um"].get<double>()).epsilon(0.02));
 }
 
+TEST_CASE("what was measured is drawn, and added to what the filter does") {
+  TemporaryFolder const folder;
+  auto const there = compiled(folder);
+  // A resonance of 12 dB at 50 Hz, read back from the picture.
+  folder.write("m.csv",
+               "frequency_hz,coherence,magnitude_db,phase_deg\n20,1,0,0\n50,1,12,-90\n100,0.9,-6,-170\n");
+  auto const plot = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plot", "m.axim", "--measured", "m.csv", "--axis", "X", "-o", "-"});
+    return run_axisc(more, there);
+  };
+  std::string const svg = plot({}).out;
+  auto const measured = curve_of(svg, "measured");
+  REQUIRE(measured.size() == 3);
+  auto const response = json::parse(
+      run_axisc({"response", "m.axim", "--axis", "X", "--frequencies", "20,50,100", "--format", "json"},
+                there)
+          .out);
+  auto const behind = svg.find("measured × X</title>");
+  REQUIRE(behind != std::string::npos);
+  auto const filtered = places_of(svg, svg.rfind(" d=\"", behind));
+  REQUIRE(filtered.size() == 3);
+  // 80 dB and what the picture adds above 12 dB are its height.
+  double const pixels_per_db = usual_panel_height / (80 + 12 + 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    double const decibels = response["response"][i]["magnitude_db"].get<double>();
+    CHECK((filtered[i].y - measured[i].y) / pixels_per_db == Approx(-decibels).margin(0.02));
+  }
+  for (std::string const wrong : {"", "frequency_hz,x\n1,2\n", "frequency_hz,magnitude_db\n1,x\n",
+                                  "frequency_hz,magnitude_db\n0,1\n"}) {
+    folder.write("m.csv", wrong);
+    auto const outcome = plot({});
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, Contains("m.csv"));
+  }
+}
+
+TEST_CASE("a plant's picture shows the oscillation that simulate names") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const rack = AXISC_SOURCE_DIR "/samples/motion/rack/";
+  std::vector<std::string> const move{"--plant", rack + "plant.json", "--move", "X:800:31800"};
+  std::vector<std::string> words{"simulate", rack + "machine.json", "--format", "json"};
+  words.insert(words.end(), move.begin(), move.end());
+  auto const said = json::parse(run_axisc(words, there).out);
+  words = {"plot", rack + "machine.json", "--kind", "plant", "--table"};
+  words.insert(words.end(), move.begin(), move.end());
+  auto const table = run_axisc(words, there);
+  CHECK(table.status == 0);
+  for (auto const& oscillation : said["oscillations"]) {
+    CHECK_THAT(table.out, Contains(rounded(oscillation["frequency_hz"].get<double>())));
+  }
+  for (auto const& wrong : std::vector<std::vector<std::string>>{
+           {"plot", rack + "machine.json", "--kind", "plant"},
+           {"plot", rack + "machine.json", "--kind", "plant", "--plant", rack + "plant.json"},
+           {"plot", rack + "machine.json", "--kind", "plant", "--plant", "none.json", "--move", "X:1"},
+           {"plot", rack + "machine.json", "--kind", "step", "--move", "X:1"}}) {
+    CHECK(run_axisc(wrong, there).status == 2);
+  }
+}
+
 TEST_CASE("a change of three parameters is said in numbers") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
@@ -296,7 +365,7 @@ TEST_CASE("a change of three parameters is said in numbers") {
   // Delay of both states as inspect says it, and their difference.
   auto const delay = [&](std::string const& machine) {
     REQUIRE(run_axisc({"compile", machine, "-o", "m.axim", "--quiet"}, there).status == 0);
-    auto const said = nlohmann::json::parse(run_axisc({"inspect", "m.axim", "--format", "json"}, there).out);
+    auto const said = json::parse(run_axisc({"inspect", "m.axim", "--format", "json"}, there).out);
     return said["axes"][0]["delay_ms"].get<double>();
   };
   double const now = delay(mill);
