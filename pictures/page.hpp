@@ -1,4 +1,5 @@
-// A figure as a page of its own: the picture and its numbers, readable without a network and without scripts.
+// Figures on pages: the picture and its numbers, readable without a network and without scripts. With scripts the
+// pictures zoom, by uPlot, which the page contains.
 #pragma once
 
 #include "diagnostics/sentence.hpp"
@@ -17,7 +18,10 @@ namespace axisc::pictures {
 /// A table with a header row; of columns of numbers the cells stand right.
 [[nodiscard]] std::string table_element(Table const& table);
 
-/// Colours, print and tables of pages with figures.
-[[nodiscard]] std::string_view page_style();
+/// Colours, print, tables and zoom of pages with figures.
+[[nodiscard]] std::string page_style();
+
+/// The end of a page's body: what zooms, and its licence.
+[[nodiscard]] std::string zoom_part(Language language);
 
 }  // namespace axisc::pictures

@@ -1,5 +1,6 @@
 #include "pictures/svg.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "pictures/projection.hpp"
 #include "pictures/svg_text.hpp"
 #include "pictures/text_width.hpp"
@@ -120,13 +121,34 @@ class Writer {
     double const bottom = y_ + panel.height;
     Projection const up(panel.y, bottom, top);
     Projection const across(axis_of(panel), panel_left, panel_right);
-    if (!panel.is_bare) write_frame(panel, up, top, bottom, has_numbers);
+    if (!panel.is_bare) {
+      write_frame(panel, up, top, bottom, has_numbers);
+      text_ += panel_begin(panel, top, bottom);
+    }
     for (Curve const& curve : panel.curves) write_curve(curve, across, up);
+    if (!panel.is_bare) text_ += "</g>\n";
     for (Label const& label : panel.labels) {
       text_ += text_element(across(label.at.x), up(label.at.y), label.words);
     }
     y_ = bottom + (panel.is_bare ? 0 : has_numbers ? 44 : gap_of_panels);
     if (has_numbers && next != nullptr) y_ += gap_of_panels - 6;
+  }
+
+  /// With its scales, from which places are read back into quantities.
+  [[nodiscard]] std::string panel_begin(Panel const& panel, double top, double bottom) const {
+    Axis const& x = axis_of(panel);
+    bool const zooms = std::none_of(panel.curves.begin(), panel.curves.end(), [](Curve const& curve) {
+      return curve.role == Role::bar || curve.role == Role::guide;
+    });
+    if (!zooms) return "<g>\n";
+    return "<g class=\"panel\"" + attribute("data-x", scale_text(x, panel_left, panel_right)) +
+           attribute("data-y", scale_text(panel.y, bottom, top)) + attribute("data-height", panel.height) +
+           attribute("data-x-label", axis_label(x)) + attribute("data-y-label", axis_label(panel.y)) + ">\n";
+  }
+
+  [[nodiscard]] static std::string scale_text(Axis const& axis, double begin, double end) {
+    return (axis.scale == Scale::logarithmic ? "logarithmic " : "linear ") + format_exact(axis.low) + " " +
+           format_exact(axis.high) + " " + pixels(begin) + " " + pixels(end);
   }
 
   [[nodiscard]] Axis const& axis_of(Panel const& panel) const { return panel.x ? *panel.x : figure_.x; }

@@ -116,7 +116,9 @@ std::string report_page(ReportSubject const& subject) {
   for (auto const& part : parts) {
     if (!part.html.empty()) text += heading(2, part.id, subject.say(part.name)) + part.html;
   }
-  return text + "</main></body></html>\n";
+  text += "</main>\n";
+  if (subject.plots) text += pictures::zoom_part(subject.language);
+  return text + "</body></html>\n";
 }
 
 }  // namespace axisc::cli
