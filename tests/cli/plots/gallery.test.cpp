@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 using namespace axisc::test;
 using Catch::Matchers::Contains;
@@ -46,7 +47,7 @@ std::vector<GalleryPicture> const gallery = {
     {"unlike-response", {"REPAIRED"}},
     {"rack-plant",
      {"samples/motion/rack", "--kind", "plant", "--plant", "samples/motion/rack/plant.json", "--move",
-      "X:200:20000"}}};
+      "X:800:31800"}}};
 
 /// The tutorial's machine as its page leaves it.
 void write_repaired(TemporaryFolder const& folder) {
@@ -60,7 +61,73 @@ void write_repaired(TemporaryFolder const& folder) {
   }
 }
 
+/// A machine with an axis for each curve: its name, and what its list says of filter[0].
+using FilterCurves = std::vector<std::pair<std::string, std::string>>;
+
+void write_machine(TemporaryFolder const& folder, FilterCurves const& curves) {
+  std::string axes;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    auto const& [name, filter] = curves[i];
+    std::string list = "kopf.achs_nr " + std::to_string(i + 1) + "\nfilter[0].enable 1\n";
+    std::istringstream lines(filter);
+    for (std::string line; std::getline(lines, line, ',');) list += "filter[0]." + line + "\n";
+    folder.write(name + ".lis", list);
+    axes += (axes.empty() ? "" : ",") + std::string(R"({"name": ")") + name + R"(", "list": ")" + name +
+            R"(.lis"})";
+  }
+  folder.write("m.json", R"({"cycle_time_us": 1000, "axes": [)" + axes + "]}");
+}
+
+FilterCurves prototypes(std::string const& filter) {
+  FilterCurves curves;
+  for (std::string const prototype : {"CRIT_DAMPING", "BESSEL", "BUTTERWORTH"}) {
+    curves.emplace_back(prototype, "prototype " + prototype + "," + filter);
+  }
+  return curves;
+}
+
+FilterCurves orders(std::string const& filter, std::vector<int> const& numbers) {
+  FilterCurves curves;
+  for (int const order : numbers) {
+    curves.emplace_back("order_" + std::to_string(order), "order " + std::to_string(order) + "," + filter);
+  }
+  return curves;
+}
+
+FilterCurves delays() {
+  FilterCurves curves;
+  for (std::string const time : {"400", "1700", "3000", "4400"}) {
+    curves.emplace_back("time_" + time, "type TIME_DELAY,order 1,time_constant " + time);
+  }
+  return curves;
+}
+
 }  // namespace
+
+TEST_CASE("the page on filters shows what the program draws") {
+  TemporaryFolder const folder;
+  std::string const lowpass = "type LOWPASS,fg_f0 15";
+  std::string const bandstop = "type BANDSTOP,fg_f0 30,guete 2";
+  struct Picture {
+    std::string name;
+    FilterCurves curves;
+    std::string kind;
+  };
+  for (auto const& [name, curves, kind] : std::vector<Picture>{
+           {"lowpass-prototypes-response", prototypes(lowpass + ",order 4"), "response"},
+           {"lowpass-prototypes-step", prototypes(lowpass + ",order 4"), "step"},
+           {"lowpass-orders-step", orders(lowpass + ",prototype CRIT_DAMPING", {1, 2, 4, 6}), "step"},
+           {"bandstop-orders-response", orders(bandstop + ",prototype BUTTERWORTH", {1, 2, 3}), "response"},
+           {"bandstop-prototypes-step", prototypes(bandstop + ",order 2"), "step"},
+           {"allpass-prototypes-response", prototypes("type ALLPASS,fg_f0 15,order 4"), "response"},
+           {"time-delay-response", delays(), "response"}}) {
+    write_machine(folder, curves);
+    auto const outcome = run_axisc({"plot", "m.json", "--kind", kind, "-o", "-"}, in_folder(folder.path()));
+    CHECK(outcome.status == 0);
+    check_golden("docs/filters/" + name + ".svg", outcome.out);
+    CHECK_THAT(read_source_file("docs/filters.md"), Contains("(filters/" + name + ".svg)"));
+  }
+}
 
 TEST_CASE("the gallery shows what the program draws from the samples") {
   TemporaryFolder const folder;
