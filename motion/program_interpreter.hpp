@@ -1,5 +1,4 @@
-// What an NC program says about the path, in the subset that a simulation follows: block numbers, comments, G00, G01, G90,
-// G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER and M30.
+// What an NC program says about the path, in the subset that a simulation follows; docs/nc-programs.md has the table.
 //
 // Words outside of it become problems: those that change neither path nor filters are ignored, at their first place with a
 // warning (AX9007); all others are refused (AX9008).
@@ -8,9 +7,11 @@
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_program.hpp"
 #include "machine/filter_command.hpp"
+#include "motion/arc_words.hpp"
 #include "motion/path_block.hpp"
 #include "motion/sentences.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,6 +35,8 @@ class PathListener {
   virtual ~PathListener() = default;
   virtual void motion(ProgrammedBlock const& block) = 0;
   virtual void command(FilterChange const& change) = 0;
+  /// The path stops here; it goes on when the filters have settled, and after so many cycles at the earliest.
+  virtual void stop(double /*cycles*/) {}
   virtual void end() = 0;
 
  protected:
@@ -68,7 +71,7 @@ using FilterCommandReader = std::function<FilterCommandReading(grammar::NcComman
 struct ProgramChannel {
   std::vector<std::string> axes;
   std::vector<bool> rotary;  ///< lengths of these are degrees, whatever the program's unit
-  bool inch = false;
+  bool inch = false;         ///< where the program says nothing else
   design::CycleTime cycle_time;
   FilterCommandReader read_filter_command;
 };
@@ -101,7 +104,13 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   std::size_t take_command(std::size_t at);
   std::size_t take_assignment(std::size_t at);
   void take_function(Token const& token, std::string_view digits);
-  void take_coordinate(Token const& token, std::size_t axis, std::string_view number);
+  /// F, S, I, J, K, R or an axis with its number.
+  void take_value(Token const& token, std::string_view name, double value);
+  void take_coordinate(Token const& token, std::size_t axis, double value);
+  void take_feed(Token const& token, double value);
+  void take_dwell(Token const& token, double seconds);
+  void take_slope(Token const& token, std::string_view written);
+  [[nodiscard]] bool make_arc();
   void take_filter(Token const& token);
   void move();
   void end();
@@ -128,13 +137,23 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   ProgrammedBlock next_;  ///< what the block says so far
   Point position_{};
   bool moves_ = false;
-  bool rapid_ = false;
+  enum class Motion : std::uint8_t { rapid, line, clockwise, counterclockwise };
+  Motion motion_ = Motion::line;
   bool incremental_ = false;
+  bool inch_ = false;
+  char plane_first_ = 'X', plane_second_ = 'Y';
+  std::array<std::optional<double>, 3> to_center_;  ///< I, J, K of the block
+  std::optional<double> radius_;                    ///< R of the block
+  bool exact_stop_ = false, exact_stop_once_ = false;
+  std::optional<double> dwell_;  ///< of the block, cycles
+  Token first_dwell_;
   bool ended_ = false;
   bool dwells_ = false;   ///< numbers of the block are no positions
   bool refused_ = false;  ///< the block
   Token first_coordinate_;
-  std::optional<double> feed_;  ///< units per cycle
+  std::optional<double> feed_;  ///< units per minute, or per revolution
+  bool feed_per_revolution_ = false;
+  std::optional<double> speed_;  ///< revolutions per minute
 };
 
 }  // namespace axisc::motion
