@@ -155,15 +155,16 @@ bool ProgramInterpreter::line(std::string_view text, std::uint32_t offset) {
   if (ended_) return false;
   keep(text, offset);
   reader_.line(text, offset);
-  block();
+  next_block();
   return !ended_;
 }
 
 void ProgramInterpreter::finish() {
   if (ended_) return;
   reader_.finish();
-  block();
-  end();
+  next_block();
+  refuse_open_blocks();
+  if (!ended_) end();
 }
 
 /// Offsets stay those of the program: between two lines stand as many bytes as there.
@@ -232,8 +233,6 @@ std::size_t ProgramInterpreter::take(std::size_t at) {
       next_.label = text(token.span);
       return at + 1;
     case WordKind::program:
-      // A local subprogram would only run where it is called.
-      if (text(token.span).substr(0, 2) == "%L") refuse(token);
       return at + 1;
     case WordKind::address:
       return take_address(at);
@@ -257,6 +256,7 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
   std::string_view const word = text(token.span);
   char const letter = word.front();
   std::string_view const number = word.substr(1);
+  if (letter == 'P') return take_assignment(at);  // P1 = 5, with blanks
   if (letter == 'N') {
     next_.label = word;
   } else if (letter == 'G' || letter == 'M') {
@@ -269,23 +269,34 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
   return at + 1;
 }
 
-/// X=5, X1=5: the only assignments that are no variables.
+/// X=5, X1=P1, P1=2*P2, X[P1+1], and calls of subprograms.
 std::size_t ProgramInterpreter::take_assignment(std::size_t at) {
   Token const& token = tokens_[at];
-  std::string_view const name = text(token.span);
-  bool const complete = at + 2 < tokens_.size() && text(tokens_[at + 1].span) == "=";
+  std::string const name(text(token.span));
+  if (name == "LL" || name == "L") {
+    call(at);
+    return tokens_.size();
+  }
+  std::string_view const behind = at + 1 < tokens_.size() ? text(tokens_[at + 1].span) : std::string_view();
   bool const is_word =
       axis(name) || (name.size() == 1 && std::string_view("FIJKRS").find(name) != std::string_view::npos);
-  if (!is_word || !complete || tokens_[at + 2].kind != WordKind::number) {
+  bool const is_variable =
+      name.starts_with("V.P.") || (name.size() > 1 && name.front() == 'P' && whole_number(name.substr(1)));
+  bool const is_assignment = behind == "=" && at + 2 < tokens_.size();
+  if (!(is_assignment && (is_word || is_variable)) && !(behind == "[" && is_word)) {
     refuse(token);
     return tokens_.size();
   }
-  if (auto const value = real_number(text(tokens_[at + 2].span))) {
-    take_value(token, name, *value);
+  std::uint32_t place = is_assignment ? tokens_[at + 2].span.begin : tokens_[at + 1].span.begin;
+  auto const value = evaluate(token, place);
+  if (!value) return tokens_.size();
+  if (is_variable) {
+    variables_[name] = *value;
   } else {
-    refuse(token, says::cannot_simulate_number);
+    take_value(token, name, *value);
   }
-  return at + 3;
+  while (at < tokens_.size() && tokens_[at].span.begin < place) ++at;
+  return at;
 }
 
 void ProgramInterpreter::take_value(Token const& token, std::string_view name, double value) {
@@ -340,7 +351,12 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
       move();
       return end();
     }
-    if (*number == 17 || *number == 29) return refuse(token);
+    if (*number == 17 || *number == 29) {
+      if (calls_ == 0) return refuse(token);
+      move();
+      leaves_ = Leaves::subprogram;
+      return;
+    }
     return ignore(token, "technology", says::not_simulated_technology);
   }
   auto const plane = [this](char first, char second) {
@@ -602,6 +618,7 @@ void ProgramInterpreter::ignore(Token const& token, std::string const& key, Sent
 /// One mistake gives one message: the rest of its block is left alone.
 void ProgramInterpreter::refuse(Token const& token, SentenceRef text) {
   refused_ = true;
+  broken_ = broken_ || repeats_;
   report(token, cannot_simulate, text);
 }
 

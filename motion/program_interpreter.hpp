@@ -2,6 +2,9 @@
 //
 // Words outside of it become problems: those that change neither path nor filters are ignored, at their first place with a
 // warning (AX9007); all others are refused (AX9008).
+//
+// Blocks are executed as they come and forgotten. Kept are those of subprograms and of the loop that is open
+// (program_flow.cpp).
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -14,8 +17,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +79,8 @@ struct ProgramChannel {
   bool inch = false;         ///< where the program says nothing else
   design::CycleTime cycle_time;
   FilterCommandReader read_filter_command;
+  /// Blocks of loops and subprograms that are executed at most: an endless loop ends there.
+  std::uint64_t most_repeated_blocks = 10'000'000;
 };
 
 class ProgramInterpreter final : private grammar::ProgramListener {
@@ -97,6 +104,41 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   void word(grammar::Word const& word) override;
   void command(grammar::NcCommand command) override;
   void directive(grammar::Directive const& /*directive*/) override {}
+
+  /// A block that is executed later, or more than once.
+  struct KeptBlock {
+    std::string text;  ///< its lines
+    std::uint32_t offset = 0;
+    std::vector<Token> tokens;
+    std::vector<grammar::NcCommand> commands;
+  };
+  using KeptBlocks = std::span<KeptBlock const>;
+  /// Why the blocks of a loop or subprogram are left.
+  enum class Leaves : std::uint8_t { nothing, round, loop, subprogram };
+  struct Condition {
+    bool holds = false;  ///< the blocks that follow are executed
+    bool held = false;   ///< this branch or an earlier one
+    KeptBlock opening;
+  };
+
+  void next_block();
+  bool keep_for_later();
+  [[nodiscard]] KeptBlock kept_block() const;
+  void execute(KeptBlock const& block);
+  template <typename Action>
+  void with_block(KeptBlock const& block, Action action);
+  void run(KeptBlocks blocks);
+  void run_loop(KeptBlocks loop);
+  [[nodiscard]] bool next_round(Token const& loop, std::uint64_t rounds);
+  void count_repeated();
+  bool take_condition();
+  void call(std::size_t at);
+  void refuse_open_blocks();
+  [[nodiscard]] std::size_t first_word() const;
+  [[nodiscard]] std::string_view control() const;
+  [[nodiscard]] bool is_active() const { return conditions_.empty() || conditions_.back().holds; }
+  std::optional<double> evaluate(Token const& token, std::uint32_t& begin);
+  [[nodiscard]] double evaluate_all(std::size_t at);
 
   void block();
   std::size_t take(std::size_t at);
@@ -133,6 +175,20 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   std::vector<Token> tokens_;  ///< of the block
   std::vector<grammar::NcCommand> commands_;
   std::set<std::string> ignored_;
+
+  std::map<std::string, std::vector<KeptBlock>, std::less<>> subprograms_;
+  std::vector<KeptBlock>* subprogram_ = nullptr;  ///< that is being read
+  int subprogram_depth_ = 0;
+  std::vector<KeptBlock> loop_;  ///< that is being read
+  int loop_depth_ = 0;
+  std::vector<Condition> conditions_;  ///< those that are open
+  std::map<std::string, double, std::less<>> variables_;
+  Leaves leaves_ = Leaves::nothing;
+  bool repeats_ = false;  ///< blocks are executed that were kept
+  bool broken_ = false;   ///< one of them had a mistake
+  int depth_ = 0;         ///< of loops and subprograms
+  int calls_ = 0;         ///< subprograms that are open
+  std::uint64_t repeated_ = 0;
 
   ProgrammedBlock next_;  ///< what the block says so far
   Point position_{};

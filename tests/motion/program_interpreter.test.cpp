@@ -93,14 +93,14 @@ TEST_CASE("what is ignored is named once, what is refused each time") {
       "#SLOPE [TYPE=HSC]\n"
       "#CONTOUR MODE ON\n"
       "G02 X3\n"
-      "P10=5\n"
+      "P10=5+\n"
       "LL SUB\n"
-      "$IF V.P.A\n"
+      "$SWITCH V.P.A\n"
       "XP1\n"
       "#VIB GUARD ON\n");
   CHECK(found.problems == Lines{"1:12 AX9007 S1000", "2:13 AX9007 Z5", "3:1 AX9007 G08", "4:1 AX9008 #SLOPE",
-                                "5:1 AX9007 #CONTOUR", "6:5 AX9008 X3", "7:1 AX9008 P10", "8:1 AX9008 LL",
-                                "9:1 AX9008 $IF", "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
+                                "5:1 AX9007 #CONTOUR", "6:5 AX9008 X3", "7:6 AX9008 +", "8:1 AX9008 LL",
+                                "9:1 AX9008 $SWITCH", "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
 }
 
 TEST_CASE("what would change the path is refused by its name") {
