@@ -9,7 +9,7 @@ void Interpolator::piece(PathBlock const& block, PathPiece const& piece) {
   double const duration = profile.duration();
   for (; to_sample_ <= duration - same_time; to_sample_ += 1) {
     double const way = std::min(passed_ + profile.way_at(to_sample_), block.length);
-    sink_.sample(plus(block.begin, way, block.direction), profile.velocity_at(to_sample_), block);
+    sink_.sample(block.path.at(way), profile.velocity_at(to_sample_), block);
   }
   to_sample_ = std::max(0.0, to_sample_ - duration);
   passed_ += piece.length;

@@ -25,22 +25,39 @@ void LookAhead::begin(Point const& position, ToleranceMonitor monitor, double ac
 }
 
 void LookAhead::add(ProgrammedBlock const& block) {
-  Point const way = minus(block.end, position_);
-  double const distance = motion::length(way);
+  Point way = minus(block.end, position_);
+  double const distance = block.arc ? block.arc->length : motion::length(way);
   if (!(distance > 0)) return;
   PathBlock added;
-  added.begin = position_;
   added.end = block.end;
-  added.direction = plus({}, 1 / distance, way);
   added.length = distance;
-  added.velocity = std::min(block.feed, limits_.velocity(added.direction));
-  added.acceleration = constant_velocity_ ? at_once : limits_.acceleration(added.direction);
+  if (block.arc) {
+    way[block.arc->first] = way[block.arc->second] = 0;
+    added.path = Segment(position_, plus({}, 1 / distance, way), block.arc);
+    double const limit =
+        constant_velocity_ ? unlimited : std::min(limits_.velocity(added.path), tolerated(*block.arc));
+    added.velocity = std::min(block.feed, limit);
+    added.acceleration = limits_.acceleration(added.path, added.velocity);
+  } else {
+    auto const direction = plus({}, 1 / distance, way);
+    added.path = Segment(position_, direction);
+    added.velocity = std::min(block.feed, limits_.velocity(direction));
+    added.acceleration = limits_.acceleration(direction);
+  }
+  added.slope = block.slope;
+  if (block.slope == Slope::sine_squared) added.acceleration /= 2;
+  if (constant_velocity_) added.acceleration = at_once;
   added.index = next_index_++;
   added.line = block.line;
   added.label = block.label;
   position_ = block.end;
   blocks_.push_back(std::move(added));
   if (blocks_.size() >= full_) plan(false);
+}
+
+/// The velocity at which a circle keeps the tolerance, long after its beginning: what its beginning and end need is tried.
+double LookAhead::tolerated(Arc const& arc) const {
+  return monitor_.active() ? monitor_.velocity_on(arc.curvature_radius()) : unlimited;
 }
 
 void LookAhead::stop() {
@@ -71,9 +88,11 @@ void LookAhead::collect_corners() {
     auto const& before = i > 0 ? blocks_[i - 1] : last_block_;
     Corner corner;
     corner.place = places_[i];
-    Point const turn = minus(block.direction, before.direction);
-    corner.turns = (i > 0 || velocity_ > 0) &&
-                   std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; });
+    bool const bends = block.path.arc() != nullptr || before.path.arc() != nullptr;
+    Point const turn = minus(block.direction_in(), before.direction_out());
+    corner.turns =
+        (i > 0 || velocity_ > 0) &&
+        (bends || std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; }));
     corner.fastest = std::max(before.velocity, block.velocity);
     corners_.push_back(corner);
   }
@@ -111,7 +130,8 @@ void LookAhead::cut_into_stretches() {
       stretches_.push_back({.block = block,
                             .piece = {.length = std::max(0.0, cut - from),
                                       .velocity_limit = asked.velocity,
-                                      .acceleration = asked.acceleration},
+                                      .acceleration = asked.acceleration,
+                                      .smooth = asked.slope == Slope::sine_squared},
                             .ends_block = ends_block});
       from = cut;
     }
@@ -146,7 +166,7 @@ bool LookAhead::choose_velocities() {
     velocities_[i + 1] = std::min(velocities_[i + 1], limit);
     if (!stretches_[i].ends_block || i + 1 == count || constant_velocity_) continue;
     auto const turn =
-        minus(blocks_[stretches_[i + 1].block].direction, blocks_[stretches_[i].block].direction);
+        minus(blocks_[stretches_[i + 1].block].direction_in(), blocks_[stretches_[i].block].direction_out());
     velocities_[i + 1] = std::min(velocities_[i + 1], limits_.corner(turn, acceleration_factor_));
   }
   auto const before = [&](std::size_t i) {
@@ -193,8 +213,8 @@ void LookAhead::time_plan() {
     auto const& block = blocks_[stretch.block];
     if (within == 0) corners_[passed_corners_ + stretch.block].time = time;
     TimedPiece piece;
-    piece.begin = plus(block.begin, within, block.direction);
-    piece.direction = block.direction;
+    piece.path = block.path;
+    piece.from = within;
     piece.length = stretch.piece.length;
     piece.profile = VelocityProfile(stretch.piece);
     piece.place = places_[stretch.block] + within;

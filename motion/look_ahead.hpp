@@ -58,6 +58,7 @@ class LookAhead {
     bool ends_block = false;
   };
 
+  [[nodiscard]] double tolerated(Arc const& arc) const;
   void collect_corners();
   [[nodiscard]] std::pair<double, double> plateau_of(std::size_t index) const;
   void cut_into_stretches();

@@ -1,7 +1,7 @@
-// The straight blocks of a path, as a program asks for them and as the axes allow them.
+// The blocks of a path, as a program asks for them and as the axes allow them.
 #pragma once
 
-#include "motion/point.hpp"
+#include "motion/segment.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -10,24 +10,37 @@
 
 namespace axisc::motion {
 
+/// How the acceleration comes and goes (#SLOPE).
+enum class Slope : std::uint8_t {
+  trapezoid,     ///< of the velocity: a constant acceleration
+  sine_squared,  ///< a_max sin²: twice as long for the same change of velocity
+};
+
 /// What one block of a program asks for.
 struct ProgrammedBlock {
   Point end{};                                            ///< position units
   double feed = std::numeric_limits<double>::infinity();  ///< units per cycle; infinite for G00
-  std::uint32_t line = 0;                                 ///< of the program, from 1
-  std::string label;                                      ///< "N040"; empty for a block without number
+  Slope slope = Slope::trapezoid;
+  std::shared_ptr<Arc const> arc;  ///< null for a straight line
+  std::uint32_t line = 0;          ///< of the program, from 1
+  std::string label;               ///< "N040"; empty for a block without number
 };
 
 /// The same with what the axes allow.
 struct PathBlock {
-  Point begin{}, end{};
-  Point direction{};        ///< unit vector
+  Segment path;
+  Point end{};
   double length = 0;        ///< position units
   double velocity = 0;      ///< most that feed and axes allow, units per cycle
-  double acceleration = 0;  ///< along the path, units per cycle²
+  double acceleration = 0;  ///< along the path, the mean of a ramp, units per cycle²
+  Slope slope = Slope::trapezoid;
   std::uint64_t index = 0;  ///< among the blocks that move
   std::uint32_t line = 0;
   std::string label;
+
+  /// Unit vectors where it begins and ends.
+  [[nodiscard]] Point direction_in() const { return path.direction_at(0); }
+  [[nodiscard]] Point direction_out() const { return path.direction_at(length); }
 };
 
 /// Limits of one axis, from vb_max, a_max and a_trans_weight.
@@ -46,6 +59,11 @@ class PathLimits {
   /// Largest velocity, and acceleration, in a direction at which no axis exceeds its own:  min limit_i / |u_i|.
   [[nodiscard]] double velocity(Point const& direction) const;
   [[nodiscard]] double acceleration(Point const& direction) const;
+  /// Largest velocity, and acceleration, on an arc, whichever way it points: no axis of its plane accelerates along and
+  /// across the path together by more than the weaker one can, of which the way across takes at most 1/√2:
+  ///     v² ≤ a ρ / √2,  a_t² = a² - (v² / ρ)².
+  [[nodiscard]] double velocity(Segment const& arc) const;
+  [[nodiscard]] double acceleration(Segment const& arc, double velocity) const;
   /// Largest path velocity through a corner where the direction changes by `turn`. The velocity of no axis may change by
   /// more, from one cycle to the next, than
   ///     Δv_i = a_max,i T (1 + w_i f),

@@ -61,14 +61,14 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     point = {};
     if (walk.ended()) {
       auto const& end = path.back();
-      point.nominal = plus(end.begin, end.length, end.direction);
+      point.nominal = end.at(end.length);
       place = end.place + end.length;
       return;
     }
     auto const& piece = path[walk.piece];
     double const within = std::max(0.0, time - piece.start);
     double const way = piece.profile.way_at(within);
-    point.nominal = plus(piece.begin, way, piece.direction);
+    point.nominal = piece.at(way);
     point.velocity = piece.profile.velocity_at(within);
     place = piece.place + way;
   };
@@ -91,7 +91,7 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
       if (!piece.ends_block || !is_wanted(piece.end())) continue;
       look_between(piece.end());
       ContourPoint corner;
-      corner.nominal = plus(piece.begin, piece.length, piece.direction);
+      corner.nominal = piece.at(piece.length);
       corner.block = walk.nearest(piece.place + piece.length);
       meter_.corner(corner);
     }

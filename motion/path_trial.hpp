@@ -5,6 +5,7 @@
 
 #include "motion/contour_meter.hpp"
 #include "motion/group_runtime.hpp"
+#include "motion/segment.hpp"
 #include "motion/velocity_profile.hpp"
 
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace axisc::motion {
 
 /// A stretch of a planned path.
 struct TimedPiece {
-  Point begin{}, direction{};
+  Segment path;
+  double from = 0;    ///< along the path, position units
   double length = 0;  ///< position units
   VelocityProfile profile;
   double place = 0;     ///< of its beginning along the path, position units
@@ -24,6 +26,8 @@ struct TimedPiece {
   bool ends_block = false;
 
   [[nodiscard]] double end() const { return start + duration; }
+  /// So far behind its beginning.
+  [[nodiscard]] Point at(double way) const { return path.at(from + way); }
 };
 
 /// A corner, to which the points of the path are counted that are nearest to it along the path.
@@ -51,6 +55,7 @@ class PathTrial final : private MeasuredSink {
   [[nodiscard]] double cycles_after() const { return latest_ + reach_ + 3; }
   /// Cycles on either side of a corner beyond which nothing is left of it.
   [[nodiscard]] double reach() const { return reach_ + spread_ + 1; }
+  [[nodiscard]] std::span<ChainAnswer const> answers() const { return answers_; }
   /// All axes have the same chain: what lies straight stays straight.
   [[nodiscard]] bool alike() const { return alike_; }
 

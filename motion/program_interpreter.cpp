@@ -10,9 +10,42 @@ namespace axisc::motion::says {
 constexpr Sentence not_simulated{"the simulation ignores `{word}`", "die Simulation übergeht `{word}`"};
 constexpr Sentence not_simulated_axis{"the simulation ignores `{word}`: the channel has no axis {axis}",
                                       "die Simulation übergeht `{word}`: der Kanal hat keine Achse {axis}"};
-constexpr Sentence not_simulated_slope{
-    "the simulation ignores `{word}`: it plans trapezoidal velocities (TYPE=TRAPEZ)",
-    "die Simulation übergeht `{word}`: sie plant trapezförmige Geschwindigkeiten (TYPE=TRAPEZ)"};
+constexpr Sentence not_simulated_technology{
+    "the simulation ignores spindle, tool and M words, such as `{word}`",
+    "die Simulation übergeht Spindel-, Werkzeug- und M-Wörter wie `{word}`"};
+constexpr Sentence cannot_simulate_slope{
+    "`{word}`: the simulation plans with TYPE=STEP, TYPE=TRAPEZ or TYPE=SIN2 alone",
+    "`{word}`: die Simulation plant nur mit TYPE=STEP, TYPE=TRAPEZ oder TYPE=SIN2"};
+constexpr Sentence cannot_simulate_offset{
+    "`{word}` cannot be simulated: offsets are in lists that the simulation does not read",
+    "`{word}` ist nicht simulierbar: Verschiebungen stehen in Listen, die die Simulation nicht liest"};
+constexpr Sentence cannot_simulate_tool{
+    "`{word}` cannot be simulated: the simulation knows no tools; it follows their centre (G40)",
+    "`{word}` ist nicht simulierbar: die Simulation kennt keine Werkzeuge; sie folgt ihrer Mitte (G40)"};
+constexpr Sentence cannot_simulate_dwell{
+    "G04 needs a time in seconds, up to a day: `G04 X1.5`",
+    "G04 braucht eine Zeit in Sekunden, höchstens einen Tag: `G04 X1.5`"};
+constexpr Sentence cannot_simulate_speed{
+    "a feed rate per revolution (G95) needs a spindle speed: write S before or in this block",
+    "ein Vorschub je Umdrehung (G95) braucht eine Drehzahl: S vor oder in diesem Satz schreiben"};
+constexpr Sentence cannot_simulate_plane{"the channel has no axes for a circle in this plane",
+                                         "der Kanal hat keine Achsen für einen Kreis in dieser Ebene"};
+constexpr Sentence cannot_simulate_no_arc{"`{word}` is only valid in blocks with G02 or G03",
+                                          "`{word}` gilt nur in Sätzen mit G02 oder G03"};
+constexpr Sentence arc_no_center{"a circle needs its centre (I, J, K) or its radius (R)",
+                                 "ein Kreis braucht seinen Mittelpunkt (I, J, K) oder seinen Radius (R)"};
+constexpr Sentence arc_both{"a circle has either a centre (I, J, K) or a radius (R)",
+                            "ein Kreis hat entweder einen Mittelpunkt (I, J, K) oder einen Radius (R)"};
+constexpr Sentence arc_no_radius{"the centre of this circle is where it begins",
+                                 "der Mittelpunkt dieses Kreises ist sein Anfang"};
+constexpr Sentence arc_too_small{"the radius is too small: the circle does not reach its end",
+                                 "der Radius ist zu klein: der Kreis erreicht sein Ende nicht"};
+constexpr Sentence arc_full_by_radius{
+    "a full circle needs its centre (I, J, K): R does not say where it lies",
+    "ein Vollkreis braucht seinen Mittelpunkt (I, J, K): R sagt nicht, wo er liegt"};
+constexpr Sentence arc_misses_end{
+    "the end of this circle is more than 5 µm off: beginning and end have different radii",
+    "das Ende dieses Kreises liegt mehr als 5 µm daneben: Anfang und Ende haben verschiedene Radien"};
 
 constexpr Sentence cannot_simulate_number{"`{word}` needs a number", "`{word}` braucht eine Zahl"};
 constexpr Sentence cannot_simulate_feed{
@@ -40,8 +73,34 @@ constexpr std::size_t kept_at_least = std::size_t{2} << 20U;
 /// Beyond it positions are not exact any more, and the runtime refuses them: 2^53 units.
 constexpr double furthest = 9007199254740992.0;
 
-/// Functions that leave path and filters as they are: dwell, planes, no offsets, exact stop modes, metric, feed per minute.
-constexpr std::array<int, 14> harmless = {4, 8, 9, 17, 18, 19, 40, 53, 60, 61, 64, 71, 80, 94};
+/// Functions that leave path and filters as they are and are ignored with a warning.
+constexpr std::array<int, 2> harmless = {8, 61};
+/// Most that a G04 may ask for, in seconds.
+constexpr double longest_dwell = 86400;
+
+/// The beginnings of commands that change where the path lies or how it is planned.
+constexpr std::array<std::string_view, 21> geometric_commands = {
+    "#ACS",   "#AKIMA", "#BCS",      "#CS",     "#ECS",    "#HSC",    "#KIN",
+    "#MCS",   "#PTP",   "#ROTATION", "#RTCP",   "#SCALE",  "#SPLINE", "#TLC",
+    "#TRAFO", "#CYL",   "#FACE",     "#MIRROR", "#GANTRY", "#DIST",   "#TURN"};
+
+SentenceRef sentence_of(ArcMistake mistake) {
+  switch (mistake) {
+    case ArcMistake::no_center:
+      return says::arc_no_center;
+    case ArcMistake::both:
+      return says::arc_both;
+    case ArcMistake::no_radius:
+      return says::arc_no_radius;
+    case ArcMistake::too_small:
+      return says::arc_too_small;
+    case ArcMistake::full_by_radius:
+      return says::arc_full_by_radius;
+    case ArcMistake::misses_end:
+      return says::arc_misses_end;
+  }
+  return says::arc_no_center;
+}
 
 std::optional<int> whole_number(std::string_view digits) {
   int value = 0;
@@ -89,21 +148,23 @@ ProgramInterpreter::ProgramInterpreter(ProgramChannel channel, PathListener& lis
     : channel_(std::move(channel)),
       listener_(listener),
       problem_(std::move(problem)),
-      reader_(*this, grammar::ProgramDetail::words) {}
+      reader_(*this, grammar::ProgramDetail::words),
+      inch_(channel_.inch) {}
 
 bool ProgramInterpreter::line(std::string_view text, std::uint32_t offset) {
   if (ended_) return false;
   keep(text, offset);
   reader_.line(text, offset);
-  block();
+  next_block();
   return !ended_;
 }
 
 void ProgramInterpreter::finish() {
   if (ended_) return;
   reader_.finish();
-  block();
-  end();
+  next_block();
+  refuse_open_blocks();
+  if (!ended_) end();
 }
 
 /// Offsets stay those of the program: between two lines stand as many bytes as there.
@@ -144,8 +205,19 @@ void ProgramInterpreter::block() {
   moves_ = false;
   dwells_ = false;
   refused_ = false;
+  exact_stop_once_ = false;
+  dwell_.reset();
+  to_center_ = {};
+  radius_.reset();
   for (std::size_t at = 0; at < tokens_.size() && !ended_ && !refused_;) at = take(at);
-  move();
+  if (!refused_ && !ended_) move();
+  if (!refused_ && !ended_ && dwells_) {
+    if (dwell_) {
+      listener_.stop(*dwell_);
+    } else {
+      refuse(first_dwell_, says::cannot_simulate_dwell);
+    }
+  }
   tokens_.clear();
   commands_.clear();
 }
@@ -161,13 +233,18 @@ std::size_t ProgramInterpreter::take(std::size_t at) {
       next_.label = text(token.span);
       return at + 1;
     case WordKind::program:
-      // A local subprogram would only run where it is called.
-      if (text(token.span).substr(0, 2) == "%L") refuse(token);
       return at + 1;
     case WordKind::address:
       return take_address(at);
     case WordKind::name:
       return take_assignment(at);
+    case WordKind::number:
+      if (dwells_ && !dwell_) {
+        take_dwell(token, real_number(text(token.span)).value_or(-1));
+        return at + 1;
+      }
+      refuse(token);
+      return tokens_.size();
     default:
       refuse(token);
       return tokens_.size();
@@ -179,43 +256,90 @@ std::size_t ProgramInterpreter::take_address(std::size_t at) {
   std::string_view const word = text(token.span);
   char const letter = word.front();
   std::string_view const number = word.substr(1);
+  if (letter == 'P') return take_assignment(at);  // P1 = 5, with blanks
   if (letter == 'N') {
     next_.label = word;
   } else if (letter == 'G' || letter == 'M') {
     take_function(token, number);
-  } else if (letter == 'F') {
-    auto const feed = real_number(number);
-    if (!feed) {
-      refuse(token, says::cannot_simulate_number);
-    } else if (!(*feed > 0)) {
-      refuse(token, says::cannot_simulate_feed_range);
-    } else {
-      double const mm_per_min = *feed * (channel_.inch ? mm_per_inch : 1);
-      feed_ = mm_per_min / 60 * channel_.cycle_time.seconds() * units_per_mm;
-    }
-  } else if (auto const index = axis(word.substr(0, 1))) {
-    take_coordinate(token, *index, number);
-  } else if (is_geometry_letter(letter)) {
-    ignore(token, std::string(1, letter), says::not_simulated_axis, {{"axis", std::string(1, letter)}});
-  } else if (is_technology_letter(letter)) {
-    ignore(token, std::string(1, letter), says::not_simulated);
+  } else if (auto const value = real_number(number)) {
+    take_value(token, word.substr(0, 1), *value);
   } else {
-    refuse(token);
+    refuse(token, says::cannot_simulate_number);
   }
   return at + 1;
 }
 
-/// X=5, X1=5: the only assignments that are no variables.
+/// X=5, X1=P1, P1=2*P2, X[P1+1], and calls of subprograms.
 std::size_t ProgramInterpreter::take_assignment(std::size_t at) {
   Token const& token = tokens_[at];
-  auto const index = axis(text(token.span));
-  bool const complete = at + 2 < tokens_.size() && text(tokens_[at + 1].span) == "=";
-  if (!index || !complete || tokens_[at + 2].kind != WordKind::number) {
+  std::string const name(text(token.span));
+  if (name == "LL" || name == "L") {
+    call(at);
+    return tokens_.size();
+  }
+  std::string_view const behind = at + 1 < tokens_.size() ? text(tokens_[at + 1].span) : std::string_view();
+  bool const is_word =
+      axis(name) || (name.size() == 1 && std::string_view("FIJKRS").find(name) != std::string_view::npos);
+  bool const is_variable =
+      name.starts_with("V.P.") || (name.size() > 1 && name.front() == 'P' && whole_number(name.substr(1)));
+  bool const is_assignment = behind == "=" && at + 2 < tokens_.size();
+  if (!(is_assignment && (is_word || is_variable)) && !(behind == "[" && is_word)) {
     refuse(token);
     return tokens_.size();
   }
-  take_coordinate(token, *index, text(tokens_[at + 2].span));
-  return at + 3;
+  std::uint32_t place = is_assignment ? tokens_[at + 2].span.begin : tokens_[at + 1].span.begin;
+  auto const value = evaluate(token, place);
+  if (!value) return tokens_.size();
+  if (is_variable) {
+    variables_[name] = *value;
+  } else {
+    take_value(token, name, *value);
+  }
+  while (at < tokens_.size() && tokens_[at].span.begin < place) ++at;
+  return at;
+}
+
+void ProgramInterpreter::take_value(Token const& token, std::string_view name, double value) {
+  char const letter = name.front();
+  auto const index = axis(name);
+  if (dwells_ && !dwell_ && (index || letter == 'F')) return take_dwell(token, value);
+  if (index) return take_coordinate(token, *index, value);
+  double const length = value * units_per_mm * (inch_ ? mm_per_inch : 1);
+  switch (letter) {
+    case 'F':
+      return take_feed(token, value);
+    case 'I':
+    case 'J':
+    case 'K':
+    case 'R':
+      if (!(std::abs(length) <= furthest)) return refuse(token, says::cannot_simulate_too_far);
+      if (!moves_) first_coordinate_ = token;
+      moves_ = true;
+      (letter == 'R' ? radius_ : to_center_.at(static_cast<std::size_t>(letter - 'I'))) = length;
+      return;
+    case 'S':
+      speed_ = value;
+      break;
+    default:
+      break;
+  }
+  if (is_geometry_letter(letter)) {
+    ignore(token, std::string(1, letter), says::not_simulated_axis, {{"axis", std::string(1, letter)}});
+  } else if (is_technology_letter(letter)) {
+    ignore(token, "technology", says::not_simulated_technology);
+  } else {
+    refuse(token);
+  }
+}
+
+void ProgramInterpreter::take_feed(Token const& token, double value) {
+  if (!(value > 0)) return refuse(token, says::cannot_simulate_feed_range);
+  feed_ = value * units_per_mm * (inch_ ? mm_per_inch : 1);
+}
+
+void ProgramInterpreter::take_dwell(Token const& token, double seconds) {
+  if (!(seconds >= 0 && seconds <= longest_dwell)) return refuse(token, says::cannot_simulate_dwell);
+  dwell_ = seconds / channel_.cycle_time.seconds();
 }
 
 void ProgramInterpreter::take_function(Token const& token, std::string_view digits) {
@@ -227,32 +351,85 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
       move();
       return end();
     }
-    if (*number == 17 || *number == 29) return refuse(token);
-    return ignore(token, "M" + std::to_string(*number), says::not_simulated);
+    if (*number == 17 || *number == 29) {
+      if (calls_ == 0) return refuse(token);
+      move();
+      leaves_ = Leaves::subprogram;
+      return;
+    }
+    return ignore(token, "technology", says::not_simulated_technology);
   }
+  auto const plane = [this](char first, char second) {
+    plane_first_ = first;
+    plane_second_ = second;
+  };
   switch (*number) {
     case 0:
+      motion_ = Motion::rapid;
+      return;
     case 1:
-      rapid_ = *number == 0;
+      motion_ = Motion::line;
+      return;
+    case 2:
+      motion_ = Motion::clockwise;
+      return;
+    case 3:
+      motion_ = Motion::counterclockwise;
+      return;
+    case 4:
+      dwells_ = true;
+      first_dwell_ = token;
+      return;
+    case 9:
+      exact_stop_once_ = true;
+      return;
+    case 17:
+      return plane('X', 'Y');
+    case 18:
+      return plane('Z', 'X');
+    case 19:
+      return plane('Y', 'Z');
+    case 40:
+    case 53:
+    case 80:
+    case 162:
+      return;  // what they switch off is not supported
+    case 60:
+      exact_stop_ = true;
+      return;
+    case 64:
+    case 360:
+      exact_stop_ = false;
+      return;
+    case 70:
+    case 71:
+      inch_ = *number == 70;
       return;
     case 90:
     case 91:
       incremental_ = *number == 91;
       return;
+    case 94:
+    case 95:
+      // A feed rate has the unit that counted when it was written.
+      if (feed_per_revolution_ != (*number == 95)) feed_.reset();
+      feed_per_revolution_ = *number == 95;
+      return;
+    case 41:
+    case 42:
+      return refuse(token, says::cannot_simulate_tool);
     default:
       break;
   }
+  bool const is_offset = (*number >= 54 && *number <= 59) || *number == 92 || *number == 159;
+  if (is_offset) return refuse(token, says::cannot_simulate_offset);
   if (std::find(harmless.begin(), harmless.end(), *number) == harmless.end()) return refuse(token);
-  dwells_ = dwells_ || *number == 4;
   ignore(token, "G" + std::to_string(*number), says::not_simulated);
 }
 
-void ProgramInterpreter::take_coordinate(Token const& token, std::size_t axis, std::string_view number) {
-  if (dwells_) return;
-  auto const value = real_number(number);
-  if (!value) return refuse(token, says::cannot_simulate_number);
-  double const unit = units_per_mm * (channel_.inch && !channel_.rotary[axis] ? mm_per_inch : 1);
-  double const target = (incremental_ ? position_[axis] : 0) + *value * unit;
+void ProgramInterpreter::take_coordinate(Token const& token, std::size_t axis, double value) {
+  double const unit = units_per_mm * (inch_ && !channel_.rotary[axis] ? mm_per_inch : 1);
+  double const target = (incremental_ ? position_[axis] : 0) + value * unit;
   if (!(std::abs(target) <= furthest)) return refuse(token, says::cannot_simulate_too_far);
   next_.end[axis] = target;
   if (!moves_) first_coordinate_ = token;
@@ -274,10 +451,28 @@ std::size_t ProgramInterpreter::take_command(std::size_t at) {
   // Of other commands only the name was read: the rest of the block belongs to them.
   std::string written(text(token.span));
   for (std::size_t i = at + 1; i < tokens_.size(); ++i) written += text(tokens_[i].span);
-  if (written == "#SLOPE[TYPE=TRAPEZ]") return tokens_.size();
-  bool const slope = written.rfind("#SLOPE", 0) == 0;
-  ignore(token, written, slope ? says::not_simulated_slope : says::not_simulated);
+  if (written.starts_with("#SLOPE")) {
+    take_slope(token, written);
+    return tokens_.size();
+  }
+  bool const is_geometric = std::any_of(geometric_commands.begin(), geometric_commands.end(),
+                                        [&](std::string_view name) { return written.starts_with(name); });
+  if (is_geometric) {
+    refuse(token);
+  } else {
+    ignore(token, written, says::not_simulated);
+  }
   return tokens_.size();
+}
+
+void ProgramInterpreter::take_slope(Token const& token, std::string_view written) {
+  if (written == "#SLOPE[TYPE=TRAPEZ]" || written == "#SLOPE[TYPE=STEP]") {
+    next_.slope = Slope::trapezoid;
+  } else if (written == "#SLOPE[TYPE=SIN2]") {
+    next_.slope = Slope::sine_squared;
+  } else {
+    refuse(token, says::cannot_simulate_slope);
+  }
 }
 
 void ProgramInterpreter::take_filter(Token const& token) {
@@ -320,16 +515,65 @@ void ProgramInterpreter::take_filter(Token const& token) {
 }
 
 void ProgramInterpreter::move() {
-  if (!moves_) return;
+  if (!moves_) {
+    if (exact_stop_once_) listener_.stop(0);
+    exact_stop_once_ = false;
+    return;
+  }
   moves_ = false;
-  if (!rapid_ && !feed_) {
+  bool const rapid = motion_ == Motion::rapid;
+  if (!rapid && !feed_) {
     refuse(first_coordinate_, says::cannot_simulate_feed);
     feed_ = 1;  // said once
   }
-  next_.feed = rapid_ ? std::numeric_limits<double>::infinity() : *feed_;
+  bool const needs_speed = !rapid && feed_per_revolution_;
+  if (needs_speed && !(speed_.value_or(0) > 0)) {
+    refuse(first_coordinate_, says::cannot_simulate_speed);
+    speed_ = 1;
+  }
+  double const minutes = channel_.cycle_time.seconds() / 60;
+  next_.feed =
+      rapid ? std::numeric_limits<double>::infinity() : *feed_ * (needs_speed ? *speed_ : 1) * minutes;
   if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
+  if (!make_arc()) return;
   position_ = next_.end;
   listener_.motion(next_);
+  if (exact_stop_ || exact_stop_once_) listener_.stop(0);
+  exact_stop_once_ = false;
+}
+
+/// False where the block says no circle that could be followed.
+bool ProgramInterpreter::make_arc() {
+  next_.arc = nullptr;
+  bool const asks = radius_ || std::any_of(to_center_.begin(), to_center_.end(),
+                                           [](auto const& x) { return x.has_value(); });
+  if (motion_ != Motion::clockwise && motion_ != Motion::counterclockwise) {
+    if (asks) refuse(first_coordinate_, says::cannot_simulate_no_arc);
+    return !asks;
+  }
+  auto const axis_of = [this](char letter) {
+    auto const found = std::find_if(channel_.axes.begin(), channel_.axes.end(),
+                                    [letter](std::string const& name) { return name.front() == letter; });
+    return static_cast<std::size_t>(found - channel_.axes.begin());
+  };
+  ArcWords words;
+  words.first = axis_of(plane_first_);
+  words.second = axis_of(plane_second_);
+  if (std::max(words.first, words.second) >= channel_.axes.size()) {
+    refuse(first_coordinate_, says::cannot_simulate_plane);
+    return false;
+  }
+  words.clockwise = motion_ == Motion::clockwise;
+  words.to_center_first = to_center_.at(static_cast<std::size_t>(plane_first_ - 'X'));
+  words.to_center_second = to_center_.at(static_cast<std::size_t>(plane_second_ - 'X'));
+  words.radius = radius_;
+  auto found = arc_of(words, position_, next_.end);
+  if (auto const* const mistake = std::get_if<ArcMistake>(&found)) {
+    refuse(first_coordinate_, sentence_of(*mistake));
+    return false;
+  }
+  next_.arc = std::make_shared<Arc const>(std::get<Arc>(found));
+  return true;
 }
 
 void ProgramInterpreter::end() {
@@ -374,6 +618,7 @@ void ProgramInterpreter::ignore(Token const& token, std::string const& key, Sent
 /// One mistake gives one message: the rest of its block is left alone.
 void ProgramInterpreter::refuse(Token const& token, SentenceRef text) {
   refused_ = true;
+  broken_ = broken_ || repeats_;
   report(token, cannot_simulate, text);
 }
 

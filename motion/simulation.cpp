@@ -36,13 +36,16 @@ void Simulation::begin_pass(std::string command, std::uint32_t line) {
 
 void Simulation::motion(ProgrammedBlock const& block) {
   if (failure_) return;
-  if (!pass_open_) {
-    pass_open_ = true;
-    pass_begin_ = cycles_;
-    meter_.begin(answers_, last_.nominal);
-    look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_), acceleration_factor_);
-  }
+  open_pass();
   look_ahead_.add(block);
+}
+
+void Simulation::open_pass() {
+  if (pass_open_) return;
+  pass_open_ = true;
+  pass_begin_ = cycles_;
+  meter_.begin(answers_, last_.nominal);
+  look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_), acceleration_factor_);
 }
 
 void Simulation::command(FilterChange const& change) {
@@ -76,14 +79,24 @@ void Simulation::end() {
   finish_pass();
 }
 
+void Simulation::stop(double cycles) {
+  if (failure_) return;
+  open_pass();
+  rest(cycles);
+}
+
+/// The path stops until the filters have settled, and for so long at least.
+void Simulation::rest(double cycles) {
+  look_ahead_.stop();
+  last_.velocity = 0;
+  for (auto const& answer : answers_) cycles = std::max(cycles, answer.delay + answer.reach);
+  for (double n = 0; n < cycles && !failure_; n += 1) step(last_);
+}
+
 /// The path stops, and the filters settle.
 void Simulation::finish_pass() {
   if (!pass_open_) return;
-  look_ahead_.stop();
-  last_.velocity = 0;
-  double settling = 0;
-  for (auto const& answer : answers_) settling = std::max(settling, answer.delay + answer.reach);
-  for (double n = 0; n < settling && !failure_; n += 1) step(last_);
+  rest(0);
   meter_.finish();
   close_blocks_before(~std::uint64_t{0});
   pass_open_ = false;

@@ -68,6 +68,8 @@ class Simulation final : public PathListener, private SampleSink, private Measur
 
   void motion(ProgrammedBlock const& block) override;
   void command(FilterChange const& change) override;
+  /// The path stops; it goes on when the filters have settled and the dwell is over.
+  void stop(double cycles) override;
   /// The end of the program; nothing may follow.
   void end() override;
 
@@ -81,7 +83,9 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   void measured(MeasuredPoint const& point) override;
 
   void begin_pass(std::string command, std::uint32_t line);
+  void open_pass();
   void finish_pass();
+  void rest(double cycles);
   void learn_answers();
   void step(ContourPoint const& point);
   void open_block(PathBlock const& block);

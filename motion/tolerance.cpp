@@ -1,5 +1,7 @@
 #include "motion/tolerance.hpp"
 
+#include "motion/contour_predictions.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,6 +27,8 @@ constexpr int most_tries = 40;
 constexpr std::size_t proved_together = 16;
 constexpr double beside_worse = 0.9;
 constexpr double same_phase = 1e-7;
+/// Halvings of the velocity on a circle: one part in a million of its radius.
+constexpr int circle_searches = 20;
 
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -36,7 +40,7 @@ std::uint64_t mixed(std::uint64_t x) {
 std::uint64_t digest(TimedPiece const& piece) {
   std::uint64_t sum = 0;
   auto const add = [&](double x) { sum = mixed(sum ^ std::bit_cast<std::uint64_t>(x)); };
-  for (double const x : piece.begin) add(x);
+  for (double const x : piece.at(0)) add(x);
   add(piece.length);
   add(piece.duration);
   add(piece.profile.velocity_at(0));
@@ -74,6 +78,23 @@ ToleranceMonitor::ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer>
   if (!(tolerance > 0) || delayed_alike) return;
   trial_ = std::make_unique<PathTrial>(probe, answers);
   plateau_ = trial_->reach();
+}
+
+double ToleranceMonitor::velocity_on(double radius) const {
+  auto const keeps = [&](double velocity) {
+    return predict_circle(trial_->answers(), velocity, radius).largest_axis_error() <=
+           largest_found * tolerance_;
+  };
+  // Quarters of a turn per cycle are no circle any more.
+  double kept = 0;
+  double exceeded = radius;
+  if (keeps(exceeded)) return exceeded;
+  // The error grows with the square of the velocity, as long as it is small.
+  for (int i = 0; i < circle_searches; ++i) {
+    double const middle = (kept + exceeded) / 2;
+    (keeps(middle) ? kept : exceeded) = middle;
+  }
+  return kept;
 }
 
 /// The surroundings of each cell as a number: another one where the path is passed otherwise.

@@ -59,6 +59,9 @@ class ToleranceMonitor {
   [[nodiscard]] double cycles_before() const { return trial_->cycles_before(); }
   [[nodiscard]] double cycles_after() const { return trial_->cycles_after(); }
 
+  /// Largest velocity on a circle of this radius that keeps the tolerance however long it lasts.
+  [[nodiscard]] double velocity_on(double radius) const;
+
   /// What to do with a plan.
   enum class Verdict : std::uint8_t {
     keeps,    ///< the tolerance everywhere

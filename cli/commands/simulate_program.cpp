@@ -20,13 +20,8 @@ constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
 constexpr Sentence not_simulated_first{"only its first occurrence is named",
                                        "nur das erste Vorkommen wird genannt"};
 
-constexpr Sentence cannot_simulate_help{
-    "supported are block numbers, comments, G00, G01, G90, G91, axis words, F, #SLOPE [TYPE=TRAPEZ], #FILTER "
-    "and "
-    "M30",
-    "unterstützt werden Satznummern, Kommentare, G00, G01, G90, G91, Achswörter, F, #SLOPE [TYPE=TRAPEZ], "
-    "#FILTER "
-    "und M30"};
+constexpr Sentence cannot_simulate_help{"docs/nc-programs.md says what is supported",
+                                        "docs/nc-programs.md sagt, was unterstützt wird"};
 
 }  // namespace axisc::cli::says
 

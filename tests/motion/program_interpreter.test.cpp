@@ -89,19 +89,41 @@ TEST_CASE("what is ignored is named once, what is refused each time") {
   auto const found = interpret(
       "G01 X1 F60 S1000 M03\n"
       "X2 S2000 M3 Z5\n"
-      "G04 X3\n"
-      "#SLOPE [TYPE=SIN]\n"
+      "G08 X3\n"
+      "#SLOPE [TYPE=HSC]\n"
       "#CONTOUR MODE ON\n"
       "G02 X3\n"
-      "P10=5\n"
+      "P10=5+\n"
       "LL SUB\n"
-      "$IF V.P.A\n"
+      "$SWITCH V.P.A\n"
       "XP1\n"
       "#VIB GUARD ON\n");
-  CHECK(found.problems == Lines{"1:12 AX9007 S1000", "1:18 AX9007 M03", "2:13 AX9007 Z5", "3:1 AX9007 G04",
-                                "4:1 AX9007 #SLOPE", "5:1 AX9007 #CONTOUR", "6:1 AX9008 G02",
-                                "7:1 AX9008 P10", "8:1 AX9008 LL", "9:1 AX9008 $IF", "10:1 AX9008 XP1",
-                                "11:1 AX9008 #VIB GUARD"});
+  CHECK(found.problems == Lines{"1:12 AX9007 S1000", "2:13 AX9007 Z5", "3:1 AX9007 G08", "4:1 AX9008 #SLOPE",
+                                "5:1 AX9007 #CONTOUR", "6:5 AX9008 X3", "7:6 AX9008 +", "8:1 AX9008 LL",
+                                "9:1 AX9008 $SWITCH", "10:1 AX9008 XP1", "11:1 AX9008 #VIB GUARD"});
+}
+
+TEST_CASE("what would change the path is refused by its name") {
+  auto const found = interpret(
+      "G41 D1\n"
+      "G54\n"
+      "G92 X5\n"
+      "#CS ON [0,0,0,0,0,0]\n"
+      "#HSC ON\n"
+      "G93\n"
+      "G04\n"
+      "G04 X-1\n"
+      "G01 X1 F100 I5\n"
+      "G95 X2 F0.1\n");
+  CHECK(found.problems == Lines{"1:1 AX9008 G41", "2:1 AX9008 G54", "3:1 AX9008 G92", "4:1 AX9008 #CS",
+                                "5:1 AX9008 #HSC", "6:1 AX9008 G93", "7:1 AX9008 G04", "8:5 AX9008 X-1",
+                                "9:5 AX9008 X1", "10:5 AX9008 X2"});
+}
+
+TEST_CASE("inches and feed rates per revolution as the program asks for them") {
+  // G70: 1 in = 25.4 mm. G95: 0.1 mm at 6000/min are 600 mm/min, 100 units per cycle.
+  CHECK(interpret("G70 G01 X1 F10\nG71 X1 F600\n").path == Lines{"L1 25.4 0 42.3333", "L2 1 0 100", "end"});
+  CHECK(interpret("G95 G01 X1 F0.1 S6000\nG94 X2 F60\n").path == Lines{"L1 1 0 100", "L2 2 0 10", "end"});
 }
 
 TEST_CASE("a motion needs a feed, a command sound keywords") {

@@ -119,6 +119,15 @@ TEST_CASE("what the simulation does not follow is named with its place") {
   check_golden("tests/cli/data/golden/simulate.refused", refused.err);
 }
 
+TEST_CASE("a part program with subprograms and loops, and one that has everything") {
+  auto const there = in_folder(std::string(AXISC_SOURCE_DIR) + "/samples/mill");
+  auto const part = simulate(there, {"machine.json", "--program", "part.nc"});
+  CHECK(part["block_count"] == 17);
+  auto const everything = simulate(there, {"machine.json", "--program", "plate.nc"});
+  // 1 rapid, 3 depths of 6 blocks, 4 holes of 3 blocks, a helix of 2 blocks, 1 rapid.
+  CHECK(everything["block_count"] == 1 + 3 * 6 + 4 * 3 + 2 + 1);
+}
+
 TEST_CASE("what simulate refuses") {
   TemporaryFolder const folder;
   auto const there = two_axes(folder);
