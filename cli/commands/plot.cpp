@@ -6,7 +6,9 @@
 #include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/frequencies.hpp"
+#include "cli/options/quantities.hpp"
 #include "cli/options/timed_commands.hpp"
+#include "cli/plots/path_figure.hpp"
 #include "cli/plots/picture_output.hpp"
 #include "cli/plots/plant_figure.hpp"
 #include "cli/plots/plots.hpp"
@@ -14,15 +16,16 @@
 #include "cli/sentences.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Draws what `response`, `run` and `contour` compute: magnitude, phase and group delay over frequency, the answer to a
-step, the delay of each axis, a corner or a circle. Several axes lie over one another; a single one is shown with each of
+    R"(Draws what `response`, `run`, `contour` and `simulate` compute: magnitude, phase and group delay over frequency, the answer to a
+step, the delay of each axis, a corner, a circle, a program's path, an axis in its position loop. Several axes lie over one another; a single one is shown with each of
 its filters. A picture is an SVG file, the same bytes on every host; without -o it is drawn in the terminal.)",
-    R"(Zeichnet, was `response`, `run` und `contour` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
-Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke oder einen Kreis. Mehrere Achsen liegen übereinander; eine
+    R"(Zeichnet, was `response`, `run`, `contour` und `simulate` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
+Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke, einen Kreis, die Bahn eines Programms, eine Achse im Lageregelkreis. Mehrere Achsen liegen übereinander; eine
 einzelne zeigt jeden ihrer Filter. Ein Bild ist eine SVG-Datei, auf jedem Rechner dieselben Bytes; ohne -o wird es im
 Terminal gezeichnet.)"};
 constexpr Sentence examples{R"(Examples:
@@ -70,10 +73,18 @@ constexpr Sentence option_plotted_plant{"drive and mechanics for --kind plant",
                                         "Antrieb und Mechanik für --kind plant"};
 constexpr Sentence option_plotted_move{"there and back with the plant (default: vb_max)",
                                        "hin und zurück mit der Strecke (Standardwert: vb_max)"};
+constexpr Sentence option_plotted_program{"NC program for --kind path", "NC-Programm für --kind path"};
+constexpr Sentence option_plane{"axes of the plane, XY or X,Y (default: the group's first two)",
+                                "Achsen der Ebene, XY oder X,Y (Standardwert: die ersten beiden der Gruppe)"};
+constexpr Sentence option_marked_tolerance{"mark blocks that deviate by more than this, in mm",
+                                           "Sätze markieren, die um mehr als das abweichen, in mm"};
+constexpr Sentence path_needs{"--kind path needs --program", "--kind path braucht --program"};
+constexpr Sentence bad_plane{"--plane needs two axes of the group, {axes}, not \"{value}\"",
+                             "--plane braucht zwei Achsen der Gruppe, {axes}, nicht \"{value}\""};
 constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
                                "--kind plant braucht --plant und --move"};
-constexpr Sentence plant_of_image{"--kind plant needs the machine: {file} is an image",
-                                  "--kind plant braucht die Maschine: {file} ist ein Abbild"};
+constexpr Sentence kind_of_image{"--kind {kind} needs the machine: {file} is an image",
+                                 "--kind {kind} braucht die Maschine: {file} ist ein Abbild"};
 constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
 constexpr Sentence order_of_image{
     "--order needs the machine: {file} is an image, compiled for its own orders only",
@@ -86,10 +97,11 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant };
+enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant, path };
 
 struct PlotOptions {
-  std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move;
+  std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move, program, plane,
+      tolerance;
   PictureTarget target;
   std::vector<std::string> marks, commands;
   Kind kind = Kind::response;
@@ -106,6 +118,7 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                        {"delay", Kind::delay},
                        {"corner", Kind::corner},
                        {"circle", Kind::circle},
+                       {"path", Kind::path},
                        {"plant", Kind::plant}},
                       options.kind, says::option_kind);
   command_line.value("--before", "OTHER", options.before, says::option_before);
@@ -119,6 +132,9 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
   command_line.value("--group", "NAME", options.group, says::option_group);
   declare_contour_words(command_line, options.contour, ContourWords::Shown::paths);
+  command_line.value("--program", "PART.nc", options.program, says::option_plotted_program);
+  command_line.value("--plane", "XY", options.plane, says::option_plane);
+  command_line.value("--tolerance", "MM", options.tolerance, says::option_marked_tolerance);
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plotted_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_plotted_move);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
@@ -151,7 +167,8 @@ void refuse_mixture(PlotOptions const& options) {
   bool const contour = is_contour(options.kind);
   bool const response = options.kind == Kind::response;
   bool const plant = options.kind == Kind::plant;
-  bool const of_axes = !contour && !plant;
+  bool const path = options.kind == Kind::path;
+  bool const of_axes = !contour && !plant && !path;
   for (auto const& [given, option, kinds, fits] : std::initializer_list<Belongs>{
            {!options.marks.empty(), "--mark", "response", response},
            {options.response.linear_frequency, "--linear", "response", response},
@@ -160,10 +177,13 @@ void refuse_mixture(PlotOptions const& options) {
            {options.measured.has_value(), "--measured", "response", response},
            {options.axis.has_value(), "--axis", "response, step, delay", of_axes},
            {!options.commands.empty(), "--at", "response, step, delay", of_axes},
-           {options.before.has_value(), "--before", "response, step, delay, corner, circle", !plant},
+           {options.before.has_value(), "--before", "response, step, delay, corner, circle", !plant && !path},
+           {options.program.has_value(), "--program", "path", path},
+           {options.plane.has_value(), "--plane", "path", path},
+           {options.tolerance.has_value(), "--tolerance", "path", path},
            {options.plant.has_value(), "--plant", "plant", plant},
            {options.move.has_value(), "--move", "plant", plant},
-           {options.group.has_value(), "--group", "corner, circle", contour},
+           {options.group.has_value(), "--group", "corner, circle, path", contour || path},
            {options.contour.feeds.has_value(), "--feed", "corner, circle", contour},
            {options.contour.orders.has_value(), "--order", "corner, circle", contour},
            {options.contour.angle.has_value(), "--angle", "corner", options.kind == Kind::corner},
@@ -172,6 +192,7 @@ void refuse_mixture(PlotOptions const& options) {
     throw Failure({.sentence = says::of_kinds,
                    .arguments = {{"option", std::string(option)}, {"kinds", std::string(kinds)}}});
   }
+  if (path && !options.program) throw Failure({.sentence = says::path_needs, .arguments = {}});
   if (plant && (!options.plant || !options.move)) {
     throw Failure({.sentence = says::plant_needs, .arguments = {}});
   }
@@ -215,6 +236,58 @@ pictures::Figure contour_figure(PlotOptions const& options, InputImage const& no
   return options.kind == Kind::corner ? corner_figure(subject, wanted) : circle_figure(subject, wanted);
 }
 
+CheckedMachine const& machine_of(PlotOptions const& options, InputImage const& input, std::string kind) {
+  if (input.machine) return *input.machine;
+  throw Failure(
+      {.sentence = says::kind_of_image, .arguments = {{"kind", std::move(kind)}, {"file", *options.input}}});
+}
+
+/// "XY" or "X,Y"; without one the first two axes, of a single one itself.
+std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& word,
+                                             std::vector<std::string> const& axes) {
+  if (!word) return {0, axes.size() > 1 ? 1 : 0};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+      if (i != j && (*word == axes[i] + axes[j] || *word == axes[i] + "," + axes[j])) return {i, j};
+    }
+  }
+  std::string names;
+  for (auto const& axis : axes) names += (names.empty() ? "" : ", ") + axis;
+  throw Failure({.sentence = says::bad_plane, .arguments = {{"axes", names}, {"value", *word}}});
+}
+
+/// None after mistakes in the program, which are printed.
+std::optional<pictures::Figure> followed_path(PlotOptions const& options, machine::Machine machine,
+                                              Invocation const& invocation) {
+  auto const group = chosen_group(machine, options.group, *options.input);
+  std::vector<std::string> axes;
+  for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
+  auto const plane = plane_of(options.plane, axes);
+  std::optional<double> tolerance;
+  if (options.tolerance) {
+    tolerance = parse_finite(*options.tolerance);
+    if (!tolerance || !(*tolerance > 0)) {
+      throw Failure({.sentence = says::bad_number,
+                     .arguments = {{"option", "--tolerance"}, {"value", *options.tolerance}}});
+    }
+    constexpr double um_per_mm = 1000;
+    *tolerance *= um_per_mm;
+  }
+  ProgramRequest const request{.machine_path = *options.input,
+                               .program_path = *options.program,
+                               .group = options.group,
+                               .output = std::nullopt};
+  if (!survey_program(request, machine, group, invocation)) return std::nullopt;
+  PathRecorder recorder(plane);
+  static_cast<void>(follow_program(request, machine, group, recorder, invocation));
+  return path_figure(recorder,
+                     {.program = std::filesystem::path(*options.program).filename().string(),
+                      .axes = {axes[plane.first], axes[plane.second]},
+                      .cycle_seconds = machine.cycle_time.seconds(),
+                      .tolerance_um = tolerance},
+                     invocation.language);
+}
+
 }  // namespace
 
 ExitStatus plot(Invocation const& invocation) {
@@ -226,7 +299,7 @@ ExitStatus plot(Invocation const& invocation) {
   refuse_mixture(options);
   options.target.check();
   std::vector<std::string> inputs{*options.input};
-  for (auto const& other : {options.before, options.measured, options.plant}) {
+  for (auto const& other : {options.before, options.measured, options.plant, options.program}) {
     if (other) inputs.push_back(*other);
   }
   if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
@@ -240,15 +313,17 @@ ExitStatus plot(Invocation const& invocation) {
   auto const& contents = now->input.image.contents;
   pictures::Figure figure;
   if (options.kind == Kind::plant) {
-    if (!now->input.machine) {
-      throw Failure({.sentence = says::plant_of_image, .arguments = {{"file", *options.input}}});
-    }
+    auto const& machine = machine_of(options, now->input, "plant");
     auto const run = run_plant({.machine_path = *options.input,
                                 .plant_path = *options.plant,
                                 .move = *options.move,
                                 .output = std::nullopt},
-                               *now->input.machine, false);
+                               machine, false);
     figure = plant_figure(run, invocation.language);
+  } else if (options.kind == Kind::path) {
+    auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation);
+    if (!found) return ExitStatus::findings;
+    figure = *std::move(found);
   } else if (is_contour(options.kind)) {
     figure = contour_figure(options, now->input, before ? &before->input : nullptr, invocation.language);
   } else {

@@ -138,21 +138,54 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
 
 }  // namespace
 
+bool survey_program(ProgramRequest const& request, machine::Machine& machine, std::size_t group,
+                    Invocation const& invocation) {
+  ProgramLines program(request.program_path);
+  CommandCollector collector;
+  if (!survey(program, request, channel_of(machine, machine.groups[group]), collector, invocation))
+    return false;
+  auto& sets = machine.groups[group].filter_sets;
+  for (auto const& parameters : collector.sets) {
+    if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
+  }
+  return true;
+}
+
+FollowedProgram follow_program(ProgramRequest const& request, machine::Machine const& machine,
+                               std::size_t index, motion::SimulationListener& listener,
+                               Invocation const& invocation) {
+  auto const& group = machine.groups[index];
+  auto const channel = channel_of(machine, group);
+  ProgramLines program(request.program_path);
+  auto const image = image_of(machine, request.machine_path);
+  motion::Simulation simulation(group_runtime(image, group, request.machine_path),
+                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
+                                request.constant_velocity, listener);
+  {
+    Progress progress(request.show_progress, invocation.language);
+    motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
+    double const seconds = machine.cycle_time.seconds();
+    program.read([&](std::string_view line, std::uint32_t offset) {
+      if (offset % 64 == 0) {
+        progress.show(static_cast<double>(offset) / static_cast<double>(program.size()),
+                      static_cast<double>(simulation.cycles()) * seconds);
+      }
+      return interpreter.line(line, offset) && !simulation.failure();
+    });
+    interpreter.finish();
+  }
+  if (simulation.failure()) fail(*simulation.failure(), machine, group);
+  return {.blocks = simulation.blocks(), .cycles = simulation.cycles()};
+}
+
 ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checked,
                             Invocation const& invocation) {
   auto& machine = checked.machine;
   auto const index = chosen_group(machine, request.group, request.machine_path);
-  auto const& group = machine.groups[index];
-  auto const channel = channel_of(machine, group);
-  ProgramLines program(request.program_path);
-  CommandCollector collector;
-  if (!survey(program, request, channel, collector, invocation)) return ExitStatus::findings;
-  auto& sets = machine.groups[index].filter_sets;
-  for (auto const& parameters : collector.sets) {
-    if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
-  }
-
-  SimulatedPath const path{.group = group.name, .axes = channel.axes, .cycle_time = machine.cycle_time};
+  if (!survey_program(request, machine, index, invocation)) return ExitStatus::findings;
+  SimulatedPath const path{.group = machine.groups[index].name,
+                           .axes = channel_of(machine, machine.groups[index]).axes,
+                           .cycle_time = machine.cycle_time};
   auto& out = invocation.streams.out;
   TextSink const to_output = [&out](std::string_view text) { out.write(text); };
   Recorder recorder;
@@ -180,26 +213,9 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
       break;
   }
 
-  auto const image = image_of(machine, request.machine_path);
-  motion::Simulation simulation(group_runtime(image, group, request.machine_path),
-                                group_runtime(image, group, request.machine_path), limits_of(machine, group),
-                                request.constant_velocity, recorder);
-  {
-    Progress progress(request.show_progress, invocation.language);
-    motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
-    double const seconds = machine.cycle_time.seconds();
-    program.read([&](std::string_view line, std::uint32_t offset) {
-      if (offset % 64 == 0) {
-        progress.show(static_cast<double>(offset) / static_cast<double>(program.size()),
-                      static_cast<double>(simulation.cycles()) * seconds);
-      }
-      return interpreter.line(line, offset) && !simulation.failure();
-    });
-    interpreter.finish();
-  }
-  if (simulation.failure()) fail(*simulation.failure(), machine, group);
+  auto const followed = follow_program(request, machine, index, recorder, invocation);
   for (auto* const writer : recorder.cycles) writer->finish();
-  if (recorder.summary) recorder.summary->finish(simulation.blocks(), simulation.cycles());
+  if (recorder.summary) recorder.summary->finish(followed.blocks, followed.cycles);
   if (file) file->commit();
   return ExitStatus::success;
 }

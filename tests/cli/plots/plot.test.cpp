@@ -213,6 +213,7 @@ TEST_CASE("the documentation shows what the program draws") {
   auto const there = in_folder(folder.path());
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
   std::string const rack = AXISC_SOURCE_DIR "/samples/motion/rack/";
+  std::string const square = AXISC_SOURCE_DIR "/samples/motion/square/";
   write_changed_mill(folder);
   for (auto const& [name, options] : std::map<std::string, std::vector<std::string>>{
            {"response", {"--axis", "X"}},
@@ -220,9 +221,14 @@ TEST_CASE("the documentation shows what the program draws") {
            {"delay", {"--kind", "delay"}},
            {"corner", {"--kind", "corner", "--feed", "1000,2000,4000"}},
            {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
+           {"path", {"--kind", "path", "--program", square + "square.nc", "--tolerance", "0.1"}},
            {"plant", {"--kind", "plant", "--plant", rack + "plant.json", "--move", "X:800:31800"}},
            {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
-    std::vector<std::string> words{"plot", name == "plant" ? rack + "machine.json" : mill, "-o", "-"};
+    std::vector<std::string> words{"plot",
+                                   name == "plant"  ? rack + "machine.json"
+                                   : name == "path" ? square + "machine.json"
+                                                    : mill,
+                                   "-o", "-"};
     words.insert(words.end(), options.begin(), options.end());
     auto const outcome = run_axisc(words, there);
     CHECK(outcome.status == 0);
@@ -328,6 +334,48 @@ TEST_CASE("what was measured is drawn, and added to what the filter does") {
     CHECK(outcome.out.empty());
     CHECK_THAT(outcome.err, Contains("m.csv"));
   }
+}
+
+TEST_CASE(
+    "a program's picture says the largest deviation that simulate finds, and marks what exceeds a "
+    "tolerance") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const square = AXISC_SOURCE_DIR "/samples/motion/square/";
+  std::vector<std::string> const program{square + "machine.json", "--program", square + "square.nc"};
+  auto const with = [&](std::vector<std::string> words, std::vector<std::string> const& more) {
+    words.insert(words.end(), program.begin(), program.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return run_axisc(words, there);
+  };
+  auto const said = json::parse(with({"simulate"}, {"--format", "json"}).out);
+  double largest = 0;
+  for (auto const& block : said["blocks"]) {
+    largest = std::max(largest, block["max_contour_deviation_um"].get<double>());
+  }
+  REQUIRE(largest > 0);
+  auto const plot = [&](std::vector<std::string> const& more) {
+    return with({"plot", "--kind", "path"}, more);
+  };
+  std::string const svg = plot({"-o", "-"}).out;
+  CHECK_THAT(svg, Contains(rounded(largest) + " µm in line"));
+  CHECK_THAT(svg, !Contains(">line "));
+  CHECK_THAT(plot({"-o", "-", "--tolerance", "0.1"}).out, Contains(">line ") && Contains(">tolerance<"));
+  CHECK_THAT(plot({"-o", "-", "--tolerance", "1"}).out, !Contains(">line "));
+  CHECK(plot({"-o", "-", "--plane", "YX"}).out != svg);
+  for (auto const& wrong : std::vector<std::vector<std::string>>{
+           {"--plane", "XQ"}, {"--tolerance", "0"}, {"--feed", "1"}, {"--program", "none.nc"}}) {
+    CHECK(plot(wrong).status == 2);
+  }
+  folder.write("bad.nc", "G01 X1 F1000\nG41\nM30\n");
+  auto const refused =
+      run_axisc({"plot", square + "machine.json", "--kind", "path", "--program", "bad.nc"}, there);
+  CHECK(refused.status == 1);
+  CHECK(refused.out.empty());
+  folder.write("still.nc", "M30\n");
+  auto const still =
+      run_axisc({"plot", square + "machine.json", "--kind", "path", "--program", "still.nc"}, there);
+  CHECK_THAT(still.out, Contains("moves nothing"));
 }
 
 TEST_CASE("a plant's picture shows the oscillation that simulate names") {
