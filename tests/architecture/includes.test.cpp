@@ -30,6 +30,7 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"validator", {"configuration", "machine", "design", "schema", "grammar", "diagnostics"}},
     {"codegen", {"machine", "design", "runtime"}},
     {"image", {"codegen", "machine", "design", "schema", "runtime"}},
+    {"pictures", {"diagnostics"}},
     {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
 };
 
