@@ -15,6 +15,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   packages+=(
     clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
+    clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi

@@ -25,12 +25,10 @@ constinit Sentence const help_usage{"Usage", "Aufruf"};
 constinit Sentence const help_options{"OPTIONS", "OPTIONEN"};
 constinit Sentence const help_options_heading{"Options", "Optionen"};
 constinit Sentence const argument_inputs{
-    "axis lists, machine files (*.json), TwinCAT projects (*.tsproj, *.xti), NC programs (*.nc), folders "
-    "with any of "
-    "them, @FILE with one name per line, or - for standard input",
-    "Achslisten, Maschinendateien (*.json), TwinCAT-Projekte (*.tsproj, *.xti), NC-Programme (*.nc), Ordner "
-    "mit "
-    "solchen, @DATEI mit einem Namen je Zeile, oder - für die Standardeingabe"};
+    "axis lists (*.lis, *.xml), machine files (*.json), TwinCAT projects (*.tsproj, *.xti), NC programs "
+    "(*.nc), folders with any of them, @FILE with one name per line, or - for standard input",
+    "Achslisten (*.lis, *.xml), Maschinendateien (*.json), TwinCAT-Projekte (*.tsproj, *.xti), NC-Programme "
+    "(*.nc), Ordner mit solchen, @DATEI mit einem Namen je Zeile, oder - für die Standardeingabe"};
 constinit Sentence const option_help{"print this help", "diese Hilfe zeigen"};
 constinit Sentence const option_version{"print the version", "die Version zeigen"};
 constinit Sentence const option_lang{"language of messages (default: from the locale, else en)",

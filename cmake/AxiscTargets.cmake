@@ -2,7 +2,7 @@
 
 # Checkouts in other places share what was compiled before.
 find_program(AXISC_CCACHE ccache)
-if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT MSVC AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
@@ -12,6 +12,10 @@ endif()
 function(axisc_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF C_STANDARD 11 C_EXTENSIONS OFF)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /permissive- /W4 $<$<BOOL:${AXISC_DEVELOPER}>:/WX> $<$<COMPILE_LANGUAGE:CXX>:/GR->)
+    return()
+  endif()
   # Contracted multiply-adds would make images and filtered setpoints depend on the processor.
   target_compile_options(${target} PRIVATE -ffp-contract=off)
   if(AXISC_DEVELOPER)

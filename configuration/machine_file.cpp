@@ -42,7 +42,7 @@ constexpr Sentence own_slave{"axis \"{name}\" cannot be its own slave",
 constexpr Sentence circular_gantry{R"(axis "{name}" cannot follow "{master}", which follows it)",
                                    R"(Achse "{name}" kann nicht "{master}" folgen, die ihr selbst folgt)"};
 constexpr Sentence ethercat{
-    "EtherCAT is the bus: \"CANopen\" where the drive speaks CoE, \"SERCOS\" where it speaks SoE",
+    R"(EtherCAT is the bus: "CANopen" where the drive speaks CoE, "SERCOS" where it speaks SoE)",
     "EtherCAT ist der Bus: \"CANopen\" für Antriebe mit CoE, \"SERCOS\" für solche mit SoE"};
 constexpr Sentence json_fix{"write \"{replacement}\"", "\"{replacement}\" schreiben"};
 constexpr Sentence json_first{"first here", "zuerst hier"};

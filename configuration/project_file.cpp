@@ -34,7 +34,16 @@ struct ListElement {
   ListKind kind;
 };
 constexpr std::array list_elements = {ListElement{.name = "AchsMds", .kind = ListKind::axis},
-                                      ListElement{.name = "SdaMds", .kind = ListKind::channel}};
+                                      ListElement{.name = "SdaMds", .kind = ListKind::channel},
+                                      ListElement{.name = "NullpD", .kind = ListKind::zero_offset},
+                                      ListElement{.name = "WerkzD", .kind = ListKind::tool},
+                                      ListElement{.name = "PzvD", .kind = ListKind::clamp_offset},
+                                      ListElement{.name = "VeD", .kind = ListKind::external_variables}};
+
+/// Only these make a machine.
+bool is_of_machine(ListKind kind) {
+  return kind == ListKind::axis || kind == ListKind::channel;
+}
 constexpr std::uint32_t nanoseconds_per_unit = 100;
 constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
 constexpr std::string_view interpolation_task = "GEO";
@@ -60,7 +69,9 @@ class ProjectReader {
       if (document_.elements[i].name == "Task") read_task(i);
     }
     decide_cycle_time();
-    if (project_.lists.empty() && findings_.empty()) {
+    bool const has_machine = std::any_of(project_.lists.begin(), project_.lists.end(),
+                                         [](ProjectList const& list) { return is_of_machine(list.kind); });
+    if (!has_machine && findings_.empty()) {
       refuse({.begin = text_.text_begin(), .end = text_.text_begin()},
              {.sentence = says::project_no_list, .arguments = {}});
     }
@@ -127,7 +138,7 @@ class ProjectReader {
   void read_list(std::size_t index, ListKind kind) {
     XmlElement const& element = document_.elements[index];
     if (element.cdata_sections.size() != 1) {
-      if (!element.text && element.cdata_sections.empty()) return;
+      if (!is_of_machine(kind) || (!element.text && element.cdata_sections.empty())) return;
       bool const is_split = !element.cdata_sections.empty();
       refuse(element.name_span, {.sentence = is_split ? says::project_sections : says::project_no_section,
                                  .arguments = {{"element", std::string(element.name)}}});
@@ -195,7 +206,8 @@ bool is_project_name(std::string_view path) {
 
 bool looks_like_project(std::string_view bytes) {
   return std::any_of(list_elements.begin(), list_elements.end(), [bytes](ListElement const& element) {
-    return bytes.find("<" + std::string(element.name)) != std::string_view::npos;
+    return is_of_machine(element.kind) &&
+           bytes.find("<" + std::string(element.name)) != std::string_view::npos;
   });
 }
 

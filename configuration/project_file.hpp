@@ -15,7 +15,7 @@ namespace axisc::configuration {
 
 /// An axis or channel object: its list, and what stands beside it.
 struct ProjectList {
-  ListKind kind = ListKind::axis;            ///< axis (AchsMds) or channel (SdaMds)
+  ListKind kind = ListKind::axis;            ///< that belongs in the element: axis in AchsMds
   Span span;                                 ///< of the list's text in the file
   LocatedText name;                          ///< ItemName; without one, that of the element
   std::optional<LocatedText> program_name;   ///< DefaultProgName: what programs call the axis

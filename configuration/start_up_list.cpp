@@ -93,6 +93,22 @@ void read_line(ListedValue& listed, StartUpList& list) {
 constexpr std::array<std::string_view, 6> own_names = {"achs_mds[",  "sda_mds[",         "zahl_mds",
                                                        "rtconf_lis", "default_achs_mds", "kanal_anzahl"};
 
+bool begins_with_own_name(std::string_view line) {
+  auto const trimmed = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+  return std::any_of(own_names.begin(), own_names.end(),
+                     [trimmed](std::string_view name) { return trimmed.substr(0, name.size()) == name; });
+}
+
+/// A carriage return alone ends a line too.
+bool any_part_begins_with_own_name(std::string_view line) {
+  for (;;) {
+    if (begins_with_own_name(line)) return true;
+    auto const end = line.find('\r');
+    if (end == std::string_view::npos) return false;
+    line.remove_prefix(end + 1);
+  }
+}
+
 }  // namespace
 
 bool is_read(ListEntry const& entry, std::optional<ListCount> const& count) {
@@ -120,13 +136,12 @@ std::vector<LocatedText const*> named_lists(StartUpList const& list) {
 }
 
 bool looks_like_start_up_list(std::string_view bytes) {
-  return std::any_of(own_names.begin(), own_names.end(), [bytes](std::string_view name) {
-    for (std::size_t at = bytes.find(name); at != std::string_view::npos; at = bytes.find(name, at + 1)) {
-      std::size_t const line = at == 0 ? 0 : bytes.find_last_of("\n\r", at - 1) + 1;
-      if (ascii::trimmed(bytes.substr(line, at - line)).empty()) return true;
-    }
-    return false;
-  });
+  while (!bytes.empty()) {
+    auto const line = bytes.substr(0, bytes.find('\n'));
+    if (any_part_begins_with_own_name(line)) return true;
+    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+  }
+  return false;
 }
 
 }  // namespace axisc::configuration

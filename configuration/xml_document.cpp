@@ -169,6 +169,15 @@ std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
   return std::move(reader.document);
 }
 
+std::string attribute_text(std::string_view value) {
+  char const quote = value.find('"') == std::string_view::npos ? '"' : '\'';
+  std::string element = "<a b=";
+  element.append(1, quote).append(value).append(1, quote).append("/>");
+  pugi::xml_document document;
+  document.load_buffer(element.data(), element.size(), pugi::parse_default, pugi::encoding_utf8);
+  return document.first_child().first_attribute().value();
+}
+
 Encoding xml_encoding(std::string_view bytes) {
   std::size_t const begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   bool const declares = bytes.substr(begin).starts_with("<?xml");

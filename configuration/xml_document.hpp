@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -41,6 +42,9 @@ struct XmlMistake {
 /// Reads UTF-8 and single-byte encodings. A document type definition is refused, entities are never expanded. Cost: one
 /// pass.
 [[nodiscard]] std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes);
+
+/// The text of an attribute's value (UTF-8): references to characters replaced, line ends and tabs as blanks.
+[[nodiscard]] std::string attribute_text(std::string_view value);
 
 /// The encoding that the XML declaration names, or that the bytes show.
 [[nodiscard]] Encoding xml_encoding(std::string_view bytes);

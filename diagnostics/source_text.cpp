@@ -35,6 +35,10 @@ std::uint32_t count_line_ends(std::string_view text) {
   return count;
 }
 
+std::uint32_t mark_size(std::string_view bytes) {
+  return bytes.starts_with(byte_order_mark) ? static_cast<std::uint32_t>(byte_order_mark.size()) : 0;
+}
+
 Encoding encoding_of(std::string_view bytes, bool is_ascii) {
   if (is_ascii) return Encoding::utf8;
   if (valid_utf8_prefix(bytes) != bytes.size()) return Encoding::windows_1252;
@@ -47,7 +51,8 @@ SourceText::SourceText(std::string name, std::string bytes)
     : name_(std::move(name)),
       file_(std::make_shared<std::string const>(std::move(bytes))),
       bytes_(*file_),
-      text_begin_(bytes_.starts_with(byte_order_mark) ? std::uint32_t{3} : 0) {}
+      text_begin_(mark_size(bytes_)),
+      first_column_(text_begin_) {}
 
 SourceText::SourceText(std::string name, Excerpt excerpt)
     : name_(std::move(name)),
@@ -68,6 +73,22 @@ SourceText::SourceText(std::string name, Window window)
   lines_before_ = count_line_ends(before);
   bool const are_ascii = ascii_prefix(bytes_) == bytes_.size();
   characters_ = {.are_ascii = are_ascii, .encoding = are_ascii ? Encoding::utf8 : window.encoding};
+}
+
+SourceText::SourceText(std::string name, Translation translation)
+    : name_(std::move(name)), is_translation_(true), pieces_(std::move(translation.pieces)) {
+  text_begin_ = static_cast<std::uint32_t>(translation.file.size()) + 1;
+  first_column_ = mark_size(translation.file);
+  for (TranslatedPiece& piece : pieces_) {
+    piece.list.begin += text_begin_;
+    piece.list.end += text_begin_;
+  }
+  std::string bytes = std::move(translation.file);
+  bytes.append(1, '\n').append(translation.list);
+  file_ = std::make_shared<std::string const>(std::move(bytes));
+  bytes_ = *file_;
+  bool const are_ascii = ascii_prefix(bytes_) == bytes_.size();
+  characters_ = {.are_ascii = are_ascii, .encoding = are_ascii ? Encoding::utf8 : translation.encoding};
 }
 
 SourceText::Characters const& SourceText::characters() const {
@@ -128,7 +149,9 @@ SourceText::Line const& SourceText::line_numbered(std::uint32_t number) const {
 }
 
 Position SourceText::position(std::uint32_t offset) const {
-  std::uint32_t const at = std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
+  std::uint32_t const at = is_translation_
+                               ? in_file(offset)
+                               : std::clamp(offset, text_begin_, static_cast<std::uint32_t>(bytes_.size()));
   Line const& line = line_at(at);
   std::uint32_t const begin = column_begin(line);
 
@@ -154,7 +177,7 @@ Span SourceText::line_span(std::uint32_t line) const {
   line -= std::min(line, lines_before_);
   if (line == 0 || line > line_count()) return {.begin = size, .end = size};
   Line const& found = line_numbered(line);
-  Span span{.begin = std::max(found.begin, text_begin_), .end = found.end};
+  Span span{.begin = std::max(found.begin, is_translation_ ? first_column_ : text_begin_), .end = found.end};
   if (found.end < size && span.end > span.begin && bytes_[span.end - 1] == '\r') --span.end;
   return span;
 }
@@ -166,7 +189,18 @@ Span SourceText::shown_line(std::uint32_t line) const {
 }
 
 std::uint32_t SourceText::column_begin(Line const& line) const {
-  return is_window_ ? line.begin : std::max(line.begin, text_begin_);
+  return std::max(line.begin, first_column_);
+}
+
+std::uint32_t SourceText::in_file(std::uint32_t offset) const {
+  auto const behind = std::upper_bound(
+      pieces_.begin(), pieces_.end(), offset,
+      [](std::uint32_t wanted, TranslatedPiece const& piece) { return wanted < piece.list.begin; });
+  if (behind == pieces_.begin()) return std::clamp(offset, first_column_, text_begin_ - 1);
+  TranslatedPiece const& piece = *std::prev(behind);
+  if (offset >= piece.list.end) return piece.file.end;
+  bool const is_verbatim = piece.list.size() == piece.file.size();
+  return piece.file.begin + (is_verbatim ? offset - piece.list.begin : 0);
 }
 
 std::uint32_t SourceText::line_count() const {

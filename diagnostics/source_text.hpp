@@ -32,6 +32,20 @@ struct Window {
   Encoding encoding = Encoding::utf8;       ///< of the file
 };
 
+/// A piece of a list, and the bytes of its file that say it: a name or a value.
+struct TranslatedPiece {
+  Span list;
+  Span file;
+};
+
+/// A list that its file says in another notation: XML.
+struct Translation {
+  std::string file;                     ///< all of its bytes
+  std::string list;                     ///< the same as lines `name value`, in the file's encoding
+  std::vector<TranslatedPiece> pieces;  ///< in the order of the list, without overlaps
+  Encoding encoding = Encoding::utf8;   ///< of both
+};
+
 /// The text of one source. Offsets count bytes from the start of the file, the byte order mark included. Facts about
 /// the text are determined on first use, so a SourceText must not be used by several threads at once.
 class SourceText {
@@ -44,13 +58,19 @@ class SourceText {
   /// Offsets count bytes from the begin of the line in which the window begins; lines and columns are those of the file.
   /// The file is not copied.
   SourceText(std::string name, Window window);
+  /// bytes() are those of the file, a line end, and the list, where text_begin() is. Places in the list are shown as the
+  /// lines and columns of the file that say it; such a text is not edited.
+  SourceText(std::string name, Translation translation);
 
   [[nodiscard]] std::string const& name() const { return name_; }
   [[nodiscard]] std::string_view bytes() const { return bytes_; }
   /// The text is part of a file, which holds more than this list.
   [[nodiscard]] bool is_window() const { return is_window_; }
+  [[nodiscard]] bool is_translation() const { return is_translation_; }
   /// The list alone: of a window without what stands before it on its first line.
-  [[nodiscard]] std::string_view list_bytes() const { return bytes_.substr(is_window_ ? text_begin_ : 0); }
+  [[nodiscard]] std::string_view list_bytes() const {
+    return bytes_.substr(is_window_ || is_translation_ ? text_begin_ : 0);
+  }
   /// All bytes of the file, and where bytes() begin in it.
   [[nodiscard]] std::shared_ptr<std::string const> const& file() const { return file_; }
   [[nodiscard]] std::uint32_t file_offset() const {
@@ -62,7 +82,7 @@ class SourceText {
   [[nodiscard]] bool is_excerpt() const { return !numbers_.empty(); }
   /// Cost: one pass on first use, here or in a function that depends on it.
   [[nodiscard]] Encoding encoding() const { return characters().encoding; }
-  /// Offset of the first byte after a byte order mark, and of a window its begin. A marked file whose bytes are not all UTF-8 is windows-1252, but
+  /// Offset of the first byte after a byte order mark, and of a window and a translated list their begin. A marked file whose bytes are not all UTF-8 is windows-1252, but
   /// its mark is not text either.
   [[nodiscard]] std::uint32_t text_begin() const { return text_begin_; }
 
@@ -109,6 +129,8 @@ class SourceText {
   Line const& keep_line(std::uint32_t number, std::size_t begin) const;
   /// Where columns of a line count from.
   [[nodiscard]] std::uint32_t column_begin(Line const& line) const;
+  /// What says a byte of a translated list.
+  [[nodiscard]] std::uint32_t in_file(std::uint32_t offset) const;
   [[nodiscard]] bool is_utf8(Span span) const;
 
   std::string name_;
@@ -116,8 +138,11 @@ class SourceText {
   std::string_view bytes_;  ///< looks into `file_`
   std::uint32_t text_begin_ = 0;
   std::uint32_t lines_before_ = 0;
+  std::uint32_t first_column_ = 0;  ///< where the columns of the first line count from
   bool is_window_ = false;
-  std::vector<std::uint32_t> numbers_;  ///< of an excerpt's lines, the empty one at its end included
+  bool is_translation_ = false;
+  std::vector<TranslatedPiece> pieces_;  ///< offsets of both count bytes of bytes()
+  std::vector<std::uint32_t> numbers_;   ///< of an excerpt's lines, the empty one at its end included
   mutable std::optional<Characters> characters_;
   /// Number of LF before each block of the bytes, and at the end their total; empty until first used.
   mutable std::vector<std::uint32_t> line_ends_before_;

@@ -128,6 +128,45 @@ std::vector<design::Hertz> characteristic_frequencies(ImageContents const& conte
   return frequencies;
 }
 
+std::optional<double> decibels(double magnitude) {
+  constexpr double nothing = 1e-15;
+  if (magnitude < nothing) return std::nullopt;
+  return 20 * std::log10(magnitude);
+}
+
+std::optional<design::Hertz> corner_frequency(ImageContents const& contents, std::size_t axis) {
+  double const half_power = 1 / std::numbers::sqrt2;
+  auto const passes = [&](double frequency) {
+    return chain_magnitude(contents, axis, {frequency}) > half_power;
+  };
+  if (!passes(0)) return std::nullopt;
+  // Notches are as narrow as they like, so their frequencies are looked at, too.
+  constexpr int steps = 1000;
+  constexpr double decades = 5;
+  double const nyquist = 0.5 / contents.cycle_time.seconds();
+  std::vector<design::Hertz> frequencies = characteristic_frequencies(contents, axis);
+  for (int i = 0; i <= steps; ++i) {
+    frequencies.push_back({nyquist * std::pow(10.0, decades * (static_cast<double>(i) / steps - 1))});
+  }
+  sort_frequencies(frequencies);
+  double low = 0;
+  for (design::Hertz const frequency : frequencies) {
+    if (frequency.value > nyquist) break;
+    if (passes(frequency.value)) {
+      low = frequency.value;
+      continue;
+    }
+    double high = frequency.value;
+    constexpr double exact = 1e-12;
+    while (high - low > exact * high) {
+      double const middle = (low + high) / 2;
+      (passes(middle) ? low : high) = middle;
+    }
+    return design::Hertz{high};
+  }
+  return std::nullopt;
+}
+
 void sort_frequencies(std::vector<design::Hertz>& frequencies) {
   auto const below = [](design::Hertz a, design::Hertz b) { return a.value < b.value; };
   auto const same = [](design::Hertz a, design::Hertz b) { return a.value == b.value; };

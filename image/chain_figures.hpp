@@ -34,9 +34,16 @@ inline constexpr std::uint64_t longest_settling = std::uint64_t{1} << 18U;
 [[nodiscard]] double chain_magnitude(ImageContents const& contents, std::size_t axis,
                                      design::Hertz frequency);
 
+/// 20·log10; none below -300 dB, where nothing is left but rounding.
+[[nodiscard]] std::optional<double> decibels(double magnitude);
+
 /// The frequencies that the chain's filters are made for, rising, each once: fg_f0, the cut-off 1/(2π time_constant), fcut.
 [[nodiscard]] std::vector<design::Hertz> characteristic_frequencies(ImageContents const& contents,
                                                                     std::size_t axis);
+
+/// The lowest frequency at which the magnitude of the chain falls to 1/√2 (-3.01 dB); none where it stays above up to
+/// 0.5/T, or is below from the start. Cost: a thousand evaluations of the response.
+[[nodiscard]] std::optional<design::Hertz> corner_frequency(ImageContents const& contents, std::size_t axis);
 
 /// Rising, each once.
 void sort_frequencies(std::vector<design::Hertz>& frequencies);

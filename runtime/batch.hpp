@@ -84,7 +84,7 @@ struct OperationState {
 /// One step of the chains of a batch.
 ///
 /// Its piece of a group's state, one double per lane each:
-///   sections  e, r of each          delay  delay_cycles + 1 times base, sum, d          slot  see SlotParts
+///   sections  e, r + 2^-567 of each          delay  delay_cycles + 1 times base, sum, d          slot  see SlotParts
 /// Its piece of a group's constants:
 /// passing   p, g, k, b of each section        shared, blocking, delay   s, 1 - s, the rest of 1 - s, then
 /// the sections

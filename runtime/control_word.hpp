@@ -1,119 +1,121 @@
-// The arithmetic of every call: round to nearest, no exceptions. The caller's control word comes back afterwards, and the
-// exceptions that he has seen so far, so that he may have set it to anything.
+// The arithmetic of every call: round to nearest, no traps. Whether subnormal numbers are taken as zero does not matter in a
+// cycle, which never meets one (lanes/sections_def.hpp). A caller may have set his control word to anything and gets it back;
+// writing it takes longer than the filters of four axes, so that a cycle does so only if it must.
 #pragma once
+
+#include "runtime/compiler.hpp"
 
 #include <stdint.h>
 
+#if defined(_M_X64) && !defined(__GNUC__)
+#include <xmmintrin.h>
+#endif
+
 namespace axisc::runtime {
 
+#if defined(__x86_64__) || defined(_M_X64)
+
+struct ControlWord {
+  using Word = uint32_t;
+  static Word read() {
 #if defined(__x86_64__)
-
-class Arithmetic {
- public:
-  Arithmetic(Arithmetic const&) = delete;
-  Arithmetic& operator=(Arithmetic const&) = delete;
-
- protected:
-  explicit Arithmetic(uint32_t wanted)
-      : callers_(__builtin_ia32_stmxcsr()), changed_((callers_ & ~flags) != wanted) {
-    if (changed_) __builtin_ia32_ldmxcsr(wanted);
+    return __builtin_ia32_stmxcsr();
+#else
+    return _mm_getcsr();
+#endif
   }
-  ~Arithmetic() {
-    if (changed_ || __builtin_ia32_stmxcsr() != callers_) __builtin_ia32_ldmxcsr(callers_);
+  static void write(Word word) {
+#if defined(__x86_64__)
+    __builtin_ia32_ldmxcsr(word);
+#else
+    _mm_setcsr(word);
+#endif
   }
-
-  static constexpr uint32_t masked = 0x1F80;          ///< all exceptions, and round to nearest
-  static constexpr uint32_t subnormal_zero = 0x8040;  ///< flush to zero, denormals are zero
-
- private:
-  static constexpr uint32_t flags = 0x003F;
-  uint32_t callers_;
-  bool changed_;
+  static constexpr Word wanted = 0x1F80;     ///< all exceptions masked, round to nearest
+  static constexpr Word subnormal = 0x8040;  ///< flush to zero, denormals are zero
+  static constexpr Word inexact = 0x0020;
+  static constexpr Word flags = 0x003F;  ///< exceptions seen so far
 };
 
-/// That of a cycle: subnormal numbers are taken as zero, since they cost a hundred times as much on some processors.
-class CycleArithmetic : Arithmetic {
- public:
-  CycleArithmetic() : Arithmetic(masked | subnormal_zero) {}
-};
+#elif defined(__aarch64__)
 
-/// That of all other calls.
-class PlainArithmetic : Arithmetic {
- public:
-  PlainArithmetic() : Arithmetic(masked) {}
-};
-
-#elif defined(__aarch64__) || (defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 8) != 0)
-
-class Arithmetic {
- public:
-#if defined(__aarch64__)
+struct ControlWord {
   using Word = uint64_t;
   static Word read() {
     Word word = 0;
     __asm__ volatile("mrs %0, fpcr" : "=r"(word)::"memory");
     return word;
   }
-  static void write(Word word) {
-    __asm__ volatile("msr fpcr, %0" ::"r"(word) : "memory");
-  }
-#else
+  static void write(Word word) { __asm__ volatile("msr fpcr, %0" ::"r"(word) : "memory"); }
+  static constexpr Word wanted = 0;
+  static constexpr Word subnormal = Word{1} << 24U;
+  static constexpr Word inexact = 0;
+  static constexpr Word flags = 0;  ///< in a register of their own
+};
+
+#elif defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 8) != 0
+
+struct ControlWord {
   using Word = uint32_t;
   static Word read() {
     Word word = 0;
     __asm__ volatile("vmrs %0, fpscr" : "=r"(word)::"memory");
     return word;
   }
-  static void write(Word word) {
-    __asm__ volatile("vmsr fpscr, %0" ::"r"(word) : "memory");
-  }
-#endif
-  Arithmetic(Arithmetic const&) = delete;
-  Arithmetic& operator=(Arithmetic const&) = delete;
-
- protected:
-  explicit Arithmetic(Word wanted) : callers_(read()) {
-    write(wanted);
-  }
-  ~Arithmetic() {
-    write(callers_);
-  }
-
-  static constexpr Word flush_to_zero = Word{1} << 24U;
-
- private:
-  Word callers_;
-};
-
-class CycleArithmetic : Arithmetic {
- public:
-  CycleArithmetic() : Arithmetic(flush_to_zero) {}
-};
-
-class PlainArithmetic : Arithmetic {
- public:
-  PlainArithmetic() : Arithmetic(0) {}
+  static void write(Word word) { __asm__ volatile("vmsr fpscr, %0" ::"r"(word) : "memory"); }
+  static constexpr Word wanted = 0;
+  static constexpr Word subnormal = Word{1} << 24U;
+  static constexpr Word inexact = 0x10;
+  static constexpr Word flags = 0xF000'009F;  ///< of comparisons and exceptions
 };
 
 #else
 
-/// Processors that handle subnormal numbers at full speed, or have no such switch.
-class [[maybe_unused]] CycleArithmetic {
- public:
-  CycleArithmetic() = default;
-};
-
-class [[maybe_unused]] PlainArithmetic {
- public:
-  PlainArithmetic() = default;
+/// Processors without such a word.
+struct ControlWord {
+  using Word = uint32_t;
+  static Word read() { return 0; }
+  static void write(Word /*word*/) {}
+  static constexpr Word wanted = 0;
+  static constexpr Word subnormal = 0;
+  static constexpr Word inexact = 0;
+  static constexpr Word flags = 0;
 };
 
 #endif
 
+/// Changes the word where one of its bits, but for those that do not matter and the flags, is not the wanted one. Afterwards the
+/// caller's word comes back, with the flags of `Left` added that were raised meanwhile.
+template <ControlWord::Word Indifferent, ControlWord::Word Left>
+class Arithmetic {
+ public:
+  Arithmetic() : callers_(ControlWord::read()), changed_(!is_wanted(callers_)) {
+    if (changed_) ControlWord::write(ControlWord::wanted);
+  }
+  ~Arithmetic() {
+    if (changed_ || ((ControlWord::read() ^ callers_) & ~Left) != 0) ControlWord::write(callers_);
+  }
+  Arithmetic(Arithmetic const&) = delete;
+  Arithmetic& operator=(Arithmetic const&) = delete;
+
+ private:
+  static bool is_wanted(ControlWord::Word word) {
+    return (word & ~(Indifferent | ControlWord::flags)) == ControlWord::wanted;
+  }
+  ControlWord::Word callers_;
+  bool changed_;
+};
+
+/// That of a cycle. Nearly every computation is inexact: that flag stays as the cycle leaves it.
+using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
+
+/// That of all other calls, which may meet subnormal numbers.
+using PlainArithmetic = Arithmetic<0, 0>;
+
 /// Calls `work`. A compiler knows nothing of control words and may move what it computes past a change of them, but not out of a
 /// function.
 template <class Work>
-[[gnu::noinline]] auto apart(Work const& work) {
+AXISRT_APART auto apart(Work const& work) {
   return work();
 }
 

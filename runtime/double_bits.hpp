@@ -64,4 +64,14 @@ inline constexpr Mask all_set = ~Mask{0};
   return mask_if_finite(value) != 0;
 }
 
+/// The value, or 0 where it is below `limit`.
+[[nodiscard]] inline double unless_below(double limit, double value) {
+  return keep(~mask_if_less(magnitude_bits(value), std::bit_cast<uint64_t>(limit)), value);
+}
+
+/// The nearest multiple of 2^-53 times `unit`; numbers that are large beside it stay as they are.
+[[nodiscard]] constexpr double on_grid(double value, double unit) {
+  return (value + unit) - unit;
+}
+
 }  // namespace axisc::runtime

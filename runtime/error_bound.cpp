@@ -29,7 +29,7 @@ axisrt_status axisrt_axis_error_bound(axisrt const* runtime, uint32_t axis, doub
   Slot const* const slot = line.before != nullptr ? line.before : line.behind;
   bool const fades = slot != nullptr && is_fading(*slot);
   if (fades || changes_from(*runtime) != nullptr) return AXISRT_BUSY;
-  return in_cycle_arithmetic([&] {
+  return in_plain_arithmetic([&] {
     *bound = error_bound(*runtime, axis, velocity);
     return AXISRT_OK;
   });

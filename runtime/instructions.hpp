@@ -8,7 +8,7 @@
 
 namespace axisc::runtime {
 
-/// One instruction set. All functions are called with flushing of subnormal numbers to zero switched on.
+/// One instruction set. All functions are called with rounding to nearest and without traps.
 struct Instructions {
   uint32_t level;  ///< an axisrt_level
   uint32_t lanes;  ///< of the widest group: 1, 2, 4 or 8

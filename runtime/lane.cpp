@@ -12,17 +12,18 @@ Value join_blocking(Lane const& lane, Filter const& filter, Value const& in, dou
   double const direct = lane.share(filter, 1);
   Twofold const base = exact_product(direct, in.base);
   double const low = base.low + lane.share(filter, 2) * in.base;
-  return {.base = base.high, .sum = share * e + (direct * in.sum + low)};
+  return {.base = on_grid(base.high, grid), .sum = on_grid(share * e + (direct * in.sum + low), grid)};
 }
 
 Value join_delay(Lane const& lane, Filter const& filter, Value const& in, Value const& delayed) {
   double const distance = (in.base - delayed.base) + in.sum;
   return {.base = delayed.base,
-          .sum = lane.share(filter, 0) * delayed.sum + lane.share(filter, 1) * distance};
+          .sum = on_grid(lane.share(filter, 0) * delayed.sum + lane.share(filter, 1) * distance, grid)};
 }
 
 Value join_shared(Lane const& lane, Filter const& filter, Value const& in, double sum) {
-  return {.base = in.base, .sum = lane.share(filter, 0) * sum + lane.share(filter, 1) * in.sum};
+  return {.base = in.base,
+          .sum = on_grid(lane.share(filter, 0) * sum + lane.share(filter, 1) * in.sum, grid)};
 }
 
 ptrdiff_t tails_of(SlotGroup const& group) {

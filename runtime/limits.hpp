@@ -20,6 +20,28 @@ inline constexpr double largest_increment_at_rest = 0x1.fffffffffffffp-31;
 inline constexpr double largest_scale = 0x1p100;
 inline constexpr double largest_weight = 7;
 
+// What makes subnormal numbers impossible in a cycle; why it does, stands in lanes/sections_def.hpp.
+
+/// Positions and velocities below this are zero.
+inline constexpr double smallest_position = 0x1p-500;
+
+/// p of a section is zero below this, and its g, k and b, shares, weights and scales below the other.
+inline constexpr double smallest_numerator = 0x1p-44;
+inline constexpr double smallest_coefficient = 0x1p-62;
+
+/// Tails of a kernel are zero below this, and the rest of 1 - s below the other.
+inline constexpr double smallest_tail = 0x1p-128;
+inline constexpr double smallest_rest = 0x1p-108;
+
+/// Added and taken away again it leaves a multiple of 2^-620, and from 2^-513 on every number as it is.
+inline constexpr double grid = 0x1p-567;
+
+/// r of a section is stored as r + grid: taking that away again costs one operation only.
+inline constexpr double r_at_rest = grid;
+
+/// The same for multiples of 2^-908.
+inline constexpr double fine_grid = 0x1p-855;
+
 /// The states of a section are together at most this large, and zero instead of smaller than this.
 inline constexpr double largest_state = 0x1p200;
 inline constexpr double smallest_state = 0x1p-500;

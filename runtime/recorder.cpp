@@ -1,5 +1,6 @@
 #include "runtime/recorder.hpp"
 
+#include "runtime/compiler.hpp"
 #include "runtime/double_bits.hpp"
 
 #include <stddef.h>
@@ -44,7 +45,7 @@ uint64_t before_end(axisrt_recorder const& recorder, uint64_t place, uint64_t co
 
 /// Numbers and words are the same bytes.
 void copy_words(void* to, void const* from, uint64_t count) {
-  __builtin_memcpy(to, from, static_cast<size_t>(count * sizeof(uint64_t)));
+  AXISRT_COPY(to, from, static_cast<size_t>(count * sizeof(uint64_t)));
 }
 
 /// The oldest entry leaves the ring and is executed by the runtime that lags behind.

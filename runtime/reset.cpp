@@ -12,7 +12,7 @@ namespace {
 void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
   for (uint32_t i = 0; i < filter.section_count; ++i) {
     lane.e(filter, i) = 0;
-    lane.r(filter, i) = 0;
+    lane.r(filter, i) = r_at_rest;
   }
   if (filter.kind != FilterKind::delay) return;
   for (uint32_t i = 0; i <= filter.delay_cycles; ++i) {
@@ -24,7 +24,7 @@ void reset_filter(Lane const& lane, Filter const& filter, Value const& in) {
 
 /// A call between the cycles, which is going to be done.
 template <uint32_t Count>
-void record(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
+void record_values(axisrt const& runtime, uint32_t kind, uint32_t axis, double const (&values)[Count]) {
   record_call(runtime, {.kind = kind, .flags = 0, .status = AXISRT_OK, .index = axis}, values, Count);
 }
 
@@ -32,7 +32,7 @@ axisrt_status reset_port(axisrt const* runtime, LinePort const& port, uint32_t k
                          double position) {
   if (axis >= runtime->axis_count) return AXISRT_BAD_ARGUMENT;
   if (!is_within(position, largest_position)) return AXISRT_BAD_INPUT;
-  record(*runtime, kind, axis, {position});
+  record_values(*runtime, kind, axis, {position});
   return in_plain_arithmetic([&] {
     reset_line(*runtime, port, axis, position);
     return AXISRT_OK;
@@ -52,13 +52,14 @@ void shift_ring(Lane const& lane, Filter const& filter, Value const& shift) {
 
 /// States of sections and slots hold increments only: what moves with the origin are setpoints and delayed signals.
 void rebase_line(axisrt const& runtime, LineChain const& line, Lane const& lane, double offset) {
-  Value shift{.base = offset, .sum = 0};
+  double const taken = unless_below(smallest_position, offset);
+  Value shift{.base = taken, .sum = 0};
   for (uint32_t i = 0; i < line.filter_count; ++i) {
     Filter const& filter = runtime.filters[line.first_filter + i];
     shift_ring(lane, filter, shift);
     shift = steady_output(lane, filter, shift);
   }
-  lane.part(GroupParts::input) += offset;
+  lane.part(GroupParts::input) += taken;
   lane.part(GroupParts::output) += rounded(shift);
 }
 
@@ -68,7 +69,8 @@ void rebase_line(axisrt const& runtime, LineChain const& line, Lane const& lane,
 void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, double position) {
   LineChain const& line = port.lines[index];
   Lane const lane(port, line);
-  Value value{.base = position, .sum = 0};
+  double const taken = unless_below(smallest_position, position);
+  Value value{.base = taken, .sum = 0};
   if (line.before != nullptr) reset_slot(*line.before);
   for (uint32_t i = 0; i < line.filter_count; ++i) {
     Filter const& filter = runtime.filters[line.first_filter + i];
@@ -76,7 +78,7 @@ void reset_line(axisrt const& runtime, LinePort const& port, uint32_t index, dou
     value = steady_output(lane, filter, value);
   }
   if (line.behind != nullptr) reset_slot(*line.behind);
-  lane.part(GroupParts::input) = position;
+  lane.part(GroupParts::input) = taken;
   lane.part(GroupParts::output) = rounded(value);
   lane.set_reset_done();
 }
@@ -104,7 +106,7 @@ axisrt_status rebase(axisrt const& runtime, uint32_t axis, double offset) {
     axisrt_rebase(before, axis, offset);
     runtime.change->outputs[axis] += offset;
   }
-  record(runtime, axrd_rebase, axis, {offset});
+  record_values(runtime, axrd_rebase, axis, {offset});
   rebase_line(runtime, line, lane, offset);
   return AXISRT_OK;
 }
@@ -138,7 +140,7 @@ axisrt_status axisrt_reset_velocity(axisrt* runtime, uint32_t axis, double v_set
   if (axisrt* const before = changes_from(*runtime)) {
     axisrt_reset_velocity(before, axis, v_set, v_motor, v_direct);
   }
-  record(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
+  record_values(*runtime, axrd_reset_velocity, axis, {v_set, v_motor, v_direct});
   return in_plain_arithmetic([&] {
     reset_stages(*runtime, axis, velocities);
     return AXISRT_OK;

@@ -1,6 +1,7 @@
 // Going back to where a recording begins.
 #include "axisrt.h"
 #include "runtime/configuration.hpp"
+#include "runtime/control_word.hpp"
 #include "runtime/limits.hpp"
 #include "runtime/little_endian.hpp"
 #include "runtime/recording.hpp"
@@ -32,7 +33,7 @@ class Reader {
     for (uint64_t i = 0; i < count_states(to); ++i) {
       auto const row = static_cast<uint32_t>(i % to.state_stride / to.width);
       uint64_t const bits = take();
-      good = good && is_possible(row, bits);
+      good = good && is_possible(to, row, bits);
       if (row == GroupParts::reset_done && bits == 0) never_reset += 1;
       to.states[i] = std::bit_cast<double>(bits);
     }
@@ -46,17 +47,43 @@ class Reader {
     return word;
   }
 
-  static bool is_possible(uint32_t row, uint64_t bits) {
+  static bool is_possible(Batch const& batch, uint32_t row, uint64_t bits) {
+    auto const value = std::bit_cast<double>(bits);
     switch (row) {
       case GroupParts::input:
-        return is_within(std::bit_cast<double>(bits), largest_position);
+        return is_within(value, largest_position) && is_multiple(value, grid);
       case GroupParts::reset_done:
         return bits == 0 || bits == all_set;
       case GroupParts::largest_increment:
-        return bits <= std::bit_cast<uint64_t>(std::numeric_limits<double>::infinity());
+        return bits <= std::bit_cast<uint64_t>(std::numeric_limits<double>::infinity()) &&
+               is_multiple(value, grid);
       default:
-        return is_within(std::bit_cast<double>(bits), largest_restored);
+        return is_within(value, largest_restored) &&
+               is_multiple(value, is_fine(batch, row) ? fine_grid : grid);
     }
+  }
+
+  /// Outputs, e of sections, and what kernels have summed up ahead.
+  static bool is_fine(Batch const& batch, uint32_t row) {
+    if (row < GroupParts::operations) return true;
+    uint32_t last = 0;
+    for (uint32_t i = 1; i < batch.operation_count; ++i) {
+      if (batch.operations[i].first_state <= row) last = i;
+    }
+    Operation const& operation = batch.operations[last];
+    uint32_t const place = row - operation.first_state;
+    switch (operation.kind) {
+      case OperationKind::delay:
+        return false;
+      case OperationKind::slot:
+        return place >= SlotParts::ahead && place < SlotParts::history;
+      default:
+        return place % 2 == 0;
+    }
+  }
+
+  static bool is_multiple(double value, double unit) {
+    return is_within(unit, magnitude(value)) || on_grid(value, unit) == value;
   }
 
   /// Lanes without a line of their own.
@@ -110,5 +137,6 @@ axisrt_status axisrt_restore(axisrt_config const* config, void const* dump, size
   if (runtime == nullptr) return AXISRT_BAD_ARGUMENT;
   *runtime = nullptr;
   if (!is_known(config) || dump == nullptr) return AXISRT_BAD_ARGUMENT;
-  return restore(*config, static_cast<uint8_t const*>(dump), size, *runtime);
+  return in_plain_arithmetic(
+      [&] { return restore(*config, static_cast<uint8_t const*>(dump), size, *runtime); });
 }

@@ -2,6 +2,7 @@
 
 #include "runtime/control_word.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/limits.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -70,7 +71,10 @@ void clear_states(Batch const& batch) {
     for (uint32_t group = 0; group < batch.group_count; ++group) {
       double* const states = batch.states + static_cast<size_t>(group) * batch.state_stride +
                              static_cast<size_t>(operation.first_state) * batch.width;
-      for (uint32_t k = 0; k < size * batch.width; ++k) states[k] = 0;
+      bool const has_sections = operation.kind != OperationKind::delay;
+      for (uint32_t k = 0; k < size * batch.width; ++k) {
+        states[k] = has_sections && k / batch.width % 2 == 1 ? r_at_rest : 0;
+      }
     }
   }
 }
@@ -182,7 +186,7 @@ bool test_kernels(ImageView const& view, axisrt const& runtime) {
 }  // namespace
 
 axisrt_status run_self_tests(ImageView const& view, axisrt const& runtime) {
-  CycleArithmetic const arithmetic;
+  PlainArithmetic const arithmetic;
   bool const passed = test_filters(view, runtime, runtime.setpoint) &&
                       test_filters(view, runtime, runtime.additional_interface) &&
                       test_filters(view, runtime, runtime.velocity) && test_kernels(view, runtime);

@@ -3,6 +3,7 @@
 #include "runtime/control_word.hpp"
 #include "runtime/double_bits.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/limits.hpp"
 #include "runtime/recorder.hpp"
 
 namespace axisc::runtime {
@@ -49,7 +50,7 @@ Mask join_stages(axisrt const& runtime, Control const& control, double& v_add) {
     worst = worse(worst, runtime.stage_signals.status[i]);
     sum -= keep(reset_done, runtime.stages[i].weight * runtime.stage_signals.out[i]);
   }
-  v_add = limited(sum, control.limit);
+  v_add = limited(on_grid(sum, grid), control.limit);
   return worst;
 }
 

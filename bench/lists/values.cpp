@@ -42,7 +42,8 @@ double between(Parameter const& parameter, double largest, double lowest, Random
   bool const is_integer = schema::is_integer(parameter.type);
   schema::DataRange const all = schema::data_range(parameter.type);
   double low = parameter.minimum.kind == Limit::Kind::number ? parameter.minimum.number : lowest;
-  double high = parameter.maximum.kind == Limit::Kind::number ? parameter.maximum.number : largest;
+  double high =
+      parameter.maximum.kind == Limit::Kind::number ? parameter.maximum.number : std::max(largest, low + 10);
   if (is_integer) low = std::max(low + (parameter.minimum.open ? 1 : 0), all.lowest);
   if (is_integer) high = std::min(high - (parameter.maximum.open ? 1 : 0), all.highest);
   double const top = std::min(high, std::max(largest, low + 10));

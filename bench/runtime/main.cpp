@@ -1,14 +1,16 @@
 // Time per axis and cycle of the runtime at every instruction set, beside the plain loops and the libraries of the field,
 // as ratios within one run: best of 15 repetitions that are interleaved at random.
 //
-//   bench_runtime [--axes N,N,...] [--case NAME] [--flush] [options of Google Benchmark]
+//   bench_runtime [--axes N,N,...] [--case NAME] [options of Google Benchmark]
 //   bench_runtime --case cycles     single cycles: their distribution, standstill, cold caches, recorder
 //   bench_runtime --case load       checksum and verification of an image of about 1 MiB
 #include "bench/runtime/cases.hpp"
 #include "bench/runtime/cycles.hpp"
 #include "bench/runtime/load.hpp"
 #include "bench/runtime/peers.hpp"
-#include "image/runtime_host.hpp"
+#include "codegen/aligned_bytes.hpp"
+#include "codegen/image_fields.hpp"
+#include "codegen/record.hpp"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -54,6 +56,40 @@ void measure(benchmark::State& state, std::size_t axes, Step const& step) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * cycles_of_an_iteration * axes));
 }
 
+/// The runtime as a controller's task calls it, without the checks of the program's own host around it.
+struct Task {
+  codegen::AlignedBytes image, memory;
+  axisrt* runtime = nullptr;
+
+  Task(std::span<std::byte const> bytes, std::uint32_t level) : image(bytes), memory(room(level)) {
+    axisrt_config config = configuration(level);
+    config.memory = memory.data();
+    config.memory_size = memory.size();
+    if (axisrt_create(&config, &runtime) != AXISRT_OK) return;
+    for (std::uint32_t axis = 0; axis < axisrt_axis_count(runtime); ++axis) {
+      axisrt_reset(runtime, axis, 1e9);
+    }
+  }
+
+ private:
+  [[nodiscard]] axisrt_config configuration(std::uint32_t level) const {
+    axisrt_config config{};
+    config.size = sizeof(axisrt_config);
+    config.level = level;
+    config.image = image.data();
+    config.image_size = image.size();
+    config.cycle_time_ns = codegen::ConstRecord<codegen::records::header>(image.bytes())
+                               .get(codegen::fields::header::cycle_time_ns);
+    return config;
+  }
+  [[nodiscard]] std::size_t room(std::uint32_t level) const {
+    axisrt_config const config = configuration(level);
+    std::size_t size = 0;
+    std::size_t alignment = 0;
+    return axisrt_memory_size(&config, &size, &alignment) == AXISRT_OK ? size : 0;
+  }
+};
+
 struct Level {
   char const* name;
   std::uint32_t number;
@@ -78,13 +114,10 @@ void add_case(std::string const& name, std::size_t axes) {
   add("plain" + end, axes,
       [contender](double const* in, double* out) { step_plain(contender->plain, in, out); });
   for (Level const& level : levels) {
-    auto made = image::RuntimeHost::create(contender->image, std::nullopt, level.number);
-    if (!std::holds_alternative<image::RuntimeHost>(made)) continue;
-    auto const runtime = std::make_shared<image::RuntimeHost>(std::get<image::RuntimeHost>(std::move(made)));
-    static_cast<void>(runtime->reset_all(1e9));
-    add(level.name + end, axes, [runtime, axes](double const* in, double* out) {
-      static_cast<void>(runtime->step({in, axes}, {out, axes}));
-    });
+    auto const task = std::make_shared<Task>(contender->image, level.number);
+    if (task->runtime == nullptr) continue;
+    add(level.name + end, axes,
+        [task](double const* in, double* out) { axisrt_step(task->runtime, in, out, nullptr); });
   }
   for (Peer& peer : make_peers(name, contender->plain)) add(peer.name + end, axes, std::move(peer.step));
 }
@@ -125,13 +158,6 @@ class BestOf : public benchmark::BenchmarkReporter {
   std::vector<std::string> order_;
 };
 
-/// As a controller's task may do once and for all: the runtime then need not do it in every call.
-void flush_subnormals() {
-#if defined(__x86_64__)
-  __builtin_ia32_ldmxcsr(0x9FC0);
-#endif
-}
-
 }  // namespace
 }  // namespace axisc::bench
 
@@ -149,8 +175,6 @@ int main(int argc, char** argv) {
         if (end == next) return 2;
         next = *end == ',' ? end + 1 : end;
       }
-    } else if (std::strcmp(argv[i], "--flush") == 0) {
-      flush_subnormals();
     } else if (std::strcmp(argv[i], "--case") == 0 && i + 1 < argc) {
       only = argv[++i];
     } else {

@@ -19,8 +19,8 @@ constexpr Sentence machine_cycle_time_missing{
 constexpr Sentence machine_file_silenced{
     "{file} has mistakes that are silenced (AX4020), and no machine can be made of it; correct them",
     "{file} hat Fehler, die unterdrückt sind (AX4020), und daraus entsteht keine Maschine; sie beheben"};
-constexpr Sentence other_list{"{file} is not an axis list, so there is nothing to compile",
-                              "{file} ist keine Achsliste, also gibt es nichts zu übersetzen"};
+constexpr Sentence other_list{"{file} is not an axis list, so it configures no filter",
+                              "{file} ist keine Achsliste und konfiguriert keinen Filter"};
 constexpr Sentence not_compiled{
     "{place}: this version cannot compile {feature}; switch it off to compile the rest",
     "{place}: diese Version kann {feature} nicht übersetzen; abschalten, um den Rest zu übersetzen"};

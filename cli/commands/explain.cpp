@@ -7,6 +7,7 @@
 #include "cli/options/finding_codes.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/settings/settings.hpp"
+#include "configuration/list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "schema/closest_word.hpp"
 #include "schema/descriptions/description.hpp"
@@ -24,14 +25,15 @@ constexpr Sentence unknown_subject_meant{
     "war "
     "{meant} gemeint?"};
 constexpr Sentence purpose{
-    "Prints the page of a code, what a parameter of an axis list means, or which findings foretell a message "
+    "Prints the page of a code, what a parameter of a list means, or which findings foretell a message "
     "of the control.",
-    "Zeigt die Seite zu einem Code, was ein Parameter einer Achsliste bedeutet, oder welche Befunde eine "
+    "Zeigt die Seite zu einem Code, was ein Parameter einer Liste bedeutet, oder welche Befunde eine "
     "Meldung der Steuerung vorhersagen."};
 constexpr Sentence examples{R"(Examples:
   axisc explain AX3005
   axisc explain P-AXIS-00140
   axisc explain 'filter[0].order'
+  axisc explain P-CHAN-00035             parameters of all kinds of lists
   axisc explain vb_max                   every parameter with this word in its name
   axisc explain 50557                    the findings that foretell this message of the control
   axisc explain --all > rules.md)",
@@ -39,6 +41,7 @@ constexpr Sentence examples{R"(Examples:
   axisc explain AX3005
   axisc explain P-AXIS-00140
   axisc explain 'filter[0].order'
+  axisc explain P-CHAN-00035             Parameter aller Arten von Listen
   axisc explain vb_max                   alle Parameter mit diesem Wort im Namen
   axisc explain 50557                    die Befunde, die diese Meldung der Steuerung vorhersagen
   axisc explain --all --lang de > regeln.md)"};
@@ -58,6 +61,17 @@ namespace axisc::cli {
 
 namespace {
 
+/// Of axis lists with what schema files add, then of the other kinds.
+using Catalogues = std::vector<schema::Catalogue>;
+
+Catalogues all_catalogues(schema::Catalogue of_axes) {
+  Catalogues catalogues{std::move(of_axes)};
+  for (auto const& row : schema::list_kind_rows) {
+    if (row.kind != schema::ListKind::axis) catalogues.push_back(schema::Catalogue::of(row.kind));
+  }
+  return catalogues;
+}
+
 /// By code ("AX3005", "ax3005", "3005") or name ("delay-too-long").
 validator::Rule const* rule_of(std::string const& word) {
   auto const code = find_code(word);
@@ -65,15 +79,22 @@ validator::Rule const* rule_of(std::string const& word) {
   return by_number ? validator::find_rule(*by_number) : nullptr;
 }
 
-/// Rows with the number in "P-AXIS-00140", which may stand alone; zeros in front may be missing.
-std::span<schema::ParameterId const> rows_of_number(schema::Catalogue const& catalogue,
-                                                    std::string const& word) {
-  constexpr std::string_view prefix = "P-AXIS-";
+/// Rows with the number in "P-AXIS-00140" or "P-CHAN-00035". The number may stand alone for a parameter of axes; zeros in
+/// front may be missing.
+std::vector<schema::Parameter const*> rows_of_number(Catalogues const& catalogues, std::string const& word) {
   auto const text = ascii::upper_case(word);
-  auto const digits = std::string_view(text).substr(text.starts_with(prefix) ? prefix.size() : 0);
-  auto const number = parse_count(digits);
-  if (!number || *number > 0xFFFFU) return {};
-  return catalogue.find_number(static_cast<std::uint16_t>(*number));
+  std::vector<schema::Parameter const*> rows;
+  for (auto const& catalogue : catalogues) {
+    auto const prefix = configuration::number_prefix(catalogue.kind()) + "-";
+    bool const has_prefix = text.starts_with(prefix);
+    if (!has_prefix && catalogue.kind() != schema::ListKind::axis) continue;
+    auto const number = parse_count(std::string_view(text).substr(has_prefix ? prefix.size() : 0));
+    if (!number || *number > 0xFFFFU) continue;
+    for (auto const id : catalogue.find_number(static_cast<std::uint16_t>(*number))) {
+      rows.push_back(&catalogue.parameter(id));
+    }
+  }
+  return rows;
 }
 
 /// `filter[2].order` and `filter[].order` both name a row of the catalogue.
@@ -82,6 +103,16 @@ schema::Parameter const* row_of_name(schema::Catalogue const& catalogue, std::st
     if (parameter.name == word) return &parameter;
   }
   return catalogue.find(word).row;
+}
+
+/// Those of axis lists, else of the other kinds: several of them may know one name.
+std::vector<schema::Parameter const*> rows_of_name(Catalogues const& catalogues, std::string const& word) {
+  std::vector<schema::Parameter const*> rows;
+  for (auto const& catalogue : catalogues) {
+    if (auto const* const row = row_of_name(catalogue, word)) rows.push_back(row);
+    if (!rows.empty() && catalogue.kind() == schema::ListKind::axis) break;
+  }
+  return rows;
 }
 
 [[noreturn]] void refuse(schema::Catalogue const& catalogue, std::string const& word) {
@@ -141,7 +172,7 @@ std::vector<schema::Parameter const*> parameters_with(schema::Catalogue const& c
   });
 }
 
-Subject subject_of(schema::Catalogue const& catalogue, std::string const& word, Language language) {
+Subject subject_of(Catalogues const& catalogues, std::string const& word, Language language) {
   Subject subject;
   if (auto const* const rule = rule_of(word)) subject.rules.push_back(rule);
   for (auto const& rule : validator::rules()) {
@@ -150,18 +181,17 @@ Subject subject_of(schema::Catalogue const& catalogue, std::string const& word, 
     subject.foretelling.push_back(&rule);
   }
   if (!subject.rules.empty() || !subject.foretelling.empty()) return subject;
-  for (auto const id : rows_of_number(catalogue, word)) {
-    subject.parameters.push_back(&catalogue.parameter(id));
-  }
+  subject.parameters = rows_of_number(catalogues, word);
+  if (subject.parameters.empty()) subject.parameters = rows_of_name(catalogues, word);
   if (!subject.parameters.empty()) return subject;
-  if (auto const* const parameter = row_of_name(catalogue, word)) {
-    subject.parameters.push_back(parameter);
-    return subject;
-  }
   subject.searched = true;
-  subject.parameters = parameters_with(catalogue, word, language);
+  for (auto const& catalogue : catalogues) {
+    auto const found = parameters_with(catalogue, word, language);
+    subject.parameters.insert(subject.parameters.end(), found.begin(), found.end());
+    if (!subject.parameters.empty() && catalogue.kind() == schema::ListKind::axis) break;
+  }
   if (!subject.parameters.empty()) return subject;
-  refuse(catalogue, word);
+  refuse(catalogues.front(), word);
 }
 
 Subject everything(schema::Catalogue const& catalogue) {
@@ -205,13 +235,13 @@ ExitStatus explain(Invocation const& invocation) {
   // The parameters that lists of the working folder may set.
   auto const catalogue = SettingsFinder(schema_files).catalogue("-");
   if (format == Format::json) {
-    auto subject = all ? everything(catalogue) : subject_of(catalogue, *word, language);
+    auto subject = all ? everything(catalogue) : subject_of(all_catalogues(catalogue), *word, language);
     subject.rules.insert(subject.rules.end(), subject.foretelling.begin(), subject.foretelling.end());
     invocation.streams.out.write(explain_json(catalogue, subject.rules, subject.parameters, language));
   } else {
     invocation.streams.out.write(
         all ? explain_all(language)
-            : explain_markdown(catalogue, subject_of(catalogue, *word, language), language));
+            : explain_markdown(catalogue, subject_of(all_catalogues(catalogue), *word, language), language));
   }
   return ExitStatus::success;
 }

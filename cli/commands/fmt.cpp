@@ -12,6 +12,7 @@
 #include "cli/sentences.hpp"
 #include "cli/settings/settings.hpp"
 #include "configuration/project_file.hpp"
+#include "configuration/xml_list.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/list_layout.hpp"
 
@@ -67,9 +68,9 @@ namespace axisc::cli {
 
 namespace {
 
-/// NC programs are not lists: their layout is up to their author.
-bool is_program(std::string const& path) {
-  return has_extension(path, ".nc");
+/// NC programs are not lists, and XML is not aligned: their layout is up to their author.
+bool keeps_layout(std::string const& path) {
+  return has_extension(path, ".nc") || configuration::is_xml_name(path);
 }
 
 struct FmtOptions {
@@ -90,7 +91,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     if (known.insert(identities.of(list)).second) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
-    if (is_program(input)) continue;
+    if (has_extension(input, ".nc")) continue;
     auto const outline = outline_of(input);
     if (!outline.is_machine || configuration::is_project_name(input)) {
       add(input);
@@ -98,7 +99,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     auto const folder = std::filesystem::path(input).parent_path();
     for (auto const& named : outline.lists) {
-      if (!is_program(named) && !has_extension(named, ".json")) add((folder / named).string());
+      if (!keeps_layout(named) && !has_extension(named, ".json")) add((folder / named).string());
     }
   }
   return lists;
@@ -153,7 +154,7 @@ std::string aligned_project(std::string const& name, std::string const& before,
 
 std::string aligned_text(std::string const& name, std::string const& before,
                          schema::Catalogue const& catalogue, validator::AlignedKinds kinds) {
-  if (is_program(name)) return before;
+  if (keeps_layout(name)) return before;
   if (configuration::is_project_name(name)) return aligned_project(name, before, catalogue);
   return validator::aligned_list(SourceText(name, before), catalogue, kinds);
 }

@@ -19,9 +19,9 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Frequency response of each chain, computed from the image's coefficients. Columns: axis, frequency_hz,
-magnitude, phase_rad, group_delay_s; with --format text decibels, degrees and milliseconds.)",
+magnitude, phase_rad, group_delay_s, magnitude_db, phase_deg; with --format text decibels, degrees and milliseconds.)",
     R"(Frequenzgang jeder Filterkette, aus den Koeffizienten des Abbilds gerechnet. Spalten: axis, frequency_hz,
-magnitude, phase_rad, group_delay_s; mit --format text Dezibel, Grad und Millisekunden.)"};
+magnitude, phase_rad, group_delay_s, magnitude_db, phase_deg; mit --format text Dezibel, Grad und Millisekunden.)"};
 constexpr Sentence examples{R"(Examples:
   axisc response mill.axim --axis X
   axisc response mill.axim --frequencies 0,1,2.5,42
@@ -111,6 +111,15 @@ std::vector<double> frequencies_of_filters(image::ImageContents const& image,
   return frequencies;
 }
 
+/// -inf where nothing passes.
+double decibels(design::ResponsePoint const& point) {
+  return 20 * std::log10(point.magnitude);
+}
+
+double degrees(design::ResponsePoint const& point) {
+  return point.phase_rad * 180 / std::numbers::pi;
+}
+
 void write_text(Console& out, ImageFile const& file, ResponseOptions const& options,
                 std::vector<std::size_t> const& axes, std::vector<double> const& frequencies,
                 image::RuntimeHost const& host, Language language) {
@@ -126,8 +135,7 @@ void write_text(Console& out, ImageFile const& file, ResponseOptions const& opti
     for (double const frequency : frequencies) {
       auto const point = response.at({frequency});
       rows.push_back({axis_label(file.contents, axis), format_rounded(frequency, digits),
-                      format_rounded(20 * std::log10(point.magnitude), digits),
-                      format_rounded(point.phase_rad * 180 / std::numbers::pi, digits),
+                      format_rounded(decibels(point), digits), format_rounded(degrees(point), digits),
                       format_rounded(point.group_delay_s * 1000, digits)});
     }
   }
@@ -141,7 +149,8 @@ void write_csv_rows(Console& out, std::string const& axis, PortResponse const& r
   for (double const frequency : frequencies) {
     auto const point = response.at({frequency});
     std::string line = name + ",";
-    append_csv_row(line, std::array{frequency, point.magnitude, point.phase_rad, point.group_delay_s});
+    append_csv_row(line, std::array{frequency, point.magnitude, point.phase_rad, point.group_delay_s,
+                                    decibels(point), degrees(point)});
     out.write(line);
   }
 }
@@ -155,7 +164,9 @@ std::string json_rows(std::string const& axis, PortResponse const& response,
     text += "    {\"axis\": " + json_string(axis) + ", \"frequency_hz\": " + json_number(frequency) +
             ", \"magnitude\": " + json_number(point.magnitude) +
             ", \"phase_rad\": " + json_number(point.phase_rad) +
-            ", \"group_delay_s\": " + json_number(point.group_delay_s) + "}";
+            ", \"group_delay_s\": " + json_number(point.group_delay_s) +
+            ", \"magnitude_db\": " + json_number(decibels(point)) +
+            ", \"phase_deg\": " + json_number(degrees(point)) + "}";
   }
   return text;
 }
@@ -205,7 +216,7 @@ ExitStatus response(Invocation const& invocation) {
     write_text(out, file, options, axes, frequencies, host, invocation.language);
     return ExitStatus::success;
   }
-  out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s\n");
+  out.write("axis,frequency_hz,magnitude,phase_rad,group_delay_s,magnitude_db,phase_deg\n");
   for (auto const axis : axes) {
     write_csv_rows(out, axis_label(file.contents, axis),
                    PortResponse(file.contents, host, axis, options.port), frequencies);

@@ -66,6 +66,11 @@ constexpr Sentence option_reset{"value from which every axis starts, at rest (de
                                 "Wert, auf dem jede Achse anfangs ruht (Standardwert: 0)"};
 constexpr Sentence option_csv_output{"where the rows go (default: standard output)",
                                      "wohin die Zeilen gehen (Standardwert: Standardausgabe)"};
+constexpr Sentence option_time{"begin each row with the time in seconds (column time_s)",
+                               "jede Zeile mit der Zeit in Sekunden beginnen (Spalte time_s)"};
+constexpr Sentence option_format{
+    "csv, which reads back as the same numbers, or text: aligned, four significant digits (default: csv)",
+    "csv, das dieselben Zahlen ergibt, oder text: ausgerichtet, vier gültige Stellen (Standardwert: csv)"};
 constexpr Sentence option_quiet{"no warning about unusable setpoints",
                                 "keine Warnung über unbrauchbare Sollwerte"};
 
@@ -102,6 +107,7 @@ struct RunOptions {
   std::optional<std::string> record;
   std::optional<std::string> record_cycles;
   bool quiet = false;
+  RunTable table;
 };
 
 void declare(CommandLine& command_line, RunOptions& options) {
@@ -117,6 +123,9 @@ void declare(CommandLine& command_line, RunOptions& options) {
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_csv_output);
   command_line.value("--record", "FILE.axrd", options.record, says::option_record);
   command_line.value("--record-cycles", "N", options.record_cycles, says::option_record_cycles);
+  command_line.flag("--time", options.table.has_time, says::option_time);
+  command_line.choice("--format", {{"csv", false}, {"text", true}}, options.table.is_text,
+                      says::option_format);
   command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
 }
 
@@ -254,10 +263,10 @@ ExitStatus run(Invocation const& invocation) {
   Noticed noticed;
   if (options.output) {
     OutputFile target(*options.output);
-    noticed = execution.go([&target](std::string_view text) { target.write(text); });
+    noticed = execution.go(options.table, [&target](std::string_view text) { target.write(text); });
     target.commit();
   } else {
-    noticed = execution.go([&out](std::string_view text) { out.write(text); });
+    noticed = execution.go(options.table, [&out](std::string_view text) { out.write(text); });
   }
   if (options.record) write_recording(*options.record, execution.recording());
   if (options.quiet) return ExitStatus::success;

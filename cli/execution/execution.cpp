@@ -2,7 +2,9 @@
 
 #include "cli/failure.hpp"
 #include "cli/report/csv.hpp"
+#include "cli/report/text_table.hpp"
 #include "cli/sentences.hpp"
+#include "diagnostics/format_number.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +14,54 @@ namespace axisc::cli {
 namespace {
 
 constexpr std::size_t piece = std::size_t{1} << 16U;
+
+/// The rows of a run, in pieces.
+class TableWriter {
+ public:
+  TableWriter(RunTable table, std::function<void(std::string_view)> const& write)
+      : is_text_(table.is_text), write_(write) {}
+
+  void header(std::vector<std::string> const& names) {
+    for (auto const& name : names) widths_.push_back(std::max(narrowest, display_width(csv_name(name))));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (is_text_) {
+        add_cell(i, csv_name(names[i]));
+      } else {
+        if (i != 0) text_ += ',';
+        append_csv_name(text_, names[i]);
+      }
+    }
+    text_ += '\n';
+  }
+
+  void row(std::vector<double> const& values) {
+    if (is_text_) {
+      for (std::size_t i = 0; i < values.size(); ++i) add_cell(i, format_rounded(values[i], digits));
+      text_ += '\n';
+    } else {
+      append_csv_row(text_, values);
+    }
+    if (text_.size() >= piece) flush();
+  }
+
+  void flush() {
+    write_(text_);
+    text_.clear();
+  }
+
+ private:
+  static constexpr std::size_t narrowest = 10;
+  static constexpr int digits = 4;
+
+  void add_cell(std::size_t column, std::string const& cell) {
+    text_ += column + 1 == widths_.size() ? cell : padded(cell, widths_[column]) + "  ";
+  }
+
+  bool is_text_;
+  std::function<void(std::string_view)> const& write_;
+  std::vector<std::size_t> widths_;
+  std::string text_;
+};
 
 void require(axisrt_status status) {
   if (status == AXISRT_OK) return;
@@ -80,31 +130,29 @@ std::vector<Execution::Output> Execution::outputs() const {
   return outputs;
 }
 
-Noticed Execution::go(std::function<void(std::string_view)> const& write) {
+Noticed Execution::go(RunTable table, std::function<void(std::string_view)> const& write) {
   auto const columns = outputs();
-  std::string text;
-  for (auto const& column : columns) {
-    if (!text.empty()) text += ',';
-    append_csv_name(text, column.name);
-  }
-  text += '\n';
+  TableWriter writer(table, write);
+  std::vector<std::string> names;
+  if (table.has_time) names.emplace_back("time_s");
+  for (auto const& column : columns) names.push_back(column.name);
+  writer.header(names);
   std::vector<double> row_in(stimulus_.channels().size());
-  std::vector<double> row_out(columns.size());
+  std::vector<double> row_out(names.size());
+  double const cycle_time = image_.cycle_time.seconds();
   Noticed noticed;
   std::uint64_t cycle = 0;
   for (; stimulus_.next(row_in); ++cycle) {
     execute_commands(cycle);
     feed(row_in);
     step(cycle, noticed);
-    std::transform(columns.begin(), columns.end(), row_out.begin(),
+    if (table.has_time) row_out.front() = static_cast<double>(cycle) * cycle_time;
+    std::transform(columns.begin(), columns.end(),
+                   row_out.end() - static_cast<std::ptrdiff_t>(columns.size()),
                    [](Output const& column) { return (*column.values)[column.axis]; });
-    append_csv_row(text, row_out);
-    if (text.size() >= piece) {
-      write(text);
-      text.clear();
-    }
+    writer.row(row_out);
   }
-  write(text);
+  writer.flush();
   refuse_late(commands_, cycle);
   return noticed;
 }

@@ -29,6 +29,12 @@ struct Noticed {
   Occurrences jumps;    ///< outputs that moved farther than their axis may
 };
 
+/// How the table of a run is written.
+struct RunTable {
+  bool has_time = false;  ///< a first column with the time since the first cycle, in seconds
+  bool is_text = false;   ///< aligned columns with four significant digits instead of CSV
+};
+
 class Execution {
  public:
   /// `path` is the image's file in messages.
@@ -43,7 +49,7 @@ class Execution {
   void reset(double position, Port fed);
   /// Runs to the end of the stimulus and passes on the table in pieces, header first. Failure if the runtime stops or a
   /// command cannot be executed.
-  Noticed go(std::function<void(std::string_view)> const& write);
+  Noticed go(RunTable table, std::function<void(std::string_view)> const& write);
 
  private:
   /// A column of output.

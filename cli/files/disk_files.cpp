@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <system_error>
 
@@ -140,12 +141,13 @@ std::string require(std::string const& path, Bytes bytes) {
 }
 
 std::optional<FileError> read_blocks(system::File const& file, configuration::PieceReceiver const& receive) {
-  std::string block(block_size, '\0');
+  auto const memory = std::make_unique_for_overwrite<char[]>(block_size);
+  std::span<char> const block(memory.get(), block_size);
   while (true) {
     auto const result = file.read(block);
     if (auto const* const error = std::get_if<system::Error>(&result)) return error_of(*error);
     auto const got = std::get<std::size_t>(result);
-    if (got == 0 || !receive(std::string_view(block).substr(0, got))) return {};
+    if (got == 0 || !receive(std::string_view(block.data(), got))) return {};
   }
 }
 

@@ -47,7 +47,7 @@ std::vector<DiffLine> DiffWords::effects(image::ChainDifference const& chain) co
   return lines;
 }
 
-std::string DiffWords::time(double cycles, design::CycleTime cycle_time) const {
+std::string DiffWords::time(double cycles, design::CycleTime cycle_time) {
   return format_rounded(cycles * cycle_time.seconds() * 1e3, figures) + " ms";
 }
 

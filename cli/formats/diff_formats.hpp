@@ -25,7 +25,7 @@ struct ShownDifference {
 [[nodiscard]] std::string diff_json(ShownDifference const& shown, Language language);
 
 /// Corner deviation in µm for a path of `feed` mm/min.
-[[nodiscard]] std::optional<double> corner_deviation_um(image::ChainFigures const& figures, double feed,
+[[nodiscard]] std::optional<double> corner_deviation_um(image::ChainFigures const& chain, double feed,
                                                         design::CycleTime cycle_time);
 
 }  // namespace axisc::cli

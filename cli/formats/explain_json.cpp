@@ -12,14 +12,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json limit_json(schema::Limit const& limit) {
+ordered_json limit_json(schema::ListKind kind, schema::Limit const& limit) {
   switch (limit.kind) {
     case schema::Limit::Kind::none:
       return nullptr;
     case schema::Limit::Kind::number:
       return {{"number", limit.number}, {"open", limit.open}};
     case schema::Limit::Kind::parameter:
-      return {{"p_axis", schema::p_axis_text(limit.p_axis)}, {"open", limit.open}};
+      return {{"p_axis", schema::number_text(kind, limit.p_axis)}, {"open", limit.open}};
   }
   return nullptr;
 }
@@ -49,11 +49,12 @@ ordered_json rule_json(validator::Rule const& rule, Language language) {
 ordered_json parameter_json(schema::Catalogue const& catalogue, schema::Parameter const& parameter,
                             Language language) {
   ordered_json json{{"name", parameter.name},
-                    {"p_axis", text_json(schema::p_axis_text(parameter.p_axis))},
+                    {"p_axis", text_json(schema::number_text(parameter.kind, parameter.p_axis))},
+                    {"list", schema::row_of(parameter.kind).word},
                     {"type", schema::data_type_name(parameter.type)}};
   json["default"] = parameter.has_default ? ordered_json(default_text(parameter)) : ordered_json(nullptr);
-  json["minimum"] = limit_json(parameter.minimum);
-  json["maximum"] = limit_json(parameter.maximum);
+  json["minimum"] = limit_json(parameter.kind, parameter.minimum);
+  json["maximum"] = limit_json(parameter.kind, parameter.maximum);
   json["unit"] = {{"translatory", text_json(parameter.unit_translatory)},
                   {"rotary", text_json(parameter.unit_rotary)}};
   json["entries"] = ordered_json::array();

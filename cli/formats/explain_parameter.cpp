@@ -10,6 +10,7 @@
 namespace axisc::cli::says {
 
 constexpr Sentence manual{"manual", "Handbuch"};
+constexpr Sentence list{"kind of list", "Art der Liste"};
 constexpr Sentence type{"type", "Typ"};
 constexpr Sentence range{"range", "Wertebereich"};
 constexpr Sentence range_by_type{"range by type", "Wertebereich je Typ"};
@@ -47,21 +48,21 @@ std::string say(SentenceRef text, Language language, std::vector<Argument> argum
 }
 
 /// "0 ≤", "< P-AXIS-00008": empty where there is no limit.
-std::string limit_text(schema::Limit const& limit) {
+std::string limit_text(schema::ListKind kind, schema::Limit const& limit) {
   switch (limit.kind) {
     case schema::Limit::Kind::none:
       return {};
     case schema::Limit::Kind::number:
       return format_exact(limit.number);
     case schema::Limit::Kind::parameter:
-      return schema::p_axis_text(limit.p_axis);
+      return schema::number_text(kind, limit.p_axis);
   }
   return {};
 }
 
 std::string range_text(schema::Parameter const& parameter, Language language) {
-  auto const minimum = limit_text(parameter.minimum);
-  auto const maximum = limit_text(parameter.maximum);
+  auto const minimum = limit_text(parameter.kind, parameter.minimum);
+  auto const maximum = limit_text(parameter.kind, parameter.maximum);
   if (minimum.empty() && maximum.empty()) return {};
   std::string text = say(says::value, language);
   if (!minimum.empty()) text = minimum + (parameter.minimum.open ? " < " : " ≤ ") + text;
@@ -145,7 +146,7 @@ std::string example(schema::Parameter const& parameter) {
 std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parameter const& parameter,
                               Language language) {
   std::string text = "# " + std::string(parameter.name);
-  if (parameter.p_axis != 0) text += " (" + schema::p_axis_text(parameter.p_axis) + ")";
+  if (parameter.p_axis != 0) text += " (" + schema::number_text(parameter.kind, parameter.p_axis) + ")";
   text += "\n\n";
   auto const description = schema::description_of(parameter);
   text += meaning(description, language);
@@ -153,6 +154,8 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
     if (value.empty()) return;
     text += "- " + say(label, language) + (value.starts_with('\n') ? ":" : ": ") + value + "\n";
   };
+  bool const is_of_axes = parameter.kind == schema::ListKind::axis;
+  row(says::list, is_of_axes ? "" : std::string(schema::row_of(parameter.kind).word));
   row(says::type, std::string(schema::data_type_name(parameter.type)));
   row(says::range, parameter.is_enumeration() ? "" : range_text(parameter, language));
   for (auto const& range : ranges_by_type(parameter, language)) row(says::range_by_type, range);
@@ -178,7 +181,9 @@ std::string list_parameters(std::span<schema::Parameter const* const> parameters
   std::string text;
   for (auto const* const parameter : parameters) {
     text += "- `" + std::string(parameter->name) + "`";
-    if (parameter->p_axis != 0) text += " (" + schema::p_axis_text(parameter->p_axis) + ")";
+    if (parameter->p_axis != 0) {
+      text += " (" + schema::number_text(parameter->kind, parameter->p_axis) + ")";
+    }
     auto const what = schema::description_of(*parameter).what.in(language);
     text += (what.empty() ? "" : ": " + std::string(what)) + "\n";
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
+#include "image/chain_figures.hpp"
 #include "image/image_contents.hpp"
 #include "image/signature.hpp"
 
@@ -18,6 +19,7 @@ struct Shown {
   std::vector<std::size_t> axes;                      ///< which of them
   std::optional<image::KeyId> signer = std::nullopt;  ///< the key that the image was signed with
   bool signature_checked = false;                     ///< and the signature was found right
+  std::vector<image::ChainFigures> figures = {};      ///< of `axes`
   std::optional<std::size_t> memory;  ///< bytes that the runtime needs on a target, where asked for
 };
 

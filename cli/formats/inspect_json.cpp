@@ -99,7 +99,32 @@ char const* axis_type_word(std::uint32_t type) {
   }
 }
 
-ordered_json axis_json(image::ImageContents const& image, std::size_t index) {
+ordered_json optional_json(std::optional<double> value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json chain_json(image::ImageContents const& image, std::size_t index,
+                        image::ChainFigures const& chain) {
+  ordered_json json;
+  std::optional<double> settling;
+  if (chain.settling_cycles) {
+    settling = static_cast<double>(*chain.settling_cycles) * image.cycle_time.seconds() * 1e3;
+  }
+  json["settling_ms"] = optional_json(settling);
+  json["overshoot_percent"] = chain.overshoot * 100;
+  auto const corner = image::corner_frequency(image, index);
+  json["corner_frequency_hz"] = corner ? ordered_json(corner->value) : ordered_json(nullptr);
+  json["magnitudes"] = ordered_json::array();
+  for (auto const frequency : image::characteristic_frequencies(image, index)) {
+    json["magnitudes"].push_back(
+        {{"frequency_hz", frequency.value},
+         {"magnitude_db", optional_json(image::decibels(image::chain_magnitude(image, index, frequency)))}});
+  }
+  return json;
+}
+
+ordered_json axis_json(image::ImageContents const& image, std::size_t index,
+                       image::ChainFigures const& chain) {
   auto const& axis = image.axes[index];
   ordered_json json{{"name", axis_label(image, index)},
                     {"number", axis.number},
@@ -110,7 +135,8 @@ ordered_json axis_json(image::ImageContents const& image, std::size_t index) {
                     {"acceleration_limit", axis.acceleration_limit},
                     {"delay_cycles", axis.delay_cycles},
                     {"delay_ms", axis.delay_cycles * image.cycle_time.seconds() * 1e3},
-                    {"peak_gain", axis.peak_gain}};
+                    {"peak_gain", axis.peak_gain},
+                    {"chain", chain_json(image, index, chain)}};
   json["filters"] = ordered_json::array();
   for (auto const& filter : axis.filters) {
     json["filters"].push_back(filter_json(axis, filter, false, image.cycle_time));
@@ -151,7 +177,9 @@ std::string inspect_json(Shown const& shown) {
     json["lists"].push_back({{"name", list.name}, {"sha256", hexadecimal(list.sha256)}});
   }
   json["axes"] = ordered_json::array();
-  for (auto const index : shown.axes) json["axes"].push_back(axis_json(image, index));
+  for (std::size_t i = 0; i < shown.axes.size(); ++i) {
+    json["axes"].push_back(axis_json(image, shown.axes[i], shown.figures[i]));
+  }
   json["kernels"] = ordered_json::array();
   for (auto const& kernel : image.kernels) json["kernels"].push_back(kernel_json(kernel, image.cycle_time));
   json["channels"] = ordered_json::array();

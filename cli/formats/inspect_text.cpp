@@ -34,6 +34,16 @@ constexpr Sentence window{"position window", "Positionsfenster"};
 constexpr Sentence chain{"setpoint chain", "Sollwertkette"};
 constexpr Sentence chain_value{"delay {cycles} cycles ({ms} ms), peak gain {gain}",
                                "Verzögerung {cycles} Zyklen ({ms} ms), Spitzenverstärkung {gain}"};
+constexpr Sentence step{"step", "Sprung"};
+constexpr Sentence step_value{"settles within 0.01 % in {time}, overshoots by {overshoot} %",
+                              "nach {time} auf 0,01 % eingeschwungen, Überschwingen {overshoot} %"};
+constexpr Sentence step_unsettled{"does not settle within 0.01 % in {time}, overshoots by {overshoot} %",
+                                  "nach {time} nicht auf 0,01 % eingeschwungen, Überschwingen {overshoot} %"};
+constexpr Sentence magnitude{"magnitude", "Betrag"};
+constexpr Sentence corner_at{"-3 dB at {frequency} Hz", "-3 dB bei {frequency} Hz"};
+constexpr Sentence no_corner{"above -3 dB up to 0.5/T", "über -3 dB bis 0,5/T"};
+constexpr Sentence magnitude_at{"{decibels} dB at {frequency} Hz", "{decibels} dB bei {frequency} Hz"};
+constexpr Sentence nothing_at{"nothing passes at {frequency} Hz", "bei {frequency} Hz geht nichts durch"};
 constexpr Sentence no_filter{"no filter: setpoints pass unchanged",
                              "kein Filter: Sollwerte gehen unverändert durch"};
 constexpr Sentence setpoint{"setpoint", "Sollwert"};
@@ -77,7 +87,7 @@ class InspectText : public InspectWriter {
     return text + "  " + say(says::sources) + "\n" + text_table(lists, 4);
   }
 
-  std::string axis(std::size_t index) const {
+  std::string axis(std::size_t index, image::ChainFigures const& chain) const {
     auto const& axis = image_.axes[index];
     bool const linear = axis.type == 1;
     std::string text = say(says::axis, {{"axis", axis_label(image_, index)},
@@ -91,12 +101,34 @@ class InspectText : public InspectWriter {
     text += row(says::chain, say(says::chain_value, {{"cycles", rounded(axis.delay_cycles)},
                                                      {"ms", milliseconds(axis.delay_cycles)},
                                                      {"gain", rounded(axis.peak_gain)}}));
+    if (!axis.filters.empty() || axis.slot) text += step(chain) + magnitudes(index);
     if (!axis.filters.empty() || !axis.slot) text += filters(axis, axis.filters, false);
     text += slot_text(index) + filters(axis, axis.interface_filters, true);
     return text + control_text(index);
   }
 
  private:
+  std::string step(image::ChainFigures const& chain) const {
+    auto const cycles = chain.settling_cycles.value_or(image::longest_settling);
+    return row(says::step, say(chain.settling_cycles ? says::step_value : says::step_unsettled,
+                               {{"time", delay(static_cast<double>(cycles))},
+                                {"overshoot", rounded(chain.overshoot * 100)}}));
+  }
+
+  /// Where the chain begins to weaken setpoints, and what it leaves of those that its filters are made for.
+  std::string magnitudes(std::size_t index) const {
+    auto const corner = image::corner_frequency(image_, index);
+    std::string text =
+        corner ? say(says::corner_at, {{"frequency", rounded(corner->value)}}) : say(says::no_corner);
+    for (auto const frequency : image::characteristic_frequencies(image_, index)) {
+      auto const decibels = image::decibels(image::chain_magnitude(image_, index, frequency));
+      text +=
+          "; " + say(decibels ? says::magnitude_at : says::nothing_at,
+                     {{"decibels", rounded(decibels.value_or(0))}, {"frequency", rounded(frequency.value)}});
+    }
+    return row(says::magnitude, text);
+  }
+
   std::string signature(Shown const& shown) const {
     if (!shown.signer) return say(says::inspect_unsigned);
     return say(shown.signature_checked ? says::signed_right : says::inspect_signed,
@@ -170,7 +202,9 @@ class InspectText : public InspectWriter {
 std::string inspect_text(Shown const& shown, Language language) {
   InspectText const text_writer(shown.image, language);
   std::string text = text_writer.header(shown);
-  for (auto const index : shown.axes) text += "\n" + text_writer.axis(index);
+  for (std::size_t i = 0; i < shown.axes.size(); ++i) {
+    text += "\n" + text_writer.axis(shown.axes[i], shown.figures[i]);
+  }
   text += text_writer.kernels_text(shown.axes) + text_writer.channels_text(shown.axes);
   return text;
 }

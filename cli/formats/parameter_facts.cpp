@@ -103,6 +103,7 @@ std::string range_of(design::FilterKind const& kind, std::string_view name, Lang
 
 std::vector<std::string> rules_about(schema::Parameter const& parameter) {
   std::vector<std::string> codes;
+  if (parameter.kind != schema::ListKind::axis) return codes;
   for (auto const& rule : validator::rules()) {
     if (validator::looks_at(rule, parameter)) codes.push_back(code_text(rule.code));
   }
@@ -111,6 +112,7 @@ std::vector<std::string> rules_about(schema::Parameter const& parameter) {
 
 std::vector<std::string> ranges_by_type(schema::Parameter const& parameter, Language language) {
   std::vector<std::pair<std::string, std::string>> types_of_range;
+  if (parameter.kind != schema::ListKind::axis) return {};
   auto const name = name_in_filter(parameter.name);
   for (auto const& kind : design::filter_kinds) {
     auto const range = range_of(kind, name, language);
@@ -125,7 +127,8 @@ std::vector<std::string> ranges_by_type(schema::Parameter const& parameter, Lang
     }
   }
   std::vector<std::string> lines;
-  for (auto const& [range, types] : types_of_range) lines.push_back(types + ": " + range);
+  lines.reserve(types_of_range.size());
+  for (auto& [range, types] : types_of_range) lines.push_back(types.append(": ").append(range));
   for (auto const& [pattern, text] : further_ranges) {
     if (parameter.name == pattern) lines.push_back(render({.sentence = text, .arguments = {}}, language));
   }
@@ -155,7 +158,7 @@ std::string default_text(schema::Parameter const& parameter) {
 
 std::string manual_section(schema::Parameter const& parameter, Language language) {
   for (auto const& [beginning, text] : manuals) {
-    if (parameter.name.substr(0, beginning.size()) == beginning) {
+    if (parameter.kind == schema::ListKind::axis && parameter.name.substr(0, beginning.size()) == beginning) {
       return render({.sentence = text, .arguments = {}}, language);
     }
   }

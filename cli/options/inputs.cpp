@@ -6,6 +6,7 @@
 #include "cli/options/machine_outline.hpp"
 #include "cli/options/response_file.hpp"
 #include "configuration/project_file.hpp"
+#include "configuration/xml_list.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -64,7 +65,7 @@ bool may_be_input(fs::directory_entry const& entry) {
   auto const& name = entry.path().native();
   bool const is_text =
       has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc");
-  if (!is_text && !configuration::is_project_name(name)) return false;
+  if (!is_text && !configuration::is_project_name(name) && !configuration::is_xml_name(name)) return false;
   std::error_code error;
   // A dangling link is reported when it is read.
   return entry.is_regular_file(error) || !entry.exists(error);
@@ -173,9 +174,10 @@ class Expansion {
       if (!wanted_(entry.path)) continue;
       entry.is_in_folder = true;
       entry.outline = outline_of(entry.path);
-      // Other JSON files, and projects without a CNC.
-      bool const is_other = has_extension(entry.path, ".json") || configuration::is_project_name(entry.path);
-      if (is_other && !entry.outline.is_machine) continue;
+      // Other JSON and XML files, and projects without a CNC.
+      bool const is_other = has_extension(entry.path, ".json") || configuration::is_xml_name(entry.path) ||
+                            configuration::is_project_name(entry.path);
+      if (is_other && !entry.outline.is_machine && !entry.outline.is_xml_list) continue;
       found_.push_back(std::move(entry));
     }
     bool const all_excluded = std::none_of(entries.begin(), entries.end(), [this](Found const& entry) {

@@ -5,6 +5,7 @@
 #include "configuration/list_search.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
+#include "configuration/xml_list.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>
@@ -49,11 +50,17 @@ void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string c
   }
 }
 
+SourceText list_text(std::string const& path, std::string text) {
+  // The check says what is wrong with it.
+  std::optional<configuration::XmlMistake> mistake;
+  return configuration::list_text(path, std::move(text), mistake);
+}
+
 /// The lists and programs that are found.
 MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::string text) {
   MachineOutline outline{.is_machine = true};
   auto const folder = fs::path(path).parent_path();
-  auto const start_up = configuration::read_start_up_list(SourceText(path, std::move(text)), SourceId{});
+  auto const start_up = configuration::read_start_up_list(list_text(path, std::move(text)), SourceId{});
   for (auto const* const named : configuration::named_lists(start_up)) {
     auto const found = configuration::find_list(files, path, named->text);
     if (found) outline.lists.push_back(relative_to(folder, found->path));
@@ -62,9 +69,16 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
     auto const found = configuration::find_list(files, path, channel.file.text);
     auto bytes = found ? files.read(found->path) : configuration::FileError::not_found;
     if (!std::holds_alternative<std::string>(bytes)) continue;
-    add_found_programs(outline, files, path,
-                       SourceText(found->path, std::get<std::string>(std::move(bytes))));
+    add_found_programs(outline, files, path, list_text(found->path, std::get<std::string>(std::move(bytes))));
   }
+  return outline;
+}
+
+MachineOutline xml_outline(DiskFiles& files, std::string const& path, std::string text) {
+  auto const kind = configuration::xml_list_kind(text);
+  if (kind != configuration::ListKind::startup) return {.is_xml_list = kind.has_value()};
+  auto outline = start_up_outline(files, path, std::move(text));
+  outline.is_xml_list = true;
   return outline;
 }
 
@@ -102,7 +116,8 @@ MachineOutline outline_of(std::string const& path) {
   DiskFiles files;
   bool const is_json = has_extension(path, ".json");
   bool const is_project = configuration::is_project_name(path);
-  if (!is_json && !is_project &&
+  bool const is_xml = configuration::is_xml_name(path);
+  if (!is_json && !is_project && !is_xml &&
       (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path))) {
     return {};
   }
@@ -110,6 +125,7 @@ MachineOutline outline_of(std::string const& path) {
   if (!std::holds_alternative<std::string>(bytes)) return {.is_machine = is_json};
   auto& text = std::get<std::string>(bytes);
   if (is_project) return project_outline(files, path, std::move(text));
+  if (is_xml) return xml_outline(files, path, std::move(text));
   return is_json ? read_machine_outline(text) : start_up_outline(files, path, std::move(text));
 }
 

@@ -10,6 +10,7 @@ namespace axisc::cli {
 struct MachineOutline {
   bool is_machine =
       false;  ///< a start-up list, a JSON object with the key "axes", or something that tries to be one
+  bool is_xml_list = false;  ///< an update or template file
   // What it names, relative to its own folder.
   std::vector<std::string> lists = {};
   std::vector<std::string> programs = {};

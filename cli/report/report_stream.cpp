@@ -207,7 +207,7 @@ void ReportStream::print_sarif() {
 void ReportStream::finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged,
                           int status) {
   RunFacts const run{.files = files_.size(),
-                     .fixes = fixes,
+                     .fixes = std::move(fixes),
                      .baseline = baseline_facts(judged),
                      .statistics = plan_.statistics};
   std::string shard;

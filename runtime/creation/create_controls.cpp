@@ -1,5 +1,6 @@
 #include "runtime/creation/building.hpp"
 #include "runtime/double_bits.hpp"
+#include "runtime/limits.hpp"
 #include "runtime/verification/verify_checks.hpp"
 
 namespace axisc::runtime {
@@ -25,14 +26,15 @@ void build_controls(ImageView const& view, Layout const& layout, Memory memory) 
                    .stage_count = stage_count,
                    .axis = record[field::control::axis],
                    .source = index_of_source(view, i),
-                   .limit = magnitude(record[field::control::limit]),  // -0 too is a limit
-                   .scale = record[field::control::scale]};
+                   .limit = unless_below(smallest_position, magnitude(record[field::control::limit])),
+                   .scale = unless_below(smallest_coefficient, record[field::control::scale])};
     additive_velocities[i] = 0;
     for (uint32_t k = 0; k < stage_count; ++k) {
       uint32_t const stage = controls[i].first_stage + k;
-      stages[stage] = {.mode = view.stages[stage][field::stage::mode],
-                       .axis = controls[i].axis,
-                       .weight = view.stages[stage][field::stage::weight]};
+      stages[stage] = {
+          .mode = view.stages[stage][field::stage::mode],
+          .axis = controls[i].axis,
+          .weight = unless_below(smallest_coefficient, view.stages[stage][field::stage::weight])};
     }
   }
 }

@@ -1,5 +1,6 @@
 #include "runtime/creation/building.hpp"
 #include "runtime/double_bits.hpp"
+#include "runtime/limits.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -38,8 +39,9 @@ void build_kernels(ImageView const& view, Layout const& layout, Memory memory) {
       count = view.kernels[i][field::kernel::tail_count];
     }
     uint32_t const blocks = blocks_of(count);
-    double const* const zero = write_tails(
-        tails, blocks, count, [&](uint32_t j) { return view.tails[first + j][field::tail::value]; });
+    double const* const zero = write_tails(tails, blocks, count, [&](uint32_t j) {
+      return unless_below(smallest_tail, view.tails[first + j][field::tail::value]);
+    });
     kernels[i] = {.zero = zero, .tail_count = count, .block_count = blocks, .ramp = find_ramp(zero, count)};
     tails += padded_tails(blocks);
   }

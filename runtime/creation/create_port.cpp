@@ -1,5 +1,7 @@
 #include "runtime/creation/building.hpp"
+#include "runtime/double_bits.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/limits.hpp"
 
 #include <limits>
 
@@ -123,6 +125,7 @@ class PortBuilder {
       states_[GroupParts::largest_increment * group.width + lane] = unlimited;
     }
     for (uint32_t i = 0; i < group.shape.step_count; ++i) {
+      clear_sections(batch.operations[i], group.width);
       if (group.shape.steps[i].kind == OperationKind::slot) {
         build_slot_group(batch, group, i);
         *pieces_ = nullptr;
@@ -140,6 +143,13 @@ class PortBuilder {
     batch.used_in_last = group.used;
   }
 
+  void clear_sections(Operation const& operation, uint32_t width) {
+    for (uint32_t i = 0; i < operation.section_count; ++i) {
+      double* const r = states_ + static_cast<size_t>(operation.first_state + 2 * i + 1) * width;
+      for (uint32_t lane = 0; lane < width; ++lane) r[lane] = r_at_rest;
+    }
+  }
+
   /// Doubles that were used. Sections that a lane does not have stay zero: they change nothing.
   uint64_t write_constants(Group const& group, uint32_t index) {
     Shape::Step const& step = group.shape.steps[index];
@@ -148,24 +158,26 @@ class PortBuilder {
     for (uint32_t lane = 0; lane < group.width; ++lane) {
       uint32_t const line = group.lines[lane];
       uint32_t row = 0;
-      auto const put = [&](double value) { constants_[(row++) * group.width + lane] = value; };
+      auto const put = [&](double smallest, double value) {
+        constants_[(row++) * group.width + lane] = unless_below(smallest, value);
+      };
       Shape::Step const own = step_of(view_, port_, line, index);
       uint32_t const first = line_at(view_, port_, line).first_filter + own.first_filter;
       if (step.kind != OperationKind::passing) {
         Record<record::filter> const filter = view_.filters[first];
-        put(filter[field::filter::share]);
-        put(filter[field::filter::direct]);
-        put(filter[field::filter::direct_low]);
+        put(smallest_coefficient, filter[field::filter::share]);
+        put(smallest_coefficient, filter[field::filter::direct]);
+        put(smallest_rest, filter[field::filter::direct_low]);
       }
       for (uint32_t i = 0; i < own.filter_count; ++i) {
         Record<record::filter> const filter = view_.filters[first + i];
         for (uint32_t k = 0; k < filter[field::filter::section_count]; ++k) {
           Record<record::coefficients> const section =
               view_.coefficients[filter[field::filter::first_section] + k];
-          put(section[field::coefficients::p]);
-          put(section[field::coefficients::p] + section[field::coefficients::q]);
-          put(section[field::coefficients::k]);
-          put(section[field::coefficients::b]);
+          put(smallest_numerator, section[field::coefficients::p]);
+          put(smallest_coefficient, section[field::coefficients::p] + section[field::coefficients::q]);
+          put(smallest_coefficient, section[field::coefficients::k]);
+          put(smallest_coefficient, section[field::coefficients::b]);
         }
       }
     }

@@ -19,6 +19,9 @@ inline constexpr uint64_t implausible = AXISRT_IMPLAUSIBLE;
 static_assert((bad_input | not_reset) == not_reset && bad_input < not_reset);
 static_assert((not_reset | implausible) == implausible && not_reset < implausible);
 
+constexpr double beyond_position = 0x1.0000000000001p53;  ///< the next number after the largest position
+static_assert(beyond_position > largest_position);
+
 /// Setpoints as they come, and the masks that decide what becomes of them.
 template <uint32_t Width>
 struct Entry {
@@ -31,7 +34,8 @@ template <uint32_t Width, bool AllReset>
 AXISRT_INLINE Signal<Width> enter(double* parts, Entry<Width> const& entry) {
   auto const previous = load_real<Width>(parts + GroupParts::input * Width);
   Bits<Width> const taken = AllReset ? entry.good : entry.good & entry.done;
-  Real<Width> const setpoint = select<Width>(taken, entry.setpoint, previous);
+  Bits<Width> const is_zero = mask_if_below<Width>(entry.setpoint, smallest_position);
+  Real<Width> const setpoint = select<Width>(taken, keep<Width>(~is_zero, entry.setpoint), previous);
   store<Width>(parts + GroupParts::input * Width, setpoint);
   return {setpoint, Real<Width>{}, setpoint - previous};
 }
@@ -105,8 +109,8 @@ AXISRT_INLINE void write_statuses(Bits<Width> happened, uint32_t const* lines, u
   if constexpr (Width == 1) {
     status[lines[0]] = static_cast<uint8_t>(lane_of(happened, 0));
   } else if (consecutive) {
-    auto const octets = __builtin_convertvector(happened, typename Lanes<Width>::Octets);
-    __builtin_memcpy(status + lines[0], &octets, sizeof octets);
+    auto const octets = AXISRT_CONVERT(happened, typename Lanes<Width>::Octets);
+    AXISRT_COPY(status + lines[0], &octets, sizeof octets);
   } else {
     for (uint32_t lane = 0; lane < used; ++lane) status[lines[lane]] = static_cast<uint8_t>(happened[lane]);
   }
@@ -149,7 +153,7 @@ class Place {
   template <bool AllReset>
   [[nodiscard]] AXISRT_INLINE Signal<Width> begin(Call const& call, Happened<Width>& happened) {
     entry_.setpoint = consecutive_ ? load_real<Width>(call.in + lines_[0]) : gather<Width>(call.in, lines_);
-    entry_.good = mask_if_within<Width>(entry_.setpoint, largest_position);
+    entry_.good = mask_if_below<Width>(entry_.setpoint, beyond_position);
     happened |= ~entry_.good & bad_input;
     if constexpr (AllReset) {
       entry_.done = ~Bits<Width>{};
@@ -202,49 +206,26 @@ class Place {
 template <uint32_t Width, uint32_t Sections, uint32_t Groups, bool AllReset>
 AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const& call,
                                  Happened<Width>& happened) {
-  [&]<uint32_t... Member>(Members<Member...>) __attribute__((always_inline)) {
+  [&]<uint32_t... Member>(Members<Member...>) AXISRT_INLINE_LAMBDA {
     Place<Width> places[] = {Place<Width>(batch, first + Member)...};
     Signal<Width> signals[] = {places[Member].template begin<AllReset>(call, happened)...};
-    unrolled<Sections>([&]<uint32_t Section>() __attribute__((always_inline)) {
-      unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+    unrolled<Sections>([&]<uint32_t Section>() AXISRT_INLINE_LAMBDA {
+      unrolled<Groups>([&]<uint32_t One>() AXISRT_INLINE_LAMBDA {
         CascadeSignal<Width> const added =
             run_section<Width>(places[One].constants(0) + Section * coefficients_of_section * Width,
                                places[One].states() + Section * states_of_section * Width, signals[One].d);
         signals[One].sum += added.sum;
         signals[One].d += added.d;
+        if constexpr ((Section + 1) % sections_between_grids == 0) {
+          signals[One].d = on_grid<Width>(signals[One].d);
+        }
       });
     });
-    unrolled<Groups>([&]<uint32_t One>() __attribute__((always_inline)) {
+    unrolled<Groups>([&]<uint32_t One>() AXISRT_INLINE_LAMBDA {
       places[One].template end<AllReset>(call, signals[One], happened);
     });
   }
   (FirstMembers<Groups>{});
-}
-
-template <uint32_t Width, ChainKind Kind, bool AllReset>
-AXISRT_INLINE void step_groups(Batch const& batch, Call const& call, Happened<Width>& happened) {
-  uint32_t group = 0;
-  if constexpr (sections_of(Kind) > 0) {
-    for (; group + 2 <= batch.group_count; group += 2) {
-      step_sections<Width, sections_of(Kind), 2, AllReset>(batch, group, call, happened);
-    }
-    if (group < batch.group_count) {
-      step_sections<Width, sections_of(Kind), 1, AllReset>(batch, group, call, happened);
-    }
-    return;
-  }
-  for (; group < batch.group_count; ++group) {
-    Place<Width> place(batch, group);
-    Signal<Width> signal = place.template begin<AllReset>(call, happened);
-    if constexpr (Kind == ChainKind::slot) {
-      signal = run_slot<Width>(batch.operations[0].slots[group], place.states(), signal);
-    } else {
-      for (uint32_t i = 0; i < batch.operation_count; ++i) {
-        signal = run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
-      }
-    }
-    place.template end<AllReset>(call, signal, happened);
-  }
 }
 
 /// The worst status as a number.
@@ -255,40 +236,64 @@ AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
   return worst;
 }
 
-template <uint32_t Width, ChainKind Kind>
-AXISRT_INLINE void step_kind(Batch const& batch, Call const& call, Happened<Width>& happened) {
-  if (batch.state->never_reset == 0) {
-    step_groups<Width, Kind, true>(batch, call, happened);
+/// A function of its own for each kind, so that each has all registers for itself.
+template <uint32_t Width, ChainKind Kind, bool AllReset>
+AXISRT_APART uint64_t step_groups(Batch const& batch, Call const& call) {
+  Happened<Width> happened{};
+  uint32_t group = 0;
+  if constexpr (sections_of(Kind) > 0) {
+    for (; group + 2 <= batch.group_count; group += 2) {
+      step_sections<Width, sections_of(Kind), 2, AllReset>(batch, group, call, happened);
+    }
+    if (group < batch.group_count) {
+      step_sections<Width, sections_of(Kind), 1, AllReset>(batch, group, call, happened);
+    }
+    bound_some_sections<Width>(batch, batch.operations[0]);
   } else {
-    step_groups<Width, Kind, false>(batch, call, happened);
+    for (; group < batch.group_count; ++group) {
+      Place<Width> place(batch, group);
+      Signal<Width> signal = place.template begin<AllReset>(call, happened);
+      if constexpr (Kind == ChainKind::slot) {
+        signal = run_slot<Width>(batch.operations[0].slots[group], place.states(), signal);
+      } else {
+        for (uint32_t i = 0; i < batch.operation_count; ++i) {
+          signal =
+              run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
+        }
+      }
+      place.template end<AllReset>(call, signal, happened);
+    }
+    if constexpr (Kind == ChainKind::any) {
+      for (uint32_t i = 0; i < batch.operation_count; ++i)
+        advance_operation<Width>(batch, batch.operations[i]);
+    }
   }
+  return worst_of<Width>(happened);
+}
+
+template <uint32_t Width, ChainKind Kind>
+AXISRT_INLINE uint64_t step_kind(Batch const& batch, Call const& call) {
+  return batch.state->never_reset == 0 ? step_groups<Width, Kind, true>(batch, call)
+                                       : step_groups<Width, Kind, false>(batch, call);
 }
 
 template <uint32_t Width>
 AXISRT_INLINE uint64_t step_batch(Batch const& batch, Call const& call) {
-  Happened<Width> happened{};
   switch (batch.kind) {
     case ChainKind::sections_1:
-      step_kind<Width, ChainKind::sections_1>(batch, call, happened);
-      break;
+      return step_kind<Width, ChainKind::sections_1>(batch, call);
     case ChainKind::sections_2:
-      step_kind<Width, ChainKind::sections_2>(batch, call, happened);
-      break;
+      return step_kind<Width, ChainKind::sections_2>(batch, call);
     case ChainKind::sections_4:
-      step_kind<Width, ChainKind::sections_4>(batch, call, happened);
-      break;
+      return step_kind<Width, ChainKind::sections_4>(batch, call);
     case ChainKind::sections_6:
-      step_kind<Width, ChainKind::sections_6>(batch, call, happened);
-      break;
+      return step_kind<Width, ChainKind::sections_6>(batch, call);
     case ChainKind::slot:
-      step_kind<Width, ChainKind::slot>(batch, call, happened);
-      break;
+      return step_kind<Width, ChainKind::slot>(batch, call);
     case ChainKind::any:
-      step_kind<Width, ChainKind::any>(batch, call, happened);
       break;
   }
-  for (uint32_t i = 0; i < batch.operation_count; ++i) advance_operation<Width>(batch, batch.operations[i]);
-  return worst_of<Width>(happened);
+  return step_kind<Width, ChainKind::any>(batch, call);
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL

@@ -82,8 +82,8 @@ AXISRT_INLINE Signal<Width> run_blocking_filter(Operation const& operation, doub
                                                             operation.section_count, {in.sum, in.d});
   Twofold<Width> const base = exact_product<Width>(part.direct, in.base);
   Real<Width> const low = base.low + part.direct_low * in.base;
-  return {base.high, part.share * filtered.sum + (part.direct * in.sum + low),
-          part.share * filtered.d + part.direct * in.d};
+  return {on_grid<Width>(base.high), on_grid<Width>(part.share * filtered.sum + (part.direct * in.sum + low)),
+          on_grid<Width>(part.share * filtered.d + part.direct * in.d)};
 }
 
 /// The ring has one place more than the delay, so that the signal that came out stays readable until the next
@@ -102,8 +102,8 @@ AXISRT_INLINE Signal<Width> run_delay(Operation const& operation, double const* 
                               load_real<Width>(from + 2 * Width)};
   Share<Width> const part = load_share<Width>(constants);
   Real<Width> const distance = (in.base - delayed.base) + in.sum;
-  return {delayed.base, part.share * delayed.sum + part.direct * distance,
-          part.share * delayed.d + part.direct * in.d};
+  return {delayed.base, on_grid<Width>(part.share * delayed.sum + part.direct * distance),
+          on_grid<Width>(part.share * delayed.d + part.direct * in.d)};
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL

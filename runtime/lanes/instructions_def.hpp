@@ -27,11 +27,10 @@ static uint64_t step(Port const& port, double const* in, double* out, uint8_t* s
   uint64_t worst = AXISRT_OK;
   for (uint32_t i = 0; i < port.batch_count; ++i) {
     Batch const& batch = port.batches[i];
-    with_width(
-        batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
-          uint64_t const happened = step_batch<Width>(batch, {in, out, status});
-          worst = happened > worst ? happened : worst;
-        });
+    with_width(batch.width, [&]<uint32_t Width>() AXISRT_INLINE_LAMBDA {
+      uint64_t const happened = step_batch<Width>(batch, {in, out, status});
+      worst = happened > worst ? happened : worst;
+    });
   }
   return worst;
 }
@@ -41,16 +40,15 @@ static void run_one_operation(Batch const& batch, uint32_t operation, uint32_t g
   double const* const constants =
       batch.constants[static_cast<size_t>(group) * batch.operation_count + operation];
   double* const parts = batch.states + static_cast<size_t>(group) * batch.state_stride;
-  with_width(
-      batch.width, [&]<uint32_t Width>() __attribute__((always_inline)) {
-        Signal<Width> const in{load_real<Width>(signal), load_real<Width>(signal + Width),
-                               load_real<Width>(signal + 2 * Width)};
-        Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
-        store<Width>(signal, out.base);
-        store<Width>(signal + Width, out.sum);
-        store<Width>(signal + 2 * Width, out.d);
-        advance_operation<Width>(batch, one);
-      });
+  with_width(batch.width, [&]<uint32_t Width>() AXISRT_INLINE_LAMBDA {
+    Signal<Width> const in{load_real<Width>(signal), load_real<Width>(signal + Width),
+                           load_real<Width>(signal + 2 * Width)};
+    Signal<Width> const out = run_operation<Width>(one, group, constants, parts, in);
+    store<Width>(signal, out.base);
+    store<Width>(signal + Width, out.sum);
+    store<Width>(signal + 2 * Width, out.d);
+    advance_operation<Width>(batch, one);
+  });
 }
 
 extern Instructions const instructions;

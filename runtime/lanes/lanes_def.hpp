@@ -7,16 +7,11 @@
 #pragma once
 
 #include "runtime/batch.hpp"
+#include "runtime/compiler.hpp"
 #include "runtime/limits.hpp"
 
 #include <stddef.h>
 #include <stdint.h>
-
-#if defined(__GNUC__)
-#define AXISRT_INLINE inline __attribute__((always_inline))
-#else
-#define AXISRT_INLINE inline
-#endif
 
 // Pieces of a group are some thousand doubles: offsets in them fit into 32 bits.
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
@@ -27,7 +22,7 @@ struct Lanes;
 
 // One lane is in a vector too where the processor has them: masks and numbers then stay in the same
 // registers.
-#if defined(__SSE2__)
+#if defined(__GNUC__) && defined(__SSE2__)
 #define AXISRT_ONE_LANE_IN_VECTOR 1
 #else
 #define AXISRT_ONE_LANE_IN_VECTOR 0
@@ -38,34 +33,43 @@ struct Lanes<1> {
 #if AXISRT_ONE_LANE_IN_VECTOR
   using Real = double __attribute__((vector_size(16)));
   using Bits = uint64_t __attribute__((vector_size(16)));
+  using Signed = int64_t __attribute__((vector_size(16)));
 #else
   using Real = double;
   using Bits = uint64_t;
+  using Signed = int64_t;
 #endif
 };
+#if AXISRT_LANES > 1
 template <>
 struct Lanes<2> {
   using Real = double __attribute__((vector_size(16)));
   using Bits = uint64_t __attribute__((vector_size(16)));
+  using Signed = int64_t __attribute__((vector_size(16)));
   using Octets = uint8_t __attribute__((vector_size(2)));
 };
 template <>
 struct Lanes<4> {
   using Real = double __attribute__((vector_size(32)));
   using Bits = uint64_t __attribute__((vector_size(32)));
+  using Signed = int64_t __attribute__((vector_size(32)));
   using Octets = uint8_t __attribute__((vector_size(4)));
 };
 template <>
 struct Lanes<8> {
   using Real = double __attribute__((vector_size(64)));
   using Bits = uint64_t __attribute__((vector_size(64)));
+  using Signed = int64_t __attribute__((vector_size(64)));
   using Octets = uint8_t __attribute__((vector_size(8)));
 };
+#endif
 
 template <uint32_t Width>
 using Real = typename Lanes<Width>::Real;
 template <uint32_t Width>
 using Bits = typename Lanes<Width>::Bits;
+template <uint32_t Width>
+using Signed = typename Lanes<Width>::Signed;
 
 /// A single number, without a vector around it.
 template <uint32_t Width>
@@ -78,6 +82,10 @@ AXISRT_INLINE Real<1> only_lane(double value) {
 #else
   return value;
 #endif
+}
+
+AXISRT_INLINE Bits<1> only_bits(uint64_t bits) {
+  return AXISRT_BIT_CAST(Bits<1>, only_lane(AXISRT_BIT_CAST(double, bits)));
 }
 
 template <class Vector>
@@ -94,27 +102,27 @@ template <uint32_t Width>
 AXISRT_INLINE Real<Width> load_real(void const* from) {
   if constexpr (Width == 1) {
     double value = 0;
-    __builtin_memcpy(&value, from, sizeof value);
+    AXISRT_COPY(&value, from, sizeof value);
     return only_lane(value);
   } else {
     Real<Width> value;
-    __builtin_memcpy(&value, from, sizeof value);
+    AXISRT_COPY(&value, from, sizeof value);
     return value;
   }
 }
 
 template <uint32_t Width>
 AXISRT_INLINE Bits<Width> load_bits(void const* from) {
-  return __builtin_bit_cast(Bits<Width>, load_real<Width>(from));
+  return AXISRT_BIT_CAST(Bits<Width>, load_real<Width>(from));
 }
 
 template <uint32_t Width>
 AXISRT_INLINE void store(void* to, Real<Width> value) {
   if constexpr (Width == 1) {
     double const only = lane_of(value, 0);
-    __builtin_memcpy(to, &only, sizeof only);
+    AXISRT_COPY(to, &only, sizeof only);
   } else {
-    __builtin_memcpy(to, &value, sizeof value);
+    AXISRT_COPY(to, &value, sizeof value);
   }
 }
 
@@ -130,12 +138,12 @@ AXISRT_INLINE Real<Width> all(double value) {
 
 template <uint32_t Width>
 AXISRT_INLINE Bits<Width> bits_of(Real<Width> value) {
-  return __builtin_bit_cast(Bits<Width>, value);
+  return AXISRT_BIT_CAST(Bits<Width>, value);
 }
 
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> real_of(Bits<Width> bits) {
-  return __builtin_bit_cast(Real<Width>, bits);
+  return AXISRT_BIT_CAST(Real<Width>, bits);
 }
 
 /// The mask unchanged, but opaque to the compiler, which otherwise turns selections between two numbers back
@@ -153,18 +161,13 @@ AXISRT_INLINE Bits<Width> mask_if_at_most(Real<Width> a, Real<Width> b) {
   if constexpr (is_plain<Width>) {
     return opaque(0U - static_cast<uint64_t>(a <= b));
   } else {
-    return __builtin_bit_cast(Bits<Width>, a <= b);
+    return AXISRT_BIT_CAST(Bits<Width>, a <= b);
   }
 }
 
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> magnitude(Real<Width> value) {
   return real_of<Width>(bits_of<Width>(value) & 0x7FFF'FFFF'FFFF'FFFFU);
-}
-
-template <uint32_t Width>
-AXISRT_INLINE Bits<Width> mask_if_within(Real<Width> value, double limit) {
-  return mask_if_at_most<Width>(magnitude<Width>(value), all<Width>(limit));
 }
 
 template <uint32_t Width>
@@ -176,6 +179,25 @@ AXISRT_INLINE Real<Width> select(Bits<Width> mask, Real<Width> if_set, Real<Widt
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> keep(Bits<Width> mask, Real<Width> value) {
   return real_of<Width>(mask & bits_of<Width>(value));
+}
+
+/// All bits of a lane set where |value| < limit; clear for NaN. Compares as integers, so that neither a subnormal number nor NaN
+/// leaves a trace in the control word.
+template <uint32_t Width>
+AXISRT_INLINE Bits<Width> mask_if_below(Real<Width> value, double limit) {
+  auto const end = AXISRT_BIT_CAST(int64_t, limit);
+  if constexpr (Width == 1) {
+    auto const size = AXISRT_BIT_CAST(int64_t, lane_of(magnitude<Width>(value), 0));
+    return only_bits(opaque(0U - static_cast<uint64_t>(size < end)));
+  } else {
+    return AXISRT_BIT_CAST(Bits<Width>, AXISRT_BIT_CAST(Signed<Width>, magnitude<Width>(value)) < end);
+  }
+}
+
+/// The value as a multiple of 2^-620 (sections_def.hpp).
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> on_grid(Real<Width> value) {
+  return (value + all<Width>(grid)) - all<Width>(grid);
 }
 
 /// The value unchanged, but opaque to the compiler: keeps it from merging a rounded product with a following
@@ -202,6 +224,7 @@ template <uint32_t Width>
 AXISRT_INLINE Real<Width> gather(double const* values, uint32_t const* lines) {
   if constexpr (Width == 1) {
     return only_lane(values[lines[0]]);
+#if AXISRT_LANES > 1
   } else if constexpr (Width == 2) {
     return Real<2>{values[lines[0]], values[lines[1]]};
   } else if constexpr (Width == 4) {
@@ -209,6 +232,7 @@ AXISRT_INLINE Real<Width> gather(double const* values, uint32_t const* lines) {
   } else {
     return Real<8>{values[lines[0]], values[lines[1]], values[lines[2]], values[lines[3]],
                    values[lines[4]], values[lines[5]], values[lines[6]], values[lines[7]]};
+#endif
   }
 }
 

@@ -40,7 +40,7 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
   q -= load_real<Width>(increment_of_age<Width>(slot, history, length));
   c = (c - p) + static_cast<double>(length) * d;
   p += d;
-  Real<Width> const removed = kernel.ramp * (c + g);
+  Real<Width> const removed = rounded<Width>(kernel.ramp * (c + g));
   slot.ramp_phase += 1;
   if (slot.ramp_phase == length) {
     slot.ramp_phase = 0;
@@ -58,7 +58,7 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
 
 /// Takes the increments so far as those of the window before.
 template <uint32_t Width>
-AXISRT_INLINE void begin_ramp(SlotGroup& slot, double* sums, double const* history) {
+AXISRT_APART void begin_ramp(SlotGroup& slot, double* sums, double const* history) {
   uint32_t const length = slot.common->tail_count;
   Real<Width> g{};
   Real<Width> q{};

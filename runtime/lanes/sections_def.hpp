@@ -19,6 +19,23 @@
 //
 //     de = p d + r,   e += de,   r += g d - k e - b de
 //
+// No subnormal numbers. Sums and differences of multiples of 2^-n are multiples of 2^-n, rounded or not, and a double with a
+// magnitude of at least 2^-m is a multiple of 2^-(m + 52). So it is enough to begin with coarse multiples and to come back to
+// them before products have made them finer than 2^-1022:
+//
+//     setpoints                                  0 or >= 2^-500              so multiples of 2^-552
+//     p; g, k, b, shares, weights; tails         0 or >= 2^-44; 2^-62; 2^-128            2^-96; 2^-114; 2^-180
+//     d, at every third section, and whatever leaves an operation            rounded to  2^-620
+//     r, where it is used                                                    rounded to  2^-620
+//     de, e and d behind j sections, j <= 3      p d + r                                 2^-(620 + 96 j)
+//     k e, g d, b de, share times a sum of e     e, d, de being multiples of 2^-908      2^-1022
+//     base, its product with 1 - s and what rounding took from it (0 or >= 2^-108)       2^-780
+//     what a kernel takes                        tail times d, fade weight (2^-85)       2^-885
+//
+// A number of 2^-513 and above stays what it is when (x + 2^-567) - 2^-567 rounds it to 2^-620; below that, states are taken as
+// zero soon. States of a recording are refused where they are no such multiples (restore.cpp). Nothing here needs the
+// processor to flush anything, and it makes no difference if it does.
+//
 // Bounds. States with |e| + |r| below 2^-500 become zero, so that none ends in a limit cycle of subnormal numbers; those
 // above 2^200 or not finite too, so that no image that passed verification can overflow. Each section is looked at once in
 // six cycles, and as many in every cycle as in any other. In between
@@ -56,12 +73,15 @@ AXISRT_INLINE CascadeSignal<Width> run_section(double const* coefficients, doubl
   auto const k = load_real<Width>(coefficients + 2 * Width);
   auto const b = load_real<Width>(coefficients + 3 * Width);
   auto const r = load_real<Width>(states + Width);
-  Real<Width> const de = p * d + r;
+  Real<Width> const de = p * d + (r - all<Width>(r_at_rest));
   Real<Width> const e = load_real<Width>(states) + de;
   store<Width>(states, e);
   store<Width>(states + Width, r + (g * d - k * e - b * de));
   return {e, de};
 }
+
+/// Sections that a signal may pass before its increment is put on the grid again.
+inline constexpr uint32_t sections_between_grids = 3;
 
 /// Sections with H(1) = 1: each adds to the signal.
 template <uint32_t Width>
@@ -71,10 +91,11 @@ AXISRT_INLINE CascadeSignal<Width> run_passing(double const* coefficients, doubl
     CascadeSignal<Width> const added = run_section<Width>(coefficients, states, signal.d);
     signal.sum += added.sum;
     signal.d += added.d;
+    if ((i + 1) % sections_between_grids == 0) signal.d = on_grid<Width>(signal.d);
     coefficients += coefficients_of_section * Width;
     states += states_of_section * Width;
   }
-  return signal;
+  return {on_grid<Width>(signal.sum), on_grid<Width>(signal.d)};
 }
 
 /// Sections with H(1) = 0: each replaces the signal.
@@ -84,6 +105,7 @@ AXISRT_INLINE CascadeSignal<Width> run_blocking(double const* coefficients, doub
   for (uint32_t i = 0; i < count; ++i) {
     signal = run_section<Width>(coefficients + i * coefficients_of_section * Width,
                                 states + i * states_of_section * Width, signal.d);
+    if ((i + 1) % sections_between_grids == 0) signal.d = on_grid<Width>(signal.d);
   }
   return signal;
 }
@@ -96,7 +118,7 @@ AXISRT_INLINE void bound_section(double* states) {
   Bits<Width> const is_good = mask_if_at_most<Width>(all<Width>(smallest_state), size) &
                               mask_if_at_most<Width>(size, all<Width>(largest_state));
   store<Width>(states, keep<Width>(is_good, e));
-  store<Width>(states + Width, keep<Width>(is_good, r));
+  store<Width>(states + Width, select<Width>(is_good, r, all<Width>(r_at_rest)));
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL

@@ -80,9 +80,8 @@ AXISRT_INLINE Real<Width> apply_blocks(double const* zero, uint32_t blocks, Slot
 }
 
 template <uint32_t Width>
-AXISRT_INLINE Real<Width> removed_by_kernels(SlotGroup& slot, double* parts, Real<Width> d) {
+AXISRT_INLINE Real<Width> removed_by_kernels(SlotGroup& slot, double* parts) {
   double const* const history = parts + SlotParts::history * Width;
-  if (slot.mode == SlotMode::ramp) return run_ramp<Width>(slot, parts + SlotParts::ramp * Width, history, d);
   if constexpr (works_in_blocks<Width>) {
     if (slot.gathers != 0) {
       if (slot.common != nullptr) {
@@ -94,6 +93,21 @@ AXISRT_INLINE Real<Width> removed_by_kernels(SlotGroup& slot, double* parts, Rea
   return apply_all_kernels<Width>(slot, history);
 }
 
+/// Kernels that are no moving average, or change over: apart, so that a moving average has all registers for itself.
+template <uint32_t Width>
+AXISRT_APART void apply_kernels(SlotGroup& slot, double* parts, double* removed) {
+  store<Width>(removed, removed_by_kernels<Width>(slot, parts));
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Real<Width> removed_in_cycle(SlotGroup& slot, double* parts, Real<Width> d) {
+  if (slot.mode == SlotMode::ramp) {
+    return run_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width, d);
+  }
+  double removed[Width];
+  apply_kernels<Width>(slot, parts, removed);
+  return load_real<Width>(removed);
+}
 /// The kernel of all lanes, or null.
 AXISRT_INLINE Kernel const* common_kernel(SlotGroup const& slot) {
   for (uint32_t lane = 1; lane < slot.used; ++lane) {
@@ -104,7 +118,7 @@ AXISRT_INLINE Kernel const* common_kernel(SlotGroup const& slot) {
 
 /// Decides how the block that begins is done.
 template <uint32_t Width>
-AXISRT_INLINE void begin_block(SlotGroup& slot, double* parts) {
+AXISRT_APART void begin_block(SlotGroup& slot, double* parts) {
   if (slot.mode == SlotMode::ramp || slot.fading != 0 || !works_in_blocks<Width>) return;
   if (slot.gathers != 0) {
     slot.mode = SlotMode::blocked;
@@ -139,7 +153,7 @@ template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
   uint32_t const place = slot.block * block_cycles + slot.phase;
   store<Width>(parts + (SlotParts::history + place) * Width, in.d);
-  Real<Width> const removed = removed_by_kernels<Width>(slot, parts, in.d);
+  Real<Width> const removed = on_grid<Width>(removed_in_cycle<Width>(slot, parts, in.d));
   auto const removed_before = load_real<Width>(parts + SlotParts::removed * Width);
   store<Width>(parts + SlotParts::removed * Width, removed);
   advance<Width>(slot, parts);

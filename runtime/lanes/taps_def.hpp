@@ -46,7 +46,7 @@ struct FourSums {
 template <uint32_t Width, bool Common>
 AXISRT_INLINE void add_block(double const* zero, uint32_t age, double const* increments,
                              FourSums<Width>& sums) {
-  unrolled<block_cycles>([&]<uint32_t Place>() __attribute__((always_inline)) {
+  unrolled<block_cycles>([&]<uint32_t Place>() AXISRT_INLINE_LAMBDA {
     sums.part[Place % 4] +=
         tail<Width, Common>(zero, age, Place) * load_real<Width>(increments + Place * Width);
   });
@@ -62,7 +62,7 @@ AXISRT_INLINE double apply_to_one(double const* zero, uint32_t blocks, SlotGroup
   for (uint32_t c = 0; c < blocks; ++c) {
     double const* const increments = increments_of<1>(history, block_before(slot, c));
     double const* const tails = zero - (slot.phase + block_cycles * c);
-    unrolled<vectors>([&]<uint32_t Vector>() __attribute__((always_inline)) {
+    unrolled<vectors>([&]<uint32_t Vector>() AXISRT_INLINE_LAMBDA {
       sums.part[Vector % 4] +=
           load_real<lanes>(tails + Vector * lanes) * load_real<lanes>(increments + Vector * lanes);
     });
@@ -101,7 +101,7 @@ template <uint32_t Width, bool Common>
 AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const& slot, double const* history,
                                 double* ahead) {
   Real<Width> sums[block_cycles];
-  unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
+  unrolled<block_cycles>([&]<uint32_t Output>() AXISRT_INLINE_LAMBDA {
     sums[Output] = load_real<Width>(ahead + Output * Width);
   });
   uint32_t const first = blocks_applied_directly + slot.phase * reach.blocks_a_cycle;
@@ -111,16 +111,15 @@ AXISRT_INLINE void gather_ahead(double const* zero, Reach reach, SlotGroup const
     // Seen from the next block, the block c before it is the one c - 1 before the present one.
     double const* const increments = increments_of<Width>(history, block_before(slot, c - 1));
     double const* const tails = zero - static_cast<size_t>(block_cycles) * c * (Common ? 1 : Width);
-    unrolled<block_cycles>([&]<uint32_t Place>() __attribute__((always_inline)) {
+    unrolled<block_cycles>([&]<uint32_t Place>() AXISRT_INLINE_LAMBDA {
       auto const increment = load_real<Width>(increments + Place * Width);
-      unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
+      unrolled<block_cycles>([&]<uint32_t Output>() AXISRT_INLINE_LAMBDA {
         sums[Output] += tail<Width, Common>(tails, Output, Place) * increment;
       });
     });
   }
-  unrolled<block_cycles>([&]<uint32_t Output>() __attribute__((always_inline)) {
-    store<Width>(ahead + Output * Width, sums[Output]);
-  });
+  unrolled<block_cycles>([&]<uint32_t Output>()
+                             AXISRT_INLINE_LAMBDA { store<Width>(ahead + Output * Width, sums[Output]); });
 }
 
 /// E of the present cycle: the two latest blocks, and what was applied ahead.
@@ -129,7 +128,7 @@ AXISRT_INLINE Real<Width> apply_latest(double const* zero, SlotGroup const& slot
                                        double const* ahead) {
   FourSums<Width> sums;
   sums.part[0] = load_real<Width>(ahead + slot.phase * Width);
-  unrolled<blocks_applied_directly>([&]<uint32_t Block>() __attribute__((always_inline)) {
+  unrolled<blocks_applied_directly>([&]<uint32_t Block>() AXISRT_INLINE_LAMBDA {
     add_block<Width, Common>(zero, slot.phase + block_cycles * Block,
                              increments_of<Width>(history, block_before(slot, Block)), sums);
   });

@@ -2,9 +2,9 @@
 
 #include "runtime/little_endian.hpp"
 
-#if defined(__x86_64__)
+#if defined(__GNUC__) && defined(__x86_64__)
 #include <cpuid.h>
-#elif defined(__ARM_FEATURE_CRC32)
+#elif defined(__GNUC__) && defined(__ARM_FEATURE_CRC32)
 #include <arm_acle.h>
 #endif
 
@@ -52,7 +52,7 @@ uint32_t add_bytes(uint8_t const* next, size_t size, uint32_t crc) {
 }
 
 // Processors with an instruction for this very polynomial: eight bytes at a time, as many as are whole.
-#if defined(__x86_64__)
+#if defined(__GNUC__) && defined(__x86_64__)
 
 /// Asking the processor costs more than a table look-up for a few hundred bytes.
 constexpr size_t least_size = 1024;
@@ -75,7 +75,7 @@ __attribute__((target("sse4.2"))) uint32_t add_words(uint8_t const* next, size_t
   return static_cast<uint32_t>(wide);
 }
 
-#elif defined(__ARM_FEATURE_CRC32)
+#elif defined(__GNUC__) && defined(__ARM_FEATURE_CRC32)
 
 constexpr size_t least_size = 8;
 

@@ -47,6 +47,7 @@ Page page(PageRow const& row) {
 }  // namespace
 
 Description description_of(Parameter const& parameter) {
+  if (parameter.kind != ListKind::axis) return {};
   auto const rows = parameters();
   auto const found = std::find_if(rows.begin(), rows.end(),
                                   [&](Parameter const& row) { return row.name == parameter.name; });

@@ -25,7 +25,8 @@ struct Description {
   bool restart = false;
 };
 
-/// For a parameter of a schema file that of the built-in one of its name; otherwise empty.
+/// For a parameter of a schema file that of the built-in one of its name; otherwise empty, as for
+/// parameters of other kinds of lists.
 [[nodiscard]] Description description_of(Parameter const& parameter);
 
 }  // namespace axisc::schema

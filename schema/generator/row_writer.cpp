@@ -38,9 +38,10 @@ std::string shortest_text(double number) {
 }  // namespace
 
 std::string quoted(std::string const& text) {
+  if (text.find('"') != std::string::npos) return "R\"(" + text + ")\"";
   std::string literal = "\"";
   for (char const byte : text) {
-    if (byte == '"' || byte == '\\') literal += '\\';
+    if (byte == '\\') literal += '\\';
     literal += byte;
   }
   return literal + '"';

@@ -157,3 +157,19 @@ TEST_CASE("a part of a name lists the parameters that contain it") {
              Catch::Matchers::Contains("`getriebe[].lose`"));
   CHECK_THAT(run_axisc({"explain", "gaussian"}).out, Catch::Matchers::Contains("`filter_fir.quality`"));
 }
+
+TEST_CASE("parameters of other kinds of lists are explained by their numbers, names and parts of names") {
+  auto const by_number = run_axisc({"explain", "P-CHAN-00035"});
+  CHECK(by_number.status == 0);
+  check_golden("tests/cli/data/golden/explain.en.channel", by_number.out);
+  CHECK(run_axisc({"explain", "gruppe[0].achse[3].log_achs_nr"}).out == by_number.out);
+  CHECK(run_axisc({"explain", "p-chan-35"}).out == by_number.out);
+  check_golden("tests/cli/data/golden/explain.de.channel",
+               run_axisc({"explain", "P-CHAN-00035", "--lang", "de"}).out);
+  CHECK_THAT(run_axisc({"explain", "koppel_gruppe"}).out, Catch::Matchers::Contains("P-CHAN-00038"));
+  // A name of axis lists means theirs, although compensation lists have it too.
+  CHECK_THAT(run_axisc({"explain", "kopf.achs_nr"}).out, Catch::Matchers::Contains("P-AXIS-00016"));
+  auto const json = nlohmann::json::parse(run_axisc({"explain", "P-STUP-00015", "--format", "json"}).out);
+  CHECK(json["parameters"][0]["list"] == "startup");
+  CHECK(json["parameters"][0]["p_axis"] == "P-STUP-00015");
+}

@@ -62,6 +62,16 @@ TEST_CASE("a project and the folder of the same lists give one image and the sam
   auto const contour = run_axisc({"contour", ".", "--feed", "4000"}, of_project);
   CHECK(contour.status == 0);
   CHECK(contour.out == run_axisc({"contour", ".", "--feed", "4000"}, of_lists).out);
+  std::vector<std::string> const simulate{"simulate", ".", "--group", "Fraesen", "--program", "part.nc"};
+  for (auto const* const each : {&folder, &lists}) {
+    each->write("part.nc", "G01 X10 F4000\nX10 Y10\nX0 Y0\nM30\n");
+  }
+  auto const simulated = run_axisc(simulate, of_project);
+  CHECK(simulated.status == 0);
+  CHECK(simulated.out == run_axisc(simulate, of_lists).out);
+  auto const same = run_axisc({"diff", ".", lists.path()}, of_project);
+  CHECK(same.status == 0);
+  CHECK(same.out.find("mean the same") != std::string::npos);
 }
 
 TEST_CASE("findings stand in the lines of the project, and repairs change its CDATA sections only") {
@@ -163,4 +173,23 @@ TEST_CASE("a list of another kind and another cycle time are told in words of a 
   CHECK(outcome.out.find("a.tsproj:4:17") != std::string::npos);
   CHECK(outcome.out.find("warning[AX7012]: the task in the project has") != std::string::npos);
   CHECK(outcome.out.find("a.tsproj:1:21") != std::string::npos);
+}
+
+TEST_CASE("lists of other kinds in a project are checked line by line, by what their lines say") {
+  TemporaryFolder const folder;
+  std::string const axis = "<P><Task CycleTime='10000'/><AchsMds><![CDATA[kopf.achs_nr 1\n]]></AchsMds>\n";
+  folder.write("a.tsproj",
+               axis +
+                   "<C><WerkzD><![CDATA[wz[1].gueltig 1\nwz[1].laenge 1,5\n]]></WerkzD>\n"
+                   "<NullpD><![CDATA[wz[1].radius 2,5\n]]></NullpD><PzvD>text</PzvD><VeD/></C></P>");
+  auto const there = in_folder(folder.path());
+  auto const outcome = run_axisc({"lint", "a.tsproj"}, there);
+  CHECK(outcome.out.find("error[AX1005]: `1,5` has a decimal comma\n --> a.tsproj:4:14") !=
+        std::string::npos);
+  CHECK(outcome.out.find("error[AX1005]: `2,5` has a decimal comma\n --> a.tsproj:6:31") !=
+        std::string::npos);
+  CHECK(outcome.out.find("AX2001") == std::string::npos);
+  CHECK(outcome.out.find("AX4020") == std::string::npos);
+  folder.write("b.tsproj", "<P><WerkzD><![CDATA[wz[1].laenge 1\n]]></WerkzD></P>");
+  CHECK(run_axisc({"lint", "b.tsproj"}, there).out.find("holds no list") != std::string::npos);
 }

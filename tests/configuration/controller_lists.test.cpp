@@ -55,6 +55,8 @@ TEST_CASE("of an entry that is given twice the last line counts") {
 TEST_CASE("a start-up list is known by names that only it has") {
   CHECK(looks_like_start_up_list("# Hochlauf\r\n  zahl_mds 2\r\n"));
   CHECK(looks_like_start_up_list("achs_mds[0] x.lis"));
+  CHECK(looks_like_start_up_list("# a\rsda_mds[0] x.lis\r"));
+  CHECK(looks_like_start_up_list("# a\nfilter[0].order 2\rkanal_anzahl 1"));
   CHECK_FALSE(looks_like_start_up_list("# achs_mds[0] x.lis\nfilter[0].order 2\n"));
   CHECK_FALSE(looks_like_start_up_list("my_zahl_mds 2\n"));
   CHECK_FALSE(looks_like_start_up_list(""));

@@ -24,6 +24,15 @@ inline ControlWord without_flags(ControlWord word) {
 inline std::uint32_t exception_flags() {
   return read_control_word() & 0x3FU;
 }
+/// Inexact, which nearly every computation is.
+inline constexpr std::uint32_t inexact_flag = 0x20;
+/// From here on subnormal operands and results raise a flag.
+inline void begin_watching_subnormals() {
+  write_control_word(0x1F80);
+}
+inline bool seen_subnormals() {
+  return (exception_flags() & 0x12U) != 0;
+}
 inline constexpr bool exceptions_are_restored = true;
 /// Start-up's word; the four directions of rounding; one of the two switches for subnormal numbers; both, as the step
 /// sets them; exceptions that trap (none of the calls raises one where the caller's word holds).
@@ -53,6 +62,16 @@ inline std::uint32_t exception_flags() {
   std::uint64_t word = 0;
   __asm__ volatile("mrs %0, fpsr" : "=r"(word)::"memory");
   return static_cast<std::uint32_t>(word) & 0x9FU;
+}
+inline constexpr std::uint32_t inexact_flag = 0x10;
+/// From here on subnormal operands and results raise a flag: only those that are flushed to zero do.
+inline void begin_watching_subnormals() {
+  write_control_word(ControlWord{1} << 24U);
+  std::uint64_t const none = 0;
+  __asm__ volatile("msr fpsr, %0" ::"r"(none) : "memory");
+}
+inline bool seen_subnormals() {
+  return (exception_flags() & 0x88U) != 0;
 }
 inline constexpr bool exceptions_are_restored = false;
 /// Start-up's word, the four directions of rounding, flush to zero, default NaN.

@@ -125,3 +125,22 @@ TEST_CASE("a comment in a channel list or a start-up list silences a finding the
   // achs_mds[3] has no such comment; the program switches on a filter that the lists do not have.
   CHECK(codes == "AX7003 AX5006 ");
 }
+
+TEST_CASE("a list that is there and cannot be read is told with the reason") {
+  Contents contents = controller();
+  contents["x.lis"] = std::string(64, '\1');
+  contents["rt.lis"] = std::string(
+      "\xFF\xFE"
+      "c\0y\0",
+      6);
+  tests::MapFiles files(std::move(contents));
+  SourceSet sources;
+  auto const checked = validator::check(files, "hochlauf.lis", {}, sources);
+  std::vector<std::string> messages;
+  for (Finding const& finding : checked.findings) {
+    if (code_text(finding.code) == "AX7002") messages.push_back(render(finding.message, Language::english));
+  }
+  CHECK(messages ==
+        std::vector<std::string>{"the file \"x.lis\" is not a text file",
+                                 "the file \"rt.lis\" is UTF-16; lists are UTF-8 or windows-1252"});
+}

@@ -148,7 +148,8 @@ class Engine {
     }
     for (std::size_t i = before; i < reported_.findings.size(); ++i) {
       Reported& finding = reported_.findings[i];
-      bool const contradicts = is_about_values(finding.rule->code) && finding.severity == Severity::error;
+      bool const contradicts = is_about_values(finding.rule->code) && finding.severity == Severity::error &&
+                               list.kind != configuration::ListKind::axis;
       if (contradicts) finding.severity = Severity::warning;
     }
   }
@@ -366,6 +367,7 @@ class Engine {
       result.has_errors = result.has_errors || finding.severity == Severity::error;
       Finding told = tell(reported_, finding);
       if (is_in_other_list(finding.place.source) && !mends_name(told.code)) told.fix.reset();
+      if (told.fix && edits_translation(*told.fix)) told.fix.reset();
       sink(told);
     }
     return result;
@@ -374,6 +376,12 @@ class Engine {
   [[nodiscard]] bool is_in_other_list(SourceId source) const {
     return std::any_of(machine_.other_lists.begin(), machine_.other_lists.end(),
                        [source](NamedList const& list) { return list.list.source == source; });
+  }
+
+  /// A list in XML is shown, not edited.
+  [[nodiscard]] bool edits_translation(Fix const& fix) const {
+    return std::any_of(fix.edits.begin(), fix.edits.end(),
+                       [this](Edit const& edit) { return sources_[edit.place.source].is_translation(); });
   }
 
   /// In lists of other kinds only names are written anew: too little is known about the rest.

@@ -1,5 +1,6 @@
 #include "validator/loading/loader.hpp"
 
+#include "configuration/xml_list.hpp"
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/commands/command_check.hpp"
@@ -26,6 +27,12 @@ bool is_machine_text(std::string_view path, std::string_view text) {
   return ends_in(path, ".json") && configuration::looks_like_machine_file(text);
 }
 
+/// Of the file that says the list.
+void number_lines(SourceText const& text, grammar::AxisList& tree) {
+  for (grammar::Assignment& line : tree.assignments) line.line = text.position(line.name.begin).line;
+  for (grammar::Problem& problem : tree.problems) problem.line = text.position(problem.span.begin).line;
+}
+
 LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue const& catalogue,
                   ReadList read) {
   LoadedList list;
@@ -33,6 +40,7 @@ LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue con
   list.catalogue = catalogue;
   list.tree = std::move(read.tree);
   list.readings = std::move(read.readings);
+  if (text.is_translation()) number_lines(text, list.tree);
   list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
   return list;
 }
@@ -48,9 +56,10 @@ LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue co
   return list;
 }
 
-LoadedList parse_other(SourceSet const& sources, SourceId source, ListKind kind) {
+LoadedList parse_other(SourceSet const& sources, SourceId source, ListKind kind,
+                       schema::Catalogue const& axis_catalogue) {
   SourceText const& text = sources[source];
-  schema::Catalogue const catalogue = schema::Catalogue::of(kind);
+  schema::Catalogue const catalogue = kind == ListKind::axis ? axis_catalogue : schema::Catalogue::of(kind);
   LoadedList list = loaded(text, source, catalogue, read_list(text, catalogue));
   list.kind = kind;
   return list;
@@ -116,17 +125,22 @@ std::optional<configuration::FileError> Loader::load_text() {
   bool const is_machine = machine_.path == "-" ? configuration::looks_like_machine_file(text)
                                                : is_machine_text(machine_.path, text);
   bool const is_project = !is_machine && configuration::is_project_name(machine_.path);
+  auto const xml_kind = configuration::xml_list_kind(text);
   bool const may_be_start_up =
       !is_machine && !is_project && (!options_.kind || options_.kind == ListKind::startup);
-  bool const is_start_up = may_be_start_up && configuration::looks_like_start_up_list(text);
-  SourceId const source = sources_.add(SourceText(machine_.path, std::move(text)));
+  bool const is_start_up = xml_kind ? xml_kind == ListKind::startup
+                                    : may_be_start_up && configuration::looks_like_start_up_list(text);
+  SourceId const source = add_text(machine_.path, std::move(text));
   if (is_machine) {
     load_machine_file(source);
   } else if (is_project) {
     load_project(source);
   } else if (is_start_up) {
     load_start_up_list(source);
-  } else {
+  } else if (xml_kind.has_value()) {
+    // It says what changes, so nothing is judged but that.
+    add_other_list(source, *xml_kind, std::string(file_name(machine_.path)));
+  } else if (!sources_[source].is_translation()) {
     load_single(source);
   }
   return std::nullopt;
@@ -164,7 +178,8 @@ void Loader::load_single(SourceId source) {
 }
 
 void Loader::add_other_list(SourceId source, ListKind kind, std::string name) {
-  machine_.other_lists.push_back({.name = std::move(name), .list = parse_other(sources_, source, kind)});
+  machine_.other_lists.push_back(
+      {.name = std::move(name), .list = parse_other(sources_, source, kind, options_.catalogue)});
 }
 
 void Loader::add_default_group() {
@@ -195,6 +210,18 @@ std::variant<std::string, configuration::FileError> Loader::read_text(std::strin
   return bytes;
 }
 
+SourceId Loader::add_text(std::string const& path, std::string bytes) {
+  std::optional<configuration::XmlMistake> mistake;
+  SourceId const source = sources_.add(configuration::list_text(path, std::move(bytes), mistake));
+  if (!mistake) return source;
+  machine_.complete = false;
+  Finding& finding = machine_.findings.emplace_back();
+  finding.code = configuration::machine_file_code;
+  finding.place = Place{.source = source, .span = mistake->span};
+  finding.message = {.sentence = mistake->sentence, .arguments = {}};
+  return source;
+}
+
 std::variant<std::size_t, configuration::FileError> Loader::add_list(std::string const& path,
                                                                      std::string shown) {
   std::string const key = key_of(path);
@@ -203,7 +230,7 @@ std::variant<std::size_t, configuration::FileError> Loader::add_list(std::string
   std::variant<std::string, configuration::FileError> bytes = read_text(path);
   if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) return *error;
   machine_.files.push_back(path);
-  SourceId const source = sources_.add(SourceText(path, std::move(std::get<std::string>(bytes))));
+  SourceId const source = add_text(path, std::move(std::get<std::string>(bytes)));
   std::size_t const list = add_source(source, std::move(shown));
   by_path_.emplace(key, list);
   return list;

@@ -82,6 +82,9 @@ class Loader {
   std::size_t add_source(SourceId source, std::string shown);
   std::variant<std::size_t, configuration::FileError> add_program(std::string name, std::string const& path);
   std::variant<std::string, configuration::FileError> read_text(std::string const& path);
+  /// The source of a file's text; of a list in XML, what it says as lines. A mistake of the XML is noted, and then the list
+  /// has no lines.
+  SourceId add_text(std::string const& path, std::string bytes);
 
   configuration::Files& files_;
   CheckOptions const& options_;

@@ -69,7 +69,13 @@ void Loader::load_project(SourceId source) {
   }
   for (std::size_t i = 0; i < windows.size(); ++i) {
     ProjectList const& named = project.lists[i];
-    if (named.kind != ListKind::channel) continue;
+    if (named.kind == ListKind::axis) continue;
+    if (named.kind != ListKind::channel) {
+      // What a real project has in these elements is not documented, so the lines decide.
+      auto const said = configuration::decided_kind(sources_[windows[i]]);
+      add_other_list(windows[i], said && said != ListKind::axis ? *said : named.kind, named.name.text);
+      continue;
+    }
     start_up.sources.push_back(windows[i]);
     add_other_list(windows[i], ListKind::channel, named.name.text);
     start_up.list.channels.push_back(

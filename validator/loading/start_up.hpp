@@ -18,6 +18,7 @@ namespace axisc::validator {
 struct ListSearch {
   configuration::LocatedText named;
   std::optional<configuration::FoundList> found;       ///< none where it is missing or cannot be read
+  std::optional<configuration::FileError> error = {};  ///< why it cannot be read although it is there
   std::optional<configuration::ListKind> wanted = {};  ///< the kind that belongs here; none where any does
   std::optional<configuration::ListKind> kind = {};    ///< of the file; none where nothing decides
 };

@@ -160,6 +160,7 @@ std::optional<std::size_t> Loader::axis_list_found(StartUp& start_up, LocatedTex
       noted.kind = machine_.lists[*index].list.kind;
       if (noted.kind == ListKind::axis) return *index;
     } else {
+      noted.error = std::get<configuration::FileError>(list);
       noted.found.reset();
     }
   }
@@ -179,13 +180,13 @@ std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText cons
     return is_wanted ? std::optional(known->second) : std::nullopt;
   }
   std::variant<std::string, configuration::FileError> bytes = read_text(noted.found->path);
-  if (std::holds_alternative<configuration::FileError>(bytes)) {
+  if (auto const* const error = std::get_if<configuration::FileError>(&bytes)) {
+    noted.error = *error;
     noted.found.reset();
     return std::nullopt;
   }
   machine_.files.push_back(noted.found->path);
-  SourceId const source =
-      sources_.add(SourceText(noted.found->path, std::get<std::string>(std::move(bytes))));
+  SourceId const source = add_text(noted.found->path, std::get<std::string>(std::move(bytes)));
   start_up.sources.push_back(source);
   others_by_path_.emplace(key, source);
   noted.kind = configuration::decided_kind(sources_[source]);

@@ -69,8 +69,8 @@ std::string shares_text(AxisDelay const& delay) {
 DelayShare const* largest_difference(AxisDelay const& axis, AxisDelay const& other) {
   DelayShare const* found = nullptr;
   double largest = 0;
-  for (auto at = axis.shares.rbegin(); at != axis.shares.rend(); ++at) {
-    DelayShare const& share = *at;
+  for (std::size_t i = axis.shares.size(); i-- > 0;) {
+    DelayShare const& share = axis.shares[i];
     if (!share.cause->value_place()) continue;
     auto const same = std::find_if(other.shares.begin(), other.shares.end(),
                                    [&](DelayShare const& known) { return known.filter == share.filter; });

@@ -171,3 +171,14 @@ TEST_CASE("fixes mend nothing but misspelt names in lists of other kinds") {
   CHECK(run_axisc({"fmt", "."}, there).status == 0);
   CHECK(folder.read("listen/werkz_d1.lis").substr(0, 18) == "wz[1].laenge   1,5");
 }
+
+TEST_CASE("a limit that another parameter of a list of another kind gives") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("wz.lis", "wz[1].vb_max 100\nwz[1].vb_min 200\nwz[2].vb_min 200\nwz[3].vb_max 100\n");
+  auto const outcome = run_axisc({"lint", "wz.lis"}, there);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.find("warning[AX2015]: `wz[1].vb_min` must be ≤ `wz[1].vb_max`") != std::string::npos);
+  CHECK(outcome.out.find("wz.lis:2:14") != std::string::npos);
+  CHECK(outcome.out.find("1 file: 1 warning\n") != std::string::npos);
+}

@@ -22,7 +22,7 @@ TEST_CASE("200 points up to 0.5/T for one axis") {
   auto const outcome = run_axisc({"response", "m.axim", "--axis", "Y"}, there);
   CHECK(lines_of(outcome.out) == 201);
   CHECK_THAT(outcome.out,
-             Catch::Matchers::Contains("\nY,0.05,") && Catch::Matchers::Contains("\nY,500,1,0,0\n"));
+             Catch::Matchers::Contains("\nY,0.05,") && Catch::Matchers::Contains("\nY,500,1,0,0,0,0\n"));
 }
 
 TEST_CASE("the frequencies of the filters are points of the grid") {

@@ -140,3 +140,20 @@ TEST_CASE("columns that are separated by semicolons are named as such") {
   CHECK_THAT(run_axisc({"run", "m.axim", "--input", "in.csv"}, there).err,
              Catch::Matchers::Contains("separated by semicolons"));
 }
+
+TEST_CASE("rows begin with the time where asked for, and text is aligned with four digits") {
+  TemporaryFolder const folder;
+  folder.write("x.lis",
+               "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 2\nkopf.log_achs_name "
+               "Long_axis_name\n");
+  auto const there = in_folder(folder.path());
+  REQUIRE(run_axisc({"compile", "x.lis", "--cycle-time", "250us", "-o", "x.axim", "--quiet"}, there).status ==
+          0);
+  auto const csv = run_axisc({"run", "x.axim", "--time", "--cycles", "4", "--amplitude", "3"}, there);
+  CHECK(csv.out == "time_s,Long_axis_name\n0,1\n0.00025,2\n0.0005,3\n0.00075,3\n");
+  auto const text =
+      run_axisc({"run", "x.axim", "--time", "--format", "text", "--cycles", "3", "--amplitude", "1"}, there);
+  CHECK(text.out == "time_s      Long_axis_name\n0           0.3333\n0.00025     0.6667\n0.0005      1\n");
+  CHECK(run_axisc({"run", "x.axim", "--format", "text", "--cycles", "1"}, there).out ==
+        "Long_axis_name\n0.3333\n");
+}

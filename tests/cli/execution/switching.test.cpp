@@ -97,8 +97,8 @@ TEST_CASE("the response follows the commands") {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_axisc(arguments, there).out;
   };
-  CHECK_THAT(at_50_hertz({}), Catch::Matchers::EndsWith("\nZ,50,1,0,0\n"));
-  CHECK_THAT(at_50_hertz({"--at", "7:#FILTER ON [HSC]"}), Catch::Matchers::Contains("\nZ,0,1,0,0.02\n"));
+  CHECK_THAT(at_50_hertz({}), Catch::Matchers::EndsWith("\nZ,50,1,0,0,0,0\n"));
+  CHECK_THAT(at_50_hertz({"--at", "7:#FILTER ON [HSC]"}), Catch::Matchers::Contains("\nZ,0,1,0,0.02,0,0\n"));
 }
 
 TEST_CASE("velocities become additive velocities and drive increments") {

@@ -2,6 +2,10 @@
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
 using namespace axisc::test;
 
 namespace {
@@ -111,4 +115,34 @@ TEST_CASE("an image from standard input") {
   auto there = compiled(folder);
   there.input = folder.read("m.axim");
   CHECK(run_axisc({"inspect", "-"}, there).status == 0);
+}
+
+TEST_CASE("figures of chains that are known without computing them") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  auto const chain_of = [&](std::string const& list) {
+    folder.write("x.lis", list);
+    REQUIRE(run_axisc({"compile", "x.lis", "--cycle-time", "1ms", "-o", "x.axim", "--quiet"}, there).status ==
+            0);
+    auto const json = run_axisc({"inspect", "x.axim", "--format", "json"}, there).out;
+    return nlohmann::json::parse(json)["axes"][0]["chain"];
+  };
+  // A Butterworth filter passes half of the power at its cut-off frequency, whatever its order.
+  auto const low_pass = chain_of(
+      "filter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].prototype BUTTERWORTH\nfilter[0].order 3\n"
+      "filter[0].fg_f0 37\n");
+  CHECK(low_pass["corner_frequency_hz"].get<double>() == Approx(37).epsilon(1e-9));
+  CHECK(low_pass["magnitudes"][0]["frequency_hz"] == 37);
+  CHECK(low_pass["magnitudes"][0]["magnitude_db"].get<double>() == Approx(-3.0102999566398).epsilon(1e-9));
+  // The mean of eleven setpoints: settled after ten cycles, no overshoot, sin(11ωT/2)/(11 sin(ωT/2)).
+  auto const average = chain_of("filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 10\n");
+  CHECK(average["settling_ms"] == 10);
+  CHECK(average["overshoot_percent"] == 0);
+  double const half = 3.141592653589793 * average["corner_frequency_hz"].get<double>() * 1e-3;
+  CHECK(std::sin(11 * half) / (11 * std::sin(half)) == Approx(0.7071067811865476).epsilon(1e-9));
+  CHECK(average["corner_frequency_hz"].get<double>() < 50);
+  CHECK(average["magnitudes"].empty());
+  // Nothing to weaken: a delay passes all frequencies.
+  auto const delay = chain_of("filter_fir.enable 1\nfilter_fir.type 4\nfilter_fir.order 7\n");
+  CHECK(delay["corner_frequency_hz"].is_null());
 }

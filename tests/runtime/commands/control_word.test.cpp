@@ -1,4 +1,4 @@
-// The arithmetic of a cycle: subnormal numbers are taken as zero inside, and the caller's control word comes back.
+// The arithmetic of a cycle: numbers that are next to zero are taken as zero inside, and the caller's control word comes back.
 #include "tests/runtime/control_word.hpp"
 
 #include "support/catch.hpp"
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 using namespace axisc::test;
@@ -85,53 +86,51 @@ double first_step_from_rest(std::vector<ExactFilter> const& filters, double in) 
 }
 
 constexpr Quad T = Quad{1} / 1000;
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("a caller that handles subnormal numbers sees none of the cycle's exceptions") {
+TEST_CASE("of the cycle's exceptions a caller sees only that a result was rounded") {
   SteppedRuntime runtime;
   ControlWord const callers = read_control_word();
   write_control_word(callers_control_words().front());
   std::uint32_t const before = exception_flags();
-  for (double const in : {0x1p-1060, 0.1, 0x1p-1022, 1e300}) {
+  for (double const in : {0x1p-1060, 0.1, 0x1p-1022, 1e300, not_a_number}) {
     runtime.step(in);
     runtime.step_interface(in);
     runtime.step_velocity(in);
   }
   std::uint32_t const after = exception_flags();
   write_control_word(callers);
-  if (exceptions_are_restored) CHECK(after == before);
+  if (exceptions_are_restored) CHECK((after & ~inexact_flag) == before);
 }
 
-TEST_CASE("a subnormal setpoint is zero inside the step") {
-  REQUIRE(0x1p-1060 > 0);
-  for (double const in : {0x1p-1060, -0x1p-1060, 0x1p-1074, -0x0.fffffffffffffp-1022}) {
+TEST_CASE("a setpoint below 2^-500 is zero inside the step") {
+  for (double const in :
+       {0x1p-1060, -0x1p-1060, 0x1p-1074, -0x0.fffffffffffffp-1022, 0x1.fffffffffffffp-501}) {
     CHECK(first_step_from_rest({exact::pt1(30, T)}, in) == 0);
     CHECK(first_step_from_rest({exact::bandstop(30, T, 2), exact::lowpass(60, T, 1)}, in) == 0);
     CHECK(first_step_from_rest({exact::delay(3)}, in) == 0);
   }
 }
 
-TEST_CASE("what would come out of a filter as a subnormal number comes out as zero") {
-  // The first output of a delay with a share of s is (1 - s) in: a quarter of the smallest normal number.
+TEST_CASE("the smallest setpoints are filtered as all others") {
+  // The first output of a delay with a share of s is (1 - s) in.
   ExactFilter const quarter = exact::with_share(exact::delay(5), 0.75);
-  double const smallest = 0x1p-1022;
-  Quad const exact_output = ExactChain({quarter}, 0).step(smallest);
-  REQUIRE(std::fpclassify(static_cast<double>(exact_output)) == FP_SUBNORMAL);
-  CHECK(first_step_from_rest({quarter}, smallest) == 0);
-  CHECK(first_step_from_rest({quarter}, 4 * smallest) == smallest);
+  CHECK(first_step_from_rest({quarter}, 0x1p-500) == 0x1p-502);
+  CHECK(first_step_from_rest({quarter}, -0x1.8p-490) == -0x1.8p-492);
 }
 
-TEST_CASE("a filter that dies away among the smallest numbers never puts out a subnormal one") {
+TEST_CASE("a filter that dies away among the smallest numbers ends at zero") {
   TestRuntime runtime(one_axis_image({exact::highpass(30, T, 1), exact::pt2(20, T)}));
   REQUIRE(runtime.status == AXISRT_OK);
   runtime.reset_all(0);
-  unsigned subnormal = 0;
+  double out = 0;
   for (int cycle = 0; cycle < 20'000; ++cycle) {
-    double const out = runtime.step(cycle < 3 ? std::ldexp(1.7, -1019 - cycle) : 0);
-    subnormal += std::fpclassify(out) == FP_SUBNORMAL ? 1 : 0;
+    out = runtime.step(cycle < 3 ? std::ldexp(1.7, -497 - cycle) : 0);
+    REQUIRE(std::fpclassify(out) != FP_SUBNORMAL);
   }
-  CHECK(subnormal == 0);
+  CHECK(out == 0);
 }
 
 namespace {
@@ -199,7 +198,9 @@ class Calls {
     ControlWord const behind = read_control_word();
     write_control_word(own);
     INFO(name << " " << std::hex << word_ << " " << behind);
-    REQUIRE(behind == word_);
+    // That a result was rounded may be left by what runs in the cycle.
+    bool const cycle = std::string_view(name) == "shadow_step";
+    REQUIRE((cycle ? without_flags(behind) : behind) == (cycle ? without_flags(word_) : word_));
     keep(static_cast<std::uint64_t>(answer));
   }
   void keep(std::uint64_t value) { results_.push_back(value); }

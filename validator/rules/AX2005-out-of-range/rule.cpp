@@ -51,7 +51,7 @@ constexpr std::array reactions{
     Reaction{755, "70604", says::switches_off}, Reaction{757, "70606", says::reports}};
 
 void say_reaction(Finding& finding, schema::Parameter const& parameter) {
-  auto const known = std::find_if(reactions.begin(), reactions.end(), [&](Reaction const& reaction) {
+  auto const* const known = std::find_if(reactions.begin(), reactions.end(), [&](Reaction const& reaction) {
     return reaction.p_axis == parameter.p_axis;
   });
   if (known == reactions.end()) return;

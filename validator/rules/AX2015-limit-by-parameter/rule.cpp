@@ -1,4 +1,4 @@
-// AX2015: limits that another parameter of the axis gives.
+// AX2015: limits that another parameter of the axis, or of the list, gives.
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/helpers.hpp"
@@ -128,6 +128,51 @@ void limit_by_parameter(AxisContext const& context, Report& report) {
   }
 }
 
+/// Both stand in one list of another kind: nothing is known about lists that it is used with.
+void limit_in_list(ListContext const& context, Report& report) {
+  Readings const& readings = context.list.readings;
+  schema::Catalogue const& catalogue = context.list.catalogue;
+  auto const value_of = [&](Slot slot) -> std::optional<std::uint32_t> {
+    std::uint32_t const last = readings.last_of(slot);
+    if (last == 0 || readings[last - 1].status != ReadingStatus::value) return std::nullopt;
+    return last - 1;
+  };
+  for (std::uint32_t line = 0; line < readings.size(); ++line) {
+    auto const slot = readings.slot(line);
+    if (!slot || value_of(*slot) != line) continue;
+    schema::Parameter const& parameter = catalogue.parameter_of(*slot);
+    double const value = readings[line].value.number;
+    for (Side const side : {Side::minimum, Side::maximum}) {
+      Limit const& limit = side == Side::minimum ? parameter.minimum : parameter.maximum;
+      auto const rows = catalogue.find_number(limit.p_axis);
+      if (limit.kind != Limit::Kind::parameter || rows.empty()) continue;
+      schema::Parameter const& row = catalogue.parameter(rows.front());
+      Slot const other = row.index_count() == parameter.index_count()
+                             ? schema::slot_of(row, schema::indices_of(parameter, *slot))
+                             : row.first_slot;
+      auto const limiting = value_of(other);
+      if (!limiting) continue;
+      double const bound = readings[*limiting].value.number;
+      bool const violated = side == Side::minimum ? schema::violates_minimum(value, bound, limit.open)
+                                                  : schema::violates_maximum(value, bound, limit.open);
+      if (!violated) continue;
+      std::string const sign = relation({.limit = other, .side = side, .open = limit.open});
+      auto const text_of = [&](std::uint32_t number) {
+        return context.source.utf8(context.list.tree.assignments[number].value);
+      };
+      Finding& finding =
+          report.add(place_of(context, context.list.tree.assignments[line].value), parameter, *slot,
+                     message(says::headline, {{"parameter", schema::slot_name(parameter, *slot)},
+                                              {"relation", sign},
+                                              {"limit", schema::slot_name(row, other)}}));
+      finding.label =
+          message(says::label, {{"value", text_of(line)}, {"relation", sign}, {"limit", text_of(*limiting)}});
+      finding.related.push_back({.place = place_of(context, context.list.tree.assignments[*limiting].value),
+                                 .message = message(says::related, {{"limit", text_of(*limiting)}})});
+    }
+  }
+}
+
 bool is_about(schema::Parameter const& parameter) {
   auto const is_limit_of = [&](schema::Parameter const& limited) {
     return std::max(limited.minimum.p_axis, limited.maximum.p_axis) == parameter.p_axis;
@@ -145,6 +190,7 @@ extern constinit Rule const ax2015{
     .about = is_about,
     .precedence = Precedence::before_family,
     .check = limit_by_parameter,
+    .list_check = limit_in_list,
 };
 
 }  // namespace axisc::validator::checks

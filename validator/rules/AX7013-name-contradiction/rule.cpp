@@ -4,7 +4,7 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"programs call this axis \"{name}\", its list calls it \"{own}\"",
+constexpr Sentence headline{R"(programs call this axis "{name}", its list calls it "{own}")",
                             "Programme nennen diese Achse „{name}“, ihre Liste nennt sie „{own}“"};
 constexpr Sentence note{
     "programs use the name of the channel list (P-CHAN-00006); messages of the control may use the other",

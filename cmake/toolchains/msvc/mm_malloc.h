@@ -1,0 +1,1 @@
+/* The intrinsics of Clang ask for it; MSVC has its own. */

@@ -1,0 +1,20 @@
+// What compilers call differently. Others than GCC and clang build the portable level only.
+#pragma once
+
+#if defined(__GNUC__)
+#define AXISRT_INLINE inline __attribute__((always_inline))
+#define AXISRT_INLINE_LAMBDA __attribute__((always_inline))
+#define AXISRT_APART __attribute__((noinline))
+#define AXISRT_BIT_CAST(type, value) __builtin_bit_cast(type, value)
+#define AXISRT_CONVERT(value, type) __builtin_convertvector(value, type)
+#define AXISRT_COPY(to, from, size) __builtin_memcpy(to, from, size)
+#else
+#include <bit>
+#include <string.h>
+#define AXISRT_INLINE inline
+#define AXISRT_INLINE_LAMBDA
+#define AXISRT_APART __declspec(noinline)
+#define AXISRT_BIT_CAST(type, value) std::bit_cast<type>(value)
+#define AXISRT_CONVERT(value, type) static_cast<type>(value)
+#define AXISRT_COPY(to, from, size) memcpy(to, from, size)
+#endif
