@@ -2,8 +2,8 @@
 #pragma once
 
 #include "configuration/files.hpp"
-#include "editor/server.hpp"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,34 +12,36 @@
 
 namespace axisc::editor {
 
+struct Document {
+  std::string uri;   ///< as the client writes it
+  std::string path;  ///< normalised
+  std::string text;  ///< UTF-8
+  std::optional<std::int64_t> version = {};
+};
+
+using Documents = std::map<std::string, Document>;  ///< by URI
+
 class Buffers final : public configuration::Files {
  public:
-  Buffers(std::map<std::string, Document> const& documents, configuration::Files& disk) : disk_(disk) {
-    for (auto const& [uri, document] : documents) texts_[document.path] = &document.text;
-  }
+  /// Both outlive this object; the documents do not change meanwhile.
+  Buffers(Documents const& documents, configuration::Files& disk);
 
-  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
-    auto const found = texts_.find(path);
-    if (found == texts_.end()) return disk_.read(path);
-    return *found->second;
-  }
+  /// The open document of a file, however its path is written; null for others.
+  [[nodiscard]] Document const* document(std::string const& path) const;
+  /// That of the open document, as the client writes it, else one of the path.
+  [[nodiscard]] std::string uri(std::string const& path) const;
+
+  [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
-      std::string const& path, configuration::PieceReceiver const& receive) override {
-    return texts_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
-  }
-  [[nodiscard]] bool is_file(std::string const& path) override {
-    return texts_.contains(path) || disk_.is_file(path);
-  }
-  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override {
-    return disk_.names_in(folder);
-  }
-  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override {
-    return disk_.is_same(one, other);
-  }
+      std::string const& path, configuration::PieceReceiver const& receive) override;
+  [[nodiscard]] bool is_file(std::string const& path) override;
+  [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override;
+  [[nodiscard]] bool is_same(std::string const& one, std::string const& other) override;
 
  private:
   configuration::Files& disk_;
-  std::map<std::string, std::string const*> texts_;
+  std::map<std::string, Document const*> by_path_;
+  std::multimap<std::string, Document const*> by_name_;  ///< the last part of the path
 };
 
 }  // namespace axisc::editor

@@ -1,8 +1,12 @@
 #include "diagnostics/location.hpp"
-#include "editor/buffers.hpp"
+#include "editor/places.hpp"
 #include "editor/server.hpp"
-#include "editor/uri.hpp"
 #include "validator/check.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -10,98 +14,98 @@ namespace axisc::editor {
 
 namespace {
 
-using Json = nlohmann::json;
+constexpr int unnecessary = 1;
 
-class DiagnosticWriter {
- public:
-  DiagnosticWriter(SourceSet const& sources, Language language, PositionEncoding encoding)
-      : sources_(sources), language_(language), encoding_(encoding) {}
+/// What these findings point at has no effect.
+constexpr std::array without_effect = {Code{1007}, Code{1008}, Code{1013},
+                                       Code{1016}, Code{2006}, Code{3009}};
 
-  [[nodiscard]] Json write(Finding const& finding, bool is_here) const {
-    auto message = say(finding.message);
-    if (finding.label) message += "\n" + say(*finding.label);
-    for (auto const& note : finding.notes) message += "\n" + say(note);
-    for (auto const& help : finding.help) message += "\n" + say(help);
-    Json diagnostic = {{"code", code_text(finding.code)},
-                       {"source", "axisc"},
-                       {"severity", static_cast<int>(finding.severity) + 1},
-                       {"message", std::move(message)},
-                       {"range", nothing()}};
-    if (finding.place && is_here) diagnostic["range"] = range(*finding.place);
-    for (auto const& related : finding.related) add(diagnostic, related.place, say(related.message));
-    // A finding of another file is shown at the beginning, with its place.
-    if (finding.place && !is_here) add(diagnostic, *finding.place, say(finding.message));
-    if (finding.fix) {
-      Json edits = Json::array();
-      for (auto const& edit : finding.fix->edits) {
-        edits.push_back({{"uri", uri(edit.place)}, {"range", range(edit.place)}, {"newText", edit.text}});
-      }
-      diagnostic["data"] = {{"title", say(finding.fix->title)},
-                            {"safe", finding.fix->safety == FixSafety::safe},
-                            {"edits", std::move(edits)}};
-    }
-    return diagnostic;
+Json fix_data(Fix const& fix, Places const& places, Language language) {
+  Json edits = Json::array();
+  for (auto const& edit : fix.edits) {
+    auto written = places.location(edit.place);
+    written["newText"] = edit.text;
+    edits.push_back(std::move(written));
   }
-
- private:
-  static Json nothing() {
-    Json const start = {{"line", 0}, {"character", 0}};
-    return {{"start", start}, {"end", start}};
-  }
-  [[nodiscard]] std::string say(Message const& message) const { return render(message, language_); }
-  [[nodiscard]] std::string uri(Place const& place) const { return uri_of(sources_[place.source].name()); }
-  void add(Json& diagnostic, Place const& place, std::string message) const {
-    diagnostic["relatedInformation"].push_back(
-        {{"location", {{"uri", uri(place)}, {"range", range(place)}}}, {"message", std::move(message)}});
-  }
-  [[nodiscard]] Json position(SourceText const& source, Position at) const {
-    auto const line = source.utf8(source.shown_line(at.line));
-    return {{"line", at.line - 1}, {"character", units(line, at.column - 1, encoding_)}};
-  }
-  [[nodiscard]] Json range(Place const& place) const {
-    auto const& source = sources_[place.source];
-    auto const location = locate(place, sources_);
-    return {{"start", position(source, location.begin)}, {"end", position(source, location.end)}};
-  }
-
-  SourceSet const& sources_;
-  Language language_;
-  PositionEncoding encoding_;
-};
+  return {{"title", render(fix.title, language)},
+          {"safe", fix.safety == FixSafety::safe},
+          {"edits", std::move(edits)}};
+}
 
 }  // namespace
 
-Json Server::diagnostics(Document const& document) {
-  Buffers files(documents_, surroundings_.disk);
-  SourceSet sources;
-  DiagnosticWriter const writer(sources, surroundings_.language, encoding_);
-  auto const result = validator::check(files, document.path, surroundings_.options(document.path), sources);
+Checked Server::check(Buffers& files, std::string const& machine) const {
+  Checked checked;
+  checked.findings =
+      validator::check(files, machine, surroundings_.options(machine), checked.sources).findings;
+  // What concerns no file is shown in the machine's.
+  for (auto& finding : checked.findings) {
+    if (!finding.place)
+      finding.file = finding.file.empty() ? machine : validator::beside(machine, finding.file);
+  }
+  return checked;
+}
+
+Json Server::diagnostic(Finding const& finding, Places const& places) const {
+  auto const say = [this](Message const& message) { return render(message, surroundings_.language); };
+  auto message = say(finding.message);
+  if (finding.label) message += "\n" + say(*finding.label);
+  for (auto const& note : finding.notes) message += "\n" + say(note);
+  for (auto const& help : finding.help) message += "\n" + say(help);
+  Json diagnostic = {{"code", code_text(finding.code)},
+                     {"source", "axisc"},
+                     {"severity", static_cast<int>(finding.severity) + 1},
+                     {"message", std::move(message)},
+                     {"range", finding.place ? places.range(*finding.place) : range_json({}, {})}};
+  if (std::find(without_effect.begin(), without_effect.end(), finding.code) != without_effect.end()) {
+    diagnostic["tags"] = {unnecessary};
+  }
+  for (auto const& related : finding.related) {
+    diagnostic["relatedInformation"].push_back(
+        {{"location", places.location(related.place)}, {"message", say(related.message)}});
+  }
+  if (finding.fix) diagnostic["data"] = fix_data(*finding.fix, places, surroundings_.language);
+  return diagnostic;
+}
+
+Json Server::diagnostics(Checked const& checked, Buffers const& files, Document const& document) const {
+  Places const places(checked.sources, files, encoding_);
   Json found = Json::array();
-  for (auto const& finding : result.findings) {
-    found.push_back(writer.write(finding, file_of(finding, sources) == document.path));
+  for (auto const& finding : checked.findings) {
+    if (files.document(std::string(file_of(finding, checked.sources))) != &document) continue;
+    found.push_back(diagnostic(finding, places));
   }
   return found;
 }
 
 std::vector<std::string> Server::publish() {
   std::vector<std::string> messages;
-  for (auto const& [uri, is_open] : changed_) {
-    Json params = {{"uri", uri}, {"diagnostics", Json::array()}};
-    if (is_open) {
-      auto const& document = documents_.at(uri);
-      params["diagnostics"] = diagnostics(document);
-      if (document.version) params["version"] = *document.version;
-    }
+  auto const add = [&messages](Json params) {
     Json const message = {
         {"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}};
     messages.push_back(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+  };
+  for (auto const& uri : std::exchange(closed_, {})) add({{"uri", uri}, {"diagnostics", Json::array()}});
+  if (changed_.empty()) return messages;
+  std::set<std::string> machines;
+  for (auto const& uri : std::exchange(changed_, {})) machines.insert(machine_of(documents_.at(uri)));
+  Buffers files(documents_, surroundings_.disk);
+  for (auto const& machine : machines) {
+    auto const checked = check(files, machine);
+    for (auto const& [uri, document] : documents_) {
+      if (machine_of(document) != machine) continue;
+      Json params = {{"uri", uri}, {"diagnostics", diagnostics(checked, files, document)}};
+      if (document.version) params["version"] = *document.version;
+      add(std::move(params));
+    }
   }
-  changed_.clear();
   return messages;
 }
 
 Json Server::pull(Json const& params) {
-  return {{"kind", "full"}, {"items", diagnostics(document(params))}};
+  auto const& asked = document(params);
+  Buffers files(documents_, surroundings_.disk);
+  return {{"kind", "full"}, {"items", diagnostics(check(files, machine_of(asked)), files, asked)}};
 }
 
 }  // namespace axisc::editor

@@ -3,12 +3,15 @@
 
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
+#include "editor/buffers.hpp"
+#include "editor/machine_context.hpp"
 #include "editor/text_positions.hpp"
 #include "validator/options.hpp"
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,18 +23,21 @@ namespace axisc::editor {
 /// What the server needs from its surroundings.
 struct Surroundings {
   configuration::Files& disk;
-  /// The options with which `lint` checks a file.
-  std::function<validator::CheckOptions(std::string const& path)> options;
+  OptionsOf options;
+  /// A parameter's page as Markdown, as `explain` prints it.
+  std::function<std::string(schema::Catalogue const&, schema::Parameter const&)> explain;
   Language language = Language::english;
 };
 
-struct Document {
-  std::string path;
-  std::string text;  ///< UTF-8
-  std::optional<std::int64_t> version;
+enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended };
+
+/// What the check of a machine found.
+struct Checked {
+  SourceSet sources;
+  std::vector<Finding> findings;
 };
 
-enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended };
+class Places;
 
 class Server {
  public:
@@ -39,14 +45,12 @@ class Server {
 
   /// The answers to one message, without frames. Never throws for a bad message.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
-  /// Diagnostics of the documents that changed since the last call: several changes that arrived together are checked
-  /// once.
+  /// Diagnostics of the documents that changes since the last call affect: several changes that arrived together are
+  /// checked once.
   [[nodiscard]] std::vector<std::string> publish();
   [[nodiscard]] bool has_ended() const { return phase_ == Phase::ended; }
   /// The client asked for the shutdown before it ended the server.
   [[nodiscard]] bool ended_properly() const { return was_shut_down_; }
-  /// The text of an open document; none for others.
-  [[nodiscard]] std::optional<std::string> text(std::string const& uri) const;
 
  private:
   using Json = nlohmann::json;
@@ -61,18 +65,28 @@ class Server {
   Json change(Json const& params);
   Json close(Json const& params);
   Json check_all(Json const& params);
-  Json format(Json const& params);
   Json pull(Json const& params);
+  Json format(Json const& params);
+  Json code_actions(Json const& params);
 
+  /// The document that a request names; std::out_of_range where it is not open.
   [[nodiscard]] Document& document(Json const& params);
-  [[nodiscard]] Json diagnostics(Document const& document);
+  [[nodiscard]] std::string const& machine_of(Document const& document);
+  [[nodiscard]] Checked check(Buffers& files, std::string const& machine) const;
+  [[nodiscard]] Json diagnostics(Checked const& checked, Buffers const& files,
+                                 Document const& document) const;
+  [[nodiscard]] Json diagnostic(Finding const& finding, Places const& places) const;
+  /// Edits of the document.
+  [[nodiscard]] Json fix_all(Document const& document);
 
   Surroundings surroundings_;
   Phase phase_ = Phase::before_initialize;
   bool was_shut_down_ = false;
   PositionEncoding encoding_ = PositionEncoding::utf16;
-  std::map<std::string, Document> documents_;  ///< by URI
-  std::map<std::string, bool> changed_;        ///< by URI: false for one that was closed
+  Documents documents_;
+  std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
+  std::set<std::string> changed_;                ///< URIs of open documents whose machines are to be checked
+  std::set<std::string> closed_;
 };
 
 }  // namespace axisc::editor

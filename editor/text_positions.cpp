@@ -2,6 +2,8 @@
 
 #include "diagnostics/utf8.hpp"
 
+#include <algorithm>
+
 namespace axisc::editor {
 
 namespace {
@@ -20,14 +22,34 @@ std::size_t offset_of(std::string_view text, TextPosition position, PositionEnco
     if (at == std::string_view::npos) return text.size();
     at += text.substr(at, 2) == "\r\n" ? 2 : 1;
   }
+  auto const line = text.substr(at, text.find_first_of("\r\n", at) - at);
+  return at + offset_of_unit(line, position.character, encoding);
+}
+
+std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding) {
   std::size_t passed = 0;
-  while (at < text.size() && text[at] != '\r' && text[at] != '\n') {
+  std::size_t at = 0;
+  while (at < text.size()) {
     auto const character = decode_utf8(text.substr(at));
     passed += units_of(character, encoding);
-    if (passed > position.character) break;
+    if (passed > unit) break;
     at += character.size;
   }
   return at;
+}
+
+TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding) {
+  TextPosition position;
+  std::size_t begin = 0;
+  for (auto end = text.find_first_of("\r\n"); end < offset; end = text.find_first_of("\r\n", begin)) {
+    auto const next = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    if (next > offset) break;
+    begin = next;
+    ++position.line;
+  }
+  auto const line = text.substr(begin, std::min(offset, text.size()) - begin);
+  position.character = units(line, line.size(), encoding);
+  return position;
 }
 
 std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding) {

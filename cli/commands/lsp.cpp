@@ -1,6 +1,7 @@
 #include "cli/checking/check_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/disk_files.hpp"
+#include "cli/formats/explain_formats.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
 #include "editor/server.hpp"
@@ -39,20 +40,25 @@ ExitStatus lsp(Invocation const& invocation) {
   DiskFiles disk;
   // Read again for every check: they may have changed. The options of a check refer to them.
   std::optional<SettingsFinder> settings;
-  editor::Server server({.disk = disk,
-                         .options =
-                             [&settings](std::string const& path) {
-                               settings.emplace();
-                               CheckJob job;
-                               job.options.machine = false;
-                               job.settings = &*settings;
-                               try {
-                                 return options_for(job, path);
-                               } catch (Failure const&) {
-                                 return job.options;
-                               }
-                             },
-                         .language = invocation.language});
+  editor::Server server(
+      {.disk = disk,
+       .options =
+           [&settings](std::string const& path) {
+             settings.emplace();
+             CheckJob job;
+             job.options.machine = false;
+             job.settings = &*settings;
+             try {
+               return options_for(job, path);
+             } catch (Failure const&) {
+               return job.options;
+             }
+           },
+       .explain =
+           [&invocation](schema::Catalogue const& catalogue, schema::Parameter const& parameter) {
+             return explain_parameter(catalogue, parameter, invocation.language);
+           },
+       .language = invocation.language});
   auto const opened = system::File::standard_input();
   auto const* const input = std::get_if<system::File>(&opened);
   if (input == nullptr) return ExitStatus::failure;
