@@ -1,7 +1,6 @@
-#include "configuration/project_file.hpp"
-#include "configuration/xml_list.hpp"
 #include "diagnostics/fix_batch.hpp"
 #include "diagnostics/location.hpp"
+#include "editor/open_list.hpp"
 #include "editor/places.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
@@ -24,12 +23,6 @@ namespace {
 
 /// A fix may lead to a finding that has another one.
 constexpr int most_rounds = 8;
-
-/// Only lists are aligned: the layout of other files is up to their authors.
-bool keeps_layout(std::string const& path) {
-  return configuration::is_xml_name(path) || configuration::is_project_name(path) ||
-         path.ends_with(".json") || path.ends_with(".nc");
-}
 
 std::string utf8(std::string bytes) {
   SourceText const text({}, std::move(bytes));
@@ -122,7 +115,8 @@ Json Server::fix_all(Document const& document) {
 
 Json Server::format(Json const& params) {
   auto const& unaligned = document(params);
-  if (keeps_layout(unaligned.path)) return Json::array();
+  // The layout of other files is up to their authors.
+  if (!is_list(unaligned.path)) return Json::array();
   auto const aligned = validator::aligned_list(SourceText(unaligned.path, unaligned.text),
                                                surroundings_.options(unaligned.path).catalogue);
   return edits_between(unaligned.text, aligned, encoding_);

@@ -55,6 +55,11 @@ Server::Method const* Server::find(std::string_view name) {
       Method{"textDocument/diagnostic", &Server::pull},
       Method{"textDocument/formatting", &Server::format},
       Method{"textDocument/codeAction", &Server::code_actions},
+      Method{"textDocument/hover", &Server::hover},
+      Method{"textDocument/completion", &Server::complete},
+      Method{"textDocument/definition", &Server::define},
+      Method{"textDocument/documentLink", &Server::links},
+      Method{"textDocument/documentSymbol", &Server::symbols},
   };
   auto const* const found = std::find_if(methods.begin(), methods.end(),
                                          [name](Method const& method) { return method.name == name; });
@@ -114,12 +119,22 @@ Json Server::initialize(Json const& params) {
       break;
     }
   }
+  auto const formats = Json::json_pointer("/capabilities/textDocument/hover/contentFormat");
+  if (params.is_object() && params.contains(formats) && params[formats].is_array()) {
+    markdown_ =
+        std::find(params[formats].begin(), params[formats].end(), "markdown") != params[formats].end();
+  }
   phase_ = Phase::running;
   return {{"serverInfo", {{"name", "axisc"}}},
           {"capabilities",
            {{"positionEncoding", encoding},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
             {"documentFormattingProvider", true},
+            {"hoverProvider", true},
+            {"completionProvider", {{"triggerCharacters", {"."}}}},
+            {"definitionProvider", true},
+            {"documentLinkProvider", {{"resolveProvider", false}}},
+            {"documentSymbolProvider", true},
             {"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.axisc"}}}},
             {"diagnosticProvider", {{"interFileDependencies", true}, {"workspaceDiagnostics", false}}}}}};
 }

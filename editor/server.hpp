@@ -68,6 +68,11 @@ class Server {
   Json pull(Json const& params);
   Json format(Json const& params);
   Json code_actions(Json const& params);
+  Json hover(Json const& params);
+  Json complete(Json const& params);
+  Json define(Json const& params);
+  Json links(Json const& params);
+  Json symbols(Json const& params);
 
   /// The document that a request names; std::out_of_range where it is not open.
   [[nodiscard]] Document& document(Json const& params);
@@ -83,6 +88,7 @@ class Server {
   Phase phase_ = Phase::before_initialize;
   bool was_shut_down_ = false;
   PositionEncoding encoding_ = PositionEncoding::utf16;
+  bool markdown_ = true;  ///< the client shows Markdown in hovers
   Documents documents_;
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
   std::set<std::string> changed_;                ///< URIs of open documents whose machines are to be checked

@@ -14,12 +14,12 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    "Shows the findings of `axisc lint` in an editor: a language server on standard input and output, "
-    "started by the "
-    "editor.",
-    "Zeigt die Befunde von `axisc lint` im Editor: ein Language-Server auf Standardein- und -ausgabe, den "
-    "der Editor "
-    "startet."};
+    "Shows findings, fixes and the meaning of parameters in an editor: a language server on standard input "
+    "and output, "
+    "started by the editor.",
+    "Zeigt Befunde, Korrekturen und die Bedeutung von Parametern im Editor: ein Language-Server auf "
+    "Standardein- und "
+    "-ausgabe, den der Editor startet."};
 constexpr Sentence examples{
     R"(Example:
   axisc lsp                              see docs/editors.md for the settings of editors
