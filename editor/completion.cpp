@@ -171,7 +171,9 @@ Json Server::complete(Json const& params) {
   }
   auto const value = std::min(typed.find_first_not_of(" \t", blank), typed.size());
   if (typed.find_first_of(" \t", value) != std::string_view::npos) return items;
-  auto const found = list.find(typed.substr(0, blank));
+  auto const name = typed.substr(0, blank);
+  if (!schema::split_name(name)) return items;
+  auto const found = list.find(name);
   return found.row == nullptr ? items
                               : value_items(*found.row, surroundings_.language, range_from(begin + value));
 }

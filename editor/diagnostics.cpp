@@ -32,6 +32,10 @@ Json fix_data(Fix const& fix, Places const& places, Language language) {
           {"edits", std::move(edits)}};
 }
 
+std::string dump(Json const& message) {
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 Checked Server::check(Buffers& files, std::string const& machine) const {
@@ -83,18 +87,21 @@ std::vector<std::string> Server::publish() {
   auto const add = [&messages](Json params) {
     Json const message = {
         {"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}};
-    messages.push_back(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+    messages.push_back(dump(message));
   };
   for (auto const& uri : std::exchange(closed_, {})) add({{"uri", uri}, {"diagnostics", Json::array()}});
   if (changed_.empty()) return messages;
   std::set<std::string> machines;
-  for (auto const& uri : std::exchange(changed_, {})) machines.insert(machine_of(documents_.at(uri)));
+  auto const changed = std::exchange(changed_, {});
+  for (auto const& uri : changed) machines.insert(machine_of(documents_.at(uri)));
   Buffers files(documents_, surroundings_.disk);
   for (auto const& machine : machines) {
     auto const checked = check(files, machine);
     for (auto const& [uri, document] : documents_) {
       if (machine_of(document) != machine) continue;
       Json params = {{"uri", uri}, {"diagnostics", diagnostics(checked, files, document)}};
+      auto const text = dump(params);
+      if (std::exchange(published_[uri], text) == text && !changed.contains(uri)) continue;
       if (document.version) params["version"] = *document.version;
       add(std::move(params));
     }

@@ -93,6 +93,7 @@ class Server {
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
   std::set<std::string> changed_;                ///< URIs of open documents whose machines are to be checked
   std::set<std::string> closed_;
+  std::map<std::string, std::string> published_;  ///< the last diagnostics, by URI
 };
 
 }  // namespace axisc::editor

@@ -1,4 +1,5 @@
 #include "configuration/start_up_list.hpp"
+#include "editor/open_list.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
 #include "editor/uri.hpp"
@@ -20,9 +21,10 @@ std::optional<std::int64_t> version_of(Json const& item) {
   return found->get<std::int64_t>();
 }
 
-/// Changes of it may change which files belong together.
+/// Its text may say which files belong together.
 bool may_be_machine(Document const& document) {
-  return !document.path.ends_with(".lis") || configuration::looks_like_start_up_list(document.text);
+  return !is_list(document.path) ? !document.path.ends_with(".nc")
+                                 : configuration::looks_like_start_up_list(document.text);
 }
 
 }  // namespace
@@ -30,12 +32,15 @@ bool may_be_machine(Document const& document) {
 Json Server::open(Json const& params) {
   auto const& item = params.at("textDocument");
   auto const uri = item.at("uri").get<std::string>();
-  documents_[uri] = {.uri = uri,
-                     .path = validator::key_of(path_of(uri)),
-                     .text = item.at("text").get<std::string>(),
-                     .version = version_of(item)};
+  auto& opened = documents_[uri];
+  opened = {.uri = uri,
+            .path = validator::key_of(path_of(uri)),
+            .text = item.at("text").get<std::string>(),
+            .version = version_of(item)};
   closed_.erase(uri);
-  machines_.clear();
+  machines_.erase(uri);
+  // A new file may be one that a machine misses.
+  if (may_be_machine(opened) || !surroundings_.disk.is_file(opened.path)) return check_all(params);
   changed_.insert(uri);
   return nullptr;
 }
@@ -65,6 +70,7 @@ Json Server::close(Json const& params) {
   auto const uri = params.at("textDocument").at("uri").get<std::string>();
   if (documents_.erase(uri) == 0) return nullptr;
   closed_.insert(uri);
+  published_.erase(uri);
   // What was not saved no longer counts.
   return check_all(params);
 }

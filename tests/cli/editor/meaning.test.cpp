@@ -146,6 +146,11 @@ TEST_CASE("values of enumerations are completed with their meaning") {
   CHECK(item(drives, "4")["preselect"] == true);
   CHECK(completed("kopx.unknown ").empty());
   CHECK(completed("filter[0].type BANDSTOP ").empty());
+  for (auto const* const broken : {"filter[0 ", "filter[0][1].type ", ".. ", "[ ", "- ", "filter[0]. ",
+                                   "filter[.", "filter[99999999999]."}) {
+    INFO(broken);
+    CHECK(completed(broken).is_array());
+  }
 }
 
 TEST_CASE("a name leads to the lines that set it in the order in which the control reads them") {
