@@ -21,7 +21,7 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
   )
 fi
 if [ "${1:-}" = long ]; then
-  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64)
+  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64 chromium)
 fi
 
 missing=()

@@ -51,6 +51,8 @@ constexpr Sentence compile_meaning{"check, then write a coefficient image",
 constexpr Sentence inspect_meaning{"show what is in an image", "zeigen, was in einem Abbild steht"};
 constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte durch ein Abbild führen"};
 constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
+constexpr Sentence plot_meaning{"draw what the filters do", "zeichnen, was die Filter tun"};
+constexpr Sentence report_meaning{"write a page about a machine", "eine Seite über eine Maschine schreiben"};
 constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
                                   "ein Schlüsselpaar für Signaturen erzeugen"};
 constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
@@ -106,13 +108,15 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 16> commands = {{{"lint", cli::says::lint_meaning, lint},
+constexpr std::array<Command, 18> commands = {{{"lint", cli::says::lint_meaning, lint},
                                                {"fmt", cli::says::fmt_meaning, fmt},
                                                {"compile", cli::says::compile_meaning, compile},
                                                {"machine", cli::says::machine_meaning, cli::machine},
                                                {"inspect", cli::says::inspect_meaning, inspect},
                                                {"run", cli::says::run_meaning, run},
                                                {"response", cli::says::response_meaning, response},
+                                               {"plot", cli::says::plot_meaning, plot},
+                                               {"report", cli::says::report_meaning, report},
                                                {"contour", cli::says::contour_meaning, contour},
                                                {"simulate", cli::says::simulate_meaning, simulate},
                                                {"replay", cli::says::replay_meaning, replay},

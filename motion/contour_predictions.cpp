@@ -54,11 +54,11 @@ struct Corner {
     return point;
   }
   /// From cycle `first` to cycle `last`, both whole.
-  [[nodiscard]] SearchedPath path(Plane const& plane, double first, double last) const {
+  [[nodiscard]] std::vector<Point> path(Plane const& plane, double first, double last) const {
     std::vector<Point> points;
     auto const cycles = static_cast<int>(last - first);
     for (int n = 0; n <= cycles; ++n) points.push_back(filtered(plane, first + n));
-    return SearchedPath(std::move(points));
+    return points;
   }
 };
 
@@ -73,7 +73,7 @@ ContourFigures measure(Corner const& corner, Plane const& plane) {
   auto const reach = static_cast<int>(std::ceil(plane.reach()));
   double const middle = std::round(plane.latest());
   int const first = -2 * reach;
-  auto const path = corner.path(plane, middle + first, middle - first);
+  SearchedPath const path(corner.path(plane, middle + first, middle - first));
   ContourFigures figures;
   for (int n = -reach; n <= reach; ++n) {
     take_largest(figures, path.nearest(corner.nominal(n), static_cast<std::size_t>(n - first)));
@@ -94,13 +94,30 @@ std::complex<double> gain(ChainAnswer const& answer, double theta) {
   return sum;
 }
 
+/// Setpoints r cos and r sin of an angle come out as the real part of one product and the imaginary part of another.
+struct Circle {
+  std::complex<double> x, y;
+
+  Circle(Plane const& plane, double velocity, double radius) {
+    double const theta = velocity / radius;
+    // The delay of the first axis is no deviation: both are seen from there.
+    auto const seen = std::polar(1.0, theta * plane.first.delay);
+    x = radius * gain(plane.first, theta) * seen;
+    y = radius * gain(plane.second, theta) * seen;
+  }
+  [[nodiscard]] Point at(double angle) const {
+    auto const setpoint = std::polar(1.0, angle);
+    Point point{};
+    point[0] = (x * setpoint).real();
+    point[1] = (y * setpoint).imag();
+    return point;
+  }
+};
+
 ContourFigures circle(Plane const& plane, double velocity, double radius) {
   constexpr int directions = 3600;
-  double const theta = velocity / radius;
-  // The delay of the first axis is no deviation: both are seen from there.
-  auto const seen = std::polar(1.0, theta * plane.first.delay);
-  auto const x = radius * gain(plane.first, theta) * seen;
-  auto const y = radius * gain(plane.second, theta) * seen;
+  Circle const filtered(plane, velocity, radius);
+  auto const& [x, y] = filtered;
   ContourFigures figures;
   if (x == y) {
     figures.deviation = std::abs(std::abs(x) - radius);
@@ -108,10 +125,9 @@ ContourFigures circle(Plane const& plane, double velocity, double radius) {
     return figures;
   }
   for (int i = 0; i < directions; ++i) {
-    // Setpoints r cos and r sin of this angle: real and imaginary part.
-    auto const setpoint = std::polar(1.0, 2 * std::numbers::pi * i / directions);
-    double const px = (x * setpoint).real();
-    double const py = (y * setpoint).imag();
+    Point const point = filtered.at(2 * std::numbers::pi * i / directions);
+    double const px = point[0];
+    double const py = point[1];
     double const distance = std::hypot(px, py);
     double const share = distance > 0 ? 1 - radius / distance : 1;
     figures.deviation = std::max(figures.deviation, std::abs(distance - radius));
@@ -126,7 +142,7 @@ ContourFigures parallel(Plane const& plane, double velocity) {
   Corner const there{.u0 = {1, 0}, .u1 = {0, 1}, .velocity = velocity};
   Corner const back{.u0 = {0, -1}, .u1 = {-1, 0}, .velocity = velocity};
   double const middle = std::round(plane.latest());
-  auto const way_back = back.path(plane, middle - 3 * reach, middle + 3 * reach);
+  SearchedPath const way_back(back.path(plane, middle - 3 * reach, middle + 3 * reach));
   ContourFigures figures;
   for (int n = -reach; n <= reach; ++n) {
     take_largest(figures, way_back.nearest(there.filtered(plane, middle + n),
@@ -159,6 +175,25 @@ ContourFigures predict_circle(std::span<ChainAnswer const> answers, double veloc
 double predict_parallel(std::span<ChainAnswer const> answers, double velocity) {
   auto const figures = over_planes(answers, [&](Plane const& plane) { return parallel(plane, velocity); });
   return figures.deviation;
+}
+
+std::vector<Point> corner_path(ChainAnswer const& first, ChainAnswer const& second, double velocity,
+                               double turn) {
+  Corner const corner{.u0 = {1, 0}, .u1 = {std::cos(turn), std::sin(turn)}, .velocity = velocity};
+  Plane const plane{.first = first, .second = second};
+  double const reach = std::ceil(plane.reach());
+  double const middle = std::round(plane.latest());
+  return corner.path(plane, middle - 2 * reach, middle + 2 * reach);
+}
+
+std::vector<Point> circle_path(ChainAnswer const& first, ChainAnswer const& second, double velocity,
+                               double radius, std::size_t points) {
+  Circle const filtered({.first = first, .second = second}, velocity, radius);
+  std::vector<Point> path;
+  for (std::size_t i = 0; i < points; ++i) {
+    path.push_back(filtered.at(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points)));
+  }
+  return path;
 }
 
 }  // namespace axisc::motion

@@ -13,7 +13,9 @@
 #include "motion/chain_answer.hpp"
 #include "motion/point.hpp"
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace axisc::motion {
 
@@ -40,5 +42,15 @@ struct ContourFigures {
 /// Greatest distance between the filtered paths of a 90° corner that is passed in one direction and in the other: 0 for
 /// symmetric kernels.
 [[nodiscard]] double predict_parallel(std::span<ChainAnswer const> answers, double velocity);
+
+/// The filtered path around a corner at the origin whose first leg comes along the first axis, one point per cycle; what
+/// predict_corner() measures of one plane.
+[[nodiscard]] std::vector<Point> corner_path(ChainAnswer const& first, ChainAnswer const& second,
+                                             double velocity, double turn);
+
+/// The filtered path of a full circle around the origin, in equal steps of the setpoint's angle from 0 on; what
+/// predict_circle() measures of one plane.
+[[nodiscard]] std::vector<Point> circle_path(ChainAnswer const& first, ChainAnswer const& second,
+                                             double velocity, double radius, std::size_t points);
 
 }  // namespace axisc::motion

@@ -25,6 +25,8 @@ struct Invocation {
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
+[[nodiscard]] ExitStatus plot(Invocation const& invocation);
+[[nodiscard]] ExitStatus report(Invocation const& invocation);
 [[nodiscard]] ExitStatus replay(Invocation const& invocation);
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
 [[nodiscard]] ExitStatus merge(Invocation const& invocation);

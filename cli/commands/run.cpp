@@ -4,6 +4,7 @@
 #include "cli/commands/sentences.hpp"
 #include "cli/execution/execution.hpp"
 #include "cli/execution/stimulus.hpp"
+#include "cli/files/byte_source.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
@@ -186,23 +187,6 @@ void protect_inputs(RunOptions const& options) {
     if (output) outputs.push_back(*output);
   }
   refuse_overwriting(outputs, {*options.image, options.input.value_or("-")});
-}
-
-/// Reads a file piece by piece; it is open as long as the source lives.
-ByteSource open_source(std::string const& path) {
-  auto const fail = [path](system::Error const& error) {
-    throw Failure(
-        {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-        cannot_read);
-  };
-  auto opened = path == "-" ? system::File::standard_input() : system::File::open(path, system::Access::read);
-  if (auto const* const error = std::get_if<system::Error>(&opened)) fail(*error);
-  auto file = std::make_shared<system::File>(std::get<system::File>(std::move(opened)));
-  return [file = std::move(file), fail](std::span<char> buffer) -> std::size_t {
-    auto const got = file->read(buffer);
-    if (auto const* const error = std::get_if<system::Error>(&got)) fail(*error);
-    return std::get<std::size_t>(got);
-  };
 }
 
 std::unique_ptr<Stimulus> make_stimulus(RunOptions const& options, image::ImageContents const& image) {

@@ -57,30 +57,18 @@ std::size_t axis_of(machine::Machine const& machine, std::string const& name) {
   throw unknown_axis(name, names);
 }
 
-/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
-/// braking.
-std::vector<double> accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
-  std::vector<double> found;
-  for (auto const& cycle : record.cycles) {
-    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
-  }
-  if (phase == motion::MovePhase::rest) found.resize(found.size() / 3);
-  return found;
-}
-
 void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& without,
                        motion::LoopRecord const& with, double T) {
-  constexpr double lowest = 4;
-  double const highest = std::min(200.0, 0.4 / T);
+  auto const [lowest, highest] = oscillation_band(T);
   for (auto const phase : {motion::MovePhase::travel, motion::MovePhase::rest}) {
     // Ways there and back are alike; the worse one counts.
     PhaseOscillation worst{.phase = phase, .without = {}, .with = {}};
     for (bool const back : {false, true}) {
-      auto const record = accelerations(without, phase, back);
+      auto const record = load_accelerations(without, phase, back);
       auto const found = motion::dominant_oscillation(record, T, lowest, highest);
       if (!(found.amplitude > worst.without.amplitude)) continue;
       worst.without = found;
-      auto const same = accelerations(with, phase, back);
+      auto const same = load_accelerations(with, phase, back);
       worst.with = same.size() == record.size()
                        ? std::optional(motion::amplitude_at(same, T, found.frequency))
                        : std::nullopt;
@@ -91,8 +79,20 @@ void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& wit
 
 }  // namespace
 
-ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,
-                          Invocation const& invocation) {
+std::vector<double> load_accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
+  std::vector<double> found;
+  for (auto const& cycle : record.cycles) {
+    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
+  }
+  if (phase == motion::MovePhase::rest) found.resize(found.size() / 3);
+  return found;
+}
+
+std::pair<double, double> oscillation_band(double cycle_seconds) {
+  return {4, std::min(200.0, 0.4 / cycle_seconds)};
+}
+
+PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, bool searches_kv) {
   auto const& machine = checked.machine;
   auto const wanted = read_move(request.move);
   auto const index = axis_of(machine, wanted.axis);
@@ -111,14 +111,18 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
                               .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T};
   auto const& control = image.contents.axes[index].control;
 
-  ClosedLoopFigures figures;
+  PlantRun run;
+  run.cycle_seconds = T;
+  auto& figures = run.figures;
   figures.axis = wanted.axis;
   figures.distance_mm = wanted.distance_mm;
   figures.feed_mm_per_min = feed / motion::units_per_mm * 60;
   figures.kv = plant.kv;
   figures.has_function = control.has_value();
-  auto const without = motion::simulate_loop(runtime, move, plant, false);
-  auto const with = control ? motion::simulate_loop(runtime, move, plant, true) : without;
+  run.without = motion::simulate_loop(runtime, move, plant, false);
+  run.with = control ? motion::simulate_loop(runtime, move, plant, true) : run.without;
+  auto const& without = run.without;
+  auto const& with = run.with;
   if (control) find_oscillations(figures, without, with, T);
   for (auto const& cycle : with.cycles) {
     figures.largest_additive = std::max(figures.largest_additive, std::abs(cycle.additive_velocity));
@@ -129,28 +133,34 @@ ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& che
   }
   figures.diverges_without = motion::diverges(without, T);
   figures.diverges_with = motion::diverges(with, T);
+  if (!searches_kv) return run;
   figures.highest_kv_without = motion::highest_kv(runtime, move, plant, false);
   figures.highest_kv_with =
       control ? motion::highest_kv(runtime, move, plant, true) : figures.highest_kv_without;
+  return run;
+}
 
+ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,
+                          Invocation const& invocation) {
+  auto const run = run_plant(request, checked, true);
   if (request.output) {
     auto sources = checked.files;
     sources.push_back(request.plant_path);
     refuse_overwriting({*request.output}, sources);
     OutputFile file(*request.output);
-    file.write(plant_csv(without, with, T));
+    file.write(plant_csv(run.without, run.with, run.cycle_seconds));
     file.commit();
   }
   auto& out = invocation.streams.out;
   switch (request.format) {
     case SimulateFormat::text:
-      out.write(plant_text(figures, invocation.language));
+      out.write(plant_text(run.figures, invocation.language));
       break;
     case SimulateFormat::csv:
-      out.write(plant_csv(without, with, T));
+      out.write(plant_csv(run.without, run.with, run.cycle_seconds));
       break;
     case SimulateFormat::json:
-      out.write(plant_json(figures));
+      out.write(plant_json(run.figures));
       break;
   }
   return ExitStatus::success;

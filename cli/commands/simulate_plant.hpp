@@ -4,9 +4,13 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/simulate_program.hpp"
 #include "cli/files/path_machine.hpp"
+#include "cli/formats/plant_formats.hpp"
+#include "motion/closed_loop.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace axisc::cli {
 
@@ -17,6 +21,26 @@ struct PlantRequest {
   std::optional<std::string> output;
   SimulateFormat format = SimulateFormat::text;
 };
+
+/// What a move gave, without and with the function.
+struct PlantRun {
+  ClosedLoopFigures figures;
+  motion::LoopRecord without, with;
+  double cycle_seconds = 0;
+};
+
+/// `searches_kv`: also finds the highest Kv, which takes most of the time. Failure for a move or a plant file that cannot
+/// be used.
+[[nodiscard]] PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked,
+                                 bool searches_kv);
+
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
+/// braking.
+[[nodiscard]] std::vector<double> load_accelerations(motion::LoopRecord const& record,
+                                                     motion::MovePhase phase, bool back);
+
+/// The band of frequencies in which oscillations are looked for, in Hz.
+[[nodiscard]] std::pair<double, double> oscillation_band(double cycle_seconds);
 
 [[nodiscard]] ExitStatus simulate_plant(PlantRequest const& request, CheckedMachine const& checked,
                                         Invocation const& invocation);

@@ -33,6 +33,7 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"editor",
      {"motion", "image", "codegen", "machine", "configuration", "validator", "design", "schema", "grammar",
       "diagnostics"}},
+    {"pictures", {"diagnostics"}},
     {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
 };
 

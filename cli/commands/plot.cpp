@@ -1,0 +1,272 @@
+#include "cli/commands/commands.hpp"
+#include "cli/commands/contour_words.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/files/compiled_input.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/frequencies.hpp"
+#include "cli/options/timed_commands.hpp"
+#include "cli/plots/picture_output.hpp"
+#include "cli/plots/plant_figure.hpp"
+#include "cli/plots/plots.hpp"
+#include "cli/plots/plotted_groups.hpp"
+#include "cli/sentences.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Draws what `response`, `run` and `contour` compute: magnitude, phase and group delay over frequency, the answer to a
+step, the delay of each axis, a corner or a circle. Several axes lie over one another; a single one is shown with each of
+its filters. A picture is an SVG file, the same bytes on every host; without -o it is drawn in the terminal.)",
+    R"(Zeichnet, was `response`, `run` und `contour` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
+Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke oder einen Kreis. Mehrere Achsen liegen übereinander; eine
+einzelne zeigt jeden ihrer Filter. Ein Bild ist eine SVG-Datei, auf jedem Rechner dieselben Bytes; ohne -o wird es im
+Terminal gezeichnet.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc plot machine.json --axis X -o x.svg
+  axisc plot listen/ --axis X --mark 48Hz
+  axisc plot listen/ --before old/listen/ --axis X -o change.svg
+  axisc plot machine.json --kind corner --feed 1000,4000 -o corner.svg)",
+                            R"(Beispiele:
+  axisc plot maschine.json --axis X -o x.svg
+  axisc plot listen/ --axis X --mark 48Hz
+  axisc plot listen/ --before alt/listen/ --axis X -o aenderung.svg
+  axisc plot maschine.json --kind corner --feed 1000,4000 -o ecke.svg)"};
+constexpr Sentence argument_plotted{
+    "a list, a machine file, a start-up list, a project, a folder with one machine, or an image",
+    "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt, ein Ordner mit einer Maschine oder "
+    "ein Abbild"};
+constexpr Sentence option_kind{"what to draw (default: response)",
+                               "was zu zeichnen ist (Standardwert: response)"};
+constexpr Sentence option_picture{
+    "where the picture goes: FILE.svg, FILE.html, or - for standard output (default: the terminal)",
+    "wohin das Bild geht: DATEI.svg, DATEI.html oder - für die Standardausgabe (Standardwert: das Terminal)"};
+constexpr Sentence option_picture_format{"format of the picture, whatever the name's ending",
+                                         "Format des Bilds, wie die Datei auch endet"};
+constexpr Sentence option_before{
+    "an earlier state of the same machine: drawn dashed, with a table of the differences",
+    "ein früherer Stand derselben Maschine: gestrichelt, mit Tabelle der Unterschiede"};
+constexpr Sentence option_table{"print the numbers of the picture as a table",
+                                "die Zahlen des Bilds als Tabelle ausgeben"};
+constexpr Sentence option_plotted_axis{"only this axis, with each of its filters (default: all)",
+                                       "nur diese Achse, mit jedem ihrer Filter (Standardwert: alle)"};
+constexpr Sentence option_mark{"also mark this frequency: 48 or 48Hz",
+                               "auch diese Frequenz markieren: 48 oder 48Hz"};
+constexpr Sentence option_linear{"linear frequency (default: logarithmic)",
+                                 "lineare Frequenz (Standardwert: logarithmisch)"};
+constexpr Sentence option_magnitude{"magnitude in dB or as a factor (default: db)",
+                                    "Betrag in dB oder als Faktor (Standardwert: db)"};
+constexpr Sentence option_wrap{"phase from -180° to 180° (default: continuous)",
+                               "Phase von -180° bis 180° (Standardwert: stetig)"};
+constexpr Sentence option_measured{
+    "also draw a measured response, and what the axis' chain makes of it: frequency_hz, magnitude_db[, "
+    "phase_deg]",
+    "auch einen gemessenen Frequenzgang zeichnen und was die Kette der Achse daraus macht: frequency_hz, "
+    "magnitude_db[, phase_deg]"};
+constexpr Sentence option_plotted_plant{"drive and mechanics for --kind plant",
+                                        "Antrieb und Mechanik für --kind plant"};
+constexpr Sentence option_plotted_move{"there and back with the plant (default: vb_max)",
+                                       "hin und zurück mit der Strecke (Standardwert: vb_max)"};
+constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
+                               "--kind plant braucht --plant und --move"};
+constexpr Sentence plant_of_image{"--kind plant needs the machine: {file} is an image",
+                                  "--kind plant braucht die Maschine: {file} ist ein Abbild"};
+constexpr Sentence of_kinds{"{option} belongs to --kind {kinds}", "{option} gehört zu --kind {kinds}"};
+constexpr Sentence order_of_image{
+    "--order needs the machine: {file} is an image, compiled for its own orders only",
+    "--order braucht die Maschine: {file} ist ein Abbild, nur für seine eigenen "
+    "Ordnungen übersetzt"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant };
+
+struct PlotOptions {
+  std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move;
+  PictureTarget target;
+  std::vector<std::string> marks, commands;
+  Kind kind = Kind::response;
+  ResponsePlot response;
+  ContourWords contour;
+};
+
+void declare(CommandLine& command_line, PlotOptions& options) {
+  command_line.argument("INPUT", options.input, says::argument_plotted);
+  command_line.value("-o,--output", "FILE", options.target.path, says::option_picture);
+  command_line.choice("--kind",
+                      {{"response", Kind::response},
+                       {"step", Kind::step},
+                       {"delay", Kind::delay},
+                       {"corner", Kind::corner},
+                       {"circle", Kind::circle},
+                       {"plant", Kind::plant}},
+                      options.kind, says::option_kind);
+  command_line.value("--before", "OTHER", options.before, says::option_before);
+  command_line.flag("--table", options.target.table, says::option_table);
+  command_line.value("--axis", "NAME", options.axis, says::option_plotted_axis);
+  command_line.values("--mark", "HZ", options.marks, says::option_mark);
+  command_line.flag("--linear", options.response.linear_frequency, says::option_linear);
+  command_line.choice("--magnitude", {{"db", false}, {"linear", true}}, options.response.linear_magnitude,
+                      says::option_magnitude);
+  command_line.flag("--wrap", options.response.wraps_phase, says::option_wrap);
+  command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
+  command_line.value("--group", "NAME", options.group, says::option_group);
+  declare_contour_words(command_line, options.contour, ContourWords::Shown::paths);
+  command_line.value("--plant", "PLANT.json", options.plant, says::option_plotted_plant);
+  command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_plotted_move);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
+  command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
+                      options.target.format, says::option_picture_format);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+}
+
+/// "48" or "48Hz".
+std::vector<double> frequencies_of(std::vector<std::string> const& marks, design::CycleTime cycle_time) {
+  std::vector<double> frequencies;
+  for (std::string word : marks) {
+    if (word.ends_with("Hz")) word.resize(word.size() - 2);
+    auto const read = parse_frequencies(word, cycle_time);
+    frequencies.insert(frequencies.end(), read.begin(), read.end());
+  }
+  return frequencies;
+}
+
+bool is_contour(Kind kind) {
+  return kind == Kind::corner || kind == Kind::circle;
+}
+
+void refuse_mixture(PlotOptions const& options) {
+  struct Belongs {
+    bool given;
+    std::string_view option, kinds;
+    bool fits;
+  };
+  bool const contour = is_contour(options.kind);
+  bool const response = options.kind == Kind::response;
+  bool const plant = options.kind == Kind::plant;
+  bool const of_axes = !contour && !plant;
+  for (auto const& [given, option, kinds, fits] : std::initializer_list<Belongs>{
+           {!options.marks.empty(), "--mark", "response", response},
+           {options.response.linear_frequency, "--linear", "response", response},
+           {options.response.linear_magnitude, "--magnitude linear", "response", response},
+           {options.response.wraps_phase, "--wrap", "response", response},
+           {options.measured.has_value(), "--measured", "response", response},
+           {options.axis.has_value(), "--axis", "response, step, delay", of_axes},
+           {!options.commands.empty(), "--at", "response, step, delay", of_axes},
+           {options.before.has_value(), "--before", "response, step, delay, corner, circle", !plant},
+           {options.plant.has_value(), "--plant", "plant", plant},
+           {options.move.has_value(), "--move", "plant", plant},
+           {options.group.has_value(), "--group", "corner, circle", contour},
+           {options.contour.feeds.has_value(), "--feed", "corner, circle", contour},
+           {options.contour.orders.has_value(), "--order", "corner, circle", contour},
+           {options.contour.angle.has_value(), "--angle", "corner", options.kind == Kind::corner},
+           {options.contour.radius.has_value(), "--radius", "circle", options.kind == Kind::circle}}) {
+    if (!given || fits) continue;
+    throw Failure({.sentence = says::of_kinds,
+                   .arguments = {{"option", std::string(option)}, {"kinds", std::string(kinds)}}});
+  }
+  if (plant && (!options.plant || !options.move)) {
+    throw Failure({.sentence = says::plant_needs, .arguments = {}});
+  }
+}
+
+/// An input with its runtime.
+struct Plotted {
+  InputImage input;
+  image::RuntimeHost host;
+};
+
+std::optional<Plotted> plotted(PlotOptions const& options, std::string const& path,
+                               Invocation const& invocation, bool color) {
+  auto input = compiled_input(path, options.cycle_time, invocation, color);
+  if (!input) return std::nullopt;
+  auto host = start_runtime(path, input->image);
+  for (auto const& command : read_timed_commands(options.commands, input->image, path, invocation.language)) {
+    execute(command, host, input->image.contents, path);
+  }
+  return Plotted{.input = std::move(*input), .host = std::move(host)};
+}
+
+pictures::Figure contour_figure(PlotOptions const& options, InputImage const& now, InputImage const* before,
+                                Language language) {
+  auto const wanted = read_contour_words(options.contour);
+  if (options.contour.orders) {
+    for (auto const& [input, path] : {std::pair(&now, &options.input), {before, &options.before}}) {
+      if (input == nullptr || input->machine) continue;
+      throw Failure({.sentence = says::order_of_image, .arguments = {{"file", **path}}});
+    }
+  }
+  auto chains = group_chains(now, options.group, wanted, *options.input);
+  auto earlier = before != nullptr
+                     ? std::optional(group_chains(*before, options.group, wanted, *options.before))
+                     : std::nullopt;
+  ContourSubject const subject{.now = chains,
+                               .before = earlier ? &*earlier : nullptr,
+                               .cycle_time = now.image.contents.cycle_time,
+                               .axes = axis_names(now.image.contents, chains.group()),
+                               .language = language};
+  return options.kind == Kind::corner ? corner_figure(subject, wanted) : circle_figure(subject, wanted);
+}
+
+}  // namespace
+
+ExitStatus plot(Invocation const& invocation) {
+  PlotOptions options;
+  CommandLine command_line("plot", says::purpose, says::examples, invocation.language);
+  declare(command_line, options);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(options.input.has_value(), "INPUT");
+  refuse_mixture(options);
+  options.target.check();
+  std::vector<std::string> inputs{*options.input};
+  for (auto const& other : {options.before, options.measured, options.plant}) {
+    if (other) inputs.push_back(*other);
+  }
+  if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
+
+  bool const color = use_color(command_line.color(), system::Stream::error);
+  auto now = plotted(options, *options.input, invocation, color);
+  if (!now) return ExitStatus::findings;
+  auto before = options.before ? plotted(options, *options.before, invocation, color) : std::nullopt;
+  if (options.before && !before) return ExitStatus::findings;
+
+  auto const& contents = now->input.image.contents;
+  pictures::Figure figure;
+  if (options.kind == Kind::plant) {
+    if (!now->input.machine) {
+      throw Failure({.sentence = says::plant_of_image, .arguments = {{"file", *options.input}}});
+    }
+    auto const run = run_plant({.machine_path = *options.input,
+                                .plant_path = *options.plant,
+                                .move = *options.move,
+                                .output = std::nullopt},
+                               *now->input.machine, false);
+    figure = plant_figure(run, invocation.language);
+  } else if (is_contour(options.kind)) {
+    figure = contour_figure(options, now->input, before ? &before->input : nullptr, invocation.language);
+  } else {
+    if (options.measured) options.response.measured = read_measured_response(*options.measured);
+    options.response.marks = frequencies_of(options.marks, contents.cycle_time);
+    PlotSubject const subject{
+        .now = {.file = now->input.image, .host = now->host},
+        .before = before ? std::optional(PlottedImage{.file = before->input.image, .host = before->host})
+                         : std::nullopt,
+        .axes = chosen_axes(contents, options.axis),
+        .language = invocation.language};
+    figure = options.kind == Kind::response ? response_figure(subject, options.response)
+             : options.kind == Kind::step   ? step_figure(subject)
+                                            : delay_figure(subject);
+  }
+  figure.shows_table = before.has_value();
+  write_picture(figure, options.target, invocation);
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

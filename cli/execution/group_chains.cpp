@@ -1,0 +1,59 @@
+#include "cli/execution/group_chains.hpp"
+
+#include "cli/failure.hpp"
+#include "cli/files/path_machine.hpp"
+#include "cli/sentences.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli {
+
+double path_velocity(double feed_mm_per_min, design::CycleTime cycle_time) {
+  return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
+}
+
+GroupChains::GroupChains(machine::Machine machine, std::size_t group,
+                         std::vector<machine::FilterCommand> commands, std::string path)
+    : machine_(std::move(machine)), index_(group), commands_(std::move(commands)), path_(std::move(path)) {
+  for (auto const& command : commands_) add_set(command.parameters);
+}
+
+GroupChains::GroupChains(ImageFile const& image, machine::MachineGroup group,
+                         std::vector<machine::FilterCommand> commands, std::string path)
+    : group_(std::move(group)), commands_(std::move(commands)), path_(std::move(path)), image_(&image) {}
+
+ImageFile const& GroupChains::image() {
+  if (image_ != nullptr) return *image_;
+  if (!compiled_) compiled_ = image_of(*machine_, path_);
+  return *compiled_;
+}
+
+void GroupChains::add_order(std::uint32_t order) {
+  auto parameters = commands_.front().parameters;
+  parameters.order = order;
+  add_set(parameters);
+}
+
+std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_t> order) {
+  if (!runtime_) runtime_.emplace(group_runtime(image(), group(), path_));
+  static_cast<void>(runtime_->reset({}));
+  for (auto command : commands_) {
+    if (order && !command.hsc) command.parameters.order = order;
+    static_cast<void>(runtime_->command(command));
+  }
+  auto answered = motion::chain_answers(*runtime_);
+  if (auto const* const missing = std::get_if<motion::NoAnswer>(&answered)) {
+    throw Failure({.sentence = says::blocks_constant,
+                   .arguments = {{"axis", axis_label(image().contents, group().axes[missing->axis])},
+                                 {"group", group().name}}});
+  }
+  return std::get<std::vector<motion::ChainAnswer>>(std::move(answered));
+}
+
+void GroupChains::add_set(machine::FilterParameters const& parameters) {
+  auto& sets = machine_->groups[index_].filter_sets;
+  if (parameters.empty() || std::find(sets.begin(), sets.end(), parameters) != sets.end()) return;
+  sets.push_back(parameters);
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,13 @@
+// An axis in its closed loop, drawn.
+#pragma once
+
+#include "cli/commands/simulate_plant.hpp"
+#include "pictures/figure.hpp"
+
+namespace axisc::cli {
+
+/// Following error and acceleration of the load over time, and the spectrum of its oscillation while travelling and at rest
+/// after braking, without and with Improved Position Control: what `simulate --plant` computes.
+[[nodiscard]] pictures::Figure plant_figure(PlantRun const& run, Language language);
+
+}  // namespace axisc::cli

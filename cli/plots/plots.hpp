@@ -1,0 +1,90 @@
+// Figures of a machine: each shows what another command computes, for one state or for two beside each other.
+#pragma once
+
+#include "cli/execution/group_chains.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/formats/contour_groups.hpp"
+#include "cli/plots/measured_response.hpp"
+#include "diagnostics/message.hpp"
+#include "pictures/figure.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::cli {
+
+/// An image after the commands of --at.
+struct PlottedImage {
+  ImageFile const& file;
+  image::RuntimeHost& host;
+
+  [[nodiscard]] image::ImageContents const& contents() const { return file.contents; }
+};
+
+/// What the figures of one run have in common.
+struct PlotSubject {
+  PlottedImage now;
+  std::optional<PlottedImage>
+      before;                     ///< an earlier state of the same machine: axes are found by their names
+  std::vector<std::size_t> axes;  ///< of `now`
+  Language language = Language::english;
+
+  [[nodiscard]] image::ImageContents const& contents() const { return now.contents(); }
+  [[nodiscard]] std::string name(std::size_t axis) const { return axis_label(contents(), axis); }
+  /// "X, Y".
+  [[nodiscard]] std::string names() const;
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
+    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+  }
+  /// The axis of `before` that has the name of an axis of `now`.
+  [[nodiscard]] std::optional<std::size_t> axis_before(std::size_t axis) const;
+};
+
+struct ResponsePlot {
+  bool linear_frequency = false;
+  bool linear_magnitude = false;
+  bool wraps_phase = false;
+  std::vector<double> marks = {};            ///< in Hz
+  std::vector<MeasuredPoint> measured = {};  ///< drawn, and for a single axis what its chain makes of it
+};
+
+/// Magnitude, phase and group delay over frequency, as `response` computes them; of a single axis with each of its
+/// filters.
+[[nodiscard]] pictures::Figure response_figure(PlotSubject const& subject, ResponsePlot const& wanted);
+
+/// The answer to a step of 1 in position, from standstill, and its velocity and acceleration, as `run` computes them.
+[[nodiscard]] pictures::Figure step_figure(PlotSubject const& subject);
+
+/// Group delay at 0 Hz of each axis, one share per filter.
+[[nodiscard]] pictures::Figure delay_figure(PlotSubject const& subject);
+
+/// Delay, -3 dB frequency, attenuation at characteristic frequencies and at `marks` (Hz), settling and overshoot of each
+/// axis, with the difference where there are two states.
+[[nodiscard]] pictures::Table chain_table(PlotSubject const& subject, std::vector<double> const& marks);
+
+/// Whose contours are drawn.
+struct ContourSubject {
+  GroupChains& now;
+  GroupChains* before = nullptr;
+  design::CycleTime cycle_time;
+  std::vector<std::string> axes;  ///< names of the group's
+  Language language = Language::english;
+
+  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
+    return render({.sentence = text, .arguments = std::move(arguments)}, language);
+  }
+};
+
+/// The programmed corner and the filtered one, for each feed and order, as `contour` computes them; the plane of the first axis
+/// and the one with the largest deviation.
+[[nodiscard]] pictures::Figure corner_figure(ContourSubject const& subject, ContourRequest const& wanted);
+
+/// Deviation of the radius over the angle, magnified.
+[[nodiscard]] pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest const& wanted);
+
+/// "filter[0] BANDSTOP 42 Hz".
+[[nodiscard]] std::string filter_label(image::ImageFilter const& filter);
+
+}  // namespace axisc::cli

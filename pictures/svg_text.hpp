@@ -1,0 +1,19 @@
+// What SVG is written with.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace axisc::pictures {
+
+/// With two decimals at most and no trailing zeros: a hundredth of a pixel is seen by nobody. `value` is finite.
+[[nodiscard]] std::string pixels(double value);
+
+/// Text between tags or in an attribute.
+[[nodiscard]] std::string escaped(std::string_view text);
+
+/// ` name="value"`.
+[[nodiscard]] std::string attribute(std::string_view name, std::string_view value);
+[[nodiscard]] std::string attribute(std::string_view name, double value);
+
+}  // namespace axisc::pictures
