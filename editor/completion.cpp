@@ -28,8 +28,9 @@ std::set<std::uint32_t> used_indices(OpenList const& list, std::string_view pref
   std::set<std::uint32_t> used;
   for (auto const& line : list.tree().assignments) {
     auto const name = list.slice(line.name);
-    if (name.size() <= prefix.size() || !ascii::equal_ignoring_case(name.substr(0, prefix.size()), prefix))
+    if (name.size() <= prefix.size() || !ascii::equal_ignoring_case(name.substr(0, prefix.size()), prefix)) {
       continue;
+    }
     auto const part = schema::split_name(name.substr(0, name.find(']', prefix.size()) + 1));
     if (part && !part->parts.empty() && part->parts.back().index) used.insert(*part->parts.back().index);
   }
@@ -64,8 +65,9 @@ class NameItems {
     }
     if (rest.empty()) return;
     auto const part = schema::take_part(rest);
-    if (!part.ends_with(']') || indices >= row.array.size())
+    if (!part.ends_with(']') || indices >= row.array.size()) {
       return add(row, std::string(bare(part)), rest.empty());
+    }
     auto const begin = std::string(bare(part)) + "[";
     if (!known_arrays_.insert(begin).second) return;
     auto used = used_indices(list_, std::string(before_) + begin);
@@ -126,8 +128,9 @@ Json value_items(schema::Parameter const& row, Language language, Json const& ra
     add(std::string(symbol.word), number, meaning.empty() ? meaning_of(number) : meaning);
   }
   for (auto const& name : row.number_names) {
-    if (name.number)
+    if (name.number) {
       add(std::to_string(*name.number), std::string(name.word), meaning_of(std::to_string(*name.number)));
+    }
   }
   for (auto const& [value, meaning] : description.values) {
     bool const is_symbol =
@@ -156,8 +159,9 @@ Json Server::complete(Json const& params) {
   while (begin > 0 && text[begin - 1] != '\n' && text[begin - 1] != '\r') --begin;
   while (begin < offset && ascii::is_blank(text[begin])) ++begin;
   auto const typed = text.substr(begin, offset - begin);
-  if (typed.find_first_of("#(\"") != std::string_view::npos || typed.find("/*") != std::string_view::npos)
+  if (typed.find_first_of("#(\"") != std::string_view::npos || typed.find("/*") != std::string_view::npos) {
     return items;
+  }
   auto end = offset;
   while (end < text.size() && continues_segment(text[end])) ++end;
   auto const range_from = [&](std::size_t first) {

@@ -44,8 +44,9 @@ Checked Server::check(Buffers& files, std::string const& machine) const {
       validator::check(files, machine, surroundings_.options(machine), checked.sources).findings;
   // What concerns no file is shown in the machine's.
   for (auto& finding : checked.findings) {
-    if (!finding.place)
+    if (!finding.place) {
       finding.file = finding.file.empty() ? machine : validator::beside(machine, finding.file);
+    }
   }
   return checked;
 }

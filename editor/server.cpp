@@ -33,6 +33,13 @@ std::string error(Json const& id, ErrorCode code, std::string_view reason) {
 
 }  // namespace
 
+std::string error_message(std::string_view sentence) {
+  constexpr int error = 1;
+  return dump({{"jsonrpc", "2.0"},
+               {"method", "window/showMessage"},
+               {"params", {{"type", error}, {"message", sentence}}}});
+}
+
 struct Server::Method {
   std::string_view name;
   Json (Server::*handler)(Json const&);
@@ -74,8 +81,9 @@ std::vector<std::string> Server::receive(std::string_view message) {
   if (!json.contains("method") && (json.contains("result") || json.contains("error"))) return {};
   bool const is_request = json.contains("id");
   auto const id = is_request ? json["id"] : Json();
-  if (id.is_structured())
+  if (id.is_structured()) {
     return {error(nullptr, ErrorCode::invalid_request, "the id is not a number or text")};
+  }
   if (!json.contains("method") || !json["method"].is_string()) {
     return {error(id, ErrorCode::invalid_request, "no method")};
   }

@@ -37,6 +37,9 @@ struct Checked {
   std::vector<Finding> findings;
 };
 
+/// A message that the client shows to the user.
+[[nodiscard]] std::string error_message(std::string_view sentence);
+
 class Places;
 
 class Server {

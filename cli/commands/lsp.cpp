@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <span>
 
 namespace axisc::cli::says {
@@ -40,17 +41,20 @@ ExitStatus lsp(Invocation const& invocation) {
   DiskFiles disk;
   // Read again for every check: they may have changed. The options of a check refer to them.
   std::optional<SettingsFinder> settings;
+  std::string failure;         // of the settings
+  std::set<std::string> told;  // those that the user knows
   editor::Server server(
       {.disk = disk,
        .options =
-           [&settings](std::string const& path) {
+           [&](std::string const& path) {
              settings.emplace();
              CheckJob job;
              job.options.machine = false;
              job.settings = &*settings;
              try {
                return options_for(job, path);
-             } catch (Failure const&) {
+             } catch (Failure const& mistake) {
+               failure = mistake.sentence(invocation.language);
                return job.options;
              }
            },
@@ -62,7 +66,9 @@ ExitStatus lsp(Invocation const& invocation) {
   auto const opened = system::File::standard_input();
   auto const* const input = std::get_if<system::File>(&opened);
   if (input == nullptr) return ExitStatus::failure;
-  auto const send = [&invocation](std::vector<std::string> const& messages) {
+  auto const send = [&](std::vector<std::string> messages) {
+    if (!failure.empty() && told.insert(failure).second) messages.push_back(editor::error_message(failure));
+    failure.clear();
     for (auto const& message : messages) invocation.streams.out.write(editor::framed(message));
   };
   constexpr std::size_t block = 65536;

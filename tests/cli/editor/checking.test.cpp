@@ -77,7 +77,7 @@ std::size_t compare(Json const& shown, std::vector<Json> const& expected) {
 Json shown_in(std::vector<Json> const& notifications, std::string const& path) {
   Json shown;
   for (auto const& message : notifications) {
-    if (message["params"]["uri"] == "file://" + path) shown = message["params"]["diagnostics"];
+    if (message["params"].value("uri", "") == "file://" + path) shown = message["params"]["diagnostics"];
   }
   return shown;
 }
@@ -164,6 +164,22 @@ TEST_CASE("team settings apply") {
   auto const results =
       Conversation().open(list, "kopx.achs_nr 1\n").ask("textDocument/diagnostic", list).results();
   CHECK(results[0]["items"].dump().find("AX2001") == std::string::npos);
+}
+
+TEST_CASE("a mistake in the team settings is told once") {
+  TemporaryFolder const folder;
+  folder.write("axisc.json", R"({"disable": 5})");
+  auto const list = folder.path() + "/x.lis";
+  Conversation conversation;
+  (void)conversation.open(list, "kopx.achs_nr 1\n")
+      .ask("textDocument/diagnostic", list)
+      .ask("textDocument/hover", list, {{"position", {{"line", 0}, {"character", 1}}}})
+      .results();
+  auto const& sent = conversation.notifications();
+  CHECK(std::count_if(sent.begin(), sent.end(), [](Json const& message) {
+          return message["method"] == "window/showMessage" && message["params"]["type"] == 1 &&
+                 message["params"]["message"].get<std::string>().find("axisc.json") != std::string::npos;
+        }) == 1);
 }
 
 TEST_CASE("ignored text is marked as unnecessary") {

@@ -85,9 +85,9 @@ std::vector<Json> Conversation::results(std::string const& language) {
   CHECK(outcome.err.empty());
   std::vector<Json> results;
   for (auto& message : unframed(outcome.out)) {
-    if (!message.contains("id"))
+    if (!message.contains("id")) {
       notifications_.push_back(std::move(message));
-    else if (message["id"].is_number() && message["id"] != 1) {
+    } else if (message["id"].is_number() && message["id"] != 1) {
       results.push_back(message.contains("error") ? message : message["result"]);
     }
   }
