@@ -61,7 +61,7 @@ std::string machine_of(configuration::Files& files, std::string const& path, Opt
     std::sort(names.begin(), names.end());
     std::stable_partition(names.begin(), names.end(), is_json);
     for (auto const& name : names) {
-      auto const candidate = folder + name;
+      auto candidate = folder + name;
       if (is_machine(files, candidate) && reads(files, candidate, path, options)) return candidate;
     }
   }

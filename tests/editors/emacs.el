@@ -66,6 +66,11 @@
 (test-check (string-match-p "42 Hz" (plist-get (plist-get (test-ask :textDocument/hover) :contents) :value))
             "the quantity of a value")
 
+;; What ElDoc shows.
+(let (shown)
+  (eglot-hover-eldoc-function (lambda (text &rest _) (setq shown text)))
+  (test-wait (lambda () (and shown (string-match-p "42 Hz" shown))) "the quantity at point"))
+
 ;; Completion through the editor's own command.
 (end-of-line)
 (insert "\nfilter[0].prot")

@@ -86,7 +86,9 @@ local function run()
     context = {diagnostics = {}, only = {'quickfix'}},
   })
   check(#actions == 1, 'one fix')
-  vim.lsp.util.apply_workspace_edit(actions[1].edit, 'utf-16')
+  vim.ui.select = function(offered, _, choose) choose(offered[1], 1) end
+  vim.api.nvim_win_set_cursor(0, {filter + 1, 53})
+  vim.cmd('normal \\a')
   wait(function() return #vim.diagnostic.get(0, {lnum = filter}) == 0 end, 'the fix ends the finding')
   check(vim.api.nvim_buf_get_lines(0, filter, filter + 1, false)[1]:find('42.5', 1, true), 'the fix is applied')
 
