@@ -20,6 +20,8 @@ constexpr double title_size = 15;
 constexpr double line_height = 17;
 constexpr double gap_of_panels = 18;
 constexpr std::size_t rows_of_marks = 3;
+/// Of the ends of an axis: fewer than any two mathematics libraries share.
+constexpr int scale_digits = 9;
 
 /// Okabe and Ito: told apart by colour-blind readers. Black and yellow are left out, which one of the schemes swallows.
 constexpr std::array<std::string_view, 6> palette = {"#0072b2", "#d55e00", "#009e73",
@@ -147,11 +149,20 @@ class Writer {
   }
 
   [[nodiscard]] static std::string scale_text(Axis const& axis, double begin, double end) {
-    return (axis.scale == Scale::logarithmic ? "logarithmic " : "linear ") + format_exact(axis.low) + " " +
-           format_exact(axis.high) + " " + pixels(begin) + " " + pixels(end);
+    return (axis.scale == Scale::logarithmic ? "logarithmic " : "linear ") +
+           format_rounded(axis.low, scale_digits) + " " + format_rounded(axis.high, scale_digits) + " " +
+           pixels(begin) + " " + pixels(end);
   }
 
   [[nodiscard]] Axis const& axis_of(Panel const& panel) const { return panel.x ? *panel.x : figure_.x; }
+
+  /// Numbers that would run into the name of their axis.
+  [[nodiscard]] bool needs_thousands(std::vector<double> const& ticks) const {
+    constexpr double room = 44;
+    return std::any_of(ticks.begin(), ticks.end(), [&](double tick) {
+      return std::abs(tick) >= 1000 && text_width(number_text(tick, language_), text_size) > room;
+    });
+  }
 
   void write_frame(Panel const& panel, Projection const& up, double top, double bottom, bool has_numbers) {
     Axis const& x_axis = axis_of(panel);
@@ -159,12 +170,15 @@ class Writer {
     constexpr std::size_t rows = 6;
     constexpr std::size_t columns = 12;
     auto const ticks = ticks_of(panel.y, rows);
+    bool const in_thousands = needs_thousands(ticks);
     for (std::size_t i = 0; i < ticks.size(); ++i) {
       double const y = up(ticks[i]);
       text_ += line_element(panel_left, y, panel_right, y, "grid");
-      text_ +=
-          text_element(panel_left - 6, y + 4,
-                       panel.y.names.empty() ? number_text(ticks[i], language_) : panel.y.names[i], "end");
+      text_ += text_element(panel_left - 6, y + 4,
+                            panel.y.names.empty()
+                                ? number_text(in_thousands ? ticks[i] / 1000 : ticks[i], language_)
+                                : panel.y.names[i],
+                            "end");
     }
     double end_of_label = -1e3;
     for (double const tick : ticks_of(x_axis, columns)) {
@@ -183,9 +197,11 @@ class Writer {
     text_ += "<rect class=\"edge\"" + attribute("x", panel_left) + attribute("y", top) +
              attribute("width", panel_right - panel_left) + attribute("height", panel.height) + "/>\n";
     if (panel.y.names.empty()) {
+      Axis shown = panel.y;
+      if (in_thousands) shown.unit = shown.unit.empty() ? "10³" : "10³ " + shown.unit;
       text_ += R"(<text class="ink" text-anchor="middle")" +
                attribute("transform", "translate(16 " + pixels((top + bottom) / 2) + ") rotate(-90)") + ">" +
-               escaped(axis_label(panel.y)) + "</text>\n";
+               escaped(axis_label(shown)) + "</text>\n";
     }
     if (!has_numbers) return;
     text_ += text_element((panel_left + panel_right) / 2, bottom + 34, axis_label(x_axis), "middle");
