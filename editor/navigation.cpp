@@ -154,8 +154,10 @@ Json Server::symbols(Json const& params) {
     last["range"]["end"] = range["end"];
     last["children"].push_back(std::move(symbol));
     auto const said = summary(name, value);
-    auto const before = last["detail"].get<std::string>();
-    if (!said.empty()) last["detail"] = before + (before.empty() ? "" : " ") + said;
+    if (said.empty()) continue;
+    auto& detail = last["detail"].get_ref<std::string&>();
+    if (!detail.empty()) detail += ' ';
+    detail += said;
   }
   return families;
 }
