@@ -91,6 +91,8 @@ constexpr Sentence simulate_meaning{
 constexpr Sentence replay_meaning{"execute a controller's recording again",
                                   "die Aufzeichnung einer Steuerung noch einmal ausführen"};
 
+constexpr Sentence lsp_meaning{"language server for editors", "Language-Server für Editoren"};
+
 constexpr Sentence merge_meaning{"combine the results of shards", "die Ergebnisse von Teilen zusammenführen"};
 
 }  // namespace axisc::cli::says
@@ -106,7 +108,7 @@ struct Command {
   ExitStatus (*run)(Invocation const&);
 };
 
-constexpr std::array<Command, 17> commands = {{{"lint", cli::says::lint_meaning, lint},
+constexpr std::array<Command, 18> commands = {{{"lint", cli::says::lint_meaning, lint},
                                                {"fmt", cli::says::fmt_meaning, fmt},
                                                {"compile", cli::says::compile_meaning, compile},
                                                {"machine", cli::says::machine_meaning, cli::machine},
@@ -122,7 +124,8 @@ constexpr std::array<Command, 17> commands = {{{"lint", cli::says::lint_meaning,
                                                {"merge", cli::says::merge_meaning, merge},
                                                {"keygen", cli::says::keygen_meaning, keygen},
                                                {"sign", cli::says::sign_meaning, sign},
-                                               {"explain", cli::says::explain_meaning, explain}}};
+                                               {"explain", cli::says::explain_meaning, explain},
+                                               {"lsp", cli::says::lsp_meaning, lsp}}};
 
 std::string help(Language language) {
   auto const say = [language](SentenceRef text) {

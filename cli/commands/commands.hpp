@@ -18,6 +18,7 @@ struct Invocation {
 };
 
 [[nodiscard]] ExitStatus lint(Invocation const& invocation);
+[[nodiscard]] ExitStatus lsp(Invocation const& invocation);
 [[nodiscard]] ExitStatus fmt(Invocation const& invocation);
 [[nodiscard]] ExitStatus compile(Invocation const& invocation);
 [[nodiscard]] ExitStatus machine(Invocation const& invocation);

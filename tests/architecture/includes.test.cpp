@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",   "schema",  "design",
                                        "machine", "configuration", "validator", "codegen", "image",
-                                       "runtime", "motion",        "cli"};
+                                       "runtime", "motion",        "editor",    "cli"};
 
 /// What each folder may include, beside itself: the picture of the architecture.
 std::map<std::string, std::set<std::string>> const may_include = {
@@ -30,6 +30,9 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"validator", {"configuration", "machine", "design", "schema", "grammar", "diagnostics"}},
     {"codegen", {"machine", "design", "runtime"}},
     {"image", {"codegen", "machine", "design", "schema", "runtime"}},
+    {"editor",
+     {"motion", "image", "codegen", "machine", "configuration", "validator", "design", "schema", "grammar",
+      "diagnostics"}},
     {"pictures", {"diagnostics"}},
     {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
 };

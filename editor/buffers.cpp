@@ -1,0 +1,64 @@
+#include "editor/buffers.hpp"
+
+#include "editor/uri.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+
+namespace axisc::editor {
+
+Buffers::Buffers(Documents const& documents, configuration::Files& disk) : disk_(disk) {
+  for (auto const& [uri, document] : documents) {
+    by_path_[document.path] = &document;
+    by_name_.emplace(validator::file_name(document.path), &document);
+  }
+}
+
+Document const* Buffers::document(std::string const& path) const {
+  auto const found = by_path_.find(validator::key_of(path));
+  if (found != by_path_.end()) return found->second;
+  // Through a link to one of its folders. A link of another name is taken for a file of its own.
+  auto const [first, last] = by_name_.equal_range(std::string(validator::file_name(path)));
+  auto const same =
+      std::find_if(first, last, [&](auto const& known) { return disk_.is_same(known.second->path, path); });
+  return same == last ? nullptr : same->second;
+}
+
+std::string Buffers::uri(std::string const& path) const {
+  auto const* const open = document(path);
+  return open == nullptr ? uri_of(validator::key_of(path)) : open->uri;
+}
+
+std::variant<std::string, configuration::FileError> Buffers::read(std::string const& path) {
+  auto const* const open = document(path);
+  if (open == nullptr) return disk_.read(path);
+  return open->text;
+}
+
+std::optional<configuration::FileError> Buffers::read_pieces(std::string const& path,
+                                                             configuration::PieceReceiver const& receive) {
+  auto const* const open = document(path);
+  if (open == nullptr) return disk_.read_pieces(path, receive);
+  receive(open->text);
+  return std::nullopt;
+}
+
+bool Buffers::is_file(std::string const& path) {
+  return document(path) != nullptr || disk_.is_file(path);
+}
+
+std::vector<std::string> Buffers::names_in(std::string const& folder) {
+  auto names = disk_.names_in(folder);
+  auto const parent = validator::key_of(folder);
+  for (auto const& [name, document] : by_name_) {
+    auto const own = document->path.substr(0, document->path.size() - name.size());
+    if (own == parent && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+bool Buffers::is_same(std::string const& one, std::string const& other) {
+  return validator::key_of(one) == validator::key_of(other) || disk_.is_same(one, other);
+}
+
+}  // namespace axisc::editor

@@ -1,0 +1,119 @@
+#include "diagnostics/location.hpp"
+#include "editor/places.hpp"
+#include "editor/server.hpp"
+#include "validator/check.hpp"
+#include "validator/loading/loader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::editor {
+
+namespace {
+
+constexpr int unnecessary = 1;
+
+/// What these findings point at has no effect.
+constexpr std::array without_effect = {Code{1007}, Code{1008}, Code{1013},
+                                       Code{1016}, Code{2006}, Code{3009}};
+
+Json fix_data(Fix const& fix, Places const& places, Language language) {
+  Json edits = Json::array();
+  for (auto const& edit : fix.edits) {
+    auto written = places.location(edit.place);
+    written["newText"] = edit.text;
+    edits.push_back(std::move(written));
+  }
+  return {{"title", render(fix.title, language)},
+          {"safe", fix.safety == FixSafety::safe},
+          {"edits", std::move(edits)}};
+}
+
+std::string dump(Json const& message) {
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+Checked Server::check(Buffers& files, std::string const& machine) const {
+  Checked checked;
+  checked.findings =
+      validator::check(files, machine, surroundings_.options(machine), checked.sources).findings;
+  // What concerns no file is shown in the machine's.
+  for (auto& finding : checked.findings) {
+    if (!finding.place) {
+      finding.file = finding.file.empty() ? machine : validator::beside(machine, finding.file);
+    }
+  }
+  return checked;
+}
+
+Json Server::diagnostic(Finding const& finding, Places const& places) const {
+  auto const say = [this](Message const& message) { return render(message, surroundings_.language); };
+  auto message = say(finding.message);
+  if (finding.label) message += "\n" + say(*finding.label);
+  for (auto const& note : finding.notes) message += "\n" + say(note);
+  for (auto const& help : finding.help) message += "\n" + say(help);
+  Json diagnostic = {{"code", code_text(finding.code)},
+                     {"source", "axisc"},
+                     {"severity", static_cast<int>(finding.severity) + 1},
+                     {"message", std::move(message)},
+                     {"range", finding.place ? places.range(*finding.place) : range_json({}, {})}};
+  if (std::find(without_effect.begin(), without_effect.end(), finding.code) != without_effect.end()) {
+    diagnostic["tags"] = {unnecessary};
+  }
+  for (auto const& related : finding.related) {
+    diagnostic["relatedInformation"].push_back(
+        {{"location", places.location(related.place)}, {"message", say(related.message)}});
+  }
+  if (finding.fix) diagnostic["data"] = fix_data(*finding.fix, places, surroundings_.language);
+  return diagnostic;
+}
+
+Json Server::diagnostics(Checked const& checked, Buffers const& files, Document const& document) const {
+  Places const places(checked.sources, files, encoding_);
+  Json found = Json::array();
+  for (auto const& finding : checked.findings) {
+    if (files.document(std::string(file_of(finding, checked.sources))) != &document) continue;
+    found.push_back(diagnostic(finding, places));
+  }
+  return found;
+}
+
+std::vector<std::string> Server::publish() {
+  std::vector<std::string> messages;
+  auto const add = [&messages](Json params) {
+    Json const message = {
+        {"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}};
+    messages.push_back(dump(message));
+  };
+  for (auto const& uri : std::exchange(closed_, {})) add({{"uri", uri}, {"diagnostics", Json::array()}});
+  if (changed_.empty()) return messages;
+  std::set<std::string> machines;
+  auto const changed = std::exchange(changed_, {});
+  for (auto const& uri : changed) machines.insert(machine_of(documents_.at(uri)));
+  Buffers files(documents_, surroundings_.disk);
+  for (auto const& machine : machines) {
+    auto const checked = check(files, machine);
+    for (auto const& [uri, document] : documents_) {
+      if (machine_of(document) != machine) continue;
+      Json params = {{"uri", uri}, {"diagnostics", diagnostics(checked, files, document)}};
+      auto const text = dump(params);
+      if (std::exchange(published_[uri], text) == text && !changed.contains(uri)) continue;
+      if (document.version) params["version"] = *document.version;
+      add(std::move(params));
+    }
+  }
+  return messages;
+}
+
+Json Server::pull(Json const& params) {
+  auto const& asked = document(params);
+  Buffers files(documents_, surroundings_.disk);
+  return {{"kind", "full"}, {"items", diagnostics(check(files, machine_of(asked)), files, asked)}};
+}
+
+}  // namespace axisc::editor

@@ -1,0 +1,146 @@
+#include "configuration/list_kind.hpp"
+#include "diagnostics/ascii.hpp"
+#include "diagnostics/location.hpp"
+#include "editor/open_list.hpp"
+#include "editor/parameter_number.hpp"
+#include "editor/places.hpp"
+#include "editor/requests.hpp"
+#include "editor/server.hpp"
+#include "schema/descriptions/description.hpp"
+#include "validator/loading/loader.hpp"
+#include "validator/views/units_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::editor::says {
+
+constexpr Sentence in_effect{"In effect: {value}, from {file}, line {line}.",
+                             "Es gilt: {value}, aus {file}, Zeile {line}."};
+constexpr Sentence in_effect_default{"In effect: the default {value}.", "Es gilt: der Standardwert {value}."};
+
+}  // namespace axisc::editor::says
+
+namespace axisc::editor {
+
+namespace {
+
+std::string_view unit_of(OpenList const& list, schema::Parameter const& parameter) {
+  return validator::unit_of(parameter,
+                            list.axis() == nullptr ? machine::AxisType::translatory : list.axis()->type);
+}
+
+/// "20000 = 20 ms".
+std::string with_unit(std::string_view raw, double number, std::string_view unit) {
+  if (unit.empty()) return std::string(raw);
+  auto const physical = validator::physical(number, unit);
+  return std::string(raw) +
+         (validator::is_scaled(unit) ? " = " + physical : physical.substr(physical.find(' ')));
+}
+
+std::string quantity(OpenList const& list, schema::Parameter const& parameter, std::string_view raw) {
+  auto const number = schema::read_real(raw);
+  if (number.status != schema::NumberStatus::good || !parameter.symbols.empty()) return std::string(raw);
+  auto const unit = unit_of(list, parameter);
+  if (list.axis() == nullptr && parameter.unit_rotary != parameter.unit_translatory &&
+      !parameter.unit_rotary.empty()) {
+    return with_unit(raw, number.number, unit) + " | " +
+           validator::physical(number.number, parameter.unit_rotary);
+  }
+  return with_unit(raw, number.number, unit);
+}
+
+/// What the catalogue says about a value of an enumeration; empty where it says nothing.
+std::string value_meaning(schema::Parameter const& parameter, std::string_view raw, Language language) {
+  auto const number = schema::read_real(raw);
+  bool const is_number = number.status == schema::NumberStatus::good;
+  schema::Symbol const* const symbol = is_number ? schema::symbol_of_number(parameter, number.number)
+                                                 : schema::read_symbol(parameter, raw).symbol;
+  for (auto const& [value, meaning] : schema::description_of(parameter).values) {
+    auto const known = schema::read_real(value);
+    bool const is_same =
+        known.status == schema::NumberStatus::good && is_number && known.number == number.number;
+    if (is_same || value == raw || (symbol != nullptr && value == symbol->word)) {
+      return std::string(meaning.in(language));
+    }
+  }
+  for (auto const& name : parameter.number_names) {
+    if (is_number && name.number && *name.number == number.number) return std::string(name.word);
+  }
+  return symbol != nullptr && is_number ? std::string(symbol->word) : "";
+}
+
+std::string value_text(OpenList const& list, schema::Parameter const& parameter, std::string_view raw,
+                       Language language) {
+  auto const meaning = value_meaning(parameter, raw, language);
+  return quantity(list, parameter, raw) + (meaning.empty() ? "" : ": " + meaning);
+}
+
+/// The value that the axis has, where its line is elsewhere.
+std::string effective_text(OpenList const& list, schema::Slot slot, std::uint32_t line, Language language) {
+  if (list.axis() == nullptr) return {};
+  auto const& value = list.axis()->merged.values[slot];
+  if (value.unusable || (value.set() && !value.has_value)) return {};
+  if (!value.set()) {
+    if (!value.row->has_default) return {};
+    return "\n" +
+           render({.sentence = says::in_effect_default,
+                   .arguments = {{"value", value_text(list, *value.row, value.row->default_text, language)}}},
+                  language) +
+           "\n";
+  }
+  auto const location = locate(*value.value_place(), list.sources());
+  if (value.line == line && location.file == list.text().name()) return {};
+  auto const raw = list.sources()[value.source].utf8(value.value_span);
+  return "\n" +
+         render({.sentence = says::in_effect,
+                 .arguments = {{"value", value_text(list, *value.row, raw, language)},
+                               {"file", std::string(validator::file_name(location.file))},
+                               {"line", std::to_string(value.line)}}},
+                language) +
+         "\n";
+}
+
+}  // namespace
+
+Json Server::hover(Json const& params) {
+  auto const& asked = document(params);
+  auto const offset = offset_of(asked.text, position_in(params.at("position")), encoding_);
+  auto const answer = [&](std::string text, std::size_t begin, std::size_t end) {
+    return Json{{"contents", {{"kind", markdown_ ? "markdown" : "plaintext"}, {"value", std::move(text)}}},
+                {"range", range_json(position_of(asked.text, begin, encoding_),
+                                     position_of(asked.text, end, encoding_))}};
+  };
+  if (auto const number = parameter_number_at(asked.text, offset)) {
+    std::string text;
+    auto const catalogue = number->kind == schema::ListKind::axis
+                               ? surroundings_.options(asked.path).catalogue
+                               : schema::Catalogue::of(number->kind);
+    for (auto const id : catalogue.find_number(number->number)) {
+      text += (text.empty() ? "" : "\n") + surroundings_.explain(catalogue, catalogue.parameter(id));
+    }
+    if (!text.empty()) return answer(std::move(text), number->begin, number->end);
+  }
+  if (!is_list(asked.path)) return nullptr;
+  Buffers files(documents_, surroundings_.disk);
+  OpenList const list(files, asked, machine_of(asked), surroundings_.options);
+  auto const* const line = list.line_at(offset);
+  if (line == nullptr) return nullptr;
+  auto const is_on = [offset](Span span) { return span.begin <= offset && offset <= span.end; };
+  auto const found = list.find(list.slice(line->name));
+  if (found.row == nullptr) return nullptr;
+  if (is_on(line->name)) {
+    auto text = surroundings_.explain(list.catalogue(), *found.row);
+    if (found.status == schema::NameLookup::Status::found) {
+      text += effective_text(list, found.slot, line->line, surroundings_.language);
+    }
+    return answer(std::move(text), line->name.begin, line->name.end);
+  }
+  if (!is_on(line->value)) return nullptr;
+  auto const value = value_text(list, *found.row, list.text().utf8(line->value), surroundings_.language);
+  auto const what = schema::description_of(*found.row).what.in(surroundings_.language);
+  return answer("`" + std::string(list.slice(line->name)) + "` " + value + (what.empty() ? "" : "\n\n") +
+                    std::string(what) + "\n",
+                line->value.begin, line->value.end);
+}
+
+}  // namespace axisc::editor

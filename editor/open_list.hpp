@@ -1,0 +1,50 @@
+// The list that a request is about, read with its machine.
+#pragma once
+
+#include "editor/buffers.hpp"
+#include "editor/machine_context.hpp"
+#include "grammar/axis_list.hpp"
+#include "validator/loading/loading.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace axisc::editor {
+
+/// False for machine files, programs, XML and projects.
+[[nodiscard]] bool is_list(std::string const& path);
+
+class OpenList {
+ public:
+  OpenList(Buffers& files, Document const& document, std::string const& machine, OptionsOf const& options);
+  OpenList(OpenList const&) = delete;
+  OpenList& operator=(OpenList const&) = delete;
+
+  [[nodiscard]] SourceSet const& sources() const { return sources_; }
+  [[nodiscard]] SourceText const& text() const { return text_; }
+  [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
+  [[nodiscard]] grammar::AxisList const& tree() const { return tree_; }
+  [[nodiscard]] std::string_view slice(Span span) const { return text_.slice(span); }
+  /// The assignment of the line that a byte is in.
+  [[nodiscard]] grammar::Assignment const* line_at(std::size_t offset) const;
+  /// What a name of the list means.
+  [[nodiscard]] schema::NameLookup find(std::string_view name) const { return catalogue_.find(name); }
+  /// The axis that the list makes; none for default lists, lists of other kinds, and where it makes several.
+  [[nodiscard]] validator::LoadedAxis const* axis() const { return axis_; }
+  /// The lines of an axis' lists that set a parameter, as the control reads them: default list, axis list.
+  [[nodiscard]] std::vector<Place> lines_setting(schema::Slot slot) const;
+
+ private:
+  void find_in(validator::LoadedMachine const& machine, Buffers const& files, Document const& document);
+
+  SourceText text_;
+  grammar::AxisList tree_;
+  SourceSet sources_;
+  std::optional<validator::LoadedMachine> machine_;
+  schema::Catalogue catalogue_;
+  validator::LoadedAxis const* axis_ = nullptr;
+  validator::LoadedList const* list_ = nullptr;
+};
+
+}  // namespace axisc::editor

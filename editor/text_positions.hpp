@@ -1,0 +1,33 @@
+// Positions as the protocol counts them: lines from 0, and in a line the units of an encoding.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace axisc::editor {
+
+enum class PositionEncoding : std::uint8_t { utf8, utf16, utf32 };
+
+struct TextPosition {
+  std::size_t line = 0;
+  std::size_t character = 0;
+  friend constexpr auto operator<=>(TextPosition const&,
+                                    TextPosition const&) = default;  // NOLINT(modernize-use-nullptr)
+};
+
+/// The byte of a position in UTF-8 text. A position after the end of its line is that end, one after the last line the
+/// end of the text. Lines end with LF, CRLF or CR.
+[[nodiscard]] std::size_t offset_of(std::string_view text, TextPosition position, PositionEncoding encoding);
+
+/// The position of a byte.
+[[nodiscard]] TextPosition position_of(std::string_view text, std::size_t offset, PositionEncoding encoding);
+
+/// The byte at which a number of units begins that are counted across line ends of any kind.
+[[nodiscard]] std::size_t offset_of_unit(std::string_view text, std::size_t unit, PositionEncoding encoding);
+
+/// Units of the first `characters` characters of a line.
+[[nodiscard]] std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding);
+
+}  // namespace axisc::editor

@@ -1,0 +1,59 @@
+#include "editor/uri.hpp"
+
+#include "diagnostics/ascii.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace axisc::editor {
+
+namespace {
+
+constexpr std::string_view scheme = "file://";
+constexpr int hexadecimal = 16;
+
+/// "c:/lists".
+bool begins_with_drive(std::string_view path) {
+  return path.size() > 2 && ascii::is_letter(path[0]) && path[1] == ':' && path[2] == '/';
+}
+
+}  // namespace
+
+std::string path_of(std::string_view uri) {
+  if (!uri.starts_with(scheme)) return std::string(uri);
+  auto rest = uri.substr(scheme.size());
+  rest.remove_prefix(std::min(rest.find('/'), rest.size()));
+  std::string path;
+  while (!rest.empty()) {
+    unsigned byte = 0;
+    bool const is_escape =
+        rest.size() >= 3 && rest[0] == '%' &&
+        std::from_chars(rest.data() + 1, rest.data() + 3, byte, hexadecimal).ptr == rest.data() + 3;
+    path += is_escape ? static_cast<char>(byte) : rest.front();
+    rest.remove_prefix(is_escape ? 3 : 1);
+  }
+  if (path.starts_with('/') && begins_with_drive(std::string_view(path).substr(1))) path.erase(0, 1);
+  return path;
+}
+
+std::string uri_of(std::string_view path) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string uri(scheme);
+  if (begins_with_drive(path)) uri += '/';
+  for (char const character : path) {
+    auto const byte = static_cast<unsigned char>(character);
+    bool const is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                          (byte >= '0' && byte <= '9') ||
+                          std::string_view("-._~/").find(character) != std::string_view::npos;
+    if (is_plain) {
+      uri += character;
+    } else {
+      uri += '%';
+      uri += digits[byte >> 4U];
+      uri += digits[byte & 0xFU];
+    }
+  }
+  return uri;
+}
+
+}  // namespace axisc::editor

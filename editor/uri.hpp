@@ -1,0 +1,13 @@
+// File names in URIs.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace axisc::editor {
+
+/// The path of a `file:` URI; any other URI unchanged.
+[[nodiscard]] std::string path_of(std::string_view uri);
+[[nodiscard]] std::string uri_of(std::string_view path);
+
+}  // namespace axisc::editor
