@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing from Debian packages. Does nothing, and needs no rights, where everything is there.
 #   ./setup.sh        what building and testing needs
-#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, editors
+#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, editors, a browser
 #   ./setup.sh long   and what .ci/long needs: libraries of another processor
 set -euo pipefail
 
@@ -16,12 +16,12 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
-    neovim emacs-nox elpa-eglot
+    neovim emacs-nox elpa-eglot chromium
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
 if [ "${1:-}" = long ]; then
-  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64 chromium)
+  packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64)
 fi
 
 missing=()
