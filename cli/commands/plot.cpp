@@ -277,9 +277,10 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
                                .program_path = *options.program,
                                .group = options.group,
                                .output = std::nullopt};
-  if (!survey_program(request, machine, group, invocation)) return std::nullopt;
+  ProgramLines program(request.program_path);
+  if (!survey_program(program, request, machine, group, invocation)) return std::nullopt;
   PathRecorder recorder(plane);
-  static_cast<void>(follow_program(request, machine, group, recorder, invocation));
+  static_cast<void>(follow_program(program, request, machine, group, recorder, invocation));
   return path_figure(recorder,
                      {.program = std::filesystem::path(*options.program).filename().string(),
                       .axes = {axes[plane.first], axes[plane.second]},

@@ -138,9 +138,8 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
 
 }  // namespace
 
-bool survey_program(ProgramRequest const& request, machine::Machine& machine, std::size_t group,
-                    Invocation const& invocation) {
-  ProgramLines program(request.program_path);
+bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
+                    std::size_t group, Invocation const& invocation) {
   CommandCollector collector;
   if (!survey(program, request, channel_of(machine, machine.groups[group]), collector, invocation))
     return false;
@@ -151,12 +150,11 @@ bool survey_program(ProgramRequest const& request, machine::Machine& machine, st
   return true;
 }
 
-FollowedProgram follow_program(ProgramRequest const& request, machine::Machine const& machine,
-                               std::size_t index, motion::SimulationListener& listener,
-                               Invocation const& invocation) {
+FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& request,
+                               machine::Machine const& machine, std::size_t index,
+                               motion::SimulationListener& listener, Invocation const& invocation) {
   auto const& group = machine.groups[index];
   auto const channel = channel_of(machine, group);
-  ProgramLines program(request.program_path);
   auto const image = image_of(machine, request.machine_path);
   motion::Simulation simulation(group_runtime(image, group, request.machine_path),
                                 group_runtime(image, group, request.machine_path), limits_of(machine, group),
@@ -182,7 +180,8 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
                             Invocation const& invocation) {
   auto& machine = checked.machine;
   auto const index = chosen_group(machine, request.group, request.machine_path);
-  if (!survey_program(request, machine, index, invocation)) return ExitStatus::findings;
+  ProgramLines program(request.program_path);
+  if (!survey_program(program, request, machine, index, invocation)) return ExitStatus::findings;
   SimulatedPath const path{.group = machine.groups[index].name,
                            .axes = channel_of(machine, machine.groups[index]).axes,
                            .cycle_time = machine.cycle_time};
@@ -213,7 +212,7 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
       break;
   }
 
-  auto const followed = follow_program(request, machine, index, recorder, invocation);
+  auto const followed = follow_program(program, request, machine, index, recorder, invocation);
   for (auto* const writer : recorder.cycles) writer->finish();
   if (recorder.summary) recorder.summary->finish(followed.blocks, followed.cycles);
   if (file) file->commit();

@@ -3,6 +3,7 @@
 
 #include "cli/commands/commands.hpp"
 #include "cli/files/path_machine.hpp"
+#include "cli/files/program_lines.hpp"
 #include "motion/simulation.hpp"
 
 #include <cstdint>
@@ -26,16 +27,17 @@ struct ProgramRequest {
 
 /// Reads the program once without moving anything and adds what its #FILTER commands need to the group's filter_sets.
 /// False after mistakes, which are printed.
-[[nodiscard]] bool survey_program(ProgramRequest const& request, machine::Machine& machine, std::size_t group,
-                                  Invocation const& invocation);
+[[nodiscard]] bool survey_program(ProgramLines& program, ProgramRequest const& request,
+                                  machine::Machine& machine, std::size_t group, Invocation const& invocation);
 
 struct FollowedProgram {
   std::uint64_t blocks = 0, cycles = 0;
 };
 
 /// Follows a program that survey_program() accepted. Failure where the runtime refuses a step or a command.
-[[nodiscard]] FollowedProgram follow_program(ProgramRequest const& request, machine::Machine const& machine,
-                                             std::size_t group, motion::SimulationListener& listener,
+[[nodiscard]] FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& request,
+                                             machine::Machine const& machine, std::size_t group,
+                                             motion::SimulationListener& listener,
                                              Invocation const& invocation);
 
 [[nodiscard]] ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checked,
