@@ -35,8 +35,9 @@ std::variant<Place, ArcMistake> center_of(ArcWords const& words, Place begin, Pl
     if (words.to_center_first || words.to_center_second) return ArcMistake::both;
     if (is_full) return ArcMistake::full_by_radius;
     double const radius = std::abs(*words.radius);
-    if (2 * radius < distance(begin, end) - 2 * radius_tolerance || !(radius > 0))
+    if (2 * radius < distance(begin, end) - 2 * radius_tolerance || !(radius > 0)) {
       return ArcMistake::too_small;
+    }
     return center_beside(begin, end, radius, words.clockwise == (*words.radius < 0));
   }
   if (!words.to_center_first && !words.to_center_second) return ArcMistake::no_center;

@@ -34,9 +34,10 @@ void LookAhead::add(ProgrammedBlock const& block) {
   if (block.arc) {
     way[block.arc->first] = way[block.arc->second] = 0;
     added.path = Segment(position_, plus({}, 1 / distance, way), block.arc);
-    double const limit =
-        constant_velocity_ ? unlimited : std::min(limits_.velocity(added.path), tolerated(*block.arc));
-    added.velocity = std::min(block.feed, limit);
+    added.velocity = block.feed;
+    if (!constant_velocity_) {
+      added.velocity = std::min({block.feed, limits_.velocity(added.path), tolerated(*block.arc)});
+    }
     added.acceleration = limits_.acceleration(added.path, added.velocity);
   } else {
     auto const direction = plus({}, 1 / distance, way);

@@ -58,8 +58,9 @@ bool closes_loop(std::string_view word) {
 std::size_t ProgramInterpreter::first_word() const {
   std::size_t at = 0;
   while (at < tokens_.size() &&
-         (tokens_[at].kind == WordKind::skip || tokens_[at].kind == WordKind::block_number))
+         (tokens_[at].kind == WordKind::skip || tokens_[at].kind == WordKind::block_number)) {
     ++at;
+  }
   return at;
 }
 

@@ -124,7 +124,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   void next_block();
   bool keep_for_later();
   [[nodiscard]] KeptBlock kept_block() const;
-  void execute(KeptBlock const& block);
+  void execute(KeptBlock const& kept);
   template <typename Action>
   void with_block(KeptBlock const& block, Action action);
   void run(KeptBlocks blocks);

@@ -279,7 +279,7 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
                                .output = std::nullopt};
   ProgramLines program(request.program_path);
   if (!survey_program(program, request, machine, group, invocation)) return std::nullopt;
-  PathRecorder recorder(plane);
+  PathRecorder recorder(plane.first, plane.second);
   static_cast<void>(follow_program(program, request, machine, group, recorder, invocation));
   return path_figure(recorder,
                      {.program = std::filesystem::path(*options.program).filename().string(),

@@ -141,8 +141,8 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
 bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
                     std::size_t group, Invocation const& invocation) {
   CommandCollector collector;
-  if (!survey(program, request, channel_of(machine, machine.groups[group]), collector, invocation))
-    return false;
+  auto const channel = channel_of(machine, machine.groups[group]);
+  if (!survey(program, request, channel, collector, invocation)) return false;
   auto& sets = machine.groups[group].filter_sets;
   for (auto const& parameters : collector.sets) {
     if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);

@@ -36,7 +36,7 @@ struct FollowedProgram {
 
 /// Follows a program that survey_program() accepted. Failure where the runtime refuses a step or a command.
 [[nodiscard]] FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& request,
-                                             machine::Machine const& machine, std::size_t group,
+                                             machine::Machine const& machine, std::size_t index,
                                              motion::SimulationListener& listener,
                                              Invocation const& invocation);
 

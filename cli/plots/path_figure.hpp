@@ -17,7 +17,7 @@ namespace axisc::cli {
 class PathRecorder final : public motion::SimulationListener {
  public:
   /// Axes of the group that span the plane.
-  explicit PathRecorder(std::pair<std::size_t, std::size_t> plane) : plane_(plane) {}
+  PathRecorder(std::size_t across, std::size_t up) : plane_(across, up) {}
 
   void cycle(motion::MeasuredPoint const& point, motion::BlockSummary const& block) override;
   void block(motion::BlockSummary const& summary) override;

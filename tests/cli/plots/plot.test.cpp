@@ -126,7 +126,7 @@ std::string random_list(std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("a drawn magnitude is the response, for random chains") {
-  constexpr int chains = 40;
+  constexpr int chains = 200;
   constexpr int frequencies = 1000;
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
