@@ -74,7 +74,7 @@ class Sampler {
 
 std::vector<Point> sample(Axis const& x, Axis const& y, std::span<double const> exact,
                           std::function<double(double)> const& function) {
-  constexpr int pieces = 96;
+  constexpr int pieces = 352;
   std::vector<double> starts;
   for (int i = 0; i <= pieces; ++i) {
     double const share = static_cast<double>(i) / pieces;

@@ -2,6 +2,7 @@
 
 #include "diagnostics/format_number.hpp"
 #include "pictures/projection.hpp"
+#include "pictures/simplification.hpp"
 #include "pictures/svg_text.hpp"
 #include "pictures/text_width.hpp"
 #include "pictures/ticks.hpp"
@@ -208,19 +209,24 @@ class Writer {
   }
 
   void write_curve(Curve const& curve, Projection const& across, Projection const& up) {
+    /// Together with the sampling's error far below what is seen.
+    constexpr double tolerance = 0.05;
+    std::vector<Point> places;
+    for (Point const& point : curve.points) places.push_back({.x = across(point.x), .y = up(point.y)});
+    if (curve.role != Role::measured) places = simplified(places, tolerance);
     std::string path;
     bool open = false;
     std::string last;
-    for (Point const& point : curve.points) {
-      if (std::isnan(point.y)) {
+    for (Point const& place : places) {
+      if (std::isnan(place.y)) {
         open = false;
         continue;
       }
-      std::string const place = pixels(across(point.x)) + " " + pixels(up(point.y));
-      if (open && place == last) continue;
-      path += (open ? "L" : "M") + place;
+      std::string const text = pixels(place.x) + " " + pixels(place.y);
+      if (open && text == last) continue;
+      path += (open ? "L" : "M") + text;
       open = true;
-      last = place;
+      last = text;
     }
     if (path.empty()) return;
     text_ += "<path" + attribute("class", classes(curve)) + dash(curve) + attribute("d", path) + "><title>" +
