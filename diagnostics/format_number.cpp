@@ -13,6 +13,10 @@ namespace {
 // Longest text: sign, 17 digits, point, exponent; in plain notation up to 5 zeros more.
 using Buffer = std::array<char, 64>;
 
+std::string_view text_in(Buffer const& buffer, std::to_chars_result const& result) {
+  return {buffer.data(), static_cast<std::size_t>(result.ptr - buffer.data())};
+}
+
 bool reads_better_plain(double value) {
   double const magnitude = std::abs(value);
   return magnitude == 0.0 || (magnitude >= 1e-5 && magnitude < 1e15);
@@ -36,7 +40,7 @@ std::string format_exact(double value) {
   auto const result = reads_better_plain(value)
                           ? std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed)
                           : std::to_chars(buffer.begin(), buffer.end(), value);
-  return {buffer.begin(), result.ptr};
+  return std::string(text_in(buffer, result));
 }
 
 std::string format_rounded(double value, int significant_digits) {
@@ -46,7 +50,7 @@ std::string format_rounded(double value, int significant_digits) {
   auto result = std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::scientific, digits - 1);
   if (reads_better_plain(value)) {
     // The exponent is taken after rounding: 9.996 with three digits is 10.
-    std::string_view const scientific(buffer.begin(), result.ptr);
+    std::string_view const scientific = text_in(buffer, result);
     std::string_view exponent_text = scientific.substr(scientific.find('e') + 1);
     if (exponent_text.front() == '+') exponent_text.remove_prefix(1);
     int exponent = 0;
@@ -54,7 +58,7 @@ std::string format_rounded(double value, int significant_digits) {
     int const decimals = std::max(0, digits - 1 - exponent);
     result = std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, decimals);
   }
-  return without_trailing_zeros({buffer.begin(), result.ptr});
+  return without_trailing_zeros(text_in(buffer, result));
 }
 
 }  // namespace axisc

@@ -17,6 +17,8 @@ bool may_stand_in_uri(char character) {
          std::string_view("-._~/").find(character) != std::string_view::npos;
 }
 
+constexpr std::size_t drive_size = 2;
+
 /// Appends the names of a path to `names`, resolving "." and "..".
 void add_names(std::string_view path, std::vector<std::string_view>& names) {
   while (!path.empty()) {
@@ -34,14 +36,28 @@ void add_names(std::string_view path, std::vector<std::string_view>& names) {
 
 }  // namespace
 
+bool begins_with_drive(std::string_view path) {
+  return path.size() >= drive_size && ascii::is_letter(path[0]) && path[1] == ':';
+}
+
 std::optional<std::string> path_in_repository(RepositoryPaths const& paths, std::string_view file) {
   if (file == "-" || file.empty() || paths.root.empty()) return std::nullopt;
+  bool const has_drives = begins_with_drive(paths.root);
   std::vector<std::string_view> whole;
-  if (!file.starts_with('/')) add_names(paths.folder, whole);
+  if (has_drives && file.starts_with('/') && !file.starts_with("//")) {
+    add_names(std::string_view(paths.folder).substr(0, drive_size), whole);
+  } else if (!file.starts_with('/') && !(has_drives && begins_with_drive(file))) {
+    add_names(paths.folder, whole);
+  }
   add_names(file, whole);
   std::vector<std::string_view> root;
   add_names(paths.root, root);
-  if (whole.size() < root.size() || !std::equal(root.begin(), root.end(), whole.begin())) return std::nullopt;
+  auto const is_same = [has_drives](std::string_view one, std::string_view other) {
+    return has_drives ? ascii::equal_ignoring_case(one, other) : one == other;
+  };
+  bool const is_below =
+      whole.size() >= root.size() && std::equal(root.begin(), root.end(), whole.begin(), is_same);
+  if (!is_below) return std::nullopt;
   if (whole.size() == root.size()) return ".";
   std::string relative;
   for (std::string_view const name : std::span(whole).subspan(root.size())) {

@@ -13,7 +13,11 @@ struct RepositoryPaths {
   std::string folder;  ///< the working folder, to which relative names belong
 };
 
+/// `C:` and whatever follows.
+[[nodiscard]] bool begins_with_drive(std::string_view path);
+
 /// `axes/x.lis` for a file below the root; none for a file elsewhere and for "-", standard input.
+/// Where the root has a drive, names have one too, and upper and lower case are the same.
 [[nodiscard]] std::optional<std::string> path_in_repository(RepositoryPaths const& paths,
                                                             std::string_view file);
 

@@ -13,7 +13,7 @@
 
 namespace axisc::system {
 
-enum class FileKind : std::uint8_t { regular, folder, other };
+enum class FileKind : std::uint8_t { regular, folder, link, other };
 
 struct FileStatus {
   FileKind kind = FileKind::other;
@@ -102,7 +102,10 @@ class File {
   auto const* const facts = std::get_if<FileStatus>(&status);
   return facts != nullptr && facts->kind == FileKind::regular;
 }
-[[nodiscard]] Result<FileStatus> status_of(std::string const& path);
+/// Of the file behind a link, or of the link itself where links are refused.
+[[nodiscard]] Result<FileStatus> status_of(std::string const& path, Link link = Link::followed);
+/// Nothing where no file has this name.
+[[nodiscard]] std::optional<FileKind> kind_of(std::string const& path, Link link = Link::followed);
 /// Nothing where `path` may be written; it exists.
 [[nodiscard]] std::optional<Error> refuses_writing(std::string const& path);
 /// Puts `from` in the place of `to`, at once.

@@ -29,6 +29,12 @@ void keep_memory();
 /// Empty when it is not set.
 [[nodiscard]] std::string_view environment_variable(char const* name);
 
+/// What the system's settings say of the user's language, "de"; empty where variables of the environment alone say it.
+[[nodiscard]] std::string_view language_of_settings();
+
+/// Whether `*.lis` reaches the program as the names that it stands for.
+[[nodiscard]] bool shell_expands_patterns();
+
 /// What no other process that runs now has, on any host: number of the process and name of the host.
 struct ProcessName {
   std::uint64_t number = 0;

@@ -1,5 +1,8 @@
 #include "cli/checking/check_input.hpp"
 
+#include "diagnostics/location.hpp"
+#include "validator/loading/loader.hpp"
+
 #include <utility>
 
 namespace axisc::cli {
@@ -20,12 +23,16 @@ JudgedInput judge_input(CheckJob const& job, std::string const& path, configurat
                         ReportFormat const& report_format, SourceSet& sources, TakeFinding const& take) {
   FindingWriter writer(sources, report_format, take);
   JudgedInput judged;
+  auto const is_shown = [&](Finding const& finding) {
+    return !job.shown || validator::key_of(std::string(file_of(finding, sources))) == *job.shown;
+  };
   judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding const& finding) {
-    if (!job.quiet || finding.severity != Severity::note) writer.add(finding);
+    bool const is_wanted = !job.quiet || finding.severity != Severity::note;
+    if (is_wanted && is_shown(finding)) writer.add(finding);
   });
   judged.counts = writer.counts();
   judged.checked.artifacts = writer.artifacts();
-  judged.checked.files = judged.result.files;
+  judged.checked.files = job.shown ? std::vector{*job.shown} : judged.result.files;
   if (judged.result.unreadable) judged.checked.failure = unreadable(path, *judged.result.unreadable);
   return judged;
 }

@@ -16,6 +16,7 @@ struct CheckJob {
   bool quiet = false;               ///< without notes
   EditedBytes edited;               ///< read instead of the files
   SettingsFinder* settings = nullptr;
+  std::optional<std::string> shown = std::nullopt;  ///< the only file of the input whose findings are wanted
   std::unordered_map<std::string, FoundInput> found;  ///< see Inputs::found
 };
 

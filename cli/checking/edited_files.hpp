@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/files/disk_files.hpp"
+#include "validator/loading/loader.hpp"
 
 #include <map>
 #include <optional>
@@ -21,17 +22,17 @@ class EditedFiles final : public configuration::Files {
       : edited_(edited), disk_(dash_is_standard_input) {}
 
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override {
-    auto const found = edited_.find(path);
+    auto const found = find(path);
     return found == edited_.end() ? disk_.read(path) : found->second;
   }
 
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
       std::string const& path, configuration::PieceReceiver const& receive) override {
-    return edited_.contains(path) ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
+    return find(path) != edited_.end() ? Files::read_pieces(path, receive) : disk_.read_pieces(path, receive);
   }
 
   [[nodiscard]] bool is_file(std::string const& path) override {
-    return edited_.contains(path) || disk_.is_file(path);
+    return find(path) != edited_.end() || disk_.is_file(path);
   }
   [[nodiscard]] std::vector<std::string> names_in(std::string const& folder) override {
     return disk_.names_in(folder);
@@ -41,6 +42,12 @@ class EditedFiles final : public configuration::Files {
   }
 
  private:
+  /// A machine may write the name in another way.
+  [[nodiscard]] EditedBytes::const_iterator find(std::string const& path) const {
+    auto const found = edited_.find(path);
+    return found == edited_.end() && !edited_.empty() ? edited_.find(validator::key_of(path)) : found;
+  }
+
   EditedBytes const& edited_;
   DiskFiles disk_;
 };

@@ -2,6 +2,7 @@
 
 #include "cli/files/repository.hpp"
 #include "diagnostics/repository_path.hpp"
+#include "system/path.hpp"
 
 #include <filesystem>
 
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 std::string current_folder() {
   std::error_code error;
-  return fs::current_path(error).generic_string();
+  return system::name_of(fs::current_path(error));
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ std::string const& IdentityPaths::of(std::string const& file) {
 bool IdentityPaths::is_gone(std::string const& path) {
   auto const [known, is_new] = gone_.try_emplace(path);
   std::error_code error;
-  if (is_new) known->second = !fs::exists(fs::path(root_) / path, error);
+  if (is_new) known->second = !fs::exists(system::path_of(root_) / system::path_of(path), error);
   return known->second;
 }
 
@@ -43,11 +44,11 @@ std::string IdentityPaths::path_of(std::string const& file) {
 }
 
 std::string IdentityPaths::root_of(std::string const& file) {
-  auto const whole = (fs::path(working_folder_) / file).lexically_normal();
-  if (auto const repository = repository_of(whole.parent_path())) return repository->generic_string();
+  auto const whole = (system::path_of(working_folder_) / system::path_of(file)).lexically_normal();
+  if (auto const repository = repository_of(whole.parent_path())) return system::name_of(*repository);
   auto const* const settings = settings_.find(file);
   bool const is_below = settings != nullptr &&
-                        path_in_repository({.root = settings->folder, .folder = {}}, whole.generic_string());
+                        path_in_repository({.root = settings->folder, .folder = {}}, system::name_of(whole));
   return is_below ? settings->folder : working_folder_;
 }
 

@@ -3,6 +3,7 @@
 #include "cli/checking/depfile.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
+#include "system/path.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -29,7 +30,7 @@ ImageFate put(std::string const& bytes, ImageTarget const& target, std::vector<s
     return ImageFate::unchanged;
   }
   std::error_code error;  // what it means shows when the file is made
-  if (target.makes_folder) fs::create_directories(fs::path(target.path).parent_path(), error);
+  if (target.makes_folder) fs::create_directories(system::path_of(target.path).parent_path(), error);
   OutputFile output(target.path);
   output.write(bytes);
   // The rule is written first: an image without it would never be rebuilt.

@@ -1,6 +1,7 @@
 #include "cli/files/changeable_files.hpp"
 
 #include "cli/options/machine_outline.hpp"
+#include "system/path.hpp"
 
 #include <filesystem>
 
@@ -11,9 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Empty where there is nothing of that name.
-fs::path resolved(fs::path const& path) {
+fs::path resolved(std::string const& name) {
   std::error_code error;
-  auto const found = fs::canonical(path, error);
+  auto const found = fs::canonical(system::path_of(name), error);
   return error ? fs::path() : found;
 }
 
@@ -23,19 +24,19 @@ ChangeableFiles::ChangeableFiles(std::vector<std::string> const& named) {
   for (auto const& name : named) {
     auto const path = resolved(name);
     std::error_code error;
-    (fs::is_directory(path, error) ? folders_ : files_).insert(path.string());
+    (fs::is_directory(path, error) ? folders_ : files_).insert(system::name_of(path));
     if (!outline_of(name).is_machine) continue;
-    auto const folder = fs::path(name).parent_path();
-    folders_.insert(resolved(folder.empty() ? "." : folder).string());
+    auto const folder = system::name_of(system::path_of(name).parent_path());
+    folders_.insert(system::name_of(resolved(folder.empty() ? "." : folder)));
   }
 }
 
 bool ChangeableFiles::contains(std::string const& path) const {
   auto const file = resolved(path);
   if (file.empty()) return false;
-  if (files_.contains(file.string())) return true;
+  if (files_.contains(system::name_of(file))) return true;
   for (auto folder = file.parent_path();; folder = folder.parent_path()) {
-    if (folders_.contains(folder.string())) return true;
+    if (folders_.contains(system::name_of(folder))) return true;
     if (folder == folder.parent_path()) return false;
   }
 }

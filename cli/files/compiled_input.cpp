@@ -1,8 +1,8 @@
 #include "cli/files/compiled_input.hpp"
 
 #include "cli/files/disk_files.hpp"
+#include "system/file.hpp"
 
-#include <filesystem>
 #include <variant>
 
 namespace axisc::cli {
@@ -11,8 +11,7 @@ namespace {
 
 /// Text is left to the check, which says what is wrong with it.
 bool may_be_image(std::string const& input) {
-  std::error_code ignored;
-  if (input == "-" || std::filesystem::is_directory(input, ignored)) return false;
+  if (input == "-" || system::kind_of(input) == system::FileKind::folder) return false;
   DiskFiles files;
   bool is_image = false;
   auto const failed = files.read_pieces(input, [&](std::string_view beginning) {

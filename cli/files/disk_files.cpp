@@ -2,9 +2,9 @@
 
 #include "cli/codes.hpp"
 #include "system/file.hpp"
+#include "system/folder.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <system_error>
@@ -202,24 +202,24 @@ std::optional<FileError> DiskFiles::read_pieces(std::string const& path,
 }
 
 bool DiskFiles::is_file(std::string const& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
+  return system::kind_of(path) == system::FileKind::regular;
 }
 
 std::vector<std::string> DiskFiles::names_in(std::string const& folder) {
   std::vector<std::string> names;
-  std::error_code error;
-  std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    names.push_back(entry->path().filename().string());
+  auto entries = system::entries_of(folder);
+  if (auto* const found = std::get_if<std::vector<system::FolderEntry>>(&entries)) {
+    for (auto& entry : *found) names.push_back(std::move(entry.name));
   }
-  std::sort(names.begin(), names.end());
   return names;
 }
 
 bool DiskFiles::is_same(std::string const& one, std::string const& other) {
-  std::error_code error;
-  return std::filesystem::equivalent(one, other, error);
+  auto const first = system::status_of(one);
+  auto const second = system::status_of(other);
+  auto const* const left = std::get_if<system::FileStatus>(&first);
+  auto const* const right = std::get_if<system::FileStatus>(&second);
+  return left != nullptr && right != nullptr && left->device == right->device && left->inode == right->inode;
 }
 
 Failure unreadable(std::string const& path, FileError error) {

@@ -8,6 +8,7 @@
 #include "cli/sentences.hpp"
 #include "system/file.hpp"
 #include "system/interruption.hpp"
+#include "system/path.hpp"
 
 #include <array>
 #include <filesystem>
@@ -74,7 +75,7 @@ class NewFile {
 
  private:
   [[nodiscard]] static std::string beside(std::string const& path) {
-    return (std::filesystem::path(path).parent_path() / (".axisc-" + unique_name())).string();
+    return system::name_of(system::path_of(path).parent_path() / system::path_of(".axisc-" + unique_name()));
   }
 
   std::string path_;

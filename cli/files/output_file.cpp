@@ -5,8 +5,8 @@
 #include "cli/files/path_identity.hpp"
 #include "cli/fleet/unique_name.hpp"
 #include "cli/sentences.hpp"
+#include "system/path.hpp"
 
-#include <filesystem>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -39,8 +39,6 @@ namespace axisc::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 SentenceRef sentence(system::Refusal refusal) {
   switch (refusal) {
     case system::Refusal::not_found:
@@ -63,7 +61,7 @@ SentenceRef sentence(system::Refusal refusal) {
 }
 
 std::string folder_of(std::string const& path) {
-  auto const folder = fs::path(path).parent_path().string();
+  auto const folder = system::name_of(system::path_of(path).parent_path());
   return folder.empty() ? "." : folder;
 }
 

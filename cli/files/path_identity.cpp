@@ -1,5 +1,7 @@
 #include "cli/files/path_identity.hpp"
 
+#include "system/path.hpp"
+
 namespace axisc::cli {
 
 namespace {
@@ -11,7 +13,7 @@ constexpr int most_links = 40;
 std::string resolved(fs::path const& path) {
   std::error_code error;
   auto const found = fs::weakly_canonical(fs::absolute(path, error), error);
-  auto name = error ? path.lexically_normal().string() : found.string();
+  auto name = system::name_of(error ? path.lexically_normal() : found);
   // "a/missing/.." becomes "a/".
   while (name.size() > 1 && name.ends_with('/')) name.pop_back();
   return name;
@@ -19,29 +21,30 @@ std::string resolved(fs::path const& path) {
 
 }  // namespace
 
-std::string PathIdentities::of(fs::path const& path) {
+std::string PathIdentities::of(std::string const& path) {
   std::error_code error;
-  return of(path, fs::is_symlink(fs::symlink_status(path, error)));
+  return of(path, fs::is_symlink(fs::symlink_status(system::path_of(path), error)));
 }
 
-std::string PathIdentities::of(fs::path const& path, bool is_link) {
-  if (path == "-") return "-";
-  auto const name = path.filename();
-  if (name.empty() || name == "." || name == ".." || is_link) return resolved(path);
-  auto const [folder, is_new] = folders_.try_emplace(path.parent_path().string());
+std::string PathIdentities::of(std::string const& name, bool is_link) {
+  if (name == "-") return "-";
+  auto const path = system::path_of(name);
+  auto const file = path.filename();
+  if (file.empty() || file == "." || file == ".." || is_link) return resolved(path);
+  auto const [folder, is_new] = folders_.try_emplace(system::name_of(path.parent_path()));
   if (is_new) folder->second = resolved(path.has_parent_path() ? path.parent_path() : ".");
-  return (fs::path(folder->second) / name).string();
+  return system::name_of(system::path_of(folder->second) / file);
 }
 
 std::string behind_links(std::string const& path) {
-  fs::path target = path;
+  fs::path target = system::path_of(path);
   std::error_code error;
   for (int links = 0; links < most_links && fs::is_symlink(fs::symlink_status(target, error)); ++links) {
     auto const next = fs::read_symlink(target, error);
     if (error) break;
     target = next.is_absolute() ? next : target.parent_path() / next;
   }
-  return target.string();
+  return system::name_of(target);
 }
 
 }  // namespace axisc::cli

@@ -11,9 +11,9 @@ namespace axisc::cli {
 /// reading it.
 class PathIdentities {
  public:
-  [[nodiscard]] std::string of(std::filesystem::path const& path);
-  /// For a caller that knows whether `path` is a symbolic link.
-  [[nodiscard]] std::string of(std::filesystem::path const& path, bool is_link);
+  [[nodiscard]] std::string of(std::string const& path);
+  /// For a caller that knows whether `name` is a symbolic link.
+  [[nodiscard]] std::string of(std::string const& name, bool is_link);
 
  private:
   std::unordered_map<std::string, std::string> folders_;

@@ -3,6 +3,8 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/sentences.hpp"
+#include "system/folder.hpp"
+#include "system/path.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +20,17 @@ namespace fs = std::filesystem;
 /// Limits the number of files that every run opens.
 constexpr std::size_t most_packs = 64;
 
+std::vector<std::string> names_of_packs(std::string const& folder) {
+  std::vector<std::string> names;
+  auto const entries = system::entries_of(folder);
+  if (auto const* const found = std::get_if<std::vector<system::FolderEntry>>(&entries)) {
+    for (auto const& entry : *found) {
+      if (entry.name.ends_with(pack_extension)) names.push_back(system::name_in(folder, entry.name));
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 std::uint32_t seconds_now() {
@@ -27,14 +40,8 @@ std::uint32_t seconds_now() {
 }
 
 std::vector<CachePack> open_packs(std::string const& folder) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() == pack_extension) paths.push_back(entry->path().string());
-  }
-  std::sort(paths.begin(), paths.end());
   std::vector<CachePack> packs;
-  for (auto const& path : paths) {
+  for (auto const& path : names_of_packs(folder)) {
     if (auto pack = CachePack::open(path)) packs.push_back(*std::move(pack));
   }
   return packs;
@@ -42,7 +49,7 @@ std::vector<CachePack> open_packs(std::string const& folder) {
 
 CacheStore::CacheStore(std::string folder, std::uint64_t limit) : folder_(std::move(folder)), limit_(limit) {
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directories(system::path_of(folder_), error);
   if (error) {
     throw Failure(
         {.sentence = says::cannot_write, .arguments = {{"file", folder_}, {"reason", error.message()}}},
@@ -95,13 +102,10 @@ void CacheStore::finish() {
   std::uint64_t size = 0;
   for (std::size_t i = 0; i < packs_.size(); ++i) packs_[i].mark_used(used_[i], now);
   std::size_t packs = 0;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
-    if (entry->path().extension() != pack_extension) continue;
+  for (auto const& path : names_of_packs(folder_)) {
     ++packs;
-    std::error_code gone;
-    auto const bytes = entry->file_size(gone);
-    if (!gone) size += bytes;
+    auto const status = system::status_of(path);
+    if (auto const* const facts = std::get_if<system::FileStatus>(&status)) size += facts->size;
   }
   if (size > limit_ || packs > most_packs) tidy_cache(folder_, limit_);
 }

@@ -1,15 +1,13 @@
 #include "cli/fleet/cache_store.hpp"
+#include "system/folder.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <set>
 
 namespace axisc::cli {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uint64_t small_pack = std::uint64_t{8} << 20U;
 
@@ -79,15 +77,19 @@ void rewrite(std::string const& folder, std::vector<CachePack> const& packs,
 void remove_rubbish(std::string const& folder, std::vector<CachePack> const& packs) {
   std::set<std::string> whole;
   for (auto const& pack : packs) whole.insert(pack.path());
-  std::error_code error;
-  auto const yesterday = fs::file_time_type::clock::now() - std::chrono::hours(24);
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    auto const path = entry->path();
-    bool const is_left = path.filename().string().starts_with(".axisc-");
-    bool const is_damaged = path.extension() == pack_extension && !whole.contains(path.string());
-    std::error_code gone;
-    bool const is_old = entry->last_write_time(gone) < yesterday && !gone;
-    if (is_damaged || (is_left && is_old)) fs::remove(path, gone);
+  constexpr std::int64_t day = 86'400;
+  std::int64_t const yesterday = std::int64_t{seconds_now()} - day;
+  auto const entries = system::entries_of(folder);
+  auto const* const found = std::get_if<std::vector<system::FolderEntry>>(&entries);
+  if (found == nullptr) return;
+  for (auto const& entry : *found) {
+    auto const path = system::name_in(folder, entry.name);
+    bool const is_damaged = entry.name.ends_with(pack_extension) && !whole.contains(path);
+    auto const status = system::status_of(path, system::Link::refused);
+    auto const* const facts = std::get_if<system::FileStatus>(&status);
+    bool const is_left = entry.name.starts_with(".axisc-") && facts != nullptr &&
+                         facts->content_changed / 1'000'000'000 < yesterday;
+    if (is_damaged || is_left) system::remove(path);
   }
 }
 

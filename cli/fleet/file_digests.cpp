@@ -2,6 +2,8 @@
 
 #include "cli/files/output_file.hpp"
 #include "system/file.hpp"
+#include "system/path.hpp"
+#include "validator/loading/loader.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -107,11 +109,11 @@ std::int64_t nanoseconds_now() {
 
 FileDigests::FileDigests(std::string table) : table_(std::move(table)), rows_(read_rows(table_)) {
   std::error_code error;
-  working_folder_ = std::filesystem::current_path(error).string();
+  working_folder_ = system::name_of(std::filesystem::current_path(error));
 }
 
 Digest FileDigests::key_of(std::string const& path) const {
-  return digest_of(path.starts_with('/') ? path : working_folder_ + "/" + path);
+  return digest_of(validator::is_absolute(path) ? path : working_folder_ + "/" + path);
 }
 
 std::optional<Digest> FileDigests::known(std::string const& path, FileFacts const& facts) {

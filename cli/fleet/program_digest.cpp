@@ -1,6 +1,6 @@
 #include "cli/fleet/program_digest.hpp"
 
-#include "cli/options/command_line.hpp"
+#include "cli/version.hpp"
 #include "system/file.hpp"
 #include "system/process.hpp"
 

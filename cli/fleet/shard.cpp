@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 #include "cli/fleet/digest.hpp"
 #include "cli/options/quantities.hpp"
+#include "system/path.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -32,7 +33,7 @@ Shard parse_shard(std::string_view text) {
 }
 
 std::string path_below(std::string const& folder, std::string const& path) {
-  auto const whole = std::filesystem::path(path).lexically_normal().generic_string();
+  auto const whole = system::name_of(system::path_of(path).lexically_normal());
   bool const is_below = whole.size() > folder.size() && whole.starts_with(folder) &&
                         (folder.ends_with('/') || whole[folder.size()] == '/');
   return is_below ? whole.substr(folder.size() + (folder.ends_with('/') ? 0 : 1)) : whole;

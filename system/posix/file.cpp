@@ -3,7 +3,6 @@
 #include "system/interruption.hpp"
 #include "system/posix/error.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
@@ -31,6 +30,7 @@ std::int64_t nanoseconds(timespec const& time) {
 FileStatus status_from(struct stat const& facts) {
   return {.kind = S_ISREG(facts.st_mode)   ? FileKind::regular
                   : S_ISDIR(facts.st_mode) ? FileKind::folder
+                  : S_ISLNK(facts.st_mode) ? FileKind::link
                                            : FileKind::other,
           .size = static_cast<std::uint64_t>(facts.st_size),
           .device = facts.st_dev,
@@ -219,9 +219,10 @@ bool File::lock() const {
   return ::flock(descriptor(handle_), LOCK_EX | LOCK_NB) == 0;
 }
 
-Result<FileStatus> status_of(std::string const& path) {
+Result<FileStatus> status_of(std::string const& path, Link link) {
   struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0) return last_error();
+  int const failed = link == Link::followed ? ::stat(path.c_str(), &facts) : ::lstat(path.c_str(), &facts);
+  if (failed != 0) return last_error();
   return status_from(facts);
 }
 
@@ -252,22 +253,6 @@ void sync_folder(std::string const& folder) {
   if (opened < 0) return;
   static_cast<void>(::fsync(opened));
   ::close(opened);
-}
-
-std::optional<std::string> bytes_of(std::string const& path) {
-  auto const opened = File::open(path, Access::read);
-  auto const* const file = std::get_if<File>(&opened);
-  if (file == nullptr) return std::nullopt;
-  constexpr std::size_t piece = std::size_t{1} << 16U;
-  std::string bytes;
-  while (true) {
-    std::size_t const filled = bytes.size();
-    bytes.resize(filled + std::max(filled, piece));
-    auto const got = file->read(std::span(bytes).subspan(filled));
-    if (std::holds_alternative<Error>(got)) return std::nullopt;
-    bytes.resize(filled + std::get<std::size_t>(got));
-    if (std::get<std::size_t>(got) == 0) return bytes;
-  }
 }
 
 }  // namespace axisc::system

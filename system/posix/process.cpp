@@ -64,6 +64,14 @@ std::string_view environment_variable(char const* name) {
   return value == nullptr ? std::string_view{} : value;
 }
 
+std::string_view language_of_settings() {
+  return {};
+}
+
+bool shell_expands_patterns() {
+  return true;
+}
+
 ProcessName process_name() {
   char host[256] = {};
   static_cast<void>(::gethostname(host, sizeof(host) - 1));

@@ -58,7 +58,7 @@ TEST_CASE("links in a circle have their own sentence") {
   CHECK_THAT(outcome.err, Contains("lead in a circle"));
 }
 
-TEST_CASE("--fix and fmt change only what is named or below a named folder") {
+TEST_CASE("--fix and fmt change only what is named or below a named folder", "[posix]") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder / "work");
   for (std::string const& text : {crooked, fixable}) {

@@ -90,7 +90,7 @@ TEST_CASE("a device is nobody's file") {
   CHECK(run_axisc({"run", "m.axim", "-o", "/dev/null", "--record", "/dev/null"}, there).status == 0);
 }
 
-TEST_CASE("a name with a line break cannot be in a dependency file") {
+TEST_CASE("a name with a line break cannot be in a dependency file", "[posix]") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
   folder.write("a\nb: evil.lis", "Ende\n");

@@ -35,7 +35,7 @@ TEST_CASE("a response file names one input per line") {
   CHECK(outcome.err.empty());
 }
 
-TEST_CASE("a response file with NULs may hold names with line breaks") {
+TEST_CASE("a response file with NULs may hold names with line breaks", "[posix]") {
   Lists const lists;
   lists.folder.write("two\nlines.lis", sound);
   using namespace std::string_literals;
