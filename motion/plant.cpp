@@ -65,7 +65,9 @@ PlantMotion Plant::motion() const {
           .motor_velocity = state_[1],
           .load_position = state_[2],
           .load_velocity = state_[3],
-          .load_acceleration = slope[3]};
+          .load_acceleration = slope[3],
+          .structure_position = state_[4],
+          .structure_velocity = state_[5]};
 }
 
 bool Plant::lost() const {

@@ -41,6 +41,7 @@ struct PlantParameters {
 struct PlantMotion {
   double motor_position = 0, motor_velocity = 0;
   double load_position = 0, load_velocity = 0, load_acceleration = 0;
+  double structure_position = 0, structure_velocity = 0;
 };
 
 class Plant {

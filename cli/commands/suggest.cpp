@@ -1,0 +1,356 @@
+#include "cli/checking/compilable.hpp"
+#include "cli/checking/machine_input.hpp"
+#include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/execution/group_chains.hpp"
+#include "cli/failure.hpp"
+#include "cli/files/changeable_files.hpp"
+#include "cli/files/image_file.hpp"
+#include "cli/files/output_file.hpp"
+#include "cli/files/protected_files.hpp"
+#include "cli/options/check_options.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
+#include "cli/options/quantities.hpp"
+#include "cli/plots/picture_output.hpp"
+#include "cli/sentences.hpp"
+#include "cli/suggestion/measured_resonances.hpp"
+#include "cli/suggestion/resonance_words.hpp"
+#include "cli/suggestion/suggest_figure.hpp"
+#include "cli/suggestion/suggest_formats.hpp"
+#include "diagnostics/format_number.hpp"
+#include "validator/loading/build_version.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Suggests filters for an axis whose mechanics swing at a known frequency. Every setting that the control has is
+compared by the runtime's own answer: three remain, each with what it does to vibration, delay and contour beside
+the present setting, the lines for every axis of the channel and the #FILTER command.)",
+    R"(Schlägt Filter für eine Achse vor, deren Mechanik bei einer bekannten Frequenz schwingt. Jede Einstellung, die
+die Steuerung kennt, wird an der Antwort der Laufzeit selbst gemessen: drei bleiben, jede mit Schwingung, Verzögerung
+und Kontur neben der jetzigen Einstellung, den Zeilen für jede Achse des Kanals und dem #FILTER-Befehl.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc suggest machine.json --axis X --resonance 48Hz
+  axisc suggest machine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
+  axisc suggest machine.json --axis X --resonance 48Hz --apply 2
+  axisc suggest machine.json --axis X --measured torque-velocity.csv)",
+                            R"(Beispiele:
+  axisc suggest maschine.json --axis X --resonance 48Hz
+  axisc suggest maschine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
+  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
+  axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv)"};
+constexpr Sentence option_axis{"the axis that swings", "die Achse, die schwingt"};
+constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
+                                    "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
+constexpr Sentence option_measured{
+    "find them in a measurement instead: two signals over time, a frequency response or a spectrum (CSV)",
+    "sie stattdessen in einer Messung finden: zwei Signale über der Zeit, ein Frequenzgang oder ein Spektrum "
+    "(CSV)"};
+constexpr Sentence option_in{"column of the measurement's input (torque, or setpoint)",
+                             "Spalte des Eingangs der Messung (Drehmoment oder Sollwert)"};
+constexpr Sentence option_out{"column of its output (velocity, or position)",
+                              "Spalte ihres Ausgangs (Geschwindigkeit oder Position)"};
+constexpr Sentence one_source{"name either --resonance or --measured",
+                              "entweder --resonance oder --measured angeben"};
+constexpr Sentence of_measured{"--in and --out belong to --measured", "--in und --out gehören zu --measured"};
+constexpr Sentence option_tolerance{"allowed axis error in mm, on the circle and as AX_DEV (default: 0.01)",
+                                    "erlaubter Achsfehler in mm, auf dem Kreis und als AX_DEV (Standardwert: "
+                                    "0.01)"};
+constexpr Sentence option_feed{"feed rate in mm/min (default: 4000)",
+                               "Vorschub in mm/min (Standardwert: 4000)"};
+constexpr Sentence option_radius{
+    "circle on which the feed keeps the tolerance, in mm (default: 10)",
+    "Kreis, auf dem der Vorschub die Toleranz einhält, in mm (Standardwert: 10)"};
+constexpr Sentence option_goal{"what counts more: which suggestion is recommended (default: balanced)",
+                               "was mehr zählt: welcher Vorschlag empfohlen wird (Standardwert: ausgewogen)"};
+constexpr Sentence option_picture{
+    "also draw the settings: FILE.svg, FILE.html; - draws an SVG instead of the text",
+    "die Einstellungen auch zeichnen: DATEI.svg, DATEI.html; - zeichnet ein SVG statt "
+    "des Texts"};
+constexpr Sentence option_apply{"write suggestion 1, 2 or 3 into the lists",
+                                "Vorschlag 1, 2 oder 3 in die Listen schreiben"};
+constexpr Sentence bad_apply{"--apply needs 1, 2 or 3, not \"{value}\"",
+                             "--apply braucht 1, 2 oder 3, nicht \"{value}\""};
+constexpr Sentence not_editable{"{file} cannot be edited: write the lines into it by hand",
+                                "{file} kann nicht bearbeitet werden: die Zeilen von Hand eintragen"};
+constexpr Sentence not_named{
+    "{file} lies outside what the command line names: write the lines into it by hand",
+    "{file} liegt außerhalb dessen, was die Befehlszeile nennt: die Zeilen von Hand eintragen"};
+constexpr Sentence has_findings{
+    "suggestion {number} is not written: the lists would have findings ({codes})",
+    "Vorschlag {number} wird nicht geschrieben: die Listen hätten Befunde ({codes})"};
+constexpr Sentence written{"written: {file}", "geschrieben: {file}"};
+constexpr Sentence nothing_written{"nothing to write: the lists have this setting already",
+                                   "nichts zu schreiben: die Listen haben diese Einstellung schon"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence not_positive{"{option} needs a number above 0, not \"{value}\"",
+                                "{option} braucht eine Zahl über 0, nicht \"{value}\""};
+constexpr Sentence no_channel{
+    "axis {axis} belongs to no channel: its setpoint passes no filter of a path",
+    "Achse {axis} gehört zu keinem Kanal: ihr Sollwert läuft durch keinen Bahnfilter"};
+constexpr Sentence no_acceleration{"axis {axis} has no acceleration: set a_max (P-AXIS-00008)",
+                                   "Achse {axis} hat keine Beschleunigung: a_max (P-AXIS-00008) setzen"};
+constexpr Sentence feed_limited{
+    "axis {axis} moves at most at {limit} mm/min (vb_max, P-AXIS-00212): this feed counts",
+    "Achse {axis} fährt höchstens mit {limit} mm/min (vb_max, P-AXIS-00212): dieser "
+    "Vorschub zählt"};
+constexpr Sentence too_strict{
+    "none of {count} settings keeps {tolerance} mm on a circle of {radius} mm at {feed} mm/min; allow a "
+    "larger "
+    "tolerance, or a lower feed",
+    "keine von {count} Einstellungen hält {tolerance} mm auf einem Kreis von {radius} mm bei {feed} mm/min "
+    "ein; "
+    "eine größere Toleranz oder einen kleineren Vorschub zulassen"};
+constexpr Sentence too_weak{
+    "of {count} settings that keep {tolerance} mm on a circle of {radius} mm at {feed} mm/min, the best "
+    "leaves {left} % "
+    "of the vibration: too much to suggest it; allow a larger tolerance, or a lower feed",
+    "von {count} Einstellungen, die {tolerance} mm auf einem Kreis von {radius} mm bei {feed} mm/min "
+    "einhalten, lässt "
+    "die beste {left} % der Schwingung: zu viel für einen Vorschlag; eine größere Toleranz oder einen "
+    "kleineren "
+    "Vorschub zulassen"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+enum class Format : std::uint8_t { text, json };
+
+struct SuggestOptions {
+  std::optional<std::string> machine, axis, resonance, measured, in, out, tolerance, feed, radius, cycle_time,
+      apply;
+  PictureTarget picture;
+  std::optional<tuning::Goal> goal;
+  Format format = Format::text;
+};
+
+void declare(CommandLine& command_line, SuggestOptions& options) {
+  using Goal = std::optional<tuning::Goal>;
+  command_line.argument("MACHINE", options.machine, says::argument_input);
+  command_line.value("--axis", "NAME", options.axis, says::option_axis);
+  command_line.value("--resonance", "HZ[:DAMPING][,...]", options.resonance, says::option_resonance);
+  command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
+  command_line.value("--in", "COLUMN", options.in, says::option_in);
+  command_line.value("--out", "COLUMN", options.out, says::option_out);
+  command_line.value("--tolerance", "MM", options.tolerance, says::option_tolerance);
+  command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
+  command_line.value("--radius", "MM", options.radius, says::option_radius);
+  command_line.choice("--goal",
+                      {{"surface", Goal(tuning::Goal::surface)},
+                       {"accuracy", Goal(tuning::Goal::accuracy)},
+                       {"speed", Goal(tuning::Goal::speed)}},
+                      options.goal, says::option_goal);
+  command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture);
+  command_line.value("--apply", "N", options.apply, says::option_apply);
+  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
+                      says::option_format);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+}
+
+double positive(std::string const& option, std::optional<std::string> const& word, double usual) {
+  if (!word) return usual;
+  auto const value = parse_finite(*word);
+  if (value && *value > 0) return *value;
+  throw Failure({.sentence = says::not_positive, .arguments = {{"option", option}, {"value", *word}}});
+}
+
+std::size_t axis_named(machine::Machine const& machine, std::string const& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    if (machine.axes[i].name == name) return i;
+    names.push_back(machine.axes[i].name);
+  }
+  throw unknown_axis(name, names);
+}
+
+/// The channel of an axis; of a gantry slave that of its master.
+std::size_t group_of(machine::Machine const& machine, std::size_t axis) {
+  for (std::size_t i = 0; i < machine.groups.size(); ++i) {
+    auto const& axes = machine.groups[i].axes;
+    if (std::find(axes.begin(), axes.end(), axis) != axes.end()) return i;
+  }
+  if (machine.axes[axis].gantry_master) return group_of(machine, *machine.axes[axis].gantry_master);
+  throw Failure({.sentence = says::no_channel, .arguments = {{"axis", machine.axes[axis].name}}});
+}
+
+struct Wishes {
+  double tolerance_mm, feed, radius_mm;
+};
+
+tuning::Task task_of(SuggestOptions const& options, Wishes const& wishes, SuggestionSubject const& subject,
+                     std::vector<tuning::Resonance> resonances, Invocation const& invocation) {
+  constexpr double mm_per_min_of_um_per_s = 0.06;
+  auto const& machine = subject.machine;
+  auto const& axis = machine.axes[subject.axis];
+  double const T = machine.cycle_time.seconds();
+  if (!(axis.acceleration_limit > 0)) {
+    throw Failure({.sentence = says::no_acceleration, .arguments = {{"axis", axis.name}}});
+  }
+  double feed = wishes.feed;
+  double const limit = axis.velocity_limit * mm_per_min_of_um_per_s;
+  if (limit > 0 && feed > limit) {
+    feed = limit;
+    invocation.streams.err.write(
+        warning_line({.sentence = says::feed_limited,
+                      .arguments = {{"axis", axis.name}, {"limit", format_rounded(limit, 6)}}},
+                     invocation.language));
+  }
+  auto const& build = subject.loaded.build;
+  bool const knows_fir = !build || !(*build < validator::builds::fir_command);
+  return {.cycle_time = machine.cycle_time,
+          .resonances = std::move(resonances),
+          .velocity = path_velocity(feed, machine.cycle_time),
+          .acceleration = axis.acceleration_limit * motion::units_per_mm * T * T,
+          .tolerance = wishes.tolerance_mm * motion::units_per_mm,
+          .radius = wishes.radius_mm * motion::units_per_mm,
+          .goal = options.goal,
+          .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc};
+}
+
+void say_nothing_helps(NoSuggestion const& none, Wishes const& wishes, Invocation const& invocation) {
+  bool const keeps = none.keeps > 0;
+  constexpr double percent = 100;
+  invocation.streams.err.write(
+      Failure({.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
+               .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
+                             {"tolerance", format_exact(wishes.tolerance_mm)},
+                             {"radius", format_exact(wishes.radius_mm)},
+                             {"feed", format_rounded(wishes.feed, 6)},
+                             {"left", format_rounded(none.least_vibration * percent, 3)}}})
+          .line(invocation.language));
+}
+
+/// Index of the alternative that --apply names.
+std::optional<std::size_t> applied(std::optional<std::string> const& word) {
+  if (!word) return std::nullopt;
+  auto const number = parse_count(*word);
+  if (number && *number >= 1 && *number <= tuning::senses) return *number - 1;
+  throw Failure({.sentence = says::bad_apply, .arguments = {{"value", *word}}});
+}
+
+/// Every list or none: what was written is taken back where a later one cannot be.
+void apply(Alternative const& alternative, std::size_t number, std::string const& named,
+           Invocation const& invocation) {
+  auto const& [original, edited, refused] = alternative.edits;
+  if (refused) throw Failure({.sentence = says::not_editable, .arguments = {{"file", *refused}}});
+  if (!alternative.findings.empty()) {
+    std::string codes;
+    for (auto const& code : alternative.findings) codes += (codes.empty() ? "" : ", ") + code;
+    throw Failure({.sentence = says::has_findings,
+                   .arguments = {{"number", std::to_string(number)}, {"codes", codes}}});
+  }
+  ChangeableFiles const changeable({named});
+  for (auto const& [path, bytes] : edited) {
+    if (!changeable.contains(path)) {
+      throw Failure({.sentence = says::not_named, .arguments = {{"file", path}}});
+    }
+  }
+  std::vector<std::string> done;
+  try {
+    for (auto const& [path, bytes] : edited) {
+      replace_content(path, original.at(path), bytes);
+      done.push_back(path);
+    }
+  } catch (Failure const&) {
+    for (auto const& path : done) replace_content(path, edited.at(path), original.at(path));
+    throw;
+  }
+  auto const tell = [&](Message const& message) {
+    invocation.streams.err.write("axisc: " + render(message, invocation.language) + "\n");
+  };
+  for (auto const& path : done) tell({.sentence = says::written, .arguments = {{"file", path}}});
+  if (done.empty()) tell({.sentence = says::nothing_written, .arguments = {}});
+}
+
+}  // namespace
+
+ExitStatus suggest(Invocation const& invocation) {
+  SuggestOptions options;
+  CommandLine command_line("suggest", says::purpose, says::examples, invocation.language);
+  declare(command_line, options);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(options.machine.has_value(), "MACHINE");
+  command_line.require(options.axis.has_value(), "--axis");
+  if (options.resonance.has_value() == options.measured.has_value()) {
+    throw Failure({.sentence = says::one_source, .arguments = {}});
+  }
+  if (!options.measured && (options.in || options.out)) {
+    throw Failure({.sentence = says::of_measured, .arguments = {}});
+  }
+  auto const chosen = applied(options.apply);
+  options.picture.check();
+  Wishes const wishes{.tolerance_mm = positive("--tolerance", options.tolerance, 0.01),
+                      .feed = positive("--feed", options.feed, 4000),
+                      .radius_mm = positive("--radius", options.radius, 10)};
+
+  auto const path = machine_input(*options.machine);
+  SettingsFinder settings;
+  CheckJob job;
+  job.options.cycle_time = asked_cycle_time(options.cycle_time);
+  job.settings = &settings;
+  DiskFiles disk(path == "-");
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto const checked = check_machine(job, path, disk, invocation,
+                                     use_color(command_line.color(), system::Stream::error), sources, loaded);
+  if (!checked) return ExitStatus::findings;
+  require_cycle_time(path, *checked);
+  auto const& machine = *checked->machine;
+  if (options.picture.path) {
+    auto inputs = checked->files;
+    if (options.measured) inputs.push_back(*options.measured);
+    refuse_overwriting({*options.picture.path}, inputs);
+  }
+  auto const axis = axis_named(machine, *options.axis);
+  SuggestionSubject const subject{.path = path,
+                                  .job = job,
+                                  .loaded = *loaded,
+                                  .sources = sources,
+                                  .machine = machine,
+                                  .group = group_of(machine, axis),
+                                  .axis = axis};
+  MeasuredResonances measured;
+  std::vector<tuning::Resonance> resonances;
+  if (options.measured) {
+    constexpr double below_nyquist = 0.9;
+    measured = measured_resonances(*options.measured, {.in = options.in, .out = options.out},
+                                   below_nyquist * machine.cycle_time.nyquist().value);
+    if (measured.refusal) {
+      invocation.streams.err.write(Failure(*measured.refusal).line(invocation.language));
+      return ExitStatus::findings;
+    }
+    for (auto const& peak : measured.peaks) {
+      resonances.push_back(
+          {.frequency = peak.frequency, .damping = peak.damping, .uncertainty = peak.frequency_uncertainty});
+    }
+  } else {
+    resonances = read_resonances(*options.resonance, machine.cycle_time);
+  }
+  auto answer = suggestion_for(subject, task_of(options, wishes, subject, std::move(resonances), invocation));
+  if (auto const* const none = std::get_if<NoSuggestion>(&answer)) {
+    say_nothing_helps(*none, wishes, invocation);
+    return ExitStatus::findings;
+  }
+  auto& suggestion = std::get<Suggestion>(answer);
+  if (options.measured) suggestion.measured = std::move(measured);
+  if (options.picture.path != "-") {
+    invocation.streams.out.write(options.format == Format::json
+                                     ? suggest_json(suggestion)
+                                     : suggest_text(suggestion, invocation.language));
+  }
+  if (options.picture.path) {
+    write_picture(suggest_figure(suggestion, invocation.language), options.picture, invocation);
+  }
+  if (!chosen) return ExitStatus::success;
+  invocation.streams.out.flush();
+  apply(suggestion.alternatives[*chosen], *chosen + 1, *options.machine, invocation);
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,259 @@
+#include "cli/report/text_table.hpp"
+#include "cli/suggestion/suggest_formats.hpp"
+#include "diagnostics/format_number.hpp"
+#include "motion/point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include <fmt/format.h>
+
+namespace axisc::cli::says {
+
+constexpr Sentence heading{
+    "Axis {axis}, resonance {resonances}, F{feed} mm/min, tolerance {tolerance} mm; {count} settings "
+    "compared",
+    "Achse {axis}, Resonanz {resonances}, F{feed} mm/min, Toleranz {tolerance} mm; {count} Einstellungen "
+    "verglichen"};
+constexpr Sentence peak{
+    "measured: {frequency} ± {uncertainty} Hz, damping {damping} ± {damping_uncertainty}",
+    "gemessen: {frequency} ± {uncertainty} Hz, Dämpfung {damping} ± {damping_uncertainty}"};
+constexpr Sentence coherent_peak{
+    "measured: {frequency} ± {uncertainty} Hz, damping {damping} ± {damping_uncertainty}, coherence "
+    "{coherence}",
+    "gemessen: {frequency} ± {uncertainty} Hz, Dämpfung {damping} ± {damping_uncertainty}, Kohärenz "
+    "{coherence}"};
+constexpr Sentence spectrum{
+    "a spectrum does not show what made the peaks: a tooth or a spindle may have; two signals show it",
+    "ein Spektrum zeigt nicht, woher die Spitzen kommen: auch ein Zahn oder eine Spindel kann es sein; zwei "
+    "Signale "
+    "zeigen es"};
+constexpr Sentence present{"present", "jetzt"};
+constexpr Sentence least_deviation{"least deviation", "geringste Abweichung"};
+constexpr Sentence balanced{"balanced", "ausgewogen"};
+constexpr Sentence least_vibration{"least vibration", "geringste Schwingung"};
+constexpr Sentence vibration{"remaining vibration, worst case [%]",
+                             "verbleibende Schwingung, ungünstigst [%]"};
+constexpr Sentence amplitude{"after a ramp, at {frequency} Hz [µm]",
+                             "nach einer Rampe, bei {frequency} Hz [µm]"};
+constexpr Sentence delay{"delay [ms]", "Verzögerung [ms]"};
+constexpr Sentence overshoot{"overshoot of a step [%]", "Überschwingen eines Sprungs [%]"};
+constexpr Sentence corner{"corner, 90°: axis error [µm]", "Ecke, 90°: Achsfehler [µm]"};
+constexpr Sentence corner_deviation{"corner, 90°: deviation [µm]", "Ecke, 90°: Abweichung [µm]"};
+constexpr Sentence corner_feed{"corner: feed within tolerance [mm/min]",
+                               "Ecke: Vorschub in der Toleranz [mm/min]"};
+constexpr Sentence circle{"circle, r = {radius} mm: deviation [µm]",
+                          "Kreis, r = {radius} mm: Abweichung [µm]"};
+constexpr Sentence circle_feed{"circle: feed within tolerance [mm/min]",
+                               "Kreis: Vorschub in der Toleranz [mm/min]"};
+constexpr Sentence any{"any", "beliebig"};
+constexpr Sentence recommended{"recommended", "empfohlen"};
+constexpr Sentence same{"the same setting as {number}", "dieselbe Einstellung wie {number}"};
+constexpr Sentence command{"NC program: {command}", "NC-Programm: {command}"};
+constexpr Sentence no_command{"NC program: nothing to write; the filters work from start-up",
+                              "NC-Programm: nichts zu schreiben; die Filter wirken ab Hochlauf"};
+constexpr Sentence findings{"lists with this setting have findings: {codes}",
+                            "Listen mit dieser Einstellung haben Befunde: {codes}"};
+constexpr Sentence overshoots{
+    "not suggested: {chain} leaves {vibration} % at a delay of {delay} ms, but overshoots by {overshoot} %",
+    "nicht vorgeschlagen: {chain} lässt {vibration} % bei einer Verzögerung von {delay} ms, schwingt aber um "
+    "{overshoot} % über"};
+constexpr Sentence other_family{
+    "not suggested: {chain} leaves {vibration} % at a delay of {delay} ms, but this control has other "
+    "linear-phase "
+    "filters (AX4007)",
+    "nicht vorgeschlagen: {chain} lässt {vibration} % bei einer Verzögerung von {delay} ms, aber diese "
+    "Steuerung hat "
+    "andere linearphasige Filter (AX4007)"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr double percent = 100;
+
+std::string say(Language language, SentenceRef text, std::vector<Argument> arguments = {}) {
+  return render({.sentence = text, .arguments = std::move(arguments)}, language);
+}
+
+std::string resonances_text(tuning::Task const& task) {
+  std::string text;
+  for (auto const& resonance : task.resonances) {
+    text += (text.empty() ? "" : ", ") + format_rounded(resonance.frequency, 4) + " Hz";
+  }
+  return text;
+}
+
+std::string micrometres(double units) {
+  return fmt::format("{:.2f}", units / motion::units_per_um);
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+class Table {
+ public:
+  Table(Suggestion const& suggestion, Language language) : suggestion_(suggestion), language_(language) {}
+
+  std::string text() {
+    std::vector<std::string> head{""};
+    if (suggestion_.present) head.push_back(say(language_, says::present));
+    for (std::size_t i = 0; i < tuning::senses; ++i) {
+      auto const sense = static_cast<tuning::Sense>(i);
+      head.push_back(fmt::format("{} {}{}", i + 1, sense_name(sense, language_),
+                                 sense == suggestion_.recommended ? "*" : ""));
+    }
+    rows_.push_back(std::move(head));
+    add_figures();
+    return text_table(rows_, 2);
+  }
+
+ private:
+  using Cell = std::function<std::string(Setting const&)>;
+
+  void add(std::string name, Cell const& cell) {
+    std::vector<std::string> row{std::move(name)};
+    if (suggestion_.present) row.push_back(cell(*suggestion_.present));
+    for (auto const& alternative : suggestion_.alternatives) row.push_back(cell(alternative.setting));
+    rows_.push_back(std::move(row));
+  }
+  [[nodiscard]] std::string feed(std::optional<double> const& value) const {
+    return value ? fmt::format("{:.0f}", *value) : say(language_, says::any);
+  }
+
+  void add_figures() {
+    add(say(language_, says::vibration),
+        [](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.vibration * percent); });
+    for (std::size_t i = 0; i < suggestion_.task.resonances.size(); ++i) {
+      auto const frequency = format_rounded(suggestion_.task.resonances[i].frequency, 4);
+      add(say(language_, says::amplitude, {{"frequency", frequency}}),
+          [i](Setting const& setting) { return micrometres(setting.figures.resonances[i].amplitude); });
+    }
+    double const milli = suggestion_.cycle_time.seconds() * 1e3;
+    add(say(language_, says::delay),
+        [milli](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.delay * milli); });
+    add(say(language_, says::overshoot),
+        [](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.overshoot * percent); });
+    add(say(language_, says::corner),
+        [](Setting const& setting) { return micrometres(setting.corner.largest_axis_error()); });
+    add(say(language_, says::corner_deviation),
+        [](Setting const& setting) { return micrometres(setting.corner.deviation); });
+    add(say(language_, says::corner_feed),
+        [this](Setting const& setting) { return feed(setting.corner_feed); });
+    add(say(language_, says::circle, {{"radius", format_rounded(suggestion_.radius_mm, 6)}}),
+        [](Setting const& setting) { return micrometres(setting.circle.deviation); });
+    add(say(language_, says::circle_feed),
+        [this](Setting const& setting) { return feed(setting.circle_feed); });
+  }
+
+  Suggestion const& suggestion_;
+  Language language_;
+  Rows rows_;
+};
+
+/// Axes that get the same lines stand together.
+std::string fragments_text(std::vector<AxisLines> const& axes) {
+  std::string text;
+  std::vector<bool> told(axes.size());
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (told[i]) continue;
+    std::string names;
+    for (std::size_t k = i; k < axes.size(); ++k) {
+      if (axes[k].lines != axes[i].lines) continue;
+      told[k] = true;
+      names += (names.empty() ? "" : ", ") + axes[k].axis + " (" + axes[k].list + ")";
+    }
+    text += "  " + names + ":\n";
+    std::size_t width = 0;
+    for (auto const& line : axes[i].lines) width = std::max(width, line.name.size());
+    for (auto const& line : axes[i].lines) text += "    " + padded(line.name, width + 4) + line.value + "\n";
+  }
+  return text;
+}
+
+std::string alternative_text(Suggestion const& suggestion, std::size_t index, Language language) {
+  auto const& alternative = suggestion.alternatives[index];
+  auto const sense = static_cast<tuning::Sense>(index);
+  std::string text =
+      fmt::format("\n{} {}{}: {}\n", index + 1, sense_name(sense, language),
+                  sense == suggestion.recommended ? " (" + say(language, says::recommended) + ")" : "",
+                  tuning::short_name(alternative.setting.chain, language));
+  for (std::size_t i = 0; i < index; ++i) {
+    if (suggestion.alternatives[i].setting.chain != alternative.setting.chain) continue;
+    return text + "  " + say(language, says::same, {{"number", std::to_string(i + 1)}}) + "\n";
+  }
+  text += fragments_text(alternative.axes);
+  text += "  " +
+          (alternative.command ? say(language, says::command, {{"command", *alternative.command}})
+                               : say(language, says::no_command)) +
+          "\n";
+  if (!alternative.findings.empty()) {
+    std::string codes;
+    for (auto const& code : alternative.findings) codes += (codes.empty() ? "" : ", ") + code;
+    text += "  " + say(language, says::findings, {{"codes", codes}}) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string sense_name(tuning::Sense sense, Language language) {
+  switch (sense) {
+    case tuning::Sense::least_deviation:
+      return say(language, says::least_deviation);
+    case tuning::Sense::balanced:
+      return say(language, says::balanced);
+    case tuning::Sense::least_vibration:
+      break;
+  }
+  return say(language, says::least_vibration);
+}
+
+namespace {
+
+std::string measured_text(MeasuredResonances const& measured, Language language) {
+  std::string text;
+  for (auto const& peak : measured.peaks) {
+    text += say(language, peak.coherence ? SentenceRef(says::coherent_peak) : SentenceRef(says::peak),
+                {{"frequency", fmt::format("{:.2f}", peak.frequency)},
+                 {"uncertainty", fmt::format("{:.2f}", peak.frequency_uncertainty)},
+                 {"damping", fmt::format("{:.3f}", peak.damping)},
+                 {"damping_uncertainty", fmt::format("{:.3f}", peak.damping_uncertainty)},
+                 {"coherence", fmt::format("{:.2f}", peak.coherence.value_or(0))}}) +
+            "\n";
+  }
+  if (measured.kind == tuning::MeasurementKind::spectrum) text += say(language, says::spectrum) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string suggest_text(Suggestion const& suggestion, Language language) {
+  std::string text = suggestion.measured ? measured_text(*suggestion.measured, language) : "";
+  text += say(language, says::heading,
+              {{"axis", suggestion.axis},
+               {"resonances", resonances_text(suggestion.task)},
+               {"feed", format_rounded(suggestion.feed, 6)},
+               {"tolerance", format_rounded(suggestion.tolerance_mm, 6)},
+               {"count", std::to_string(suggestion.looked_at)}}) +
+          "\n";
+  text += Table(suggestion, language).text();
+  for (std::size_t i = 0; i < tuning::senses; ++i) text += alternative_text(suggestion, i, language);
+  if (suggestion.not_clean) {
+    auto const& [chain, figures, is_clean] = *suggestion.not_clean;
+    text += "\n" +
+            say(language,
+                figures.overshoot > tuning::largest_overshoot ? SentenceRef(says::overshoots)
+                                                              : SentenceRef(says::other_family),
+                {{"chain", tuning::short_name(chain, language)},
+                 {"vibration", fmt::format("{:.1f}", figures.vibration * percent)},
+                 {"delay", fmt::format("{:.1f}", figures.delay * suggestion.cycle_time.seconds() * 1e3)},
+                 {"overshoot", fmt::format("{:.1f}", figures.overshoot * percent)}}) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,222 @@
+#include "cli/program.hpp"
+#include "cli/temporary_folder.hpp"
+#include "support/golden.hpp"
+
+#include <cmath>
+#include <complex>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string const resonance = "48Hz:0.02";
+
+/// The sample in a folder of its own.
+Surroundings sample(TemporaryFolder const& folder) {
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/resonance", folder.path());
+  return in_folder(folder.path());
+}
+
+Outcome suggest(Surroundings const& there, std::vector<std::string> more) {
+  std::vector<std::string> arguments{"suggest", "machine.json", "--axis", "X", "--resonance", resonance};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_axisc(arguments, there);
+}
+
+json suggested(Surroundings const& there, std::vector<std::string> more = {}) {
+  more.insert(more.end(), {"--format", "json"});
+  auto const outcome = suggest(there, more);
+  INFO(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("suggest answers in two languages and as JSON") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  check_golden("tests/cli/data/golden/suggest.de.text", suggest(there, {"--lang", "de"}).out);
+  auto const found = suggested(there);
+  CHECK(found["alternatives"].size() == 3);
+  CHECK(found["recommended"] == 2);
+  CHECK(found["axes"] == json{"X", "Y", "Z"});
+  for (auto const& alternative : found["alternatives"]) {
+    CHECK(alternative["axes"].size() == 3);
+    CHECK(alternative["findings"].empty());
+    CHECK(alternative["command"] == "#FILTER ON [AX_DEV=0.01]");
+    CHECK(alternative["circle"]["max_axis_error_um"] <= 10.0);
+    CHECK(alternative["remaining_vibration"] < found["present"]["remaining_vibration"]);
+  }
+}
+
+TEST_CASE("each suggestion can be written, is then present, and has no findings") {
+  for (std::string const number : {"1", "2", "3"}) {
+    TemporaryFolder const folder;
+    auto const there = sample(folder);
+    auto const wanted = suggested(there)["alternatives"][static_cast<std::size_t>(number[0] - '1')];
+    auto const outcome = suggest(there, {"--apply", number});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.err == "axisc: written: x.lis\naxisc: written: y.lis\naxisc: written: z.lis\n");
+    CHECK(run_axisc({"lint", "machine.json", "--pedantic"}, there).out == "4 files: no findings\n");
+    auto const present = suggested(there)["present"];
+    CHECK(present["chain"] == wanted["chain"]);
+    for (std::string const key : {"remaining_vibration", "delay_ms"}) {
+      CHECK(present[key].get<double>() == Approx(wanted[key].get<double>()).epsilon(1e-6));
+    }
+    CHECK(present["corner"]["contour_deviation_um"] == wanted["corner"]["contour_deviation_um"]);
+    auto const again = suggest(there, {"--apply", number});
+    CHECK(again.err == "axisc: nothing to write: the lists have this setting already\n");
+  }
+}
+
+TEST_CASE("other filters of the axes are switched off, and what new ones do not use is reset") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  auto const list = folder.read("y.lis");
+  folder.write("y.lis", "filter[2].enable 1\r\nfilter[2].order 1\r\nfilter[2].type PT1\r\n" + list);
+  folder.write("z.lis", "filter_fir.quality 0.5\n" + folder.read("z.lis"));
+  CHECK(suggest(there, {"--apply", "2"}).status == 0);
+  auto const y = folder.read("y.lis");
+  CHECK(y.rfind("filter[2].enable 0\r\nfilter[2].order 1\r\nfilter[2].type PT1\r\n", 0) == 0);
+  CHECK(y.find("\r\r") == std::string::npos);
+  CHECK(run_axisc({"lint", "machine.json"}, there).out == "4 files: no findings\n");
+}
+
+TEST_CASE("nothing is written where a list must not be changed", "[posix]") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  TemporaryFolder const elsewhere;
+  fs::rename(folder / "z.lis", elsewhere / "z.lis");
+  fs::create_symlink(elsewhere / "z.lis", folder / "z.lis");
+  auto const before = folder.read("x.lis");
+  auto const outcome = suggest(there, {"--apply", "1"});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.find("z.lis lies outside") != std::string::npos);
+  CHECK(folder.read("x.lis") == before);
+}
+
+TEST_CASE("a setting that the check objects to is not written") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  auto const list = folder.read("x.lis");
+  folder.write("x.lis", "vib_guard.active 1\nfilter_fir.type 0\n" +
+                            list.substr(0, list.find("filter_fir.enable")) + "Ende\n");
+  auto const found = suggested(there);
+  CHECK(found["alternatives"][1]["findings"] == json{"AX4006"});
+  auto const outcome = suggest(there, {"--apply", "2"});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.err.find("AX4006") != std::string::npos);
+}
+
+TEST_CASE(
+    "a control without FIR filters is suggested HSC filters, and programs in inches their own tolerance") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  for (std::string const list : {"x.lis", "y.lis", "z.lis"}) {
+    auto const text = folder.read(list);
+    folder.write(list, text.substr(0, text.find("filter_fir")) + "Ende\n");
+  }
+  folder.write("axisc.json", R"({"build": "V3.1.3070.0"})");
+  auto const found = suggested(there, {"--apply", "2"})["alternatives"][1];
+  CHECK(found["axes"][0]["lines"][0] == json{{"name", "filter[0].prototype"}, {"value", "HSC"}});
+  CHECK(found["command"] == "#FILTER ON [HSC]");
+  CHECK(run_axisc({"lint", "machine.json"}, there).out == "4 files: no findings\n");
+
+  fs::remove(folder / "axisc.json");
+  auto machine = json::parse(folder.read("machine.json"));
+  machine["inch"] = true;
+  folder.write("machine.json", machine.dump());
+  CHECK(suggested(there)["alternatives"][1]["command"] == "#FILTER ON [AX_DEV=0.000393]");
+}
+
+TEST_CASE("suggest refuses what it cannot answer") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  CHECK(suggest(there, {"--apply", "4"}).status == 2);
+  CHECK(suggest(there, {"--feed", "0"}).status == 2);
+  CHECK(run_axisc({"suggest", "machine.json", "--axis", "Q", "--resonance", "48Hz"}, there).status == 2);
+  for (std::string const bad : {"", "48Hz,", "500Hz", "x", "48:1", "48:0", "1,2,3,4", "0.5"}) {
+    INFO(bad);
+    auto const outcome = run_axisc({"suggest", "machine.json", "--axis", "X", "--resonance", bad}, there);
+    CHECK((outcome.status == 2) == (bad != "48Hz,"));
+  }
+  auto const strict = suggest(there, {"--tolerance", "1e-14"});
+  CHECK(strict.status == 1);
+  CHECK(strict.err.find("keeps 1e-14 mm") != std::string::npos);
+  CHECK(strict.out.empty());
+  auto const weak = suggest(there, {"--tolerance", "0.0005"});
+  CHECK(weak.status == 1);
+  CHECK(weak.err.find("% of the vibration") != std::string::npos);
+}
+
+namespace {
+
+/// The response of a column at 48 Hz, of 3 % damping, as a measuring program exports it.
+std::string measured_response(double coherence) {
+  std::string text = "frequency_hz;magnitude_db;phase_deg;coherence\n";
+  for (int i = 0; i < 600; ++i) {
+    double const f = 5 + 0.25 * i;
+    std::complex<double> const s(0, f / 48);
+    auto const h = 1.0 / (1.0 + 0.06 * s + s * s);
+    text += std::to_string(f) + ";" + std::to_string(20 * std::log10(std::abs(h))) + ";" +
+            std::to_string(std::arg(h) * 57.29577951308232) + ";" + std::to_string(coherence) + "\n";
+  }
+  return text;
+}
+
+Outcome measured(Surroundings const& there, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"suggest", "machine.json", "--axis", "X", "--measured", "bode.csv"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_axisc(arguments, there);
+}
+
+}  // namespace
+
+TEST_CASE("a measured resonance is suggested for like a named one, and doubtful data are refused") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  folder.write("bode.csv", measured_response(0.97));
+  auto const outcome = measured(there);
+  CHECK(outcome.status == 0);
+  CHECK(outcome.out.rfind("measured: 48.00 ± 0.12 Hz, damping 0.030 ± 0.003, coherence 0.97\n", 0) == 0);
+  auto const found = json::parse(measured(there, {"--format", "json"}).out);
+  CHECK(found["measured"][0]["coherence"].get<double>() == Approx(0.97));
+  CHECK(found["resonances"][0]["damping"].get<double>() == Approx(0.03).epsilon(0.01));
+
+  folder.write("bode.csv", measured_response(0.6));
+  auto const doubtful = measured(there);
+  CHECK(doubtful.status == 1);
+  CHECK(doubtful.out.empty());
+  CHECK(doubtful.err.find("(48 Hz) (coherence below 0.8); record longer") != std::string::npos);
+  CHECK(measured(there, {"--lang", "de"}).err.find("Kohärenz unter 0,8") != std::string::npos);
+
+  folder.write("bode.csv", "time,a,b\n0,1,2\n0.001,2,x\n");
+  auto const broken = measured(there);
+  CHECK(broken.status == 2);
+  CHECK(broken.err.find("bode.csv:3: not a row of numbers") != std::string::npos);
+  CHECK(measured(there, {"--resonance", "48Hz"}).status == 2);
+  CHECK(suggest(there, {"--in", "a"}).status == 2);
+}
+
+TEST_CASE("the suggestions are drawn with the resonance marked") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  CHECK(suggest(there, {"-o", "x.svg"}).status == 0);
+  auto const picture = folder.read("x.svg");
+  check_golden("docs/pictures/suggest.svg", picture);
+  for (std::string const words : {"48 Hz", "present", "1 least deviation", "2 balanced, 3 least vibration"}) {
+    INFO(words);
+    CHECK(picture.find(words) != std::string::npos);
+  }
+  auto const drawn = suggest(there, {"-o", "-"});
+  CHECK(drawn.out == picture);
+  CHECK(suggest(there, {"-o", "x.lis"}).status == 2);
+  CHECK(suggest(there, {"-o", "machine.png"}).status == 2);
+}
