@@ -1,0 +1,131 @@
+#include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/failure.hpp"
+#include "cli/files/compiled_input.hpp"
+#include "cli/files/recorded_columns.hpp"
+#include "cli/formats/compare_formats.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/sentences.hpp"
+#include "comparison/residual.hpp"
+#include "comparison/verdict.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Runs an axis' filters on a recorded setpoint and compares the result with the setpoint that the control made of it.
+Where they differ, says which reading of the parameters fits the recording.)",
+    R"(Führt einen aufgezeichneten Sollwert durch die Filter einer Achse und vergleicht das Ergebnis mit dem Sollwert, den
+die Steuerung daraus machte. Wo beide abweichen, nennt es die Lesart der Parameter, die zur Aufzeichnung passt.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc compare machine.json scope.csv --axis X
+  axisc compare mill.axim scope.csv --axis X --in setpoint --out filtered --format json
+
+Exit status: 0 the same, perhaps but for a delay; 1 different, or the recording cannot tell; 2 something could not
+be read.)",
+                            R"(Beispiele:
+  axisc compare maschine.json scope.csv --axis X
+  axisc compare fraese.axim scope.csv --axis X --in soll --out gefiltert --format json
+
+Rückgabewert: 0 gleich, vielleicht bis auf eine Verzögerung; 1 verschieden, oder die Aufzeichnung entscheidet es
+nicht; 2 etwas war nicht lesbar.)"};
+constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
+                                      "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
+constexpr Sentence option_axis{"the recorded axis (default: the only one)",
+                               "die aufgezeichnete Achse (Standardwert: die einzige)"};
+constexpr Sentence option_in{"column before the filters: name, or number from 1",
+                             "Spalte vor den Filtern: Name oder Nummer ab 1"};
+constexpr Sentence option_out{"column behind the filters", "Spalte hinter den Filtern"};
+constexpr Sentence option_unit{
+    "unit of both columns; mm for rotary axes means degrees (default: 0.1um for whole numbers, else mm)",
+    "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad (Standardwert: 0.1um bei ganzen Zahlen, sonst "
+    "mm)"};
+constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
+                                "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::uint32_t rotary = 2;
+enum class Format : std::uint8_t { text, json };
+enum class Unit : std::uint8_t { recognised, tenths, um, mm };
+
+struct CompareOptions {
+  std::optional<std::string> input, recording, axis, cycle_time;
+  WantedColumns columns;
+  Unit unit = Unit::recognised;
+  Format format = Format::text;
+};
+
+void declare(CommandLine& command_line, CompareOptions& options) {
+  command_line.argument("INPUT", options.input, says::argument_input);
+  command_line.argument("RECORDING.csv", options.recording, says::argument_recording);
+  command_line.value("--axis", "NAME", options.axis, says::option_axis);
+  command_line.value("--in", "COLUMN", options.columns.input, says::option_in);
+  command_line.value("--out", "COLUMN", options.columns.output, says::option_out);
+  command_line.choice("--unit", {{"0.1um", Unit::tenths}, {"um", Unit::um}, {"mm", Unit::mm}}, options.unit,
+                      says::option_unit);
+  command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
+                      says::option_format);
+}
+
+comparison::Configured configured(image::ImageContents const& image, std::size_t axis) {
+  auto const& contents = image.axes[axis];
+  comparison::Configured chain{.cycle_time = image.cycle_time, .filters = {}, .kernel = {}};
+  for (auto const& filter : contents.filters) chain.filters.push_back(filter.specification);
+  if (contents.slot && contents.slot->kernel) {
+    chain.kernel = image.kernels[*contents.slot->kernel].specification;
+    chain.kernel_on = contents.slot->on_at_start;
+  }
+  return chain;
+}
+
+double thousandths(Unit unit, comparison::Comparison const& result) {
+  bool const is_whole = result.input_resolution == 1 && result.output_resolution == 1;
+  if (unit == Unit::recognised) unit = is_whole ? Unit::tenths : Unit::mm;
+  if (unit == Unit::um) return 1;
+  return unit == Unit::tenths ? 0.1 : 1000;
+}
+
+}  // namespace
+
+ExitStatus compare(Invocation const& invocation) {
+  CompareOptions options;
+  CommandLine command_line("compare", says::purpose, says::examples, invocation.language);
+  declare(command_line, options);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(options.input.has_value(), "INPUT");
+  command_line.require(options.recording.has_value(), "RECORDING.csv");
+  auto const input = compiled_input(*options.input, options.cycle_time, invocation,
+                                    use_color(command_line.color(), system::Stream::error));
+  if (!input) return ExitStatus::findings;
+  auto const& image = input->image.contents;
+  auto const axes = chosen_axes(image, options.axis);
+  if (axes.size() != 1) {
+    throw Failure({.sentence = says::name_an_axis,
+                   .arguments = {{"file", *options.input}, {"count", std::to_string(axes.size())}}});
+  }
+  auto recorded = read_recorded_columns(*options.recording, options.columns, image.cycle_time);
+  comparison::Recording const recording{.input = std::move(recorded.input),
+                                        .output = std::move(recorded.output),
+                                        .gaps = std::move(recorded.gaps)};
+  ShownComparison shown{.axis = axis_label(image, axes.front()),
+                        .input_name = recorded.input_name,
+                        .output_name = recorded.output_name,
+                        .cycles = recording.input.size(),
+                        .repeated = recorded.repeated,
+                        .is_rotary = image.axes[axes.front()].type == rotary,
+                        .result = comparison::compare(recording, configured(image, axes.front()))};
+  shown.thousandths = thousandths(options.unit, shown.result);
+  invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
+                                                              : compare_text(shown, invocation.language));
+  bool const agrees = shown.result.verdict == comparison::Verdict::same ||
+                      shown.result.verdict == comparison::Verdict::delayed;
+  return agrees ? ExitStatus::success : ExitStatus::findings;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,182 @@
+#include "cli/formats/compare_formats.hpp"
+
+#include "cli/report/json_text.hpp"
+#include "diagnostics/format_number.hpp"
+#include "diagnostics/terminal.hpp"
+
+#include <array>
+
+namespace axisc::cli::says {
+
+constexpr Sentence compared{
+    "axis {axis}, {input} beside {output}: {compared} of {cycles} cycles count (lost {lost}, repeated "
+    "{repeated})",
+    "Achse {axis}, {input} neben {output}: {compared} von {cycles} Zyklen zählen (verloren {lost}, "
+    "wiederholt "
+    "{repeated})"};
+constexpr Sentence is_same{"the same: the control does what axisc computes",
+                           "gleich: die Steuerung tut, was axisc rechnet"};
+constexpr Sentence is_delayed{"the same but for a delay (in cycles: {delay})",
+                              "gleich bis auf eine Verzögerung (in Zyklen: {delay})"};
+constexpr Sentence is_different{"different: the control does not do what axisc computes",
+                                "verschieden: die Steuerung tut nicht, was axisc rechnet"};
+constexpr Sentence too_little{
+    "cannot tell: the axis moves too little; record several moves with sharp changes of velocity",
+    "nicht entscheidbar: die Achse bewegt sich zu wenig; mehrere Bewegungen mit harten "
+    "Geschwindigkeitswechseln aufzeichnen"};
+constexpr Sentence deviation{
+    "largest deviation {largest} {unit}, rms {rms} {unit}; rounding of the recording explains {allowed} "
+    "{unit}",
+    "größte Abweichung {largest} {unit}, Effektivwert {rms} {unit}; das Runden der Aufzeichnung erklärt "
+    "{allowed} {unit}"};
+constexpr Sentence explained_by{
+    "what fits: {reading}; rms {rms} {unit}, delay in cycles {delay}",
+    "dazu passt: {reading}; Effektivwert {rms} {unit}, Verzögerung in Zyklen {delay}"};
+constexpr Sentence next_one{"the next: {reading}; rms {rms} {unit}",
+                            "das nächste: {reading}; Effektivwert {rms} {unit}"};
+constexpr Sentence fits_nothing{"no known reading fits", "keine bekannte Lesart passt"};
+constexpr Sentence fits_several{
+    "the recording does not tell these readings apart; record a step of 1 mm or a jump of the velocity:",
+    "die Aufzeichnung unterscheidet diese Lesarten nicht; einen Sprung um 1 mm oder einen "
+    "Geschwindigkeitssprung aufzeichnen:"};
+constexpr Sentence fits_too{"this motion does not tell it from these readings:",
+                            "diese Bewegung unterscheidet es nicht von diesen Lesarten:"};
+constexpr Sentence as_listed{"what axisc computes", "was axisc rechnet"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr int digits = 3;
+using comparison::Verdict;
+
+std::string say(SentenceRef sentence, Language language, std::vector<Argument> arguments = {}) {
+  return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
+}
+
+std::string words(comparison::Reading const& reading, Language language) {
+  std::string text;
+  for (auto const& departure : reading.departures) {
+    text += (text.empty() ? "" : " + ") + say(departure.meaning, language);
+  }
+  return text.empty() ? say(says::as_listed, language) : text;
+}
+
+std::string_view word(comparison::Comparison const& result) {
+  constexpr std::array<std::string_view, 4> names{"same", "delayed", "different", "cannot-tell"};
+  return names[static_cast<std::size_t>(result.verdict)];
+}
+
+class Writer {
+ public:
+  Writer(ShownComparison const& shown, Language language) : shown_(shown), language_(language) {}
+
+  [[nodiscard]] std::string text() {
+    auto const& result = shown_.result;
+    line(says::compared, {{"axis", printable(shown_.axis)},
+                          {"input", printable(shown_.input_name)},
+                          {"output", printable(shown_.output_name)},
+                          {"compared", std::to_string(result.compared)},
+                          {"cycles", std::to_string(shown_.cycles)},
+                          {"lost", std::to_string(result.lost)},
+                          {"repeated", std::to_string(shown_.repeated)}});
+    verdict();
+    if (result.verdict == Verdict::cannot_tell) return text_;
+    line(says::deviation, {{"largest", length(result.listed.largest)},
+                           {"rms", length(result.listed.rms)},
+                           {"allowed", length(result.allowed_rms)},
+                           {"unit", unit()}});
+    if (result.verdict == Verdict::different) {
+      if (result.fitting.empty()) line(says::fits_nothing);
+      if (result.fitting.size() > 1) line(says::fits_several);
+    } else if (!result.fitting.empty()) {
+      line(says::fits_too);
+    }
+    for (auto const& one : result.fitting) explained(says::explained_by, one);
+    if (result.verdict == Verdict::different && result.next) explained(says::next_one, *result.next);
+    return text_;
+  }
+
+ private:
+  [[nodiscard]] std::string length(double value) const {
+    return format_rounded(value * shown_.thousandths, digits);
+  }
+  [[nodiscard]] std::string unit() const { return shown_.is_rotary ? "0.001°" : "µm"; }
+  void line(SentenceRef sentence, std::vector<Argument> arguments = {}) {
+    text_ += say(sentence, language_, std::move(arguments)) + "\n";
+  }
+  void verdict() {
+    switch (shown_.result.verdict) {
+      case Verdict::same:
+        line(says::is_same);
+        break;
+      case Verdict::delayed:
+        line(says::is_delayed, {{"delay", format_rounded(shown_.result.listed.delay_cycles, digits)}});
+        break;
+      case Verdict::different:
+        line(says::is_different);
+        break;
+      case Verdict::cannot_tell:
+        line(says::too_little);
+        break;
+    }
+  }
+  void explained(SentenceRef sentence, comparison::Explained const& one) {
+    line(sentence, {{"reading", words(one.reading, language_)},
+                    {"rms", length(one.residual.rms)},
+                    {"delay", format_rounded(one.residual.delay_cycles, digits)},
+                    {"unit", unit()}});
+  }
+
+  ShownComparison const& shown_;
+  Language language_;
+  std::string text_;
+};
+
+std::string json_residual(comparison::Residual const& residual, double thousandths) {
+  return "\"delay_cycles\": " + json_number(residual.delay_cycles) +
+         ", \"largest\": " + json_number(residual.largest * thousandths) +
+         ", \"rms\": " + json_number(residual.rms * thousandths);
+}
+
+std::string json_explained(comparison::Explained const& one, ShownComparison const& shown,
+                           Language language) {
+  std::string ids;
+  for (auto const& departure : one.reading.departures) {
+    ids += (ids.empty() ? "" : ", ") + json_string(departure.id);
+  }
+  return "{\"readings\": [" + ids + "], \"meaning\": " + json_string(words(one.reading, language)) + ", " +
+         json_residual(one.residual, shown.thousandths) + "}";
+}
+
+}  // namespace
+
+std::string compare_text(ShownComparison const& shown, Language language) {
+  return Writer(shown, language).text();
+}
+
+std::string compare_json(ShownComparison const& shown, Language language) {
+  auto const& result = shown.result;
+  std::string fitting;
+  for (auto const& one : result.fitting) {
+    fitting += (fitting.empty() ? "\n    " : ",\n    ") + json_explained(one, shown, language);
+  }
+  return "{\n  \"version\": 1,\n  \"axis\": " + json_string(shown.axis) +
+         ",\n  \"input\": " + json_string(shown.input_name) +
+         ",\n  \"output\": " + json_string(shown.output_name) +
+         ",\n  \"cycles\": " + std::to_string(shown.cycles) +
+         ",\n  \"compared\": " + std::to_string(result.compared) +
+         ",\n  \"lost\": " + std::to_string(result.lost) +
+         ",\n  \"repeated\": " + std::to_string(shown.repeated) +
+         ",\n  \"unit\": " + json_string(shown.is_rotary ? "0.001°" : "µm") +
+         ",\n  \"verdict\": " + json_string(word(result)) +
+         ",\n  \"allowed_rms\": " + json_number(result.allowed_rms * shown.thousandths) +
+         ",\n  \"listed\": {" + json_residual(result.listed, shown.thousandths) + "},\n  \"fitting\": [" +
+         fitting + (fitting.empty() ? "" : "\n  ") +
+         "],\n  \"next\": " + (result.next ? json_explained(*result.next, shown, language) : "null") +
+         "\n}\n";
+}
+
+}  // namespace axisc::cli

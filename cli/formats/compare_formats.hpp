@@ -1,0 +1,23 @@
+// What `axisc compare` prints.
+#pragma once
+
+#include "comparison/verdict.hpp"
+#include "diagnostics/message.hpp"
+
+#include <string>
+
+namespace axisc::cli {
+
+struct ShownComparison {
+  std::string axis;
+  std::string input_name, output_name;
+  std::size_t cycles = 0, repeated = 0;
+  double thousandths = 1;  ///< µm (or 0.001°) in a unit of the recording
+  bool is_rotary = false;
+  comparison::Comparison result;
+};
+
+[[nodiscard]] std::string compare_text(ShownComparison const& shown, Language language);
+[[nodiscard]] std::string compare_json(ShownComparison const& shown, Language language);
+
+}  // namespace axisc::cli

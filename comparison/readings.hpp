@@ -1,0 +1,42 @@
+// What a control may make of parameters whose arithmetic the manuals leave open: each reading is one departure
+// from what axisc computes.
+#pragma once
+
+#include "comparison/chain.hpp"
+#include "design/filter_specification.hpp"
+#include "design/kernel_design.hpp"
+#include "design/units.hpp"
+#include "diagnostics/message.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::comparison {
+
+/// The setpoint chain of an axis as the lists say it.
+struct Configured {
+  design::CycleTime cycle_time;
+  std::vector<design::FilterSpecification> filters;
+  std::optional<design::KernelSpecification> kernel;
+  bool kernel_on = true;  ///< in the recording, as far as the lists say
+};
+
+/// A departure: its name in JSON and what it means.
+struct Departure {
+  std::string_view id;
+  SentenceRef meaning;
+};
+
+/// A chain and the departures that lead to it; none for what axisc computes.
+struct Reading {
+  std::vector<Departure> departures;
+  Chain chain;
+};
+
+/// The first is what axisc computes; then readings with one departure, then with two. Readings that compute the same
+/// numbers as an earlier one are left out.
+[[nodiscard]] std::vector<Reading> readings(Configured const& configured);
+
+}  // namespace axisc::comparison

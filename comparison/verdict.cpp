@@ -1,0 +1,156 @@
+#include "comparison/verdict.hpp"
+
+#include "comparison/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace axisc::comparison {
+
+namespace {
+
+constexpr std::size_t fewest_cycles = 50;
+/// Cycles of which readings are tried; the listed chain is run over all of them.
+constexpr std::size_t longest_trial = 16384;
+/// What fits has at most this much more than the resolution explains, and at most this many steps of it anywhere.
+constexpr double rms_margin = 1.4;
+constexpr double steps_margin = 3;
+/// A reading that is this much worse than the best one does not fit.
+constexpr double clearly_worse = 1.1;
+/// Of the listed chain and a reading that both fit, the reading is believed where its error is so much smaller.
+constexpr double believed_gain = 1.25;
+constexpr double numeric_noise = 2e-9;
+
+double largest_magnitude(std::vector<double> const& values) {
+  double largest = 0;
+  for (double const value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Of the widest travel: the part of a long recording that the readings are tried on.
+Recording busiest_part(Recording const& whole, std::size_t settling) {
+  std::size_t const length = longest_trial + settling;
+  if (whole.input.size() <= length) return whole;
+  std::vector<double> bends(whole.input.size() + 1, 0.0);
+  for (std::size_t n = 0; n < whole.input.size(); ++n) {
+    double const bend = n < 2 ? 0 : std::abs(whole.input[n] - 2 * whole.input[n - 1] + whole.input[n - 2]);
+    bends[n + 1] = bends[n] + bend;
+  }
+  std::size_t best = 0;
+  for (std::size_t begin = 0; begin + length <= whole.input.size(); begin += longest_trial / 4) {
+    if (bends[begin + length] - bends[begin] > bends[best + length] - bends[best]) best = begin;
+  }
+  auto const part = [&](std::vector<double> const& values) {
+    auto const from = values.begin() + static_cast<std::ptrdiff_t>(best);
+    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(length));
+  };
+  Recording taken{.input = part(whole.input), .output = part(whole.output), .gaps = {}};
+  for (auto const gap : whole.gaps) {
+    if (gap >= best && gap < best + length) taken.gaps.push_back(gap - best);
+  }
+  return taken;
+}
+
+struct Allowance {
+  double rms = 0, step = 0, noise = 0;
+  [[nodiscard]] bool holds(Residual const& residual) const {
+    return residual.rms <= rms_margin * rms + noise && residual.largest <= steps_margin * step + 10 * noise;
+  }
+};
+
+bool has_fewer_departures(Explained const& one, Explained const& other) {
+  return one.reading.departures.size() < other.reading.departures.size();
+}
+
+bool is_same_reading(Reading const& one, Reading const& other) {
+  return std::equal(one.departures.begin(), one.departures.end(), other.departures.begin(),
+                    other.departures.end(),
+                    [](Departure const& a, Departure const& b) { return a.id == b.id; });
+}
+
+std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& all) {
+  std::vector<Explained> found;
+  std::size_t settling = 0;
+  for (auto const& reading : all) settling = std::max(settling, settling_cycles(reading.chain));
+  for (auto const& reading : all) {
+    bool const is_listed = reading.departures.empty();
+    auto const mask = counted_cycles(part, settling);
+    auto const measured = residual_of(respond(reading.chain, part.input), part.output, mask, is_listed);
+    found.push_back({reading, measured});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](Explained const& a, Explained const& b) { return a.residual.rms < b.residual.rms; });
+  return found;
+}
+
+/// Of the readings that fit, those with fewest departures, unless one with more is better than they are; then all of those
+/// that are about as good. What does not belong to them is next. `found` by rising rms.
+void explain(Comparison& comparison, std::vector<Explained> const& found, Allowance const& allowance) {
+  std::vector<Explained> plausible;
+  for (auto const& one : found) {
+    if (one.reading.departures.empty() || !allowance.holds(one.residual)) continue;
+    double const best = plausible.empty() ? one.residual.rms : plausible.front().residual.rms;
+    if (one.residual.rms <= believed_gain * best + allowance.noise) plausible.push_back(one);
+  }
+  if (!plausible.empty()) {
+    double const best = plausible.front().residual.rms;
+    auto const simplest = *std::min_element(plausible.begin(), plausible.end(), has_fewer_departures);
+    auto const limit = clearly_worse * simplest.residual.rms + allowance.noise;
+    if (simplest.residual.rms <= clearly_worse * best + allowance.noise) {
+      std::erase_if(plausible, [&](Explained const& one) {
+        return has_fewer_departures(simplest, one) || one.residual.rms > limit;
+      });
+    }
+  }
+  comparison.fitting = plausible;
+  for (auto const& one : found) {
+    bool const is_named = std::any_of(plausible.begin(), plausible.end(), [&](Explained const& named) {
+      return is_same_reading(named.reading, one.reading);
+    });
+    if (one.reading.departures.empty() || is_named) continue;
+    comparison.next = one;
+    break;
+  }
+}
+
+}  // namespace
+
+Comparison compare(Recording const& recording, Configured const& configured) {
+  Comparison comparison;
+  comparison.lost = recording.gaps.size();
+  comparison.input_resolution = resolution(recording.input, recording.gaps);
+  comparison.output_resolution = resolution(recording.output, recording.gaps);
+  Allowance allowance;
+  allowance.rms = std::hypot(comparison.input_resolution, comparison.output_resolution) / std::sqrt(12.0);
+  allowance.step = std::max(comparison.input_resolution, comparison.output_resolution);
+  allowance.noise = numeric_noise * std::max(largest_magnitude(recording.output), 1e-3);
+  comparison.allowed_rms = allowance.rms;
+
+  auto const all = readings(configured);
+  auto const settling = settling_cycles(all.front().chain);
+  auto const mask = counted_cycles(recording, settling);
+  comparison.compared = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), true));
+  if (comparison.compared < fewest_cycles) return comparison;
+  comparison.listed = residual_of(respond(all.front().chain, recording.input), recording.output, mask, true);
+  bool const is_same = allowance.holds(comparison.listed);
+  if (is_same) {
+    comparison.verdict = comparison.listed.delay_cycles == 0 ? Verdict::same : Verdict::delayed;
+  } else {
+    comparison.verdict = Verdict::different;
+  }
+  std::size_t longest = 0;
+  for (auto const& reading : all) longest = std::max(longest, settling_cycles(reading.chain));
+  explain(comparison, tried(busiest_part(recording, longest), all), allowance);
+  if (!is_same) return comparison;
+  if (!comparison.fitting.empty() &&
+      comparison.fitting.front().residual.rms * believed_gain < comparison.listed.rms) {
+    comparison.verdict = Verdict::different;
+    return comparison;
+  }
+  std::erase_if(comparison.fitting, [&](Explained const& one) {
+    return one.residual.rms > clearly_worse * comparison.listed.rms + allowance.noise;
+  });
+  return comparison;
+}
+
+}  // namespace axisc::comparison

@@ -1,0 +1,123 @@
+// Recordings that tests/comparison/recordings.py stored, computed by another program.
+#include "cli/failure.hpp"
+#include "cli/files/recorded_columns.hpp"
+#include "comparison/verdict.hpp"
+#include "support/catch.hpp"
+
+#include <cstdlib>
+#include <fstream>
+
+namespace axisc::comparison {
+namespace {
+
+constexpr design::CycleTime cycle_time{1'000'000};
+
+Recording stored(std::string const& name) {
+  auto recorded = cli::read_recorded_columns(
+      std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv", {}, cycle_time);
+  CHECK(recorded.input_name == "setpoint");
+  CHECK(recorded.output_name == "filtered");
+  CHECK(recorded.input.size() == 900);
+  return {.input = std::move(recorded.input),
+          .output = std::move(recorded.output),
+          .gaps = std::move(recorded.gaps)};
+}
+
+Configured lowpass(std::uint32_t order, double frequency) {
+  return {.cycle_time = cycle_time,
+          .filters = {{.type = design::FilterType::lowpass,
+                       .prototype = design::Prototype::butterworth,
+                       .order = order,
+                       .frequency = {frequency}}},
+          .kernel = {}};
+}
+
+Configured kernel(design::KernelType type, std::uint32_t order, double share = 100) {
+  return {.cycle_time = cycle_time,
+          .filters = {},
+          .kernel = design::KernelSpecification{
+              .type = type, .order = order, .frequency = {30}, .share_percent = share}};
+}
+
+cli::RecordedColumns read(std::string const& text, cli::WantedColumns const& wanted = {}) {
+  std::string path = (std::filesystem::temp_directory_path() / "axisc-recording-XXXXXX").string();
+  int const file = ::mkstemp(path.data());
+  REQUIRE(file >= 0);
+  std::ofstream(path, std::ios::binary) << text;
+  struct Remove {
+    std::string const& path;
+    ~Remove() { std::filesystem::remove(path); }
+  } const remove{path};
+  return cli::read_recorded_columns(path, wanted, cycle_time);
+}
+
+using design::KernelType;
+
+TEST_CASE("the control's reading of the parameters is named") {
+  struct Row {
+    std::string name;
+    Configured configured;
+  };
+  for (auto const& row : {Row{"no-prewarping", lowpass(3, 60)}, Row{"backward-euler", lowpass(2, 20)},
+                          Row{"forward-euler", lowpass(2, 20)}, Row{"matched-poles", lowpass(4, 50)},
+                          Row{"taps-n-plus-1", kernel(KernelType::moving_average, 41)},
+                          Row{"order-is-half-width", kernel(KernelType::moving_average, 24)},
+                          Row{"gaussian-width-3", kernel(KernelType::gaussian, 40)},
+                          Row{"sinc-blackman", kernel(KernelType::windowed_sinc, 40)},
+                          Row{"share-undelayed", kernel(KernelType::moving_average, 40, 70)}}) {
+    INFO(row.name);
+    auto const comparison = compare(stored(row.name), row.configured);
+    CHECK(comparison.verdict == Verdict::different);
+    REQUIRE(comparison.fitting.size() == 1);
+    REQUIRE(comparison.fitting.front().reading.departures.size() == 1);
+    CHECK(comparison.fitting.front().reading.departures.front().id == row.name);
+    CHECK(comparison.fitting.front().residual.delay_cycles == 1);
+  }
+}
+
+TEST_CASE("a control that computes what axisc does is the same but for the offset of the columns") {
+  auto const comparison = compare(stored("listed"), lowpass(3, 40));
+  CHECK(comparison.verdict == Verdict::delayed);
+  CHECK(comparison.listed.delay_cycles == 1);
+  CHECK(comparison.input_resolution == 1);
+}
+
+TEST_CASE("an axis at rest tells nothing") {
+  Recording const rest{
+      .input = std::vector<double>(500, 7.0), .output = std::vector<double>(500, 7.0), .gaps = {}};
+  CHECK(compare(rest, lowpass(3, 40)).verdict == Verdict::cannot_tell);
+}
+
+TEST_CASE("a reading that is not known is not explained by another one") {
+  auto const comparison = compare(stored("sinc-blackman"), kernel(KernelType::moving_average, 40));
+  CHECK(comparison.verdict == Verdict::different);
+  CHECK(comparison.fitting.empty());
+}
+
+TEST_CASE("columns are read with decimal commas and decimal points") {
+  CHECK(read("a;b\n1,5;2\n2;3,25\n").input == std::vector<double>{1.5, 2});
+  CHECK(read("a,b\n1.5,2\n2,3.25\n").output == std::vector<double>{2, 3.25});
+  CHECK(read("1\t2\r\n3\t4\r\nEOF\r\n").output == std::vector<double>{2, 4});
+  CHECK_THROWS_AS(read("a;b\n1,5;2\n2.5;3\n"), cli::Failure);
+  CHECK_THROWS_AS(read("a;b\n1;2\n2\n"), cli::Failure);
+  CHECK_THROWS_AS(read("a;b\n"), cli::Failure);
+  CHECK_THROWS_AS(read(""), cli::Failure);
+}
+
+TEST_CASE("columns are chosen by name or number") {
+  CHECK(read("a;b;c\n1;2;3\n4;5;6\n", {"c", "1"}).input == std::vector<double>{3, 6});
+  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n", {"a", "d"}), cli::Failure);
+  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n"), cli::Failure);
+}
+
+TEST_CASE("the time shows lost and repeated rows") {
+  auto const recorded = read("time;a;b\n0;0;0\n1;1;2\n1;1;2\n3;3;6\n");
+  CHECK(recorded.input == std::vector<double>{0, 1, 2, 3});
+  CHECK(recorded.output == std::vector<double>{0, 2, 4, 6});
+  CHECK(recorded.gaps == std::vector<std::size_t>{2});
+  CHECK(recorded.repeated == 1);
+  CHECK_THROWS_AS(read("time;a;b\n0;0;0\n0.5;1;2\n"), cli::Failure);
+}
+
+}  // namespace
+}  // namespace axisc::comparison
