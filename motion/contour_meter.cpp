@@ -43,6 +43,23 @@ void consider(Point const& p, Point const& a, Point const& b, std::size_t axes, 
   away = vector;
 }
 
+double distance(Point const& a, Point const& b, std::size_t axes) {
+  double squared = 0;
+  for (std::size_t i = 0; i < axes; ++i) squared += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(squared);
+}
+
+/// The first number from `begin` on for which this holds, as it does for all behind it; `end` where there is none. Most
+/// are next to `begin`, or there is none.
+template <typename Holds>
+std::int64_t first_where(std::int64_t begin, std::int64_t end, Holds holds) {
+  if (begin >= end || holds(begin)) return begin;
+  if (!holds(end - 1)) return end;
+  while (!holds(++begin)) {
+  }
+  return begin;
+}
+
 }  // namespace
 
 void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& position) {
@@ -68,7 +85,7 @@ void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& posi
   passed_.assign(std::bit_ceil(needed), {});
   mask_ = passed_.size() - 1;
   // The rest before the first setpoint is one point of the path.
-  Passed const rest{.nominal = position, .filtered = position, .way = 0, .straight = 0, .direction = {}};
+  Passed const rest{.filtered = position, .way = 0, .nominal = position, .straight = 0, .direction = {}};
   first_ = cycles_;
   passed_[cycles_ & mask_] = rest;
   ++cycles_;
@@ -82,9 +99,9 @@ void ContourMeter::cycle(ContourPoint point, Point const& filtered) {
 
 void ContourMeter::pass(Point const& nominal, Point const& filtered) {
   Passed const& before = at(cycles_ - 1);
-  Passed now{.nominal = nominal,
-             .filtered = filtered,
-             .way = before.way + length(minus(filtered, before.filtered)),
+  Passed now{.filtered = filtered,
+             .way = before.way + distance(filtered, before.filtered, axes_),
+             .nominal = nominal,
              .straight = 0,
              .direction = {}};
   Point const way = minus(nominal, before.nominal);
@@ -130,20 +147,20 @@ void ContourMeter::measure(ContourPoint const& point) {
   // Away from the middle to either side; what lies so far along the path that it cannot be nearer is left out.
   auto const passed = [&](std::int64_t n) -> Passed const& { return at(static_cast<std::uint64_t>(n)); };
   auto const spare = [&](Passed const& from) {
-    return length(minus(from.filtered, point.nominal)) - std::sqrt(squared) - rounding_of_ways;
+    return distance(from.filtered, point.nominal, axes_) - std::sqrt(squared) - rounding_of_ways;
   };
   auto const middle = std::clamp(cycle + middle_, first, last);
   for (auto n = middle; n < last;) {
     auto const& end = passed(n + 1);
     consider(point.nominal, passed(n).filtered, end.filtered, axes_, squared, away);
     double const out_of_reach = end.way + spare(end);
-    for (++n; n < last && passed(n + 1).way < out_of_reach;) ++n;
+    n = first_where(n + 1, last, [&](std::int64_t m) { return passed(m + 1).way >= out_of_reach; });
   }
   for (auto n = middle; n > first;) {
     auto const& end = passed(n - 1);
     consider(point.nominal, end.filtered, passed(n).filtered, axes_, squared, away);
     double const out_of_reach = end.way - spare(end);
-    for (--n; n > first && passed(n - 1).way > out_of_reach;) --n;
+    n = -first_where(1 - n, -first, [&](std::int64_t m) { return passed(-m - 1).way <= out_of_reach; });
   }
   MeasuredPoint measured{.point = point,
                          .filtered = at(point.cycle).filtered,

@@ -67,8 +67,9 @@ class ContourMeter {
 
  private:
   struct Passed {
-    Point nominal{}, filtered{};
-    double way = 0;              ///< along the filtered path
+    Point filtered{};
+    double way = 0;  ///< along the filtered path
+    Point nominal{};
     std::uint64_t straight = 0;  ///< setpoints on one straight line up to this one
     Point direction{};
   };

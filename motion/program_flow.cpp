@@ -96,7 +96,9 @@ bool ProgramInterpreter::keep_for_later() {
   if (tokens_[at].kind == WordKind::program) {
     std::string_view name = text(tokens_[at].span);
     subprogram_ = nullptr;
-    if (!name.starts_with("%L")) return false;
+    // %LENGTHS is a program of that name.
+    bool const is_subprogram = name == "%L" || name.starts_with("%L ") || name.starts_with("%L\t");
+    if (!is_subprogram) return false;
     name.remove_prefix(2);
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     if (loop_depth_ > 0 || name.empty()) {
@@ -105,6 +107,7 @@ bool ProgramInterpreter::keep_for_later() {
     }
     subprogram_ = &subprograms_[std::string(name)];
     subprogram_->clear();
+    subprogram_begin_ = kept_block();
     subprogram_depth_ = 0;
     return true;
   }
@@ -354,7 +357,11 @@ double ProgramInterpreter::evaluate_all(std::size_t at) {
 
 void ProgramInterpreter::refuse_open_blocks() {
   if (ended_) return;
-  if (!loop_.empty()) {
+  if (subprogram_ != nullptr) {
+    // Nothing comes behind it: the program would be empty.
+    with_block(KeptBlock(subprogram_begin_),
+               [this] { refuse(tokens_[first_word()], says::cannot_simulate_open); });
+  } else if (!loop_.empty()) {
     with_block(KeptBlock(loop_.front()),
                [this] { refuse(tokens_[first_word()], says::cannot_simulate_open); });
   } else if (!conditions_.empty()) {

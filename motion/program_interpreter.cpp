@@ -25,6 +25,11 @@ constexpr Sentence cannot_simulate_tool{
 constexpr Sentence cannot_simulate_dwell{
     "G04 needs a time in seconds, up to a day: `G04 X1.5`",
     "G04 braucht eine Zeit in Sekunden, höchstens einen Tag: `G04 X1.5`"};
+constexpr Sentence cannot_simulate_beside_dwell{
+    "`{word}` cannot be simulated here: a dwell (G04) needs a block of its own",
+    "`{word}` ist hier nicht simulierbar: eine Verweilzeit (G04) braucht einen eigenen Satz"};
+constexpr Sentence cannot_simulate_twice{"`{word}`: this block has a value for it already",
+                                         "`{word}`: dieser Satz hat schon einen Wert dafür"};
 constexpr Sentence cannot_simulate_speed{
     "a feed rate per revolution (G95) needs a spindle speed: write S before or in this block",
     "ein Vorschub je Umdrehung (G95) braucht eine Drehzahl: S vor oder in diesem Satz schreiben"};
@@ -203,6 +208,7 @@ void ProgramInterpreter::block() {
   next_.line = tokens_.front().line;
   next_.end = position_;
   moves_ = false;
+  moved_.reset();
   dwells_ = false;
   refused_ = false;
   exact_stop_once_ = false;
@@ -302,7 +308,10 @@ std::size_t ProgramInterpreter::take_assignment(std::size_t at) {
 void ProgramInterpreter::take_value(Token const& token, std::string_view name, double value) {
   char const letter = name.front();
   auto const index = axis(name);
-  if (dwells_ && !dwell_ && (index || letter == 'F')) return take_dwell(token, value);
+  if (dwells_ && (index || letter == 'F')) {
+    if (dwell_) return refuse(token, says::cannot_simulate_beside_dwell);
+    return take_dwell(token, value);
+  }
   if (index) return take_coordinate(token, *index, value);
   double const length = value * units_per_mm * (inch_ ? mm_per_inch : 1);
   switch (letter) {
@@ -313,10 +322,8 @@ void ProgramInterpreter::take_value(Token const& token, std::string_view name, d
     case 'K':
     case 'R':
       if (!(std::abs(length) <= furthest)) return refuse(token, says::cannot_simulate_too_far);
-      if (!moves_) first_coordinate_ = token;
-      moves_ = true;
-      (letter == 'R' ? radius_ : to_center_.at(static_cast<std::size_t>(letter - 'I'))) = length;
-      return;
+      return take_arc_word(
+          token, letter == 'R' ? radius_ : to_center_.at(static_cast<std::size_t>(letter - 'I')), length);
     case 'S':
       speed_ = value;
       break;
@@ -330,6 +337,16 @@ void ProgramInterpreter::take_value(Token const& token, std::string_view name, d
   } else {
     refuse(token);
   }
+}
+
+void ProgramInterpreter::take_arc_word(Token const& token, std::optional<double>& word, double length) {
+  if (word) return refuse(token, says::cannot_simulate_twice);
+  bool const is_first = !radius_ && std::none_of(to_center_.begin(), to_center_.end(),
+                                                 [](auto const& other) { return other.has_value(); });
+  if (is_first) first_arc_word_ = token;
+  if (!moves_) first_coordinate_ = token;
+  moves_ = true;
+  word = length;
 }
 
 void ProgramInterpreter::take_feed(Token const& token, double value) {
@@ -347,12 +364,12 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
   auto const number = whole_number(digits);
   if (!number) return refuse(token);
   if (!is_g) {
-    if (*number == 30 || *number == 2) {
+    bool const returns = *number == 17 || *number == 29;
+    if (*number == 30 || *number == 2 || (returns && calls_ == 0)) {
       move();
       return end();
     }
-    if (*number == 17 || *number == 29) {
-      if (calls_ == 0) return refuse(token);
+    if (returns) {
       move();
       leaves_ = Leaves::subprogram;
       return;
@@ -431,6 +448,8 @@ void ProgramInterpreter::take_coordinate(Token const& token, std::size_t axis, d
   double const unit = units_per_mm * (inch_ && !channel_.rotary[axis] ? mm_per_inch : 1);
   double const target = (incremental_ ? position_[axis] : 0) + value * unit;
   if (!(std::abs(target) <= furthest)) return refuse(token, says::cannot_simulate_too_far);
+  if (moved_.test(axis)) return refuse(token, says::cannot_simulate_twice);
+  moved_.set(axis);
   next_.end[axis] = target;
   if (!moves_) first_coordinate_ = token;
   moves_ = true;
@@ -521,6 +540,7 @@ void ProgramInterpreter::move() {
     return;
   }
   moves_ = false;
+  moved_.reset();
   bool const rapid = motion_ == Motion::rapid;
   if (!rapid && !feed_) {
     refuse(first_coordinate_, says::cannot_simulate_feed);
@@ -535,7 +555,10 @@ void ProgramInterpreter::move() {
   next_.feed =
       rapid ? std::numeric_limits<double>::infinity() : *feed_ * (needs_speed ? *speed_ : 1) * minutes;
   if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
-  if (!make_arc()) return;
+  bool const is_possible = make_arc();
+  to_center_ = {};
+  radius_.reset();
+  if (!is_possible) return;
   position_ = next_.end;
   listener_.motion(next_);
   if (exact_stop_ || exact_stop_once_) listener_.stop(0);
@@ -548,7 +571,7 @@ bool ProgramInterpreter::make_arc() {
   bool const asks = radius_ || std::any_of(to_center_.begin(), to_center_.end(),
                                            [](auto const& x) { return x.has_value(); });
   if (motion_ != Motion::clockwise && motion_ != Motion::counterclockwise) {
-    if (asks) refuse(first_coordinate_, says::cannot_simulate_no_arc);
+    if (asks) refuse(first_arc_word_, says::cannot_simulate_no_arc);
     return !asks;
   }
   auto const axis_of = [this](char letter) {

@@ -15,6 +15,7 @@
 #include "motion/sentences.hpp"
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -149,6 +150,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   /// F, S, I, J, K, R or an axis with its number.
   void take_value(Token const& token, std::string_view name, double value);
   void take_coordinate(Token const& token, std::size_t axis, double value);
+  void take_arc_word(Token const& token, std::optional<double>& word, double length);
   void take_feed(Token const& token, double value);
   void take_dwell(Token const& token, double seconds);
   void take_slope(Token const& token, std::string_view written);
@@ -178,6 +180,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
 
   std::map<std::string, std::vector<KeptBlock>, std::less<>> subprograms_;
   std::vector<KeptBlock>* subprogram_ = nullptr;  ///< that is being read
+  KeptBlock subprogram_begin_;                    ///< its %L
   int subprogram_depth_ = 0;
   std::vector<KeptBlock> loop_;  ///< that is being read
   int loop_depth_ = 0;
@@ -193,6 +196,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   ProgrammedBlock next_;  ///< what the block says so far
   Point position_{};
   bool moves_ = false;
+  std::bitset<most_axes> moved_;  ///< axes that the block names
   enum class Motion : std::uint8_t { rapid, line, clockwise, counterclockwise };
   Motion motion_ = Motion::line;
   bool incremental_ = false;
@@ -206,7 +210,7 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   bool ended_ = false;
   bool dwells_ = false;   ///< numbers of the block are no positions
   bool refused_ = false;  ///< the block
-  Token first_coordinate_;
+  Token first_coordinate_, first_arc_word_;
   std::optional<double> feed_;  ///< units per minute, or per revolution
   bool feed_per_revolution_ = false;
   std::optional<double> speed_;  ///< revolutions per minute

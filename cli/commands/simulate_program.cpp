@@ -106,13 +106,13 @@ std::string problem_text(motion::ProgramProblem problem, std::string const& path
 
 /// Reads the program once without moving anything: reports its mistakes and finds its #FILTER commands.
 bool survey(ProgramLines& program, ProgramRequest const& request, motion::ProgramChannel const& channel,
-            CommandCollector& collector, Invocation const& invocation) {
+            CommandCollector& collector, Language language, ProblemSink const& problems) {
   constexpr std::size_t most_errors = 20;
   std::size_t errors = 0;
-  WriteOptions const write{.language = invocation.language, .color = request.color};
+  WriteOptions const write{.language = language, .color = request.color};
   motion::ProgramInterpreter interpreter(channel, collector, [&](motion::ProgramProblem problem) {
     if (problem.finding.severity == Severity::error && ++errors > most_errors) return;
-    invocation.streams.err.write(problem_text(std::move(problem), request.program_path, write));
+    problems(problem_text(std::move(problem), request.program_path, write));
   });
   program.read([&](std::string_view line, std::uint32_t offset) {
     return interpreter.line(line, offset) && errors <= most_errors;
@@ -138,11 +138,15 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
 
 }  // namespace
 
+ProblemSink to_standard_error(Invocation const& invocation) {
+  return [&err = invocation.streams.err](std::string const& text) { err.write(text); };
+}
+
 bool survey_program(ProgramLines& program, ProgramRequest const& request, machine::Machine& machine,
-                    std::size_t group, Invocation const& invocation) {
+                    std::size_t group, Language language, ProblemSink const& problems) {
   CommandCollector collector;
   auto const channel = channel_of(machine, machine.groups[group]);
-  if (!survey(program, request, channel, collector, invocation)) return false;
+  if (!survey(program, request, channel, collector, language, problems)) return false;
   auto& sets = machine.groups[group].filter_sets;
   for (auto const& parameters : collector.sets) {
     if (std::find(sets.begin(), sets.end(), parameters) == sets.end()) sets.push_back(parameters);
@@ -152,7 +156,7 @@ bool survey_program(ProgramLines& program, ProgramRequest const& request, machin
 
 FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& request,
                                machine::Machine const& machine, std::size_t index,
-                               motion::SimulationListener& listener, Invocation const& invocation) {
+                               motion::SimulationListener& listener, Language language) {
   auto const& group = machine.groups[index];
   auto const channel = channel_of(machine, group);
   auto const image = image_of(machine, request.machine_path);
@@ -160,7 +164,7 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
                                 group_runtime(image, group, request.machine_path), limits_of(machine, group),
                                 request.constant_velocity, listener);
   {
-    Progress progress(request.show_progress, invocation.language);
+    Progress progress(request.show_progress, language);
     motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
     double const seconds = machine.cycle_time.seconds();
     program.read([&](std::string_view line, std::uint32_t offset) {
@@ -181,7 +185,9 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
   auto& machine = checked.machine;
   auto const index = chosen_group(machine, request.group, request.machine_path);
   ProgramLines program(request.program_path);
-  if (!survey_program(program, request, machine, index, invocation)) return ExitStatus::findings;
+  if (!survey_program(program, request, machine, index, invocation.language, to_standard_error(invocation))) {
+    return ExitStatus::findings;
+  }
   SimulatedPath const path{.group = machine.groups[index].name,
                            .axes = channel_of(machine, machine.groups[index]).axes,
                            .cycle_time = machine.cycle_time};
@@ -212,7 +218,7 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
       break;
   }
 
-  auto const followed = follow_program(program, request, machine, index, recorder, invocation);
+  auto const followed = follow_program(program, request, machine, index, recorder, invocation.language);
   for (auto* const writer : recorder.cycles) writer->finish();
   if (recorder.summary) recorder.summary->finish(followed.blocks, followed.cycles);
   if (file) file->commit();

@@ -7,6 +7,7 @@
 #include "motion/simulation.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,10 +26,15 @@ struct ProgramRequest {
   bool color = false;
 };
 
+/// Takes what is wrong with a program, or not followed in it, as `lint` prints findings.
+using ProblemSink = std::function<void(std::string const&)>;
+[[nodiscard]] ProblemSink to_standard_error(Invocation const& invocation);
+
 /// Reads the program once without moving anything and adds what its #FILTER commands need to the group's filter_sets.
-/// False after mistakes, which are printed.
+/// False after mistakes.
 [[nodiscard]] bool survey_program(ProgramLines& program, ProgramRequest const& request,
-                                  machine::Machine& machine, std::size_t group, Invocation const& invocation);
+                                  machine::Machine& machine, std::size_t group, Language language,
+                                  ProblemSink const& problems);
 
 struct FollowedProgram {
   std::uint64_t blocks = 0, cycles = 0;
@@ -37,8 +43,7 @@ struct FollowedProgram {
 /// Follows a program that survey_program() accepted. Failure where the runtime refuses a step or a command.
 [[nodiscard]] FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& request,
                                              machine::Machine const& machine, std::size_t index,
-                                             motion::SimulationListener& listener,
-                                             Invocation const& invocation);
+                                             motion::SimulationListener& listener, Language language);
 
 [[nodiscard]] ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checked,
                                           Invocation const& invocation);

@@ -100,7 +100,7 @@ class TextSummary final : public SummaryWriter {
  public:
   TextSummary(SimulatedPath const& path, Language language, TextSink sink)
       : path_(path), language_(language), sink_(std::move(sink)) {
-    row(say(says::block), say(says::line), headings());
+    row(say(says::block), say(says::line), summary_headings(language_));
   }
 
   void block(motion::BlockSummary const& summary) override {
@@ -112,7 +112,7 @@ class TextSummary final : public SummaryWriter {
 
   void pass(motion::PassSummary const& summary) override {
     std::swap(text_, passes_);
-    if (text_.empty()) row(say(says::pass), say(says::line), headings());
+    if (text_.empty()) row(say(says::pass), say(says::line), summary_headings(language_));
     row(std::to_string(++count_), summary.line == 0 ? "" : std::to_string(summary.line), cells(summary));
     text_.insert(text_.size() - 1,
                  "  " + (summary.command.empty() ? say(says::start) : printable(summary.command)));
@@ -137,15 +137,8 @@ class TextSummary final : public SummaryWriter {
     return render({.sentence = text, .arguments = {}}, language_);
   }
 
-  [[nodiscard]] std::vector<std::string> headings() const {
-    return {say(says::time), say(says::axis_error), say(says::deviation), say(says::lag)};
-  }
-
   [[nodiscard]] std::vector<std::string> cells(PathSummary const& summary) const {
-    return {fmt::format("{:.4f}", summary.cycles * path_.cycle_time.seconds()),
-            fmt::format("{:.4f}", largest_error(summary) / units_per_um),
-            fmt::format("{:.4f}", summary.deviation / units_per_um),
-            fmt::format("{:.3f}", summary.lag / units_per_um)};
+    return summary_cells(summary, path_.cycle_time);
   }
 
   void row(std::string const& name, std::string const& line, std::vector<std::string> const& cells) {
@@ -166,6 +159,22 @@ class TextSummary final : public SummaryWriter {
 };
 
 }  // namespace
+
+std::vector<std::string> summary_headings(Language language) {
+  std::vector<std::string> names;
+  for (SentenceRef const name : {SentenceRef(says::time), SentenceRef(says::axis_error),
+                                 SentenceRef(says::deviation), SentenceRef(says::lag)}) {
+    names.push_back(render({.sentence = name, .arguments = {}}, language));
+  }
+  return names;
+}
+
+std::vector<std::string> summary_cells(PathSummary const& summary, design::CycleTime cycle_time) {
+  return {fmt::format("{:.4f}", summary.cycles * cycle_time.seconds()),
+          fmt::format("{:.4f}", largest_error(summary) / units_per_um),
+          fmt::format("{:.4f}", summary.deviation / units_per_um),
+          fmt::format("{:.3f}", summary.lag / units_per_um)};
+}
 
 CycleWriter::CycleWriter(SimulatedPath const& path, TextSink sink) : path_(path), sink_(std::move(sink)) {
   text_ = "time_s,block,path_velocity_mm_per_min";

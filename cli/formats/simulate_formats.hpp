@@ -36,6 +36,11 @@ class CycleWriter {
   std::uint64_t cycles_ = 0;
 };
 
+/// Names and values of a block's or pass' figures: time, axis error, contour deviation, lag.
+[[nodiscard]] std::vector<std::string> summary_headings(Language language);
+[[nodiscard]] std::vector<std::string> summary_cells(motion::PathSummary const& summary,
+                                                     design::CycleTime cycle_time);
+
 /// Blocks as they end, followed by the passes.
 class SummaryWriter {
  public:

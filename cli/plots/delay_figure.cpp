@@ -57,7 +57,10 @@ AxisDelay delay_of(PlotSubject const& subject, PlottedImage const& image, std::s
     rest -= share;
   }
   if (contents.axes[axis].slot) {
-    delay.shares.push_back({.name = subject.say(says::delay_kernel), .milliseconds = rest});
+    // A kernel that is off leaves what the sum was rounded by.
+    constexpr double nothing_ms = 1e-9;
+    delay.shares.push_back(
+        {.name = subject.say(says::delay_kernel), .milliseconds = std::abs(rest) < nothing_ms ? 0 : rest});
   }
   return delay;
 }

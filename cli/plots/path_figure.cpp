@@ -283,7 +283,9 @@ void PathRecorder::block(motion::BlockSummary const& summary) {
                                  [](Block const& a, Block const& b) { return a.deviation < b.deviation; }));
 }
 
-void PathRecorder::pass(motion::PassSummary const&) {}
+void PathRecorder::pass(motion::PassSummary const& summary) {
+  if (++pass_count_ <= most_passes) passes_.push_back(summary);
+}
 
 std::vector<PathRecorder::Block> PathRecorder::worst_blocks(std::size_t count) const {
   auto blocks = blocks_;

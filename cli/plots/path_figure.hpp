@@ -42,7 +42,12 @@ class PathRecorder final : public motion::SimulationListener {
   /// The blocks that deviate most, the worst first.
   [[nodiscard]] std::vector<Block> worst_blocks(std::size_t count) const;
 
+  /// The first passes, and how many there are.
+  [[nodiscard]] std::vector<motion::PassSummary> const& passes() const { return passes_; }
+  [[nodiscard]] std::size_t pass_count() const { return pass_count_; }
+
   static constexpr std::size_t most_samples = 8192;
+  static constexpr std::size_t most_passes = 200;
 
  private:
   void thin();
@@ -52,6 +57,8 @@ class PathRecorder final : public motion::SimulationListener {
   std::vector<Block> blocks_;
   Block current_;
   std::uint64_t stride_ = 1, seen_ = 0;
+  std::vector<motion::PassSummary> passes_;
+  std::size_t pass_count_ = 0;
 };
 
 /// What the picture is about.

@@ -159,6 +159,18 @@ TEST_CASE("circles keep the tolerance, and come near to it") {
   }
 }
 
+TEST_CASE("G00 is as fast as the axes on its way allow") {
+  // 500 mm/s, 10 m/s²: 100 mm take L/v + v/a = 250 cycles. Along two axes at once both limits are √2 as much, along three
+  // √3, and so the same ways of each axis take the same time.
+  CHECK(run(0, "G00 X100\n").blocks.at(0).cycles == Approx(250));
+  CHECK(run(0, "G00 X100 Y-100\n").blocks.at(0).cycles == Approx(250));
+  CHECK(run(0, "G00 X100 Y100 Z100\n").blocks.at(0).cycles == Approx(250));
+  // 9 mm are too short for 500 mm/s: 2 √(L/a) = 60 cycles. F is that of the next G01: 9 mm at 30 mm/s, 300 + 3 cycles.
+  auto const both = run(0, "F1800 G00 X9\nG60\nG01 X0\n");
+  CHECK(both.blocks.at(0).cycles == Approx(60).margin(1));
+  CHECK(both.blocks.at(1).cycles == Approx(303).margin(1));
+}
+
 TEST_CASE("a dwell lasts as long as it says") {
   // 10 mm at 100 mm/s and 10 m/s²: L/v + v/a = 110 cycles, twice, and 500 between them.
   auto const found = run(0, "G01 X10 F6000\nG04 X0.5\nX20\n");

@@ -64,8 +64,14 @@ TEST_CASE("a subprogram runs wherever it is called") {
         Places{1, 3, 4, 6, 0});
   // Without M17 it ends with the next one.
   CHECK(places("%L A\nX1\n%L B\nLL A\nX2\nM29\n%MAIN\nLL B\nX3\n") == Places{1, 2, 3});
+  // Only %L with a blank begins one.
+  CHECK(places("%L A\nX1\nM17\n%LENGTHS\nLL A\nX2\n") == Places{1, 2});
+  // One that does not end would hide the program behind it.
+  CHECK(follow("%L A\nX1\n").problems == Problems{"1:1 %L A"});
   CHECK(follow("LL NONE\n").problems == Problems{"1:1 LL"});
   CHECK(follow("L OTHER.nc\n").problems == Problems{"1:1 L"});
+  // A file may be a subprogram as a whole.
+  CHECK(places("X1\nM17\nX2\n") == places("X1\nM30\n"));
   CHECK(follow("%L A\nLL A\nM17\n%MAIN\nLL A\n").problems == Problems{"2:1 LL"});
 }
 

@@ -117,7 +117,16 @@ TEST_CASE("what would change the path is refused by its name") {
       "G95 X2 F0.1\n");
   CHECK(found.problems == Lines{"1:1 AX9008 G41", "2:1 AX9008 G54", "3:1 AX9008 G92", "4:1 AX9008 #CS",
                                 "5:1 AX9008 #HSC", "6:1 AX9008 G93", "7:1 AX9008 G04", "8:5 AX9008 X-1",
-                                "9:5 AX9008 X1", "10:5 AX9008 X2"});
+                                "9:13 AX9008 I5", "10:5 AX9008 X2"});
+}
+
+TEST_CASE("a word that could only count by leaving out another one is refused") {
+  CHECK(interpret("G01 F60 X1 X2\n").problems == Lines{"1:12 AX9008 X2"});
+  CHECK(interpret("G01 F60 X1 X=3\n").problems == Lines{"1:12 AX9008 X"});
+  CHECK(interpret("G02 F60 X1 I1 I0.5\n").problems == Lines{"1:15 AX9008 I0.5"});
+  CHECK(interpret("G02 F60 X1 R1 R2\n").problems == Lines{"1:15 AX9008 R2"});
+  CHECK(interpret("G04 X1 X2\n").problems == Lines{"1:8 AX9008 X2"});
+  CHECK(interpret("G01 F60 X1\nX2\nG02 X3 R1\nX4 R1\n").problems.empty());
 }
 
 TEST_CASE("inches and feed rates per revolution as the program asks for them") {

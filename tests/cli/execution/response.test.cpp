@@ -5,7 +5,7 @@
 
 using namespace axisc::test;
 
-TEST_CASE("a frequency response as CSV and JSON") {
+TEST_CASE("a frequency response as CSV and JSON", "[digits]") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
   auto const csv = run_axisc({"response", "m.axim", "--frequencies", "0,40,500"}, there);
@@ -16,7 +16,7 @@ TEST_CASE("a frequency response as CSV and JSON") {
   check_golden("tests/cli/data/golden/response.json", json.out);
 }
 
-TEST_CASE("200 points up to 0.5/T for one axis") {
+TEST_CASE("200 points up to 0.5/T for one axis", "[digits]") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);
   auto const outcome = run_axisc({"response", "m.axim", "--axis", "Y"}, there);

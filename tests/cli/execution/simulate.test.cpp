@@ -128,6 +128,25 @@ TEST_CASE("a part program with subprograms and loops, and one that has everythin
   CHECK(everything["block_count"] == 1 + 3 * 6 + 4 * 3 - 1 + 2 + 1);
 }
 
+TEST_CASE("blocks last as long as their lengths") {
+  auto const there = in_folder(std::string(AXISC_SOURCE_DIR) + "/samples/mill");
+  auto const found = simulate(there, {"machine.json", "--program", "lengths.nc", "--constant-velocity"});
+  constexpr double pi = 3.14159265358979;
+  // The sample says them, in mm; each block is passed at 10 mm/s.
+  std::vector<std::pair<std::string, double>> const lengths = {
+      {"N110", 2 * pi * 5}, {"N120", pi * 10}, {"N130", pi / 2 * 6}, {"N140", std::hypot(2 * pi * 3, 4)},
+      {"N150", 5},          {"N160", 10},      {"N170", 17.8},       {"N190", 10},
+      {"N10", 1},           {"N10", 1},        {"N10", 1},           {"N260", 2}};
+  auto const& blocks = found["blocks"];
+  REQUIRE(blocks.size() == lengths.size() + 1);
+  CHECK(blocks.back()["block"] == "N280");
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    INFO(lengths[i].first);
+    CHECK(blocks[i]["block"] == lengths[i].first);
+    CHECK(blocks[i]["time_s"].get<double>() == Approx(lengths[i].second / 10).margin(1e-4));
+  }
+}
+
 TEST_CASE("what simulate refuses") {
   TemporaryFolder const folder;
   auto const there = two_axes(folder);

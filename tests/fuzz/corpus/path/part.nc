@@ -1,0 +1,31 @@
+%L POCKET
+N10 G01 X10 Y10 F4000
+N20 G01 X90 Y10
+N30 G01 X90 Y60
+N40 G01 X10 Y60
+N50 G01 X10 Y10
+N60 M17
+
+%PART (roughing without a filter, finishing smoothed and within a tolerance)
+N110 G00 G90 X0 Y0 Z20
+N120 M03 S12000
+N130 #SLOPE [TYPE=TRAPEZ]
+
+(roughing)
+N210 #FILTER OFF
+N220 G01 Z-5 F1000
+N230 LL POCKET
+
+(finishing: 40 cycles, no axis further than 5 um from its setpoint)
+N310 #FILTER ON [ORDER=40 AX_DEV=0.005]
+N320 G01 Z-5.2 F1000
+N330 LL POCKET
+
+(the same once more, softer)
+N410 #FILTER ON [ORDER=40 SHARE=80 \
+                 AX_DEV=0.005]
+N420 LL POCKET
+N430 #FILTER OFF
+
+N510 G00 Z20
+N520 M30
