@@ -1,6 +1,7 @@
 #include "diagnostics/ascii.hpp"
 #include "editor/open_list.hpp"
 #include "editor/places.hpp"
+#include "editor/program_help.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
@@ -13,11 +14,17 @@
 
 #include <nlohmann/json.hpp>
 
+namespace axisc::editor::says {
+
+constexpr Sentence usual{"default", "Standard"};
+
+}  // namespace axisc::editor::says
+
 namespace axisc::editor {
 
 namespace {
 
-enum class ItemKind : int { property = 10, module = 9, enumeration_member = 20 };
+enum class ItemKind : int { property = 10, module = 9, enumeration_member = 20, reference = 18 };
 
 std::string_view bare(std::string_view segment) {
   return segment.substr(0, segment.find('['));
@@ -139,7 +146,25 @@ Json value_items(schema::Parameter const& row, Language language, Json const& ra
         });
     if (!is_symbol) add(std::string(value), "", meaning.in(language));
   }
+  if (row.has_default) {
+    add(validator::default_text(row), render({.sentence = says::usual, .arguments = {}}, language), "");
+  }
   return items;
+}
+
+/// `P-AXIS-00212`: the value of another parameter.
+void add_references(Json& items, schema::Catalogue const& catalogue, std::string_view typed,
+                    Json const& range, Language language) {
+  for (auto const& row : catalogue.parameters()) {
+    if (row.p_axis == 0) continue;
+    auto const label = schema::number_text(row.kind, row.p_axis);
+    if (!ascii::equal_ignoring_case(std::string_view(label).substr(0, typed.size()), typed)) continue;
+    items.push_back({{"label", label},
+                     {"kind", static_cast<int>(ItemKind::reference)},
+                     {"detail", row.name},
+                     {"documentation", schema::description_of(row).what.in(language)},
+                     {"textEdit", {{"range", range}, {"newText", label}}}});
+  }
 }
 
 bool continues_segment(char character) {
@@ -152,8 +177,23 @@ bool continues_segment(char character) {
 Json Server::complete(Json const& params) {
   auto const& asked = document(params);
   auto items = Json::array();
-  if (!is_list(asked.path)) return items;
   std::string_view const text = asked.text;
+  if (asked.path.ends_with(".nc")) {
+    auto const at = offset_of(text, position_in(params.at("position")), encoding_);
+    auto const before = text.substr(0, at);
+    auto const line = before.substr(before.find_last_of("\r\n") + 1);
+    auto const word = line.find_last_of(" [=]\t") + 1;
+    auto const first = line.rfind('#') == std::string_view::npos ? word : std::max(word, line.rfind('#'));
+    for (auto& label : command_words(line)) {
+      auto const range = range_json(position_of(text, at - (line.size() - first), encoding_),
+                                    position_of(text, at, encoding_));
+      items.push_back({{"label", label},
+                       {"kind", static_cast<int>(ItemKind::property)},
+                       {"textEdit", {{"range", range}, {"newText", label}}}});
+    }
+    return items;
+  }
+  if (!is_list(asked.path)) return items;
   auto const offset = offset_of(text, position_in(params.at("position")), encoding_);
   auto begin = offset;
   while (begin > 0 && text[begin - 1] != '\n' && text[begin - 1] != '\r') --begin;
@@ -163,12 +203,12 @@ Json Server::complete(Json const& params) {
     return items;
   }
   auto end = offset;
-  while (end < text.size() && continues_segment(text[end])) ++end;
+  bool const is_value = typed.find_first_of(" \t") != std::string_view::npos;
+  while (end < text.size() && (continues_segment(text[end]) || (is_value && text[end] == '-'))) ++end;
   auto const range_from = [&](std::size_t first) {
     return range_json(position_of(text, first, encoding_), position_of(text, end, encoding_));
   };
-  Buffers files(documents_, surroundings_.disk);
-  OpenList const list(files, asked, machine_of(asked), surroundings_.options);
+  auto const& list = list_of(asked);
   auto const blank = typed.find_first_of(" \t");
   if (blank == std::string_view::npos) {
     return NameItems(list, surroundings_.language, typed).items(range_from(begin + typed.rfind('.') + 1));
@@ -178,8 +218,13 @@ Json Server::complete(Json const& params) {
   auto const name = typed.substr(0, blank);
   if (!schema::split_name(name)) return items;
   auto const found = list.find(name);
-  return found.row == nullptr ? items
-                              : value_items(*found.row, surroundings_.language, range_from(begin + value));
+  if (found.row == nullptr) return items;
+  auto const range = range_from(begin + value);
+  items = value_items(*found.row, surroundings_.language, range);
+  auto const prefix = typed.substr(value);
+  // Nobody looks for a number among all of them before he begins to write one.
+  if (prefix.size() >= 2) add_references(items, list.catalogue(), prefix, range, surroundings_.language);
+  return items;
 }
 
 }  // namespace axisc::editor

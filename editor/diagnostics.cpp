@@ -1,8 +1,6 @@
 #include "diagnostics/location.hpp"
 #include "editor/places.hpp"
 #include "editor/server.hpp"
-#include "validator/check.hpp"
-#include "validator/loading/loader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -38,19 +36,6 @@ std::string dump(Json const& message) {
 
 }  // namespace
 
-Checked Server::check(Buffers& files, std::string const& machine) const {
-  Checked checked;
-  checked.findings =
-      validator::check(files, machine, surroundings_.options(machine), checked.sources).findings;
-  // What concerns no file is shown in the machine's.
-  for (auto& finding : checked.findings) {
-    if (!finding.place) {
-      finding.file = finding.file.empty() ? machine : validator::beside(machine, finding.file);
-    }
-  }
-  return checked;
-}
-
 Json Server::diagnostic(Finding const& finding, Places const& places) const {
   auto const say = [this](Message const& message) { return render(message, surroundings_.language); };
   auto message = say(finding.message);
@@ -73,11 +58,11 @@ Json Server::diagnostic(Finding const& finding, Places const& places) const {
   return diagnostic;
 }
 
-Json Server::diagnostics(Checked const& checked, Buffers const& files, Document const& document) const {
-  Places const places(checked.sources, files, encoding_);
+Json Server::diagnostics(MachineReading& reading, Document const& document) const {
+  Places const places(reading.sources(), reading.files(), encoding_);
   Json found = Json::array();
-  for (auto const& finding : checked.findings) {
-    if (files.document(std::string(file_of(finding, checked.sources))) != &document) continue;
+  for (auto const& finding : reading.findings()) {
+    if (reading.files().document(std::string(file_of(finding, reading.sources()))) != &document) continue;
     found.push_back(diagnostic(finding, places));
   }
   return found;
@@ -95,12 +80,11 @@ std::vector<std::string> Server::publish() {
   std::set<std::string> machines;
   auto const changed = std::exchange(changed_, {});
   for (auto const& uri : changed) machines.insert(machine_of(documents_.at(uri)));
-  Buffers files(documents_, surroundings_.disk);
   for (auto const& machine : machines) {
-    auto const checked = check(files, machine);
+    auto& reading = reading_of(machine);
     for (auto const& [uri, document] : documents_) {
       if (machine_of(document) != machine) continue;
-      Json params = {{"uri", uri}, {"diagnostics", diagnostics(checked, files, document)}};
+      Json params = {{"uri", uri}, {"diagnostics", diagnostics(reading, document)}};
       auto const text = dump(params);
       if (std::exchange(published_[uri], text) == text && !changed.contains(uri)) continue;
       if (document.version) params["version"] = *document.version;
@@ -112,8 +96,9 @@ std::vector<std::string> Server::publish() {
 
 Json Server::pull(Json const& params) {
   auto const& asked = document(params);
-  Buffers files(documents_, surroundings_.disk);
-  return {{"kind", "full"}, {"items", diagnostics(check(files, machine_of(asked)), files, asked)}};
+  // Who asks may not watch the files of the disk.
+  readings_.clear();
+  return {{"kind", "full"}, {"items", diagnostics(reading_of(asked), asked)}};
 }
 
 }  // namespace axisc::editor

@@ -63,24 +63,31 @@ Json Server::code_actions(Json const& params) {
   auto const& asked = document(params);
   auto const begin = position_in(params.at("range").at("start"));
   auto const end = position_in(params.at("range").at("end"));
-  Buffers files(documents_, surroundings_.disk);
   auto actions = Json::array();
   if (wants(params, "quickfix")) {
-    auto const checked = check(files, machine_of(asked));
-    Places const places(checked.sources, files, encoding_);
-    for (auto const& finding : checked.findings) {
-      if (!finding.fix || !finding.place) continue;
-      if (files.document(std::string(file_of(finding, checked.sources))) != &asked) continue;
+    auto& reading = reading_of(asked);
+    auto const& files = reading.files();
+    auto const& sources = reading.sources();
+    Places const places(sources, files, encoding_);
+    for (auto const& finding : reading.findings()) {
+      if (!finding.place) continue;
+      if (files.document(std::string(file_of(finding, sources))) != &asked) continue;
       auto const range = places.range(*finding.place);
       if (position_in(range["end"]) < begin || end < position_in(range["start"])) continue;
-      FixBatch batch(checked.sources);
-      if (!batch.add(*finding.fix)) continue;
-      actions.push_back({{"title", render(finding.fix->title, surroundings_.language)},
-                         {"kind", "quickfix"},
-                         {"isPreferred", finding.fix->safety == FixSafety::safe},
-                         {"diagnostics", Json::array({diagnostic(finding, places)})},
-                         {"edit", changes(batch, checked.sources, files, encoding_)}});
+      auto const shown = diagnostic(finding, places);
+      FixBatch batch(sources);
+      if (finding.fix && batch.add(*finding.fix)) {
+        actions.push_back({{"title", render(finding.fix->title, surroundings_.language)},
+                           {"kind", "quickfix"},
+                           {"isPreferred", finding.fix->safety == FixSafety::safe},
+                           {"diagnostics", Json::array({shown})},
+                           {"edit", changes(batch, sources, files, encoding_)}});
+      }
+      add_finding_actions(actions, finding, shown, asked);
     }
+  }
+  if (wants(params, "refactor.rewrite")) {
+    add_value_action(actions, asked, offset_of(asked.text, begin, encoding_));
   }
   if (wants(params, "source.fixAll.axisc")) {
     auto edits = fix_all(asked);
@@ -99,12 +106,12 @@ Json Server::fix_all(Document const& document) {
   auto documents = documents_;
   auto& fixed = documents.at(document.uri);
   for (int round = 0; round < most_rounds; ++round) {
-    Buffers files(documents, surroundings_.disk);
-    auto const checked = check(files, machine);
-    FixBatch batch(checked.sources);
-    for (auto const& finding : checked.findings) {
+    MachineReading reading(documents, surroundings_.disk, machine, surroundings_.options);
+    FixBatch batch(reading.sources());
+    for (auto const& finding : reading.findings()) {
       bool const is_safe = finding.fix && finding.fix->safety == FixSafety::safe;
-      if (is_safe && is_fixed_in(*finding.fix, checked.sources, files, fixed)) batch.add(*finding.fix);
+      bool const is_here = is_safe && is_fixed_in(*finding.fix, reading.sources(), reading.files(), fixed);
+      if (is_here) batch.add(*finding.fix);
     }
     auto const edited = batch.apply();
     if (edited.empty() || edited.front().bytes == fixed.text) break;
@@ -117,9 +124,33 @@ Json Server::format(Json const& params) {
   auto const& unaligned = document(params);
   // The layout of other files is up to their authors.
   if (!is_list(unaligned.path)) return Json::array();
-  auto const aligned = validator::aligned_list(SourceText(unaligned.path, unaligned.text),
-                                               surroundings_.options(unaligned.path).catalogue);
-  return edits_between(unaligned.text, aligned, encoding_);
+  return edits_between(unaligned.text, aligned(unaligned), encoding_);
+}
+
+// Lines keep their number: those of the range come from the whole list as `fmt` aligns it.
+Json Server::format_range(Json const& params) {
+  auto const& unaligned = document(params);
+  if (!is_list(unaligned.path)) return Json::array();
+  auto const whole = aligned(unaligned);
+  TextLines const before(unaligned.text, encoding_);
+  TextLines const after(whole, encoding_);
+  auto const first = position_in(params.at("range").at("start")).line;
+  auto const last = position_in(params.at("range").at("end"));
+  // An end at the beginning of a line leaves that line out.
+  auto const end = std::min(before.count(), last.line + (last.character > 0 || last.line == first ? 1 : 0));
+  auto edits = Json::array();
+  for (auto line = first; line < end && before.count() == after.count(); ++line) {
+    if (before.line(line) == after.line(line)) continue;
+    edits.push_back({{"range", range_json({.line = line, .character = 0},
+                                          {.line = line, .character = before.units_of(before.line(line))})},
+                     {"newText", after.line(line)}});
+  }
+  return edits;
+}
+
+std::string Server::aligned(Document const& document) const {
+  return validator::aligned_list(SourceText(document.path, document.text),
+                                 surroundings_.options(document.path).catalogue);
 }
 
 }  // namespace axisc::editor

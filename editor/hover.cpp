@@ -1,9 +1,10 @@
 #include "configuration/list_kind.hpp"
-#include "diagnostics/ascii.hpp"
 #include "diagnostics/location.hpp"
+#include "editor/filter_figures.hpp"
 #include "editor/open_list.hpp"
 #include "editor/parameter_number.hpp"
 #include "editor/places.hpp"
+#include "editor/program_help.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
@@ -84,7 +85,8 @@ std::string effective_text(OpenList const& list, schema::Slot slot, std::uint32_
     if (!value.row->has_default) return {};
     return "\n" +
            render({.sentence = says::in_effect_default,
-                   .arguments = {{"value", value_text(list, *value.row, value.row->default_text, language)}}},
+                   .arguments = {{"value", value_text(list, *value.row, validator::default_text(*value.row),
+                                                      language)}}},
                   language) +
            "\n";
   }
@@ -120,9 +122,12 @@ Json Server::hover(Json const& params) {
     }
     if (!text.empty()) return answer(std::move(text), number->begin, number->end);
   }
+  if (asked.path.ends_with(".nc")) {
+    auto help = command_help(asked.text, offset, reading_of(asked).machine(), surroundings_.language);
+    return help ? answer(std::move(help->text), help->begin, help->end) : Json();
+  }
   if (!is_list(asked.path)) return nullptr;
-  Buffers files(documents_, surroundings_.disk);
-  OpenList const list(files, asked, machine_of(asked), surroundings_.options);
+  auto const& list = list_of(asked);
   auto const* const line = list.line_at(offset);
   if (line == nullptr) return nullptr;
   auto const is_on = [offset](Span span) { return span.begin <= offset && offset <= span.end; };
@@ -132,6 +137,7 @@ Json Server::hover(Json const& params) {
     auto text = surroundings_.explain(list.catalogue(), *found.row);
     if (found.status == schema::NameLookup::Status::found) {
       text += effective_text(list, found.slot, line->line, surroundings_.language);
+      text += filter_figures(list, list.slice(line->name), markdown_, surroundings_.language);
     }
     return answer(std::move(text), line->name.begin, line->name.end);
   }
@@ -139,7 +145,8 @@ Json Server::hover(Json const& params) {
   auto const value = value_text(list, *found.row, list.text().utf8(line->value), surroundings_.language);
   auto const what = schema::description_of(*found.row).what.in(surroundings_.language);
   return answer("`" + std::string(list.slice(line->name)) + "` " + value + (what.empty() ? "" : "\n\n") +
-                    std::string(what) + "\n",
+                    std::string(what) + "\n" +
+                    filter_figures(list, list.slice(line->name), markdown_, surroundings_.language),
                 line->value.begin, line->value.end);
 }
 

@@ -1,6 +1,7 @@
 #include "configuration/list_search.hpp"
 #include "configuration/machine_file.hpp"
 #include "configuration/start_up_list.hpp"
+#include "diagnostics/ascii.hpp"
 #include "editor/open_list.hpp"
 #include "editor/parameter_number.hpp"
 #include "editor/places.hpp"
@@ -10,7 +11,18 @@
 #include "validator/loading/loader.hpp"
 #include "validator/views/units_text.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include <nlohmann/json.hpp>
+
+namespace axisc::editor::says {
+
+constexpr Sentence names_of_the_control{
+    "names of parameters belong to the control: they cannot be renamed",
+    "Parameternamen gehören zur Steuerung: sie lassen sich nicht umbenennen"};
+
+}  // namespace axisc::editor::says
 
 namespace axisc::editor {
 
@@ -92,12 +104,31 @@ Json Server::define(Json const& params) {
   for (auto const& named : named_files(files, sources, asked)) {
     if (is_on(named.place.span)) return {{"uri", files.uri(named.path)}, {"range", range_json({}, {})}};
   }
+  return is_list(asked.path) ? lines_setting(asked, offset, LinesOf::list) : Json::array();
+}
+
+Json Server::refer(Json const& params) {
+  auto const& asked = document(params);
+  if (!is_list(asked.path)) return Json::array();
+  auto const offset = offset_of(asked.text, position_in(params.at("position")), encoding_);
+  return lines_setting(asked, offset, LinesOf::machine);
+}
+
+// A row of the table holds a member. NOLINTNEXTLINE(readability-make-member-function-const)
+Json Server::rename(Json const& /*params*/) {
+  throw NoPage(render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
+}
+
+Json Server::lines_setting(Document const& asked, std::size_t offset, LinesOf of) {
   auto found = Json::array();
-  if (!is_list(asked.path)) return found;
-  OpenList const list(files, asked, machine_of(asked), surroundings_.options);
-  Places const places(list.sources(), files, encoding_);
+  auto& reading = reading_of(asked);
+  auto const& list = reading.list(asked);
+  auto const is_on = [offset](Span span) { return span.begin <= offset && offset <= span.end; };
+  Places const places(reading.sources(), reading.files(), encoding_);
   auto const add = [&](schema::Slot slot) {
-    for (auto const& place : list.lines_setting(slot)) found.push_back(places.location(place));
+    auto const lines =
+        of == LinesOf::machine ? list.lines_setting_in_machine(slot) : list.lines_setting(slot);
+    for (auto const& place : lines) found.push_back(places.location(place));
   };
   if (auto const number = parameter_number_at(asked.text, offset)) {
     if (number->kind != list.catalogue().kind()) return found;
@@ -122,16 +153,12 @@ Json Server::symbols(Json const& params) {
   if (!is_list(asked.path)) return families;
   SourceText const text(asked.path, asked.text);
   auto const tree = grammar::parse_axis_list(text);
-  SourceSet sources;
-  auto const source = sources.add(SourceText(asked.path, asked.text));
-  Buffers const files(documents_, surroundings_.disk);
-  Places const places(sources, files, encoding_);
+  TextLines const lines(asked.text, encoding_);
   for (auto const& line : tree.assignments) {
     auto name = text.slice(line.name);
     auto const family = schema::take_part(name);
     auto const value = text.utf8(line.value);
-    auto const range =
-        places.range({.source = source, .span = {.begin = line.name.begin, .end = line.value.end}});
+    auto const range = range_json(lines.position(line.name.begin), lines.position(line.value.end));
     Json symbol = {{"name", name.empty() ? family : name},
                    {"detail", value},
                    {"kind", static_cast<int>(SymbolKind::property)},
@@ -160,6 +187,35 @@ Json Server::symbols(Json const& params) {
     detail += said;
   }
   return families;
+}
+
+/// Axes and channels of the machines of open documents.
+Json Server::workspace_symbols(Json const& params) {
+  auto const query = params.value("query", std::string());
+  auto found = Json::array();
+  std::set<std::string> machines;
+  for (auto const& [uri, document] : documents_) machines.insert(machine_of(document));
+  for (auto const& path : machines) {
+    auto const& reading = reading_of(path);
+    if (reading.machine() == nullptr) continue;
+    auto const add = [&](std::string const& name, SymbolKind kind, std::string const& file) {
+      bool const is_wanted =
+          std::search(name.begin(), name.end(), query.begin(), query.end(), [](char a, char b) {
+            return ascii::equal_ignoring_case({&a, 1}, {&b, 1});
+          }) != name.end();
+      if (name.empty() || !is_wanted) return;
+      found.push_back({{"name", name},
+                       {"kind", static_cast<int>(kind)},
+                       {"containerName", std::string(validator::file_name(path))},
+                       {"location", {{"uri", reading.files().uri(file)}, {"range", range_json({}, {})}}}});
+    };
+    auto const& machine = *reading.machine();
+    for (auto const& axis : machine.axes) {
+      add(axis.name, SymbolKind::object, reading.sources()[machine.lists[axis.list].list.source].name());
+    }
+    for (auto const& group : machine.groups) add(group.name, SymbolKind::property, path);
+  }
+  return found;
 }
 
 }  // namespace axisc::editor

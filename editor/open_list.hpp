@@ -2,7 +2,6 @@
 #pragma once
 
 #include "editor/buffers.hpp"
-#include "editor/machine_context.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/loading/loading.hpp"
 
@@ -17,7 +16,11 @@ namespace axisc::editor {
 
 class OpenList {
  public:
-  OpenList(Buffers& files, Document const& document, std::string const& machine, OptionsOf const& options);
+  /// `machine` is null where it cannot be read; `catalogue` is that of its axis lists, `kind` what the settings say of a list
+  /// alone. The machine and its sources outlive the list.
+  OpenList(Document const& document, Buffers const& files, validator::LoadedMachine const* machine,
+           SourceSet const& sources, schema::Catalogue const& catalogue,
+           std::optional<schema::ListKind> kind);
   OpenList(OpenList const&) = delete;
   OpenList& operator=(OpenList const&) = delete;
 
@@ -32,16 +35,20 @@ class OpenList {
   [[nodiscard]] schema::NameLookup find(std::string_view name) const { return catalogue_.find(name); }
   /// The axis that the list makes; none for default lists, lists of other kinds, and where it makes several.
   [[nodiscard]] validator::LoadedAxis const* axis() const { return axis_; }
+  /// Of the machine; 1 ms where it is not known.
+  [[nodiscard]] design::CycleTime cycle_time() const;
   /// The lines of an axis' lists that set a parameter, as the control reads them: default list, axis list.
   [[nodiscard]] std::vector<Place> lines_setting(schema::Slot slot) const;
+  /// From a default list also those of every axis that it serves.
+  [[nodiscard]] std::vector<Place> lines_setting_in_machine(schema::Slot slot) const;
 
  private:
-  void find_in(validator::LoadedMachine const& machine, Buffers const& files, Document const& document);
+  void find_in(Buffers const& files, Document const& document);
 
   SourceText text_;
   grammar::AxisList tree_;
-  SourceSet sources_;
-  std::optional<validator::LoadedMachine> machine_;
+  SourceSet const& sources_;
+  validator::LoadedMachine const* machine_;
   schema::Catalogue catalogue_;
   validator::LoadedAxis const* axis_ = nullptr;
   validator::LoadedList const* list_ = nullptr;

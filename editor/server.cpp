@@ -19,6 +19,7 @@ enum class ErrorCode : int {
   method_not_found = -32601,
   invalid_params = -32602,
   internal_error = -32603,
+  request_failed = -32803,
   not_initialized = -32002,
 };
 
@@ -61,10 +62,20 @@ Server::Method const* Server::find(std::string_view name) {
       Method{"workspace/didChangeConfiguration", &Server::check_all},
       Method{"textDocument/diagnostic", &Server::pull},
       Method{"textDocument/formatting", &Server::format},
+      Method{"textDocument/rangeFormatting", &Server::format_range},
       Method{"textDocument/codeAction", &Server::code_actions},
       Method{"textDocument/hover", &Server::hover},
       Method{"textDocument/completion", &Server::complete},
       Method{"textDocument/definition", &Server::define},
+      Method{"textDocument/references", &Server::refer},
+      Method{"textDocument/rename", &Server::rename},
+      Method{"workspace/symbol", &Server::workspace_symbols},
+      Method{"textDocument/foldingRange", &Server::fold},
+      Method{"textDocument/inlayHint", &Server::hints},
+      Method{"textDocument/semanticTokens/full", &Server::tokens},
+      Method{"textDocument/codeLens", &Server::lenses},
+      Method{"codeLens/resolve", &Server::resolve_lens},
+      Method{"workspace/executeCommand", &Server::execute},
       Method{"textDocument/documentLink", &Server::links},
       Method{"textDocument/documentSymbol", &Server::symbols},
   };
@@ -108,6 +119,10 @@ std::vector<std::string> Server::receive(std::string_view message) {
     return messages;
   } catch (Json::exception const& exception) {
     return refuse(ErrorCode::invalid_params, exception.what());
+  } catch (NoPage const& reason) {
+    return refuse(ErrorCode::request_failed, reason.what());
+  } catch (std::invalid_argument const& reason) {
+    return refuse(ErrorCode::invalid_params, reason.what());
   } catch (std::out_of_range const&) {
     return refuse(ErrorCode::invalid_params, "the document is not open");
   } catch (std::exception const& exception) {
@@ -133,18 +148,34 @@ Json Server::initialize(Json const& params) {
         std::find(params[formats].begin(), params[formats].end(), "markdown") != params[formats].end();
   }
   phase_ = Phase::running;
-  return {{"serverInfo", {{"name", "axisc"}}},
-          {"capabilities",
-           {{"positionEncoding", encoding},
-            {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
-            {"documentFormattingProvider", true},
-            {"hoverProvider", true},
-            {"completionProvider", {{"triggerCharacters", {"."}}}},
-            {"definitionProvider", true},
-            {"documentLinkProvider", {{"resolveProvider", false}}},
-            {"documentSymbolProvider", true},
-            {"codeActionProvider", {{"codeActionKinds", {"quickfix", "source.fixAll.axisc"}}}},
-            {"diagnosticProvider", {{"interFileDependencies", true}, {"workspaceDiagnostics", false}}}}}};
+  Json answer = {
+      {"serverInfo", {{"name", "axisc"}}},
+      {"capabilities",
+       {{"positionEncoding", encoding},
+        {"textDocumentSync", {{"openClose", true}, {"change", 2}, {"save", true}}},
+        {"documentFormattingProvider", true},
+        {"documentRangeFormattingProvider", true},
+        {"hoverProvider", true},
+        {"completionProvider", {{"triggerCharacters", {".", "#", "["}}}},
+        {"definitionProvider", true},
+        {"referencesProvider", true},
+        {"foldingRangeProvider", true},
+        {"inlayHintProvider", true},
+        {"semanticTokensProvider", {{"legend", token_legend()}, {"full", true}}},
+        {"codeLensProvider", {{"resolveProvider", true}}},
+        {"documentLinkProvider", {{"resolveProvider", false}}},
+        {"documentSymbolProvider", true},
+        {"workspaceSymbolProvider", true},
+        {"codeActionProvider",
+         {{"codeActionKinds", {"quickfix", "refactor.rewrite", "source.fixAll.axisc"}}}},
+        {"diagnosticProvider", {{"interFileDependencies", true}, {"workspaceDiagnostics", false}}}}}};
+  Json names = Json::array();
+  for (auto const& command : surroundings_.pages.commands) names.push_back(command.name);
+  answer["capabilities"]["executeCommandProvider"] = {{"commands", std::move(names)}};
+  // Who is told and asks as well shows each finding twice.
+  auto const takes_pushed = Json::json_pointer("/capabilities/textDocument/publishDiagnostics");
+  if (params.is_object() && params.contains(takes_pushed)) answer["capabilities"].erase("diagnosticProvider");
+  return answer;
 }
 
 Json Server::shut_down(Json const& /*params*/) {

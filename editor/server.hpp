@@ -5,11 +5,14 @@
 #include "diagnostics/message.hpp"
 #include "editor/buffers.hpp"
 #include "editor/machine_context.hpp"
+#include "editor/machine_reading.hpp"
+#include "editor/pages.hpp"
 #include "editor/text_positions.hpp"
 #include "validator/options.hpp"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,16 +29,13 @@ struct Surroundings {
   OptionsOf options;
   /// A parameter's page as Markdown, as `explain` prints it.
   std::function<std::string(schema::Catalogue const&, schema::Parameter const&)> explain;
+  Pages pages;
   Language language = Language::english;
 };
 
-enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended };
+enum class LinesOf : std::uint8_t { list, machine };
 
-/// What the check of a machine found.
-struct Checked {
-  SourceSet sources;
-  std::vector<Finding> findings;
-};
+enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended };
 
 /// A message that the client shows to the user.
 [[nodiscard]] std::string error_message(std::string_view sentence);
@@ -70,20 +70,47 @@ class Server {
   Json check_all(Json const& params);
   Json pull(Json const& params);
   Json format(Json const& params);
+  Json format_range(Json const& params);
   Json code_actions(Json const& params);
   Json hover(Json const& params);
   Json complete(Json const& params);
   Json define(Json const& params);
+  Json refer(Json const& params);
+  Json rename(Json const& params);
   Json links(Json const& params);
   Json symbols(Json const& params);
+  Json workspace_symbols(Json const& params);
+  Json fold(Json const& params);
+  Json hints(Json const& params);
+  Json tokens(Json const& params);
+  Json lenses(Json const& params);
+  Json resolve_lens(Json const& params);
+  Json execute(Json const& params);
+
+  [[nodiscard]] static Json token_legend();
+  /// The name of the axis that an open list makes.
+  [[nodiscard]] std::optional<std::string> axis_of(Document const& document);
+  /// The lines that set what stands at a position; of the whole machine, or those that decide it for the list.
+  [[nodiscard]] Json lines_setting(Document const& asked, std::size_t offset, LinesOf of);
 
   /// The document that a request names; std::out_of_range where it is not open.
   [[nodiscard]] Document& document(Json const& params);
   [[nodiscard]] std::string const& machine_of(Document const& document);
-  [[nodiscard]] Checked check(Buffers& files, std::string const& machine) const;
-  [[nodiscard]] Json diagnostics(Checked const& checked, Buffers const& files,
-                                 Document const& document) const;
+  [[nodiscard]] MachineReading& reading_of(std::string const& machine);
+  [[nodiscard]] MachineReading& reading_of(Document const& document) {
+    return reading_of(machine_of(document));
+  }
+  [[nodiscard]] OpenList const& list_of(Document const& document) {
+    return reading_of(document).list(document);
+  }
+  [[nodiscard]] Json diagnostics(MachineReading& reading, Document const& document) const;
   [[nodiscard]] Json diagnostic(Finding const& finding, Places const& places) const;
+  /// Allowing a finding on its line, and its page.
+  void add_finding_actions(Json& actions, Finding const& finding, Json const& shown,
+                           Document const& document);
+  void add_value_action(Json& actions, Document const& document, std::size_t offset);
+  /// As `fmt` writes it.
+  [[nodiscard]] std::string aligned(Document const& document) const;
   /// Edits of the document.
   [[nodiscard]] Json fix_all(Document const& document);
 
@@ -94,7 +121,9 @@ class Server {
   bool markdown_ = true;  ///< the client shows Markdown in hovers
   Documents documents_;
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
-  std::set<std::string> changed_;                ///< URIs of open documents whose machines are to be checked
+  /// By the machine's input; emptied with every change.
+  std::map<std::string, std::unique_ptr<MachineReading>> readings_;
+  std::set<std::string> changed_;  ///< URIs of open documents whose machines are to be checked
   std::set<std::string> closed_;
   std::map<std::string, std::string> published_;  ///< the last diagnostics, by URI
 };

@@ -39,6 +39,7 @@ Json Server::open(Json const& params) {
             .version = version_of(item)};
   closed_.erase(uri);
   machines_.erase(uri);
+  readings_.clear();
   // A new file may be one that a machine misses.
   if (may_be_machine(opened) || !surroundings_.disk.is_file(opened.path)) return check_all(params);
   changed_.insert(uri);
@@ -59,6 +60,7 @@ Json Server::change(Json const& params) {
     text.replace(begin, std::max(begin, end) - begin, inserted);
   }
   bool const was_machine = may_be_machine(changed);
+  readings_.clear();
   changed.text = std::move(text);
   changed.version = version_of(params.at("textDocument"));
   if (was_machine || may_be_machine(changed)) return check_all(params);
@@ -68,6 +70,7 @@ Json Server::change(Json const& params) {
 
 Json Server::close(Json const& params) {
   auto const uri = params.at("textDocument").at("uri").get<std::string>();
+  readings_.clear();
   if (documents_.erase(uri) == 0) return nullptr;
   closed_.insert(uri);
   published_.erase(uri);
@@ -77,6 +80,7 @@ Json Server::close(Json const& params) {
 
 Json Server::check_all(Json const& /*params*/) {
   machines_.clear();
+  readings_.clear();
   changed_.clear();
   for (auto const& [uri, document] : documents_) changed_.insert(uri);
   return nullptr;
@@ -87,6 +91,14 @@ std::string const& Server::machine_of(Document const& document) {
   if (known != machines_.end()) return known->second;
   Buffers files(documents_, surroundings_.disk);
   return machines_[document.uri] = editor::machine_of(files, document.path, surroundings_.options);
+}
+
+MachineReading& Server::reading_of(std::string const& machine) {
+  auto& known = readings_[machine];
+  if (!known) {
+    known = std::make_unique<MachineReading>(documents_, surroundings_.disk, machine, surroundings_.options);
+  }
+  return *known;
 }
 
 }  // namespace axisc::editor

@@ -62,4 +62,23 @@ std::size_t units(std::string_view line, std::size_t characters, PositionEncodin
   return sum;
 }
 
+TextLines::TextLines(std::string_view text, PositionEncoding encoding) : text_(text), encoding_(encoding) {
+  begins_.push_back(0);
+  for (auto end = text.find_first_of("\r\n"); end != std::string_view::npos;
+       end = text.find_first_of("\r\n", begins_.back())) {
+    begins_.push_back(end + (text.substr(end, 2) == "\r\n" ? 2 : 1));
+  }
+}
+
+std::string_view TextLines::line(std::size_t line) const {
+  auto const rest = text_.substr(begins_[line]);
+  return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+TextPosition TextLines::position(std::size_t offset) const {
+  auto const after = std::upper_bound(begins_.begin(), begins_.end(), offset);
+  auto const line = static_cast<std::size_t>(after - begins_.begin()) - 1;
+  return {.line = line, .character = units_of(text_.substr(begins_[line], offset - begins_[line]))};
+}
+
 }  // namespace axisc::editor

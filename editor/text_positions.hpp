@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 namespace axisc::editor {
 
@@ -29,5 +30,27 @@ struct TextPosition {
 
 /// Units of the first `characters` characters of a line.
 [[nodiscard]] std::size_t units(std::string_view line, std::size_t characters, PositionEncoding encoding);
+
+/// Where each line of a text begins: for many positions in it.
+class TextLines {
+ public:
+  /// The text outlives the lines.
+  TextLines(std::string_view text, PositionEncoding encoding);
+
+  [[nodiscard]] std::size_t count() const { return begins_.size(); }
+  /// Without its end.
+  [[nodiscard]] std::string_view line(std::size_t line) const;
+  [[nodiscard]] std::size_t begin(std::size_t line) const { return begins_[line]; }
+  [[nodiscard]] TextPosition position(std::size_t offset) const;
+  /// Units of a piece of a line.
+  [[nodiscard]] std::size_t units_of(std::string_view piece) const {
+    return units(piece, piece.size(), encoding_);
+  }
+
+ private:
+  std::string_view text_;
+  PositionEncoding encoding_;
+  std::vector<std::size_t> begins_;
+};
 
 }  // namespace axisc::editor

@@ -1,6 +1,6 @@
 #include "editor/uri.hpp"
 
-#include "diagnostics/ascii.hpp"
+#include "diagnostics/repository_path.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -13,8 +13,8 @@ constexpr std::string_view scheme = "file://";
 constexpr int hexadecimal = 16;
 
 /// "c:/lists".
-bool begins_with_drive(std::string_view path) {
-  return path.size() > 2 && ascii::is_letter(path[0]) && path[1] == ':' && path[2] == '/';
+bool begins_at_drive(std::string_view path) {
+  return begins_with_drive(path) && path.substr(2, 1) == "/";
 }
 
 }  // namespace
@@ -32,14 +32,14 @@ std::string path_of(std::string_view uri) {
     path += is_escape ? static_cast<char>(byte) : rest.front();
     rest.remove_prefix(is_escape ? 3 : 1);
   }
-  if (path.starts_with('/') && begins_with_drive(std::string_view(path).substr(1))) path.erase(0, 1);
+  if (path.starts_with('/') && begins_at_drive(std::string_view(path).substr(1))) path.erase(0, 1);
   return path;
 }
 
 std::string uri_of(std::string_view path) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string uri(scheme);
-  if (begins_with_drive(path)) uri += '/';
+  if (begins_at_drive(path)) uri += '/';
   for (char const character : path) {
     auto const byte = static_cast<unsigned char>(character);
     bool const is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||

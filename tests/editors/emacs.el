@@ -87,7 +87,7 @@
 (eglot--signal-textDocument/didChange)
 (test-wait (lambda () (flymake-start) (memq (line-number-at-pos) (test-shown))) "the mistake is shown")
 (cl-letf (((symbol-function 'completing-read) (lambda (_prompt choices &rest _) (caar choices)))
-          ((symbol-function 'x-popup-menu) (lambda (&rest _) nil)))
+          ((symbol-function 'x-popup-menu) (lambda (_event menu) (cdr (cadr (cadr menu))))))
   (eglot-code-actions (line-beginning-position) (line-end-position) "quickfix" t))
 (test-wait (lambda () (save-excursion (beginning-of-line) (search-forward "42.5" (line-end-position) t)))
            "the fix is applied")

@@ -11,10 +11,11 @@ std::string const hello = framed(R"({"jsonrpc":"2.0","id":1,"method":"initialize
 std::string const farewell = framed(R"({"jsonrpc":"2.0","id":99,"method":"shutdown"})") +
                              framed(R"({"jsonrpc":"2.0","method":"exit"})");
 
-Outcome answer(std::string input) {
+Outcome answer(std::string input, std::vector<std::string> options = {}) {
   Surroundings surroundings;
   surroundings.input = std::move(input);
-  return run_axisc({"lsp"}, surroundings);
+  options.insert(options.begin(), "lsp");
+  return run_axisc(options, surroundings);
 }
 
 Json only_answer(std::string const& message) {
@@ -145,4 +146,33 @@ TEST_CASE("a carriage return alone ends a line of the protocol") {
     }
   }
   CHECK(seen == 2);
+}
+
+TEST_CASE("the language server knows the control that its options describe") {
+  auto const path = source_path("samples/manual/axis-pt1.lis");
+  auto const opened = framed(Json{
+      {"jsonrpc", "2.0"},
+      {"method", "textDocument/didOpen"},
+      {"params",
+       {{"textDocument",
+         {{"uri", "file://" + path}, {"languageId", "axis-list"}, {"version", 1}, {"text", text_of(path)}}}}}}
+                                 .dump());
+  auto const codes = [&](std::vector<std::string> const& options) {
+    auto const outcome = answer(hello + opened + farewell, options);
+    CHECK(outcome.status == 0);
+    std::vector<std::string> found;
+    for (auto const& message : unframed(outcome.out)) {
+      if (message.value("method", "") != "textDocument/publishDiagnostics") continue;
+      for (auto const& finding : message["params"]["diagnostics"]) found.push_back(finding["code"]);
+    }
+    return found;
+  };
+  using Codes = std::vector<std::string>;
+  // A time constant below the cycle time.
+  CHECK(codes({}) == Codes{"AX9006"});
+  CHECK(codes({"--cycle-time", "1ms"}).empty());
+  CHECK(codes({"--cycle-time", "100ms"}) == Codes{"AX3004"});
+  auto const outcome = answer(hello + farewell, {"--cycle-time", "soon"});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
 }

@@ -1,0 +1,45 @@
+// A machine as the open documents and the disk have it at one moment: read once, checked once, however many requests ask.
+#pragma once
+
+#include "diagnostics/finding.hpp"
+#include "editor/buffers.hpp"
+#include "editor/machine_context.hpp"
+#include "editor/open_list.hpp"
+#include "validator/loading/loading.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axisc::editor {
+
+class MachineReading {
+ public:
+  /// `path` is the machine's input (machine_of). All arguments outlive the reading; no document changes meanwhile.
+  MachineReading(Documents const& documents, configuration::Files& disk, std::string path,
+                 OptionsOf const& options);
+  MachineReading(MachineReading const&) = delete;
+  MachineReading& operator=(MachineReading const&) = delete;
+
+  [[nodiscard]] Buffers const& files() const { return files_; }
+  [[nodiscard]] SourceSet const& sources() const { return sources_; }
+  /// Null where the input cannot be read.
+  [[nodiscard]] validator::LoadedMachine const* machine() const { return machine_ ? &*machine_ : nullptr; }
+  /// In output order. What concerns no file is in the machine's.
+  [[nodiscard]] std::vector<Finding> const& findings();
+  [[nodiscard]] OpenList const& list(Document const& document);
+
+ private:
+  Buffers files_;
+  std::string path_;
+  OptionsOf const& options_;
+  SourceSet sources_;
+  schema::Catalogue catalogue_;  ///< of axis lists
+  std::optional<validator::LoadedMachine> machine_;
+  std::optional<std::vector<Finding>> findings_;
+  std::map<Document const*, std::unique_ptr<OpenList const>> lists_;
+};
+
+}  // namespace axisc::editor

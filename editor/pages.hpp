@@ -1,0 +1,44 @@
+// What the program shows of a machine besides findings: pages for a preview, and a line above each cascade of filters.
+#pragma once
+
+#include "configuration/files.hpp"
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace axisc::editor {
+
+struct Page {
+  std::string title;
+  std::string html;  ///< a whole document
+};
+
+/// What a page is about.
+struct PageSubject {
+  configuration::Files& files;      ///< unsaved documents count
+  std::string machine;              ///< the input
+  std::optional<std::string> axis;  ///< of the document
+  std::vector<std::string> words;   ///< that the client adds
+};
+
+/// Why there is no page, in the user's language.
+class NoPage : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Command {
+  std::string name;  ///< `axisc.report`
+  std::function<Page(PageSubject const&)> page;
+};
+
+struct Pages {
+  std::vector<Command> commands;
+  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named; empty after errors.
+  std::function<std::string(PageSubject const&)> cascade;
+};
+
+}  // namespace axisc::editor

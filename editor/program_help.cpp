@@ -1,0 +1,148 @@
+#include "editor/program_help.hpp"
+
+#include "design/kernel_design.hpp"
+#include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
+#include "grammar/nc_program.hpp"
+#include "validator/commands/command_check.hpp"
+#include "validator/commands/command_keywords.hpp"
+#include "validator/views/axis_delay.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace axisc::editor::says {
+
+constexpr Sentence axis_lists{"the axis lists' values", "die Werte der Achslisten"};
+constexpr Sentence in_force{"In force from here: {parameters}.", "Ab hier gilt: {parameters}."};
+constexpr Sentence switched_off{"FIR and HSC filters are off from here.",
+                                "Ab hier sind FIR- und HSC-Filter aus."};
+constexpr Sentence hsc{"Acts on the HSC filters alone.", "Wirkt nur auf die HSC-Filter."};
+constexpr Sentence kernel_moving_average{"moving average", "gleitender Mittelwert"};
+constexpr Sentence kernel_gaussian{"Gaussian", "Gauß"};
+constexpr Sentence kernel_sinc{"windowed sinc", "gefensterter Sinc"};
+constexpr Sentence kernel_delay{"time delay", "Totzeit"};
+constexpr Sentence kernel_novib{"NoVib", "NoVib"};
+constexpr Sentence axis_kernel{"- {axis}: {kernel} of order {order}, delay {delay} ms",
+                               "- {axis}: {kernel} der Ordnung {order}, Verzögerung {delay} ms"};
+constexpr Sentence axis_without{"- {axis}: no FIR filter", "- {axis}: kein FIR-Filter"};
+
+}  // namespace axisc::editor::says
+
+namespace axisc::editor {
+
+namespace {
+
+constexpr int shown_digits = 3;
+
+std::string say(SentenceRef sentence, std::vector<Argument> arguments, Language language) {
+  return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
+}
+
+SentenceRef name_of(design::KernelType type) {
+  switch (type) {
+    case design::KernelType::moving_average:
+      return says::kernel_moving_average;
+    case design::KernelType::gaussian:
+      return says::kernel_gaussian;
+    case design::KernelType::windowed_sinc:
+      return says::kernel_sinc;
+    case design::KernelType::time_delay:
+      return says::kernel_delay;
+    case design::KernelType::novib:
+      break;
+  }
+  return says::kernel_novib;
+}
+
+std::string line_of_axis(validator::LoadedAxis const& axis, design::CycleTime cycle_time,
+                         machine::FilterParameters const& given, Language language) {
+  auto const delay = validator::axis_delay(axis.merged.values, cycle_time);
+  bool const has_kernel = delay && delay->kernel && delay->kernel->family == machine::KernelFamily::fir;
+  if (!has_kernel) return say(says::axis_without, {{"axis", axis.name}}, language);
+  auto specification = delay->kernel->specification;
+  if (given.order) specification.order = *given.order;
+  if (given.share_percent) specification.share_percent = *given.share_percent;
+  if (given.frequency) specification.frequency = *given.frequency;
+  if (given.quality) specification.quality = *given.quality;
+  bool const is_off = specification.order == 0 || (specification.type == design::KernelType::time_delay &&
+                                                   specification.order > design::longest_kernel_delay);
+  if (is_off) return say(says::axis_without, {{"axis", axis.name}}, language);
+  auto const design = design::design_kernel(specification, cycle_time);
+  return say(
+      says::axis_kernel,
+      {{"axis", axis.name},
+       {"kernel", say(name_of(specification.type), {}, language)},
+       {"order", std::to_string(specification.order)},
+       {"delay", format_rounded(design.group_delay_cycles * cycle_time.microseconds() / 1000, shown_digits)}},
+      language);
+}
+
+/// Where the command ends: its name, or its last keyword.
+std::uint32_t end_of(grammar::NcCommand const& command, std::string_view text) {
+  auto const line_end = std::min(text.find_first_of("\r\n", command.name.begin), text.size());
+  auto const bracket = text.find(']', command.name.begin);
+  return static_cast<std::uint32_t>(
+      std::min(line_end, bracket == std::string_view::npos ? line_end : bracket + 1));
+}
+
+}  // namespace
+
+std::optional<CommandHelp> command_help(std::string_view text, std::size_t offset,
+                                        validator::LoadedMachine const* machine, Language language) {
+  auto const program = grammar::parse_nc_program(text, 0);
+  validator::CommandLimits limits;
+  if (machine != nullptr && machine->cycle_time) limits.cycle_time = *machine->cycle_time;
+  machine::FilterParameters in_force;
+  for (auto const& command : program.commands) {
+    if (command.name.begin > offset) break;
+    auto const checked = validator::check_command(command, text, limits, validator::Variables::accepted);
+    auto const end = end_of(command, text);
+    bool const is_here = offset <= end;
+    if (!checked.command) {
+      if (is_here) return std::nullopt;
+      continue;
+    }
+    in_force = machine::parameters_after(in_force, *checked.command);
+    if (!is_here) continue;
+    CommandHelp help{.text = {}, .begin = command.name.begin, .end = end};
+    if (checked.command->filter_switch == machine::FilterSwitch::off) {
+      help.text = say(says::switched_off, {}, language) + "\n";
+    } else if (checked.command->hsc) {
+      help.text = say(says::hsc, {}, language) + "\n";
+    } else {
+      auto const parameters = in_force.empty() ? say(says::axis_lists, {}, language) : to_text(in_force);
+      help.text = say(says::in_force, {{"parameters", parameters}}, language) + "\n";
+      if (machine != nullptr && !machine->axes.empty()) help.text += "\n";
+      for (std::size_t i = 0; machine != nullptr && i < machine->axes.size(); ++i) {
+        help.text += line_of_axis(machine->axes[i], limits.cycle_time, in_force, language) + "\n";
+      }
+    }
+    return help;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> command_words(std::string_view typed) {
+  std::vector<std::string> words;
+  auto const hash = typed.rfind('#');
+  if (hash == std::string_view::npos) return words;
+  auto const command = typed.substr(hash);
+  constexpr std::array names = {std::string_view("#FILTER"), std::string_view("#VIB GUARD")};
+  for (auto const name : names) {
+    if (!ascii::equal_ignoring_case(command.substr(0, name.size()), name)) {
+      if (ascii::equal_ignoring_case(name.substr(0, command.size()), command)) words.emplace_back(name);
+      continue;
+    }
+    auto const kind = name == names[0] ? grammar::CommandKind::filter : grammar::CommandKind::vibration_guard;
+    auto const rest = command.substr(name.size());
+    if (rest.find('[') == std::string_view::npos) return {"ON", "OFF", "["};
+    if (rest.find(']') != std::string_view::npos) return {};
+    for (auto const keyword : validator::keywords_of(kind)) words.push_back(std::string(keyword) + "=");
+    if (kind == grammar::CommandKind::filter) words.emplace_back("HSC");
+    return words;
+  }
+  return words;
+}
+
+}  // namespace axisc::editor

@@ -1,0 +1,124 @@
+#include "editor/open_list.hpp"
+#include "editor/server.hpp"
+
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::editor {
+
+namespace {
+
+using Json = nlohmann::json;
+
+enum class TokenType : std::uint8_t { property, number, enumeration_member, variable, string, comment };
+constexpr std::array type_names = {"property", "number", "enumMember", "variable", "string", "comment"};
+/// The control reads past it, or knows no such name.
+constexpr unsigned ignored = 1;
+constexpr std::array modifier_names = {"deprecated"};
+
+/// Tokens in the order of the text, each relative to the one before, as the protocol wants them.
+class Tokens {
+ public:
+  explicit Tokens(TextLines const& lines) : lines_(lines) {}
+
+  void add(std::size_t offset, std::string_view text, TokenType type, unsigned modifiers = 0) {
+    if (text.empty()) return;
+    auto const at = lines_.position(offset);
+    data_.push_back(at.line - last_.line);
+    data_.push_back(at.character - (at.line == last_.line ? last_.character : 0));
+    data_.push_back(lines_.units_of(text));
+    data_.push_back(static_cast<unsigned>(type));
+    data_.push_back(modifiers);
+    last_ = at;
+  }
+  [[nodiscard]] Json take() { return {{"data", std::move(data_)}}; }
+
+ private:
+  TextLines const& lines_;
+  TextPosition last_;
+  Json data_ = Json::array();
+};
+
+bool begins_comment(std::string_view text) {
+  return text.starts_with('#') || text.starts_with('(') || text.starts_with(';') || text.starts_with("/*");
+}
+
+TokenType type_of(grammar::Assignment const& line, schema::Parameter const* parameter) {
+  using grammar::ValueKind;
+  switch (line.kind) {
+    case ValueKind::integer:
+    case ValueKind::hexadecimal:
+    case ValueKind::real:
+    case ValueKind::decimal_comma:
+    case ValueKind::malformed_number:
+      return parameter != nullptr && !parameter->symbols.empty() ? TokenType::enumeration_member
+                                                                 : TokenType::number;
+    case ValueKind::reference:
+      return TokenType::variable;
+    case ValueKind::word:
+      return parameter != nullptr && parameter->type == schema::DataType::string && parameter->symbols.empty()
+                 ? TokenType::string
+                 : TokenType::enumeration_member;
+    case ValueKind::quoted:
+    case ValueKind::other:
+      break;
+  }
+  return TokenType::string;
+}
+
+/// Segments, and between brackets the indices.
+void add_name(Tokens& tokens, std::size_t offset, std::string_view name, unsigned modifiers) {
+  std::size_t begin = 0;
+  bool is_index = false;
+  for (std::size_t at = 0; at <= name.size(); ++at) {
+    bool const ends = at == name.size() || name[at] == '[' || name[at] == ']' || name[at] == '.';
+    if (!ends) continue;
+    tokens.add(offset + begin, name.substr(begin, at - begin),
+               is_index ? TokenType::number : TokenType::property, modifiers);
+    is_index = at < name.size() && name[at] == '[';
+    begin = at + 1;
+  }
+}
+
+/// A line without assignment.
+void add_rest(Tokens& tokens, std::size_t offset, std::string_view line) {
+  auto const begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return;
+  auto const text = line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
+  tokens.add(offset + begin, text, TokenType::comment, begins_comment(text) ? 0 : ignored);
+}
+
+}  // namespace
+
+Json Server::token_legend() {
+  return {{"tokenTypes", type_names}, {"tokenModifiers", modifier_names}};
+}
+
+Json Server::tokens(Json const& params) {
+  auto const& asked = document(params);
+  if (!is_list(asked.path)) return {{"data", Json::array()}};
+  auto const& list = list_of(asked);
+  TextLines const lines(asked.text, encoding_);
+  Tokens tokens(lines);
+  auto next = list.tree().assignments.begin();
+  auto const end = list.tree().assignments.end();
+  for (std::size_t i = 0; i < lines.count(); ++i) {
+    auto const line = lines.line(i);
+    auto const behind = lines.begin(i) + line.size();
+    if (next == end || next->name.begin >= behind || next->name.begin < lines.begin(i)) {
+      add_rest(tokens, lines.begin(i), line);
+      continue;
+    }
+    auto const name = list.slice(next->name);
+    auto const found = list.find(name);
+    add_name(tokens, next->name.begin, name, found.row == nullptr ? ignored : 0);
+    tokens.add(next->value.begin, list.slice(next->value), type_of(*next, found.row));
+    auto const trailer = list.slice(next->trailer);
+    tokens.add(next->trailer.begin, trailer, TokenType::comment, begins_comment(trailer) ? 0 : ignored);
+    ++next;
+  }
+  return tokens.take();
+}
+
+}  // namespace axisc::editor
