@@ -1,4 +1,8 @@
 # Everything comes from packages; setup.sh names the Debian ones, vcpkg.json the same for other systems.
+if(AXISC_COMPILE_LIBRARIES)
+  include(AxiscSources)
+  return()
+endif()
 find_package(Boost 1.81 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(fmt 9 REQUIRED)

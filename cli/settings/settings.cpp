@@ -11,10 +11,11 @@
 #include "cli/settings/schema_file.hpp"
 #include "cli/settings/sentences.hpp"
 #include "configuration/json_reading.hpp"
+#include "system/file.hpp"
+#include "system/path.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -141,9 +142,9 @@ namespace {
 void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings& settings) {
   for (auto const item : list.items) {
     auto const& name = file[item].string;
-    auto const path = (fs::path(file.path()).parent_path() / name).lexically_normal().string();
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {
+    auto const path = system::name_of(
+        (system::path_of(file.path()).parent_path() / system::path_of(name)).lexically_normal());
+    if (system::kind_of(path) != system::FileKind::regular) {
       file.refuse(file[item].span, says::schema_missing, {{"file", name}});
     }
     settings.schema_files.push_back(path);
@@ -154,9 +155,9 @@ void read_schema_files(LocatedFile const& file, JsonValue const& list, Settings&
 /// The path relative to `folder`, with slashes; the whole path if it is elsewhere.
 std::string relative_to(std::string const& folder, std::string const& path) {
   std::error_code error;
-  auto const absolute = fs::weakly_canonical(fs::absolute(path, error), error);
-  auto const relative = absolute.lexically_relative(folder);
-  return relative.empty() ? absolute.generic_string() : relative.generic_string();
+  auto const absolute = fs::weakly_canonical(fs::absolute(system::path_of(path), error), error);
+  auto const relative = absolute.lexically_relative(system::path_of(folder));
+  return system::name_of(relative.empty() ? absolute : relative);
 }
 
 /// relative_to() of one folder; many patterns ask for the same file, and its links need not be resolved each time.
@@ -192,10 +193,9 @@ void require_unchanged(std::vector<std::string> const& paths, Digest const& befo
 
 /// The path with all links resolved; if it does not exist, as far as it does.
 fs::path canonical_folder(std::string const& folder) {
-  std::unique_ptr<char, decltype(&std::free)> const found(::realpath(folder.c_str(), nullptr), std::free);
-  if (found) return found.get();
+  if (auto const found = system::real_name(folder)) return system::path_of(*found);
   std::error_code error;
-  return fs::weakly_canonical(fs::absolute(folder, error), error);
+  return fs::weakly_canonical(fs::absolute(system::path_of(folder), error), error);
 }
 
 }  // namespace
@@ -255,18 +255,18 @@ Settings const* SettingsFinder::find(std::string const& input) {
 Settings const* SettingsFinder::look_for(std::string const& asked) {
   std::error_code error;
   auto const folder = canonical_folder(asked);
-  auto known = known_.find(folder.string());
+  auto known = known_.find(system::name_of(folder));
   if (known == known_.end()) {
     std::optional<Settings> found;
     for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
-      auto const file = candidate / file_name;
-      if (fs::is_regular_file(file, error)) {
+      auto const file = candidate / system::path_of(file_name);
+      if (system::kind_of(system::name_of(file)) == system::FileKind::regular) {
         auto const shown = fs::proximate(file, fs::current_path(error), error);
-        found = read_digested(shown.empty() ? file.string() : shown.string(), candidate.string());
+        found = read_digested(system::name_of(shown.empty() ? file : shown), system::name_of(candidate));
       }
       if (candidate == candidate.parent_path()) break;
     }
-    known = known_.emplace(folder.string(), std::move(found)).first;
+    known = known_.emplace(system::name_of(folder), std::move(found)).first;
   }
   return known->second ? &*known->second : nullptr;
 }
@@ -284,7 +284,7 @@ Settings SettingsFinder::read_digested(std::string const& file, std::string cons
     // Patterns are compared with names below the folder, which depend on where the program runs.
     std::error_code error;
     hasher.text(folder);
-    hasher.text(fs::current_path(error).string());
+    hasher.text(system::name_of(fs::current_path(error)));
   }
   settings.digest = hasher.finish();
   require_unchanged({file}, own);

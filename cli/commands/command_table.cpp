@@ -1,0 +1,128 @@
+#include "cli/commands/command_table.hpp"
+
+#include "cli/sentences.hpp"
+
+#include <array>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(axisc checks axis parameter lists of CNC controls, compiles the filters they configure into a coefficient
+image, and executes such images.)",
+    R"(axisc prüft Achsparameterlisten von CNC-Steuerungen, übersetzt die darin konfigurierten Filter in ein
+Koeffizientenabbild und führt solche Abbilder aus.)"};
+constexpr Sentence program_meaning{"check, compile and execute axis parameter lists",
+                                   "Achsparameterlisten prüfen, übersetzen und ausführen"};
+constexpr Sentence lint_meaning{"check lists and machine files", "Listen und Maschinendateien prüfen"};
+constexpr Sentence fmt_meaning{"align the values and comments of lists",
+                               "Werte und Kommentare von Listen ausrichten"};
+constexpr Sentence compile_meaning{"check, then write a coefficient image",
+                                   "prüfen, dann ein Koeffizientenabbild schreiben"};
+constexpr Sentence inspect_meaning{"show what is in an image", "zeigen, was in einem Abbild steht"};
+constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte durch ein Abbild führen"};
+constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
+constexpr Sentence plot_meaning{"draw what the filters do", "zeichnen, was die Filter tun"};
+constexpr Sentence report_meaning{"write a page about a machine", "eine Seite über eine Maschine schreiben"};
+constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
+                                  "ein Schlüsselpaar für Signaturen erzeugen"};
+constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
+constexpr Sentence explain_meaning{"explain a code or a parameter",
+                                   "einen Code oder einen Parameter erklären"};
+constexpr Sentence examples{R"(Examples:
+  axisc lint machine.json
+  axisc compile machine.json -o mill.axim
+  axisc run mill.axim --signal step --cycles 100
+
+Each command has its own help: axisc lint --help
+Exit status: 0 nothing wrong, 1 findings of severity error, 2 the command line, a file or the environment
+is at fault.)",
+                            R"(Beispiele:
+  axisc lint maschine.json
+  axisc compile maschine.json -o fraese.axim
+  axisc run fraese.axim --signal step --cycles 100
+
+Jeder Befehl hat seine eigene Hilfe: axisc lint --help
+Rückgabewert: 0 alles in Ordnung, 1 Befunde mit Schweregrad Fehler, 2 Befehlszeile, Datei oder
+Umgebung sind fehlerhaft.)"};
+
+constexpr Sentence diff_meaning{
+    "say what changed between two lists, machines or images",
+    "sagen, was sich zwischen zwei Listen, Maschinen oder Abbildern geändert hat"};
+
+constexpr Sentence machine_meaning{
+    "show the machine that a start-up list or a machine file describes",
+    "die Maschine zeigen, die eine Hochlaufliste oder Maschinendatei beschreibt"};
+constexpr Sentence contour_meaning{"predict axis errors and contour deviations",
+                                   "Achsfehler und Bahnabweichungen vorhersagen"};
+constexpr Sentence simulate_meaning{
+    "follow an NC program through the filters, or an axis through its control loop",
+    "ein NC-Programm durch die Filter verfolgen oder eine Achse durch ihren Regelkreis"};
+
+constexpr Sentence suggest_meaning{"suggest filters for an axis that vibrates",
+                                   "Filter für eine Achse vorschlagen, die schwingt"};
+
+constexpr Sentence compare_meaning{"compare a control's recording with what axisc computes",
+                                   "die Aufzeichnung einer Steuerung mit der Rechnung vergleichen"};
+constexpr Sentence replay_meaning{"execute a controller's recording again",
+                                  "die Aufzeichnung einer Steuerung noch einmal ausführen"};
+
+constexpr Sentence lsp_meaning{"language server for editors", "Language-Server für Editoren"};
+
+constexpr Sentence schema_meaning{"print the JSON schema of a kind of file",
+                                  "das JSON-Schema einer Dateiart ausgeben"};
+constexpr Sentence merge_meaning{"combine the results of shards", "die Ergebnisse von Teilen zusammenführen"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::array<CommandRow, 21> rows = {{{"lint", says::lint_meaning, lint},
+                                              {"fmt", says::fmt_meaning, fmt},
+                                              {"compile", says::compile_meaning, compile},
+                                              {"machine", says::machine_meaning, machine},
+                                              {"inspect", says::inspect_meaning, inspect},
+                                              {"run", says::run_meaning, run},
+                                              {"response", says::response_meaning, response},
+                                              {"plot", says::plot_meaning, plot},
+                                              {"report", says::report_meaning, report},
+                                              {"contour", says::contour_meaning, contour},
+                                              {"simulate", says::simulate_meaning, simulate},
+                                              {"suggest", says::suggest_meaning, suggest},
+                                              {"compare", says::compare_meaning, compare},
+                                              {"replay", says::replay_meaning, replay},
+                                              {"diff", says::diff_meaning, diff},
+                                              {"merge", says::merge_meaning, merge},
+                                              {"keygen", says::keygen_meaning, keygen},
+                                              {"sign", says::sign_meaning, sign},
+                                              {"explain", says::explain_meaning, explain},
+                                              {"schema", says::schema_meaning, schema},
+                                              {"lsp", says::lsp_meaning, lsp}}};
+
+}  // namespace
+
+std::span<CommandRow const> commands() {
+  return rows;
+}
+
+CommandDescription program_description() {
+  return {.meaning = says::program_meaning,
+          .purpose = says::purpose,
+          .examples = says::examples,
+          .options = {
+              {.names = "-h,--help", .meaning = says::option_help},
+              {.names = "-V,--version", .meaning = says::option_version},
+              {.names = "--lang", .shown = "en|de", .meaning = says::option_lang, .values = {"en", "de"}}}};
+}
+
+CommandDescription description_of(CommandRow const& command) {
+  CommandDescription description;
+  Streams streams;
+  static_cast<void>(command.run(
+      {.arguments = {}, .language = Language::english, .streams = streams, .description = &description}));
+  description.meaning = command.meaning;
+  return description;
+}
+
+}  // namespace axisc::cli

@@ -1,0 +1,55 @@
+#include "cli/commands/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/options/command_line.hpp"
+#include "cli/sentences.hpp"
+#include "cli/settings/json_schema.hpp"
+
+#include <algorithm>
+
+namespace axisc::cli::says {
+
+constexpr Sentence purpose{
+    R"(Prints the JSON schema (draft 2020-12) of a kind of file that axisc reads. Editors complete and check such files with it.)",
+    R"(Gibt das JSON-Schema (Draft 2020-12) einer Art von Dateien aus, die axisc liest. Editoren vervollständigen und prüfen solche
+Dateien damit.)"};
+constexpr Sentence examples{R"(Examples:
+  axisc schema machine > machine.schema.json
+  axisc schema settings                  of axisc.json)",
+                            R"(Beispiele:
+  axisc schema machine > machine.schema.json
+  axisc schema settings                  von axisc.json)"};
+constexpr Sentence argument_file_kind{
+    "machine files, settings (axisc.json), plant files, or schema files, which describe parameters",
+    "Maschinendateien, Einstellungen (axisc.json), Streckendateien oder Schemadateien, die Parameter "
+    "beschreiben"};
+
+}  // namespace axisc::cli::says
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::string_view kind_argument = "machine|settings|plant|schema";
+
+}  // namespace
+
+ExitStatus schema(Invocation const& invocation) {
+  std::optional<std::string> word;
+  CommandLine command_line("schema", says::purpose, says::examples, invocation.language);
+  command_line.argument(kind_argument, word, says::argument_file_kind);
+  if (command_line.answers(invocation)) return ExitStatus::success;
+  command_line.require(word.has_value(), kind_argument);
+  auto const kinds = json_file_kinds();
+  auto const kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](JsonFileKind const& each) { return each.name == *word; });
+  if (kind == kinds.end()) {
+    throw Failure(
+        {.sentence = says::bad_choice,
+         .arguments = {
+             {"option", "axisc schema"}, {"value", *word}, {"choices", "machine, settings, plant, schema"}}});
+  }
+  invocation.streams.out.write(json_schema(kind->shape));
+  return ExitStatus::success;
+}
+
+}  // namespace axisc::cli

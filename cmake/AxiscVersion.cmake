@@ -1,0 +1,21 @@
+# AXISC_DATE, AXISC_COMMIT and AXISC_COMPILER: what the program and its packages say of their origin. No clock is read.
+set(changelog "${PROJECT_SOURCE_DIR}/CHANGELOG.md")
+file(STRINGS "${changelog}" heading REGEX "^## ${PROJECT_VERSION} ")
+string(REGEX MATCH "[0-9]+-[0-9]+-[0-9]+" AXISC_DATE "${heading}")
+if(NOT AXISC_DATE)
+  message(FATAL_ERROR "CHANGELOG.md names no day of version ${PROJECT_VERSION}")
+endif()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${changelog}")
+
+set(AXISC_COMMIT "" CACHE STRING "The commit that --version names; empty: that of the checkout")
+set(commit "${AXISC_COMMIT}")
+if(NOT commit AND EXISTS "${PROJECT_SOURCE_DIR}/.git")
+  execute_process(COMMAND git -C "${PROJECT_SOURCE_DIR}" rev-parse --short=12 HEAD
+    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/.git/logs/HEAD")
+endif()
+if(NOT commit)
+  set(commit unknown)
+endif()
+string(REPLACE GNU GCC AXISC_COMPILER "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+set(AXISC_ORIGIN "commit ${commit}, ${AXISC_COMPILER}")

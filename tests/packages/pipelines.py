@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Runs what pre-commit, the action for GitHub and the component for GitLab run: pipelines.py AXISC SOURCES."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+
+try:
+    import yaml
+except ImportError:
+    print("python3-yaml is not installed: not tried")
+    sys.exit(77)
+
+AXISC, SOURCES = sys.argv[1:]
+GOOD = "kenngr.achs_typ 1\n"
+BAD = "getriebe[0].dynamik.a_max 3000,0\n"
+VERSION = "9.8.7"
+
+
+def shell(script, folder, status=0, path="", **variables):
+    """GitHub and GitLab run scripts in bash and stop at the first mistake."""
+    variables = {"PATH": f"{path}:/usr/bin:/bin" if path else "/usr/bin:/bin", "HOME": folder, "LANG": "C.UTF-8", **variables}
+    done = subprocess.run(["bash", "-eo", "pipefail", "-c", script], cwd=folder, env=variables, capture_output=True, text=True)
+    assert done.returncode == status, (done.returncode, script, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+def make_archive(folder):
+    archive = f"{folder}/axisc-{VERSION}-linux-x86_64.tar.xz"
+    with tarfile.open(archive, "w:xz", preset=0) as out:
+        out.add(AXISC, f"axisc-{VERSION}-linux-x86_64/bin/axisc")
+    return archive
+
+
+def github(folder, archive):
+    with open(f"{SOURCES}/action.yml", encoding="utf-8") as file:
+        action = yaml.safe_load(file)
+    assert action["runs"]["using"] == "composite"
+    install, check = action["runs"]["steps"]
+    inputs = {name: row["default"] for name, row in action["inputs"].items()}
+
+    def environment(step, **given):
+        values = {**{f"inputs.{name}": text for name, text in {**inputs, **given}.items()},
+                  "github.server_url": "file:/", "github.action_repository": "repository",
+                  "github.action_path": SOURCES, "runner.temp": folder}
+        return {key: re.sub(r"\$\{\{ ([\w.]+) \}\}", lambda match: values[match[1]], text) for key, text in step["env"].items()}
+
+    paths = f"{folder}/path"
+    shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=archive))
+    with open(paths, encoding="utf-8") as file:
+        path = file.read().strip()
+    assert os.path.samefile(path, f"{folder}/axisc/bin")
+    shown = shell(check["run"], folder, path=path, **environment(check, paths="good.lis\n", options="--cycle-time\n1ms\n"))
+    assert "::error" not in shown, shown
+    shown = shell(check["run"], folder, 1, path, **environment(check, paths="good.lis\nbad.lis", sarif="found.sarif"))
+    assert "::error file=bad.lis,line=1" in shown, shown
+    with open(f"{folder}/found.sarif", encoding="utf-8") as file:
+        assert json.load(file)["version"] == "2.1.0"
+    print("GitHub: installed, checked")
+
+
+def gitlab(folder, archive):
+    with open(f"{SOURCES}/templates/axisc.yml", encoding="utf-8") as file:
+        text = file.read()
+    header, body = yaml.safe_load_all(text)
+    inputs = {name: (row or {}).get("default") for name, row in header["spec"]["inputs"].items()}
+    for list_name, status in (("good.lis", 0), ("bad.lis", 1)):
+        given = {**inputs, "archive": archive, "paths": list_name, "options": "--cycle-time 1ms"}
+        filled = re.sub(r"\$\[\[ inputs\.(\w+) \]\]", lambda match: given[match[1]], text.split("---\n")[1])
+        job = yaml.safe_load(filled)["axisc-lint"]
+        assert set(job) == set(body["axisc-lint"])
+        script = "\n".join(job["script"]).replace("/tmp/axisc", f"{folder}/unpacked")
+        shell(script, folder, status, **job["variables"])
+        with open(f"{folder}/{job['artifacts']['reports']['codequality']}", encoding="utf-8") as file:
+            assert (len([row for row in json.load(file) if row["severity"] == "major"]) > 0) == (status == 1)
+    print("GitLab: installed, checked")
+
+
+def pre_commit(folder):
+    if not shutil.which("pre-commit"):
+        print("pre-commit is not installed: not tried")
+        return
+    hooks = f"{folder}/hooks"
+    work = f"{folder}/work"
+    os.makedirs(hooks)
+    os.makedirs(work)
+    shutil.copy(f"{SOURCES}/.pre-commit-hooks.yaml", hooks)
+    commit = "git -c user.name=x -c user.email=x@example.com commit -qm x"
+    for repository in (hooks, work):
+        shell(f"git init -q . && git add . && {commit} --allow-empty", repository)
+    for name, text in (("good.lis", GOOD), ("bad.lis", BAD), ("other.txt", BAD)):
+        with open(f"{work}/{name}", "w", encoding="utf-8") as file:
+            file.write(text)
+    path = os.path.dirname(AXISC) + ":" + os.path.dirname(shutil.which("pre-commit"))
+    settings = {"path": path, "PRE_COMMIT_HOME": f"{folder}/cache"}
+    shell("git add .", work)
+    passed = shell(f"pre-commit try-repo '{hooks}' axisc-lint --files good.lis other.txt", work, **settings)
+    assert "Passed" in passed, passed
+    failed = shell(f"pre-commit try-repo '{hooks}' axisc-lint --all-files", work, 1, **settings)
+    assert "bad.lis" in failed and "other.txt" not in failed, failed
+    aligned = shell(f"pre-commit try-repo '{hooks}' axisc-fmt --files good.lis other.txt", work, 1, **settings)
+    assert "files were modified by this hook" in aligned, aligned
+    print("pre-commit: passed, failed, modified")
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    for name, text in (("good.lis", GOOD), ("bad.lis", BAD)):
+        with open(f"{temporary}/{name}", "w", encoding="utf-8") as file:
+            file.write(text)
+    packed = make_archive(temporary)
+    github(temporary, packed)
+    gitlab(temporary, packed)
+    pre_commit(temporary)
