@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing from Debian packages. Does nothing, and needs no rights, where everything is there.
 #   ./setup.sh        what building and testing needs
-#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, editors, a browser
-#   ./setup.sh long   and what .ci/long needs: libraries of another processor
+#   ./setup.sh ci     and what the checks need: clang tools, cross compilers, emulators, shells, editors, node, a browser
+#   ./setup.sh long   and what .ci/long needs: libraries of another processor, tools for packages, emscripten, LinuxCNC
 set -euo pipefail
 
 packages=(
@@ -16,12 +16,19 @@ if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
     clang clang-format clang-tidy libclang-rt-14-dev
     g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user
     clang-tools-14 lld llvm g++-mingw-w64-x86-64-posix wine64
+    unzip mandoc groff-base zsh fish python3-jsonschema python3-yaml
     neovim emacs-nox elpa-eglot chromium
     gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-dev qemu-system-arm
   )
 fi
+if [ "${1:-}" = ci ] || [ "${1:-}" = long ]; then
+  # Whoever has node need not have Debian's.
+  command -v node >/dev/null || packages+=(nodejs)
+  command -v npm >/dev/null || packages+=(npm)
+fi
 if [ "${1:-}" = long ]; then
   packages+=(libsodium-dev:arm64 libxxhash-dev:arm64 libpugixml-dev:arm64)
+  packages+=(lintian mmdebstrap pre-commit emscripten linuxcnc-uspace linuxcnc-uspace-dev python3-numpy)
 fi
 
 missing=()

@@ -1,15 +1,15 @@
 #include "cli/codes.hpp"
-#include "cli/commands/commands.hpp"
+#include "cli/commands/command_table.hpp"
 #include "cli/failure.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
+#include "cli/version.hpp"
 #include "configuration/files.hpp"
 #include "schema/closest_word.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <new>
 #include <optional>
@@ -38,62 +38,6 @@ constexpr Sentence no_memory{
     "kein Arbeitsspeicher mehr; andere Programme schließen oder weniger Dateien auf einmal prüfen"};
 constexpr Sentence help_command{"COMMAND", "BEFEHL"};
 constexpr Sentence help_commands_heading{"Commands", "Befehle"};
-constexpr Sentence purpose{
-    R"(axisc checks axis parameter lists of CNC controls, compiles the filters they configure into a coefficient
-image, and executes such images.)",
-    R"(axisc prüft Achsparameterlisten von CNC-Steuerungen, übersetzt die darin konfigurierten Filter in ein
-Koeffizientenabbild und führt solche Abbilder aus.)"};
-constexpr Sentence lint_meaning{"check lists and machine files", "Listen und Maschinendateien prüfen"};
-constexpr Sentence fmt_meaning{"align the values and comments of lists",
-                               "Werte und Kommentare von Listen ausrichten"};
-constexpr Sentence compile_meaning{"check, then write a coefficient image",
-                                   "prüfen, dann ein Koeffizientenabbild schreiben"};
-constexpr Sentence inspect_meaning{"show what is in an image", "zeigen, was in einem Abbild steht"};
-constexpr Sentence run_meaning{"feed setpoints through an image", "Sollwerte durch ein Abbild führen"};
-constexpr Sentence response_meaning{"frequency response of an image", "Frequenzgang eines Abbilds"};
-constexpr Sentence plot_meaning{"draw what the filters do", "zeichnen, was die Filter tun"};
-constexpr Sentence report_meaning{"write a page about a machine", "eine Seite über eine Maschine schreiben"};
-constexpr Sentence keygen_meaning{"make a pair of keys for signatures",
-                                  "ein Schlüsselpaar für Signaturen erzeugen"};
-constexpr Sentence sign_meaning{"sign an image", "ein Abbild signieren"};
-constexpr Sentence explain_meaning{"explain a code or a parameter",
-                                   "einen Code oder einen Parameter erklären"};
-constexpr Sentence examples{R"(Examples:
-  axisc lint machine.json
-  axisc compile machine.json -o mill.axim
-  axisc run mill.axim --signal step --cycles 100
-
-Each command has its own help: axisc lint --help
-Exit status: 0 nothing wrong, 1 findings of severity error, 2 the command line, a file or the environment
-is at fault.)",
-                            R"(Beispiele:
-  axisc lint maschine.json
-  axisc compile maschine.json -o fraese.axim
-  axisc run fraese.axim --signal step --cycles 100
-
-Jeder Befehl hat seine eigene Hilfe: axisc lint --help
-Rückgabewert: 0 alles in Ordnung, 1 Befunde mit Schweregrad Fehler, 2 Befehlszeile, Datei oder
-Umgebung sind fehlerhaft.)"};
-
-constexpr Sentence diff_meaning{
-    "say what changed between two lists, machines or images",
-    "sagen, was sich zwischen zwei Listen, Maschinen oder Abbildern geändert hat"};
-
-constexpr Sentence machine_meaning{
-    "show the machine that a start-up list or a machine file describes",
-    "die Maschine zeigen, die eine Hochlaufliste oder Maschinendatei beschreibt"};
-constexpr Sentence contour_meaning{"predict axis errors and contour deviations",
-                                   "Achsfehler und Bahnabweichungen vorhersagen"};
-constexpr Sentence simulate_meaning{
-    "follow an NC program through the filters, or an axis through its control loop",
-    "ein NC-Programm durch die Filter verfolgen oder eine Achse durch ihren Regelkreis"};
-
-constexpr Sentence replay_meaning{"execute a controller's recording again",
-                                  "die Aufzeichnung einer Steuerung noch einmal ausführen"};
-
-constexpr Sentence lsp_meaning{"language server for editors", "Language-Server für Editoren"};
-
-constexpr Sentence merge_meaning{"combine the results of shards", "die Ergebnisse von Teilen zusammenführen"};
 
 }  // namespace axisc::cli::says
 
@@ -102,45 +46,21 @@ namespace {
 using namespace axisc;
 using namespace axisc::cli;
 
-struct Command {
-  std::string_view name;
-  SentenceRef meaning;
-  ExitStatus (*run)(Invocation const&);
-};
-
-constexpr std::array<Command, 18> commands = {{{"lint", cli::says::lint_meaning, lint},
-                                               {"fmt", cli::says::fmt_meaning, fmt},
-                                               {"compile", cli::says::compile_meaning, compile},
-                                               {"machine", cli::says::machine_meaning, cli::machine},
-                                               {"inspect", cli::says::inspect_meaning, inspect},
-                                               {"run", cli::says::run_meaning, run},
-                                               {"response", cli::says::response_meaning, response},
-                                               {"plot", cli::says::plot_meaning, plot},
-                                               {"report", cli::says::report_meaning, report},
-                                               {"contour", cli::says::contour_meaning, contour},
-                                               {"simulate", cli::says::simulate_meaning, simulate},
-                                               {"replay", cli::says::replay_meaning, replay},
-                                               {"diff", cli::says::diff_meaning, diff},
-                                               {"merge", cli::says::merge_meaning, merge},
-                                               {"keygen", cli::says::keygen_meaning, keygen},
-                                               {"sign", cli::says::sign_meaning, sign},
-                                               {"explain", cli::says::explain_meaning, explain},
-                                               {"lsp", cli::says::lsp_meaning, lsp}}};
-
 std::string help(Language language) {
   auto const say = [language](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language);
   };
   auto const width = help_width();
-  std::string text = help_paragraphs(say(cli::says::purpose), width) + "\n" + say(cli::says::help_usage) +
+  auto const program = program_description();
+  std::string text = help_paragraphs(say(program.purpose), width) + "\n" + say(cli::says::help_usage) +
                      ": axisc " + say(cli::says::help_command) + " [" + say(cli::says::help_options) +
                      "]\n\n" + say(cli::says::help_commands_heading) + ":\n";
-  for (auto const& command : commands) text += help_row(command.name, say(command.meaning), width);
-  return text + "\n" + say(cli::says::help_options_heading) + ":\n" +
-         help_row("-h, --help", say(cli::says::option_help), width) +
-         help_row("-V, --version", say(cli::says::option_version), width) +
-         help_row("--lang en|de", say(cli::says::option_lang), width) + "\n" +
-         help_paragraphs(say(cli::says::examples), width);
+  for (auto const& command : commands()) text += help_row(command.name, say(command.meaning), width);
+  text += "\n" + say(cli::says::help_options_heading) + ":\n";
+  for (auto const& option : program.options) {
+    text += help_row(heading_of(option, language), say(option.meaning), width);
+  }
+  return text + "\n" + help_paragraphs(say(program.examples), width);
 }
 
 /// Options that every command has, with a value.
@@ -190,7 +110,7 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
     word = std::exchange(arguments[at], "--help");
   }
   std::vector<std::string_view> names;
-  for (auto const& command : commands) {
+  for (auto const& command : commands()) {
     if (command.name == word) {
       return command.run({.arguments = arguments, .language = language, .streams = streams});
     }

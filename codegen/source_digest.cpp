@@ -12,7 +12,7 @@ static_assert(std::tuple_size_v<Sha256> == crypto_hash_sha256_BYTES);
 class Hash {
  public:
   Hash() { crypto_hash_sha256_init(&state_); }
-  void add(std::string_view text) { add(std::as_bytes(std::span(text))); }
+  void add(std::string_view text) { add(std::as_bytes(std::span(text.data(), text.size()))); }
   void add(std::span<std::byte const> bytes) {
     crypto_hash_sha256_update(&state_, reinterpret_cast<unsigned char const*>(bytes.data()), bytes.size());
   }

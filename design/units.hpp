@@ -8,7 +8,7 @@ namespace axisc::design {
 
 struct Hertz {
   double value = 0;
-  friend constexpr auto operator<=>(Hertz const&, Hertz const&) = default;
+  friend constexpr auto operator<=>(Hertz const&, Hertz const&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 struct Microseconds {

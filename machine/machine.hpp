@@ -123,6 +123,7 @@ struct MachineGroup {
   /// The distinct parameter sets that are in force after the commands of the group's programs and of filter_sets, in the order of
   /// their first use, in canonical form; without `#FILTER ON` alone, OFF and [HSC], which need none.
   std::vector<FilterParameters> filter_sets;
+  std::vector<std::string> programs = {};  ///< paths of the NC programs that it runs
 };
 
 struct Machine {

@@ -55,7 +55,7 @@ figure{margin:1rem 0}.zooms>svg,.zoom{display:none}.zooms>.zoom{display:block}.z
 .uplot,.uplot *{font-family:inherit}.u-legend{text-align:left!important;display:block;overflow:visible}.u-legend th,.u-legend td{border:0}
 figure svg{width:100%;height:auto;max-width:800px;display:block}
 pre{background:var(--panel);padding:.6rem .8rem;overflow-x:auto;font-size:13px}
-@media print{.zooms>.zoom,.zoom-button{display:none}.zooms>svg{display:block}:root{color-scheme:light;--paper:#fff;--ink:#000;--quiet:#333;--line:#999;--panel:#fff;--link:#000}body{max-width:none;padding:0;font-size:10pt}pre{white-space:pre-wrap;overflow:visible}table{overflow:visible}figure,tr,pre{break-inside:avoid}h2,h3{break-after:avoid}@page{size:A4;margin:15mm}}
+@media print{.zooms>.zoom,.zoom-button{display:none}.zooms>svg{display:block}:root{color-scheme:light;--paper:#fff;--ink:#000;--quiet:#333;--line:#999;--panel:#fff;--link:#000}body{max-width:none;padding:0;font-size:10pt}pre{white-space:pre-wrap;overflow:visible}table{overflow:visible}figure,tr,pre{break-inside:avoid}figure svg{max-height:235mm}h2,h3{break-after:avoid}@page{size:A4;margin:15mm}}
 )";
 }
 

@@ -17,7 +17,6 @@ namespace axisc::pictures {
 namespace {
 
 constexpr double text_size = 12;
-constexpr double title_size = 15;
 constexpr double line_height = 17;
 constexpr double gap_of_panels = 18;
 constexpr std::size_t rows_of_marks = 3;
@@ -69,7 +68,7 @@ class Writer {
 
   std::string write() {
     y_ = 30;
-    text_ += text_element(panel_left, y_ - 6, figure_.title);
+    text_ += text_element(panel_left, y_ - 6, fitted(figure_.title, text_size, panel_right - panel_left));
     if (figure_.panels.empty()) {
       y_ += 2 * line_height;
       text_ += text_element(panel_left, y_, figure_.nothing, "start", "quiet");

@@ -28,4 +28,16 @@ double text_width(std::string_view text, double size) {
   return width * size;
 }
 
+std::string fitted(std::string_view text, double size, double width) {
+  if (text_width(text, size) <= width) return std::string(text);
+  constexpr std::string_view ellipsis = "…";
+  double const room = width - text_width(ellipsis, size);
+  auto const continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  std::size_t end = text.size();
+  while (end > 0 && (text_width(text.substr(0, end), size) > room || continues(end))) --end;
+  return std::string(text.substr(0, end)).append(ellipsis);
+}
+
 }  // namespace axisc::pictures

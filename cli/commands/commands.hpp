@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/exit_status.hpp"
+#include "cli/manual/command_description.hpp"
 #include "cli/report/console.hpp"
 #include "diagnostics/message.hpp"
 
@@ -15,6 +16,7 @@ struct Invocation {
   std::span<std::string const> arguments;
   Language language = Language::english;
   Streams& streams;
+  CommandDescription* description = nullptr;  ///< where there is one, it is filled in and nothing is executed
 };
 
 [[nodiscard]] ExitStatus lint(Invocation const& invocation);
@@ -25,6 +27,7 @@ struct Invocation {
 [[nodiscard]] ExitStatus inspect(Invocation const& invocation);
 [[nodiscard]] ExitStatus run(Invocation const& invocation);
 [[nodiscard]] ExitStatus response(Invocation const& invocation);
+[[nodiscard]] ExitStatus compare(Invocation const& invocation);
 [[nodiscard]] ExitStatus plot(Invocation const& invocation);
 [[nodiscard]] ExitStatus report(Invocation const& invocation);
 [[nodiscard]] ExitStatus replay(Invocation const& invocation);
@@ -33,7 +36,9 @@ struct Invocation {
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);
 [[nodiscard]] ExitStatus contour(Invocation const& invocation);
+[[nodiscard]] ExitStatus suggest(Invocation const& invocation);
 [[nodiscard]] ExitStatus simulate(Invocation const& invocation);
+[[nodiscard]] ExitStatus schema(Invocation const& invocation);
 [[nodiscard]] ExitStatus explain(Invocation const& invocation);
 
 }  // namespace axisc::cli

@@ -14,10 +14,11 @@
 #include "configuration/project_file.hpp"
 #include "configuration/xml_list.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
+#include "system/file.hpp"
+#include "system/path.hpp"
 #include "validator/list_layout.hpp"
 
 #include <deque>
-#include <filesystem>
 #include <unordered_set>
 #include <utility>
 
@@ -97,9 +98,10 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
       add(input);
       continue;
     }
-    auto const folder = std::filesystem::path(input).parent_path();
+    auto const folder = system::path_of(input).parent_path();
     for (auto const& named : outline.lists) {
-      if (!keeps_layout(named) && !has_extension(named, ".json")) add((folder / named).string());
+      if (keeps_layout(named) || has_extension(named, ".json")) continue;
+      add(system::name_of(folder / system::path_of(named)));
     }
   }
   return lists;
@@ -107,9 +109,8 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
 
 void require_changeable(std::string const& path, ChangeableFiles const& changeable) {
   if (path == "-" || changeable.contains(path)) return;
-  std::error_code error;
   // A missing file is reported when it is read.
-  if (!std::filesystem::exists(path, error)) return;
+  if (!system::kind_of(path)) return;
   throw Failure({.sentence = says::elsewhere, .arguments = {{"file", path}}}, cannot_write);
 }
 

@@ -10,9 +10,12 @@
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
+#include "editor/machine_context.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/loading/loader.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -31,7 +34,7 @@ constexpr Sentence examples{R"(Examples:
   axisc lint x.lis --fix=all --diff      shows all fixes as a patch
   axisc lint . --write-baseline known.json
   axisc lint . --baseline known.json     only what is new since then
-  axisc lint - --stdin-filename axes/x.lis    the text of an editor: settings and messages are those of the file
+  axisc lint - --stdin-filename axes/x.lis    the text of an editor, judged in the machine of the file
   axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
   axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
   axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
@@ -140,7 +143,7 @@ class Lint {
  private:
   void name_standard_input() {
     if (!options_.stdin_filename) return;
-    standard_input_ = *options_.stdin_filename;
+    standard_input_ = validator::key_of(*options_.stdin_filename);
     std::replace(inputs_.paths.begin(), inputs_.paths.end(), std::string("-"), standard_input_);
     if (inputs_.first == "-") inputs_.first = standard_input_;
   }
@@ -230,12 +233,32 @@ class Lint {
     finish_cache(std::move(cache), options_.fleet, streams_.err, report_format_.write.language);
   }
 
+  /// An editor's text is judged in the machine that its file belongs to. Fixes are made in the text alone.
+  [[nodiscard]] CheckedInput check_text(TakeFinding const& take) const {
+    EditedFiles files(job_.edited, false);
+    CheckJob job = job_;
+    auto const machine = editor::machine_of(
+        files, standard_input_, [this](std::string const& path) { return options_for(job_, path); });
+    if (machine != standard_input_) job.shown = standard_input_;
+    return check_input(job, machine, files, report_format_, take);
+  }
+  [[nodiscard]] bool is_text_of_machine(std::string const& path) const {
+    return options_.stdin_filename && is_standard_input(path) && choice_ == FixChoice::none;
+  }
+
   [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const& take) const {
+    if (is_text_of_machine(path)) return check_text(take);
     EditedFiles files(job_.edited, path == "-");
     return check_input(job_, path, files, report_format_, take);
   }
 
   [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
+    if (is_text_of_machine(path)) {
+      std::deque<WrittenFinding> findings;
+      auto result = check_text(keep_in(findings));
+      result.findings = std::move(findings);
+      return result;
+    }
     if (cache == nullptr || is_standard_input(path)) {
       EditedFiles files(job_.edited, path == "-");
       return check_input(job_, path, files, report_format_);

@@ -14,6 +14,7 @@
 #include "cli/plots/plots.hpp"
 #include "cli/plots/plotted_groups.hpp"
 #include "cli/sentences.hpp"
+#include "system/path.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -278,11 +279,12 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
                                .group = options.group,
                                .output = std::nullopt};
   ProgramLines program(request.program_path);
-  if (!survey_program(program, request, machine, group, invocation)) return std::nullopt;
+  auto const problems = to_standard_error(invocation);
+  if (!survey_program(program, request, machine, group, invocation.language, problems)) return std::nullopt;
   PathRecorder recorder(plane.first, plane.second);
-  static_cast<void>(follow_program(program, request, machine, group, recorder, invocation));
+  static_cast<void>(follow_program(program, request, machine, group, recorder, invocation.language));
   return path_figure(recorder,
-                     {.program = std::filesystem::path(*options.program).filename().string(),
+                     {.program = system::name_of(system::path_of(*options.program).filename()),
                       .axes = {axes[plane.first], axes[plane.second]},
                       .cycle_seconds = machine.cycle_time.seconds(),
                       .tolerance_um = tolerance},

@@ -21,10 +21,10 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Writes one self-contained page about a machine: what is wrong, what its lists set, what each filter does to its
-axis, delays and contours of each channel, and with --before every change with its effect. It opens without a network and
+axis, delays and contours of each channel, what its programs do, and with --before every change with its effect. It opens without a network and
 without scripts, and prints on A4. After errors the page holds the findings alone.)",
     R"(Schreibt eine eigenständige Seite über eine Maschine: was falsch ist, was ihre Listen setzen, was jeder Filter mit
-seiner Achse macht, Verzögerungen und Konturen jedes Kanals und mit --before jede Änderung mit ihrer Wirkung. Sie öffnet
+seiner Achse macht, Verzögerungen und Konturen jedes Kanals, was seine Programme machen, und mit --before jede Änderung mit ihrer Wirkung. Sie öffnet
 ohne Netz und ohne Skripte und lässt sich auf A4 drucken. Nach Fehlern enthält die Seite nur die Befunde.)"};
 constexpr Sentence examples{R"(Examples:
   axisc report listen/ -o report.html
@@ -69,16 +69,7 @@ validator::CheckResult check_into(ReportSubject& subject, std::string const& pat
   auto result = validator::check(disk, path, options_for(job, path), sources,
                                  [&findings](Finding& finding) { findings.push_back(std::move(finding)); });
   if (result.unreadable) throw unreadable(path, *result.unreadable);
-  for (auto const& finding : findings) {
-    subject.counts.add(finding.severity);
-    bool const is_shown = subject.findings.size() < most_shown_findings;
-    subject.findings.push_back(
-        {.severity = finding.severity,
-         .code = finding.code,
-         .name = finding.name,
-         .text = is_shown ? texts_of({finding}, sources, {.language = subject.language, .color = false})
-                          : std::string()});
-  }
+  for (auto const& finding : findings) add_finding(subject, finding, sources);
   return result;
 }
 

@@ -149,13 +149,6 @@ std::string unit_name(std::string_view unit, Language language) {
   return text;
 }
 
-std::string default_text(schema::Parameter const& parameter) {
-  auto const value = schema::default_value(parameter);
-  bool const is_number = value && value->text.empty() && !schema::is_bit_mask(parameter) &&
-                         parameter.type != schema::DataType::string;
-  return is_number ? format_exact(value->number) : std::string(parameter.default_text);
-}
-
 std::string manual_section(schema::Parameter const& parameter, Language language) {
   for (auto const& [beginning, text] : manuals) {
     if (parameter.kind == schema::ListKind::axis && parameter.name.substr(0, beginning.size()) == beginning) {

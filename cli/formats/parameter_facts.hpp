@@ -3,6 +3,7 @@
 
 #include "diagnostics/message.hpp"
 #include "schema/catalogue.hpp"
+#include "validator/views/units_text.hpp"
 
 #include <string>
 #include <vector>
@@ -18,8 +19,7 @@ namespace axisc::cli {
 /// "µm/s", "0.0001 °", in German "0,0001 °".
 [[nodiscard]] std::string unit_name(std::string_view unit, Language language);
 
-/// The default in plain numbers: 30 for 3.000000e+001, 4 for 0x0004; empty if there is none.
-[[nodiscard]] std::string default_text(schema::Parameter const& parameter);
+using validator::default_text;
 
 /// Where the manuals describe it; empty for parameters outside the filters.
 [[nodiscard]] std::string manual_section(schema::Parameter const& parameter, Language language);

@@ -93,11 +93,18 @@ schema::ListKind parse_kind(std::string const& word) {
 
 }  // namespace
 
-void declare_checking(CommandLine& command_line, CheckingOptions& options) {
+void declare_control(CommandLine& command_line, CheckingOptions& options) {
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.value("--axis-type", "T|R|S", options.axis_type, says::option_axis_type);
-  command_line.value("--kind", "KIND", options.kind, says::option_kind);
+  std::vector<std::string> kinds;
+  kinds.reserve(std::size(schema::list_kind_rows));
+  for (auto const& row : schema::list_kind_rows) kinds.emplace_back(row.word);
+  command_line.value("--kind", "KIND", options.kind, says::option_kind, std::move(kinds));
   command_line.value("--build", "VERSION", options.build, says::option_build);
+}
+
+void declare_checking(CommandLine& command_line, CheckingOptions& options) {
+  declare_control(command_line, options);
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
                        {"json", FindingFormat::json},

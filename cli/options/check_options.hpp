@@ -28,6 +28,9 @@ struct CheckingOptions {
   FindingFormat format = FindingFormat::text;
 };
 
+/// What lists and machine files do not say of their control.
+void declare_control(CommandLine& command_line, CheckingOptions& options);
+/// Those and all others.
 void declare_checking(CommandLine& command_line, CheckingOptions& options);
 /// `--schema FILE`, which every command that reads lists has.
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files);

@@ -1,12 +1,11 @@
 #include "cli/options/command_line.hpp"
 
-#include "axisrt.h"
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/report/text_table.hpp"
 #include "cli/sentences.hpp"
-#include "runtime/format/image_format.h"
+#include "cli/version.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>
@@ -53,55 +52,6 @@ std::string joined(std::vector<std::string_view> const& words, std::string_view 
   return text;
 }
 
-struct Placeholder {
-  std::string_view english;
-  std::string_view german;
-};
-
-/// The placeholders that differ between the languages.
-constexpr std::array<Placeholder, 20> placeholders = {{
-    {"AXIS", "ACHSE"},
-    {"COMMAND", "BEFEHL"},
-    {"CYCLE", "ZYKLUS"},
-    {"DEGREES", "GRAD"},
-    {"FILE", "DATEI"},
-    {"FOLDER", "ORDNER"},
-    {"IMAGE", "ABBILD"},
-    {"INPUT", "EINGABE"},
-    {"KEY", "SCHLÜSSEL"},
-    {"MACHINE", "MASCHINE"},
-    {"MM_PER_MIN", "MM_JE_MIN"},
-    {"NEW", "NEU"},
-    {"OLD", "ALT"},
-    {"OUT", "ZIEL"},
-    {"PART", "TEIL"},
-    {"PLANT", "STRECKE"},
-    {"POSITION", "LAGE"},
-    {"RECORDING", "AUFZEICHNUNG"},
-    {"SIZE", "GRÖSSE"},
-    {"TIME", "ZEIT"},
-}};
-
-/// "FILE.csv" in English, "DATEI.csv" in German. A name such as P-AXIS-00140 stays whole.
-std::string placeholder_in(Language language, std::string_view shown) {
-  if (language == Language::english) return std::string(shown);
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_-";
-  std::string text;
-  while (!shown.empty()) {
-    auto const length = std::min(shown.find_first_not_of(letters), shown.size());
-    auto const word = shown.substr(0, length);
-    auto const* const known =
-        std::find_if(placeholders.begin(), placeholders.end(),
-                     [&](Placeholder const& placeholder) { return placeholder.english == word; });
-    text += known == placeholders.end() ? word : known->german;
-    shown.remove_prefix(length);
-    auto const rest = std::min(shown.find_first_of(letters), shown.size());
-    text += shown.substr(0, rest);
-    shown.remove_prefix(rest);
-  }
-  return text;
-}
-
 /// Whether one of the arguments could be meant for the option.
 bool is_named(std::string_view names, std::span<std::string const> words) {
   auto const known = split_list(names);
@@ -133,11 +83,8 @@ enum class CommandLine::Takes : std::uint8_t {
   values
 };
 
-struct CommandLine::Declared {
+struct CommandLine::Declared : OptionDescription {
   Takes takes{};
-  std::string names;
-  std::string shown;
-  SentenceRef meaning = axisc::says::as_given;
   std::function<void(std::vector<std::string> const&)> take;
   CLI::Option* option = nullptr;  ///< none where no word names it
 
@@ -156,6 +103,8 @@ CommandLine::CommandLine(std::string_view command, SentenceRef purpose, Sentence
       examples_(examples),
       language_(language),
       parser_(std::make_unique<Parser>()) {
+  // A path that begins with a slash is never an option.
+  parser_->app.allow_windows_style_options(false);
   flag("-h,--help", wants_help_, says::option_help);
   flag("-V,--version", wants_version_, says::option_version);
   choice("--lang", {{"en", Language::english}, {"de", Language::german}}, language_, says::option_lang);
@@ -173,6 +122,10 @@ CommandLine::Declared& CommandLine::declare(Takes takes, std::string_view names,
   row.names = names;
   row.shown = shown;
   row.meaning = meaning;
+  // Placeholders of arguments are capitals: "CODE|PARAMETER".
+  bool const are_values =
+      !names.empty() || shown.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string_view::npos;
+  if (are_values && shown.find('|') != std::string_view::npos) row.values = split_list(shown, '|');
   return row;
 }
 
@@ -197,24 +150,25 @@ void CommandLine::flag(std::string_view names, bool& target, SentenceRef meaning
 void CommandLine::flag_with_value(std::string_view names, std::string_view shown,
                                   std::optional<std::string>& target, SentenceRef meaning) {
   // The parser gives "true" for a flag without a value.
-  declare(Takes::value_or_nothing, names, shown, meaning).take =
-      [&target](std::vector<std::string> const& given) {
-        target = given.back() == "true" ? std::string() : given.back();
-      };
+  auto& row = declare(Takes::value_or_nothing, names, shown, meaning);
+  row.take = [&target](std::vector<std::string> const& given) {
+    target = given.back() == "true" ? std::string() : given.back();
+  };
+  row.values = {std::string(shown.substr(2, shown.size() - 3))};
 }
 
 void CommandLine::value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-                        SentenceRef meaning) {
-  declare(Takes::value, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
-    target = given.back();
-  };
+                        SentenceRef meaning, std::vector<std::string> values) {
+  auto& row = declare(Takes::value, names, shown, meaning);
+  row.take = [&target](std::vector<std::string> const& given) { target = given.back(); };
+  if (!values.empty()) row.values = std::move(values);
 }
 
 void CommandLine::values(std::string_view names, std::string_view shown, std::vector<std::string>& target,
                          SentenceRef meaning) {
-  declare(Takes::values, names, shown, meaning).take = [&target](std::vector<std::string> const& given) {
-    target = given;
-  };
+  auto& row = declare(Takes::values, names, shown, meaning);
+  row.repeats = true;
+  row.take = [&target](std::vector<std::string> const& given) { target = given; };
 }
 
 void CommandLine::choice_of(std::string_view names, std::vector<std::string_view> words,
@@ -320,6 +274,11 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
 }
 
 bool CommandLine::answers(Invocation const& invocation) {
+  if (invocation.description != nullptr) {
+    *invocation.description = {.name = command_, .purpose = purpose_, .examples = examples_};
+    for (auto const& row : parser_->declared) invocation.description->options.push_back(row);
+    return true;
+  }
   auto const text = read(invocation.arguments);
   if (text) invocation.streams.out.write(*text);
   return text.has_value();
@@ -340,30 +299,18 @@ std::string CommandLine::help() const {
   std::string rows;
   std::string options;
   for (auto const& row : parser_->declared) {
-    auto const shown = placeholder_in(language_, row.shown);
-    if (row.names.empty()) {
-      usage += " " + shown;
-      rows += help_row(shown, say(row.meaning), width);
-      continue;
-    }
-    std::string name = row.names;
-    if (auto const comma = name.find(','); comma != std::string::npos) name.insert(comma + 1, " ");
-    if (!shown.empty()) name += (shown.front() == '[' ? "" : " ") + shown;
-    options += help_row(name, say(row.meaning), width);
+    auto const heading = heading_of(row, language_);
+    if (row.names.empty()) usage += " " + heading;
+    (row.names.empty() ? rows : options) += help_row(heading, say(row.meaning), width);
   }
   return help_paragraphs(say(purpose_), width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
          say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(say(examples_), width);
 }
 
-std::string version_text() {
-  return std::string("axisc ") + AXISC_VERSION + " (image format " + std::to_string(axim_major) + "." +
-         std::to_string(axim_minor) + ", runtime interface " + std::to_string(AXISRT_ABI_VERSION) + ")\n";
-}
-
-std::vector<std::string> split_list(std::string_view text) {
+std::vector<std::string> split_list(std::string_view text, char separator) {
   std::vector<std::string> parts;
   while (!text.empty()) {
-    auto const comma = std::min(text.find(','), text.size());
+    auto const comma = std::min(text.find(separator), text.size());
     auto part = text.substr(0, comma);
     text.remove_prefix(std::min(comma + 1, text.size()));
     while (!part.empty() && part.front() == ' ') part.remove_prefix(1);

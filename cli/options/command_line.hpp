@@ -35,10 +35,11 @@ class CommandLine {
   void argument(std::string_view shown, std::optional<std::string>& target, SentenceRef meaning);
   /// Arguments without an option, any number of them.
   void arguments(std::string_view shown, std::vector<std::string>& target, SentenceRef meaning);
-  /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in English.
+  /// `names` are separated by commas: "-o,--output". `shown` is the placeholder of the value in the help, in English, or
+  /// the only values: "csv|text". `values` are those of a placeholder.
   void flag(std::string_view names, bool& target, SentenceRef meaning);
   void value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
-             SentenceRef meaning);
+             SentenceRef meaning, std::vector<std::string> values = {});
   /// A flag that may have a value, only after "=": `--fix` gives "", `--fix=all` gives "all". `shown`: "[=all]".
   void flag_with_value(std::string_view names, std::string_view shown, std::optional<std::string>& target,
                        SentenceRef meaning);
@@ -64,8 +65,8 @@ class CommandLine {
   /// line.
   [[nodiscard]] std::optional<std::string> read(std::span<std::string const> arguments);
 
-  /// Reads the invocation's arguments; every command begins so. True if --help or --version was printed and the command
-  /// is done.
+  /// Reads the invocation's arguments; every command begins so. True if the command is done: --help or --version was
+  /// printed, or the command was only to be described.
   [[nodiscard]] bool answers(Invocation const& invocation);
   /// Failure that names `argument` and the command if it was not given.
   void require(bool given, std::string_view argument) const;
@@ -96,10 +97,7 @@ class CommandLine {
   std::unique_ptr<Parser> parser_;
 };
 
-/// "axisc 0.1.0 …" with a line end.
-[[nodiscard]] std::string version_text();
-
 /// "a,b,c" without blanks around the parts; empty parts are left out.
-[[nodiscard]] std::vector<std::string> split_list(std::string_view text);
+[[nodiscard]] std::vector<std::string> split_list(std::string_view text, char separator = ',');
 
 }  // namespace axisc::cli

@@ -25,7 +25,7 @@ Language choose_language(std::span<std::string const> arguments) {
     auto const locale = system::environment_variable(name);
     if (!locale.empty()) return locale.substr(0, 2) == "de" ? Language::german : Language::english;
   }
-  return Language::english;
+  return parse_language(system::language_of_settings()).value_or(Language::english);
 }
 
 bool use_color(ColorChoice choice, system::Stream stream) {

@@ -1,6 +1,7 @@
 #include "cli/options/fleet_options.hpp"
 
 #include "cli/failure.hpp"
+#include "system/path.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -48,7 +49,7 @@ Part choose_part(FleetOptions const& options, std::vector<std::string> paths) {
   Part part{.shard = {}, .all = std::move(paths), .chosen = {}};
   if (options.shard) part.shard = parse_shard(*options.shard);
   std::error_code error;
-  auto const folder = part.shard ? std::filesystem::current_path(error).generic_string() : std::string();
+  auto const folder = part.shard ? system::name_of(std::filesystem::current_path(error)) : std::string();
   for (std::size_t i = 0; i < part.all.size(); ++i) {
     if (!part.shard || is_in_shard(*part.shard, part.all[i], folder)) part.chosen.push_back(i);
   }

@@ -1,6 +1,7 @@
 #include "cli/options/image_names.hpp"
 
 #include "cli/failure.hpp"
+#include "system/path.hpp"
 
 #include <filesystem>
 #include <unordered_map>
@@ -29,9 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path absolute(fs::path const& path) {
+fs::path absolute(std::string const& name) {
   std::error_code error;
-  auto const whole = fs::absolute(path, error).lexically_normal();
+  auto const whole = fs::absolute(system::path_of(name), error).lexically_normal();
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
@@ -47,9 +48,9 @@ std::vector<std::string> image_names(std::vector<std::string> const& inputs, std
     auto below = absolute(input).lexically_relative(folder);
     if (below.empty() || *below.begin() == "..") {
       throw Failure({.sentence = says::outside_input_folder,
-                     .arguments = {{"file", input}, {"folder", folder.string()}}});
+                     .arguments = {{"file", input}, {"folder", system::name_of(folder)}}});
     }
-    names.push_back((fs::path(output_folder) / below.replace_extension(".axim")).string());
+    names.push_back(system::name_of(system::path_of(output_folder) / below.replace_extension(".axim")));
     auto const [first, is_new] = taken.emplace(names.back(), input);
     if (is_new) continue;
     throw Failure({.sentence = says::output_collision,

@@ -3,13 +3,16 @@
 #include "cli/codes.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/path_identity.hpp"
+#include "cli/options/glob.hpp"
 #include "cli/options/machine_outline.hpp"
 #include "cli/options/response_file.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/xml_list.hpp"
+#include "system/folder.hpp"
+#include "system/path.hpp"
+#include "system/process.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <unordered_set>
 #include <utility>
 #include <variant>
@@ -42,8 +45,6 @@ namespace axisc::cli {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Found {
   std::string path;
   bool is_link = false;
@@ -61,14 +62,13 @@ bool is_before(std::string const& left, std::string const& right) {
                                       [rank](char a, char b) { return rank(a) < rank(b); });
 }
 
-bool may_be_input(fs::directory_entry const& entry) {
-  auto const& name = entry.path().native();
+bool may_be_input(std::string const& name, system::FileKind kind) {
   bool const is_text =
       has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc");
   if (!is_text && !configuration::is_project_name(name) && !configuration::is_xml_name(name)) return false;
-  std::error_code error;
   // A dangling link is reported when it is read.
-  return entry.is_regular_file(error) || !entry.exists(error);
+  return (kind == system::FileKind::link ? system::kind_of(name).value_or(system::FileKind::regular)
+                                         : kind) == system::FileKind::regular;
 }
 
 class Expansion {
@@ -78,13 +78,14 @@ class Expansion {
   explicit Expansion(Wanted const& wanted) : wanted_(wanted) {}
 
   void add(NamedInput const& input) {
-    std::error_code error;
-    auto type = input.path == "-" ? fs::file_type::regular : fs::symlink_status(input.path, error).type();
-    bool const is_link = type == fs::file_type::symlink;
-    if (is_link) type = fs::status(input.path, error).type();
-    if (type == fs::file_type::directory) {
+    auto kind =
+        input.path == "-" ? system::FileKind::regular : system::kind_of(input.path, system::Link::refused);
+    bool const is_link = kind == system::FileKind::link;
+    if (is_link) kind = system::kind_of(input.path);
+    if (!kind && !system::shell_expands_patterns() && add_matching(input.path)) return;
+    if (kind == system::FileKind::folder) {
       add_folder(input.path);
-    } else if (type == fs::file_type::not_found && !input.place.empty()) {
+    } else if (!kind && !input.place.empty()) {
       failures_.push_back(
           Failure({.sentence = says::listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
@@ -102,7 +103,8 @@ class Expansion {
     auto const identities_of = [&](Found const& input, std::vector<std::string> const& names) {
       std::vector<std::string> known;
       for (auto const& name : names) {
-        result.sources.push_back((fs::path(input.path).parent_path() / name).string());
+        result.sources.push_back(
+            system::name_of(system::path_of(input.path).parent_path() / system::path_of(name)));
         known.push_back(identities.of(result.sources.back()));
       }
       return known;
@@ -157,14 +159,14 @@ class Expansion {
              if (!other.outline.is_machine || other.is_replaced || has_extension(other.path, ".json")) {
                return false;
              }
-             auto const folder = fs::path(other.path).parent_path().string();
+             auto const folder = system::name_of(system::path_of(other.path).parent_path());
              return folder.empty() || input.path.starts_with(folder + "/");
            });
   }
 
   void add_folder(std::string const& folder) {
     std::vector<Found> entries;
-    auto const start = fs::path(folder).lexically_normal();
+    auto const start = system::name_of(system::path_of(folder).lexically_normal());
     auto const failures = failures_.size();
     collect(start, folder, entries);
     std::sort(entries.begin(), entries.end(),
@@ -192,30 +194,49 @@ class Expansion {
 
   /// A folder that cannot be read is named, `shown`; the others are read nevertheless. Links to folders are not
   /// followed.
-  void collect(fs::path const& start, std::string const& shown, std::vector<Found>& entries) {
-    std::vector<std::pair<fs::path, std::string>> folders{{start, shown}};
+  void collect(std::string const& start, std::string const& shown, std::vector<Found>& entries) {
+    std::vector<std::pair<std::string, std::string>> folders{{start == "." ? "" : start, shown}};
     while (!folders.empty()) {
       auto const [folder, name] = std::move(folders.back());
       folders.pop_back();
-      std::error_code error;
-      for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        auto const path = folder == "." ? entry->path().filename().string() : entry->path().string();
-        std::error_code unknown;
-        bool const is_link = entry->is_symlink(unknown);
-        if (!is_link && entry->is_directory(unknown)) {
+      auto const found = system::entries_of(folder);
+      if (auto const* const error = std::get_if<system::Error>(&found)) {
+        fail(name, *error);
+        continue;
+      }
+      for (auto const& entry : std::get<std::vector<system::FolderEntry>>(found)) {
+        auto const path = system::name_in(folder, entry.name);
+        if (entry.kind == system::FileKind::folder) {
           folders.emplace_back(path, path);
-        } else if (may_be_input(*entry)) {
-          entries.push_back({.path = path, .is_link = is_link});
+        } else if (may_be_input(path, entry.kind)) {
+          entries.push_back({.path = path, .is_link = entry.kind == system::FileKind::link});
         }
       }
-      if (error) fail(name, error);
     }
   }
 
-  void fail(std::string const& folder, std::error_code const& error) {
-    bool const is_denied = error == std::errc::permission_denied;
+  /// False where the last part of the name is no pattern, or nothing matches it.
+  bool add_matching(std::string const& pattern) {
+    auto const whole = system::path_of(pattern);
+    auto const last = system::name_of(whole.filename());
+    if (last.find_first_of("*?") == std::string::npos) return false;
+    auto const folder = system::name_of(whole.parent_path());
+    auto const found = system::entries_of(folder);
+    auto const* const entries = std::get_if<std::vector<system::FolderEntry>>(&found);
+    if (entries == nullptr) return false;
+    bool is_found = false;
+    for (auto const& entry : *entries) {
+      if (!matches_glob(last, entry.name)) continue;
+      add({.path = system::name_in(folder, entry.name)});
+      is_found = true;
+    }
+    return is_found;
+  }
+
+  void fail(std::string const& folder, system::Error const& error) {
+    bool const is_denied = error.refusal == system::Refusal::no_permission;
     failures_.push_back(Failure({.sentence = is_denied ? says::folder_no_permission : says::folder,
-                                 .arguments = {{"folder", folder}, {"reason", error.message()}}},
+                                 .arguments = {{"folder", folder}, {"reason", system::text_of(error)}}},
                                 cannot_read));
   }
 
@@ -227,7 +248,9 @@ class Expansion {
 }  // namespace
 
 Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted const& wanted) {
-  auto const named = read_response_files(words);
+  auto named = read_response_files(words);
+  // Whoever writes `\` between folders reads `/` in what is said of them, as on every system.
+  for (auto& input : named) input.path = system::name_of(system::path_of(input.path));
   Expansion expansion(wanted);
   for (auto const& input : named) expansion.add(input);
   auto inputs = std::move(expansion).result();
@@ -240,8 +263,9 @@ Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted co
 }
 
 std::string machine_input(std::string const& name) {
-  std::error_code error;
-  if (name == "-" || !fs::is_directory(name, error)) return name;
+  if (name == "-" || system::kind_of(name) != system::FileKind::folder) {
+    return system::name_of(system::path_of(name));
+  }
   auto inputs = expand_inputs({name});
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   std::erase_if(inputs.paths, [](std::string const& path) { return !outline_of(path).is_machine; });

@@ -7,6 +7,7 @@
 #include "configuration/start_up_list.hpp"
 #include "configuration/xml_list.hpp"
 #include "diagnostics/ascii.hpp"
+#include "system/path.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -37,13 +38,13 @@ void add_programs(std::vector<std::string>& named, json_type const& object) {
 }
 
 std::string relative_to(fs::path const& folder, std::string const& path) {
-  auto const relative = fs::path(path).lexically_relative(folder.empty() ? "." : folder);
-  return relative.empty() ? fs::absolute(path).string() : relative.string();
+  auto const relative = system::path_of(path).lexically_relative(folder.empty() ? "." : folder);
+  return system::name_of(relative.empty() ? fs::absolute(system::path_of(path)) : relative);
 }
 
 void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string const& path,
                         SourceText const& channel) {
-  auto const folder = fs::path(path).parent_path();
+  auto const folder = system::path_of(path).parent_path();
   for (auto const& program :
        configuration::found_programs(files, path, configuration::read_channel_list(channel, SourceId{}))) {
     outline.programs.push_back(relative_to(folder, program));
@@ -59,7 +60,7 @@ SourceText list_text(std::string const& path, std::string text) {
 /// The lists and programs that are found.
 MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::string text) {
   MachineOutline outline{.is_machine = true};
-  auto const folder = fs::path(path).parent_path();
+  auto const folder = system::path_of(path).parent_path();
   auto const start_up = configuration::read_start_up_list(list_text(path, std::move(text)), SourceId{});
   for (auto const* const named : configuration::named_lists(start_up)) {
     auto const found = configuration::find_list(files, path, named->text);

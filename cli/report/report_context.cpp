@@ -1,6 +1,7 @@
 #include "cli/report/report_context.hpp"
 
 #include "cli/files/repository.hpp"
+#include "system/path.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <filesystem>
@@ -24,9 +25,9 @@ ReportContext report_context(std::string const& first_input) {
   if (error) return context;
   auto root = repository_of(folder);
   if (!root && !first_input.empty()) {
-    root = repository_of((folder / first_input).lexically_normal().parent_path());
+    root = repository_of((folder / system::path_of(first_input)).lexically_normal().parent_path());
   }
-  context.paths = {.root = root.value_or(folder).string(), .folder = folder.string()};
+  context.paths = {.root = system::name_of(root.value_or(folder)), .folder = system::name_of(folder)};
   return context;
 }
 

@@ -3,6 +3,7 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/sentences.hpp"
+#include "system/path.hpp"
 
 #include <cstring>
 #include <filesystem>
@@ -28,7 +29,7 @@ struct Header {
 std::string temporary_folder() {
   std::error_code error;
   auto const folder = std::filesystem::temp_directory_path(error);
-  return error ? "/tmp" : folder.string();
+  return error ? "/tmp" : system::name_of(folder);
 }
 
 system::File open_nameless() {

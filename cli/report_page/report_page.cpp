@@ -1,5 +1,6 @@
 #include "cli/report_page/report_page.hpp"
 
+#include "cli/options/report_format.hpp"
 #include "cli/report_page/html.hpp"
 #include "diagnostics/format_number.hpp"
 #include "pictures/page.hpp"
@@ -27,6 +28,7 @@ constexpr Sentence part_findings{"Findings", "Befunde"};
 constexpr Sentence part_changes{"Changes", "Änderungen"};
 constexpr Sentence part_axes{"Axes", "Achsen"};
 constexpr Sentence part_channels{"Contours", "Konturen"};
+constexpr Sentence part_programs{"Programs", "Programme"};
 constexpr Sentence part_explanations{"Explanations", "Erklärungen"};
 
 }  // namespace axisc::cli::says
@@ -91,12 +93,24 @@ struct Part {
 
 }  // namespace
 
+void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources) {
+  subject.counts.add(finding.severity);
+  bool const is_shown = subject.findings.size() < most_shown_findings;
+  subject.findings.push_back(
+      {.severity = finding.severity,
+       .code = finding.code,
+       .name = finding.name,
+       .text = is_shown ? texts_of({finding}, sources, {.language = subject.language, .color = false})
+                        : std::string()});
+}
+
 std::string report_page(ReportSubject const& subject) {
   std::vector<Part> const parts = {
       {.id = "findings", .name = says::part_findings, .html = findings_section(subject)},
       {.id = "changes", .name = says::part_changes, .html = changes_section(subject)},
       {.id = "axes", .name = says::part_axes, .html = axes_section(subject)},
       {.id = "contours", .name = says::part_channels, .html = channels_section(subject)},
+      {.id = "programs", .name = says::part_programs, .html = programs_section(subject)},
       {.id = "explanations", .name = says::part_explanations, .html = explanations_section(subject)}};
   std::string const title = subject.say(says::report_title, {{"input", subject.input}});
   std::string text = "<!doctype html>\n<html lang=\"";

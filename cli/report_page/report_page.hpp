@@ -39,6 +39,9 @@ struct ReportSubject {
 /// Findings beyond these are counted only: a page that nobody scrolls to its end helps nobody.
 inline constexpr std::size_t most_shown_findings = 500;
 
+/// Counts a finding and keeps it as the page shows it.
+void add_finding(ReportSubject& subject, Finding const& finding, SourceSet const& sources);
+
 /// The whole document. Cost: some milliseconds per axis.
 [[nodiscard]] std::string report_page(ReportSubject const& subject);
 
@@ -47,6 +50,7 @@ inline constexpr std::size_t most_shown_findings = 500;
 [[nodiscard]] std::string changes_section(ReportSubject const& subject);
 [[nodiscard]] std::string axes_section(ReportSubject const& subject);
 [[nodiscard]] std::string channels_section(ReportSubject const& subject);
+[[nodiscard]] std::string programs_section(ReportSubject const& subject);
 [[nodiscard]] std::string explanations_section(ReportSubject const& subject);
 
 }  // namespace axisc::cli

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Draws what a command prints to a terminal, colours included, as SVG.
+"""Draws what a command prints to a terminal, colours included, as SVG; compares it with the picture that is there.
 
-    terminal_picture.py PICTURE.svg COMMAND [ARGUMENT...]
+    terminal_picture.py [--check] PICTURE.svg COMMAND [ARGUMENT...]
 
-The picture in README.md:
-    terminal_picture.py docs/lint.svg build/release/bin/axisc lint samples/mistakes/units.lis --cycle-time 1ms --color always
+The picture in README.md, which a test compares:
+    terminal_picture.py docs/lint.svg build/release/bin/axisc lint samples/mistakes/units.lis --cycle-time 1ms --lang en --color always
 """
 import html
 import re
@@ -51,12 +51,20 @@ def picture(command, output):
 
 
 def main():
-    target, command = sys.argv[1], sys.argv[2:]
+    arguments = sys.argv[1:]
+    check = arguments[0] == "--check"
+    target, *command = arguments[check:]
     output = subprocess.run(command, capture_output=True, text=True).stdout
     words = [word for word in command if word not in ("--color", "always")]
     words[0] = words[0].rsplit("/", 1)[-1]
+    drawn = picture(" ".join(words), output)
+    if check:
+        with open(target, encoding="utf-8") as file:
+            if file.read() != drawn:
+                sys.exit(f"{target} is not what the command prints; without --check it is drawn again")
+        return
     with open(target, "w", encoding="utf-8") as file:
-        file.write(picture(" ".join(words), output))
+        file.write(drawn)
 
 
 main()

@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",   "schema",  "design",
-                                       "machine", "configuration", "validator", "codegen", "image",
-                                       "runtime", "motion",        "editor",    "cli"};
+std::set<std::string> const folders = {
+    "system",        "diagnostics", "grammar",  "schema", "design",  "machine",
+    "configuration", "validator",   "codegen",  "image",  "runtime", "motion",
+    "tuning",        "comparison",  "pictures", "editor", "cli"};
 
 /// What each folder may include, beside itself: the picture of the architecture.
 std::map<std::string, std::set<std::string>> const may_include = {
@@ -27,13 +29,15 @@ std::map<std::string, std::set<std::string>> const may_include = {
     {"grammar", {"diagnostics"}},
     {"machine", {"design"}},
     {"configuration", {"machine", "design", "schema", "grammar", "diagnostics"}},
-    {"validator", {"configuration", "machine", "design", "schema", "grammar", "diagnostics"}},
+    {"validator", {"system", "configuration", "machine", "design", "schema", "grammar", "diagnostics"}},
     {"codegen", {"machine", "design", "runtime"}},
     {"image", {"codegen", "machine", "design", "schema", "runtime"}},
     {"editor",
      {"motion", "image", "codegen", "machine", "configuration", "validator", "design", "schema", "grammar",
-      "diagnostics"}},
+      "pictures", "diagnostics"}},
     {"pictures", {"diagnostics"}},
+    {"comparison", {"design", "diagnostics"}},
+    {"tuning", {"motion", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},
     {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
 };
 
@@ -170,8 +174,10 @@ TEST_CASE("no folder is too full to be read at a glance") {
   for (auto const& top : tops) {
     std::map<fs::path, std::size_t> counts;
     for (auto const& entry : fs::recursive_directory_iterator(fs::path(AXISC_SOURCE_DIR) / top)) {
-      bool const is_corpus = entry.path().string().find("/tests/fuzz/corpus/") != std::string::npos;
-      if (entry.is_regular_file() && !is_corpus) ++counts[entry.path().parent_path()];
+      auto const path = entry.path().string();
+      bool const is_ours = path.find("/tests/fuzz/corpus/") == std::string::npos &&
+                           path.find("/node_modules/") == std::string::npos;
+      if (entry.is_regular_file() && is_ours) ++counts[entry.path().parent_path()];
     }
     for (auto const& [folder, count] : counts) {
       if (folder.filename() == "rules") continue;
@@ -194,6 +200,40 @@ TEST_CASE("the operating system is called in system/ alone") {
         if (!std::regex_search(line, match, include)) continue;
         INFO(source.string() << ": " << line);
         CHECK_FALSE(foreign.contains(match[1].str()));
+      }
+    }
+  }
+}
+
+TEST_CASE("names become paths in system/path.hpp alone") {
+  // The constructor of std::filesystem::path does not take UTF-8 everywhere, and string() does not give it.
+  std::regex const narrow(
+      R"((\bpath[({][^)}&])|((\bpath|name|folder|file|relative|whole)\(?\)?(\.|->)(generic_)?string\(\))|u8path|\.native\(\))");
+  for (auto const& folder : folders) {
+    if (folder == "system" || folder == "runtime") continue;
+    for (auto const& source : sources_of(folder)) {
+      std::ifstream in(source);
+      std::string const text((std::istreambuf_iterator<char>(in)), {});
+      if (text.find("filesystem") == std::string::npos) continue;
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);) {
+        INFO(source.string() << ": " << line);
+        CHECK_FALSE(std::regex_search(line, narrow));
+      }
+    }
+  }
+}
+
+TEST_CASE("sources differ between operating systems in system/ alone") {
+  std::regex const conditional(
+      R"(^\s*#\s*(if|ifdef|ifndef|elif).*\b(_WIN32|_WIN64|__linux__|__unix__|__APPLE__)\b)");
+  for (auto const& folder : folders) {
+    if (folder == "system" || folder == "runtime") continue;
+    for (auto const& source : sources_of(folder)) {
+      std::ifstream in(source);
+      for (std::string line; std::getline(in, line);) {
+        INFO(source.string() << ": " << line);
+        CHECK_FALSE(std::regex_search(line, conditional));
       }
     }
   }

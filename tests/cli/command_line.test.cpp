@@ -4,6 +4,7 @@
 #include "cli/failure.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
+#include "cli/version.hpp"
 #include "support/catch.hpp"
 
 #include <array>
@@ -105,6 +106,11 @@ TEST_CASE("help and version come before complaints") {
   CHECK(read(words, {"--help", "--xyzzy"}).value_or("").find("Usage: axisc lint [OPTIONS] INPUT...") !=
         std::string::npos);
   CHECK(read(words, {"--version"}) == version_text());
+}
+
+TEST_CASE("the version names commit and compiler") {
+  CHECK(version_text().starts_with("axisc " AXISC_PROJECT_VERSION " (commit "));
+  CHECK(version_text().find(", " AXISC_COMPILER "; image format ") != std::string::npos);
 }
 
 TEST_CASE("help rows break between words") {

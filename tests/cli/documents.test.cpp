@@ -85,3 +85,15 @@ TEST_CASE("the page about a controller's folder shows the machine of the sample"
   check_golden("docs/controller-folder.md",
                executed(read_source_file("docs/controller-folder.md"), folder / "try"));
 }
+
+TEST_CASE("the page about suggestions shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/resonance", folder / "try");
+  check_golden("docs/suggest.md", executed(read_source_file("docs/suggest.md"), folder / "try"));
+}
+
+TEST_CASE("the page about recordings shows what its commands print") {
+  TemporaryFolder const folder;
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/recording", folder / "try");
+  check_golden("docs/compare.md", executed(read_source_file("docs/compare.md"), folder / "try"));
+}

@@ -1,6 +1,7 @@
 #include "pictures/svg.hpp"
 
 #include "pictures/svg_text.hpp"
+#include "pictures/text_width.hpp"
 #include "support/catch.hpp"
 
 #include <limits>
@@ -54,4 +55,17 @@ TEST_CASE("values outside a panel are drawn at its edge, and no number is not dr
   figure.panels.clear();
   figure.nothing = "Nichts zu zeichnen.";
   CHECK_THAT(svg(figure, Language::german), Contains("Nichts zu zeichnen."));
+}
+
+TEST_CASE("a title that is too long ends in an ellipsis, between letters") {
+  std::string const title = "Größe: " + std::string(300, 'x');
+  auto const shown = fitted(title, 12, 700);
+  CHECK(shown.ends_with("…"));
+  CHECK(text_width(shown, 12) <= 700);
+  CHECK(text_width(shown, 12) > 680);
+  CHECK(fitted("kurz", 12, 700) == "kurz");
+  for (double width = 10; width < 60; width += 0.5) {
+    auto const cut = fitted("öäüöäüöäü", 12, width);
+    CHECK(cut.size() % 2 == 1);  // whole letters of two bytes, and the ellipsis of three
+  }
 }

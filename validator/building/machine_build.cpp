@@ -247,10 +247,11 @@ BuiltMachine build_machine(LoadedMachine const& loaded, std::deque<AxisViews> co
     for (std::size_t const slave : gantry.slaves) built.machine.axes[slave].gantry_master = gantry.master;
   }
   for (LoadedGroup const& group : loaded.groups) {
-    built.machine.groups.push_back(
-        {.name = group.name,
-         .axes = group.axes,
-         .filter_sets = filter_sets_of(loaded, group, sources, built.not_compiled)});
+    auto& channel = built.machine.groups.emplace_back();
+    channel.name = group.name;
+    channel.axes = group.axes;
+    channel.filter_sets = filter_sets_of(loaded, group, sources, built.not_compiled);
+    for (auto const program : group.programs) channel.programs.push_back(loaded.programs[program].path);
   }
   return built;
 }

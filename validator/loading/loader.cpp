@@ -3,6 +3,7 @@
 #include "configuration/xml_list.hpp"
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
+#include "system/path.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/values/kind_of_list.hpp"
 #include "validator/values/list_reader.hpp"
@@ -88,7 +89,7 @@ std::string beside(std::string const& path, std::string const& name) {
 }
 
 std::string key_of(std::string const& path) {
-  return std::filesystem::path(path).lexically_normal().generic_string();
+  return system::name_of(system::path_of(path).lexically_normal());
 }
 
 bool runs_in(LoadedGroup const& group, std::size_t program) {

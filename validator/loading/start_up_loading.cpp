@@ -1,5 +1,6 @@
 #include "configuration/listed_values.hpp"
 #include "diagnostics/ascii.hpp"
+#include "system/path.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -206,8 +207,8 @@ ListSearch& Loader::search(StartUp& start_up, LocatedText const& named, std::opt
 
 std::string Loader::shown(std::string const& path) const {
   if (is_absolute(path) != is_absolute(machine_.path)) return std::string(file_name(path));
-  auto const folder = std::filesystem::path(machine_.path).parent_path();
-  return std::filesystem::path(path).lexically_relative(folder.empty() ? "." : folder).generic_string();
+  auto const folder = system::path_of(machine_.path).parent_path();
+  return system::name_of(system::path_of(path).lexically_relative(folder.empty() ? "." : folder));
 }
 
 }  // namespace axisc::validator

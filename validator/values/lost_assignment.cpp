@@ -114,7 +114,8 @@ constexpr std::array<std::string_view, 5> compiled_families = {
 std::string_view beginning_of(std::string_view name, std::string_view family) {
   auto dots = std::count(family.begin(), family.end(), '.');
   auto const ends = [&dots](char byte) { return byte == '[' || (byte == '.' && dots-- == 0); };
-  return {name.begin(), std::find_if(name.begin(), name.end(), ends)};
+  auto const length = std::find_if(name.begin(), name.end(), ends) - name.begin();
+  return name.substr(0, static_cast<std::size_t>(length));
 }
 
 }  // namespace

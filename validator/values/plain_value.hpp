@@ -63,6 +63,10 @@ class PlainValueReader {
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
 
+  [[nodiscard]] std::string_view text_from(char const* first) const {
+    return {first, static_cast<std::size_t>(end_ - first)};
+  }
+
   [[nodiscard]] static bool is_within(schema::PlainValues const& values, double number) {
     return static_cast<bool>(static_cast<unsigned>(values.lowest <= number) &
                              static_cast<unsigned>(number <= values.highest));
@@ -75,7 +79,7 @@ class PlainValueReader {
 
   [[nodiscard]] bool has_leading_zero() const {
     char const* const first = begin_ + (digits::is_sign(*begin_) ? 1 : 0);
-    return ascii::has_leading_zero({first, end_});
+    return ascii::has_leading_zero(text_from(first));
   }
 
   bool short_integer(PlainValue& out) const {
@@ -91,7 +95,7 @@ class PlainValueReader {
   /// A hexadecimal number of at most thirteen digits, which a double holds exactly.
   bool hexadecimal(PlainValue& out) const {
     constexpr std::size_t prefix = grammar::lexical::hexadecimal_prefix.size();
-    if (size() - prefix - 1 >= 13 || !grammar::lexical::begins_hexadecimal({begin_, end_})) return false;
+    if (size() - prefix - 1 >= 13 || !grammar::lexical::begins_hexadecimal(text_from(begin_))) return false;
     std::uint64_t number = 0;
     for (char const* byte = begin_ + prefix; byte != end_; ++byte) {
       if (!grammar::is(grammar::character::hexadecimal, *byte)) return false;
@@ -129,8 +133,7 @@ class PlainValueReader {
   /// Letters, digits and the characters allowed between them; not a reference.
   bool text(schema::PlainValues const& values, PlainValue& out) const {
     using namespace grammar;
-    bool const may_be_reference =
-        std::string_view(begin_, end_).starts_with(lexical::parameter_number_prefix);
+    bool const may_be_reference = text_from(begin_).starts_with(lexical::parameter_number_prefix);
     if (!is(character::letter, *begin_) || may_be_reference || size() > values.longest) return false;
     for (char const* byte = begin_ + 1; byte != end_; ++byte) {
       if (!is(character::letter | character::digit | character::sign, *byte) &&

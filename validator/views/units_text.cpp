@@ -1,6 +1,7 @@
 #include "validator/views/units_text.hpp"
 
 #include "diagnostics/format_number.hpp"
+#include "schema/value.hpp"
 
 #include <array>
 
@@ -82,6 +83,13 @@ std::string raw_unit_name(std::string_view unit) {
     if (at != std::string::npos) text.replace(at, replacement.plain.size(), replacement.printed);
   }
   return text;
+}
+
+std::string default_text(schema::Parameter const& parameter) {
+  auto const value = schema::default_value(parameter);
+  bool const is_number = value && value->text.empty() && !schema::is_bit_mask(parameter) &&
+                         parameter.type != schema::DataType::string;
+  return is_number ? format_exact(value->number) : std::string(parameter.default_text);
 }
 
 }  // namespace axisc::validator

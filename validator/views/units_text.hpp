@@ -22,4 +22,7 @@ namespace axisc::validator {
 /// The unit of the raw number in print: "µm/s" for "um/s", "0.1 µm" for "0.1 um".
 [[nodiscard]] std::string raw_unit_name(std::string_view unit);
 
+/// The default in plain numbers: 30 for 3.000000e+001, 4 for 0x0004; empty if there is none.
+[[nodiscard]] std::string default_text(schema::Parameter const& parameter);
+
 }  // namespace axisc::validator

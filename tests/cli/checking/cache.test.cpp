@@ -214,7 +214,7 @@ TEST_CASE("damaged caches give no wrong results") {
   }
 }
 
-TEST_CASE("a cache never follows a link, waits for a pipe or believes a size") {
+TEST_CASE("a cache never follows a link, waits for a pipe or believes a size", "[posix]") {
   Plant const plant;
   auto const plain = plant.lint({}, false);
   REQUIRE(plant.lint().out == plain.out);

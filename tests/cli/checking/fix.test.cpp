@@ -85,7 +85,7 @@ TEST_CASE("standard input is fixed onto standard output") {
   CHECK_THAT(outcome.err, Catch::Matchers::Contains("-:3:1"));
 }
 
-TEST_CASE("a list that several inputs share is fixed once, its mode is kept") {
+TEST_CASE("a list that several inputs share is fixed once, its mode is kept", "[posix]") {
   TemporaryFolder const folder;
   std::string const machine =
       R"({"machine": "m", "cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})";
@@ -166,4 +166,17 @@ TEST_CASE("what is not a misspelt name is never changed in lists of other kinds"
   CHECK(run_axisc({"fmt", "lists"}, in_folder(folder.path())).status == 0);
   CHECK(folder.read("lists/wz.lis") == tools);
   CHECK(folder.read("lists/sda.lis") == channel);
+}
+
+TEST_CASE("lines that a fix adds have the line ends of their list") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kopf.achs_nr 1\nfilter_fir.type 1\nfilter_fir.order 20\nEnde\n");
+  folder.write("y.lis", "kopf.achs_nr 2\r\nEnde\r\n");
+  folder.write(
+      "m.json",
+      R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}]})");
+  static_cast<void>(
+      run_axisc({"lint", "m.json", "--fix=all", "--disable", "AX2017"}, in_folder(folder.path())));
+  CHECK(folder.read("y.lis") ==
+        "kopf.achs_nr 2\r\nfilter_fir.enable 1\r\nfilter_fir.type 4\r\nfilter_fir.order 10\r\nEnde\r\n");
 }

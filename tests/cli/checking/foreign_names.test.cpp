@@ -108,7 +108,7 @@ TEST_CASE("run reads the header that it wrote") {
   }
 }
 
-TEST_CASE("workflow commands hold no control characters") {
+TEST_CASE("workflow commands hold no control characters", "[posix]") {
   TemporaryFolder const folder;
   folder.write("a\x1b\x07.lis", "kenngr.achs_typ 1\nfilter[0].order \x1b[31m\x07\nEnde\n");
   auto const outcome = run_axisc({"lint", ".", "--format", "github"}, in_folder(folder.path()));

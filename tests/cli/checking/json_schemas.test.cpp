@@ -1,5 +1,6 @@
 // The published JSON schemas and the program agree on which files are right.
-#include "cli/json_schema.hpp"
+#include "cli/program.hpp"
+#include "cli/settings/json_schema.hpp"
 #include "cli/settings/plant_file.hpp"
 #include "cli/settings/schema_file.hpp"
 #include "cli/settings/settings.hpp"
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 using namespace axisc::test;
+using axisc::cli::json_schema;
 using axisc::configuration::JsonShape;
 using Json = nlohmann::ordered_json;
 
@@ -149,6 +151,21 @@ void collect_keys(JsonShape const& shape, std::vector<std::string>& keys) {
 
 TEST_CASE("the JSON schemas are what the tables of the readers give") {
   for (auto const& kind : kinds()) check_golden(kind.schema_file, json_schema(kind.shape));
+}
+
+TEST_CASE("the published JSON schemas are printed") {
+  auto const printed = axisc::cli::json_file_kinds();
+  REQUIRE(printed.size() == kinds().size());
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    auto const outcome = run_axisc({"schema", std::string(printed[i].name)});
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == read_source_file(kinds()[i].schema_file));
+  }
+  auto const refused = run_axisc({"schema", "list"});
+  CHECK(refused.status == 2);
+  CHECK(refused.err ==
+        "axisc: error: axisc schema does not know \"list\"; choose from machine, settings, plant, schema\n");
+  CHECK(run_axisc({"schema"}).status == 2);
 }
 
 TEST_CASE("the reference pages have a row for every key, as the readers know it") {

@@ -3,6 +3,8 @@
 #include "support/golden.hpp"
 #include "support/sarif_schema.hpp"
 
+#include <nlohmann/json.hpp>
+
 using namespace axisc::test;
 
 namespace {
@@ -299,4 +301,23 @@ TEST_CASE("a cycle time that no control has is a mistaken unit") {
   auto const settings = run_axisc({"lint", "x.lis"}, there);
   CHECK(settings.status == 2);
   CHECK_THAT(settings.err, Catch::Matchers::Contains("axisc.json:1:19"));
+}
+
+TEST_CASE("the text of an editor is judged in the machine of its file") {
+  TemporaryFolder const folder;
+  folder.write(
+      "machine.json",
+      R"({"cycle_time_us": 1000, "default_list": "all.lis", "axes": [{"name": "X", "list": "./x.lis"}]})");
+  folder.write("all.lis", "filter[0].enable 1\nfilter[0].type LOWPASS\nunknown.of.defaults 1\n");
+  folder.write("x.lis", "kopf.achs_nr 1\n");
+  auto surroundings = in_folder(folder.path());
+  // 600 Hz is above half the sampling frequency of the machine; alone the list has no such filter and no cycle time.
+  surroundings.input = "kopf.achs_nr 1\nfilter[0].order 2\nfilter[0].fg_f0 600\n";
+  auto const outcome =
+      run_axisc({"lint", "-", "--stdin-filename", "x.lis", "--format", "json", "--lang", "en"}, surroundings);
+  auto const findings = nlohmann::json::parse(outcome.out)["diagnostics"];
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0]["code"] == "AX3002");
+  CHECK(findings[0]["file"] == "./x.lis");
+  CHECK(outcome.status == 1);
 }

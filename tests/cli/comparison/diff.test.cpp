@@ -32,7 +32,7 @@ nlohmann::json as_json(Surroundings const& there, std::vector<std::string> argum
 
 }  // namespace
 
-TEST_CASE("what changed in every format and language") {
+TEST_CASE("what changed in every format and language", "[digits]") {
   TemporaryFolder const folder;
   auto const there = two_machines(folder);
   for (std::string const language : {"en", "de"}) {

@@ -96,7 +96,7 @@ TEST_CASE("a configured filter that cannot be compiled is refused") {
   CHECK(folder.entries() == 1);
 }
 
-TEST_CASE("the target keeps what it is") {
+TEST_CASE("the target keeps what it is", "[posix]") {
   TemporaryFolder const folder;
   CHECK(run_axisc({"compile", machine, "-o", "/dev/null", "--quiet"}).status == 0);
   struct stat facts {};

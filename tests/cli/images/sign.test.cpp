@@ -26,7 +26,7 @@ Surroundings prepared(TemporaryFolder const& folder) {
 
 }  // namespace
 
-TEST_CASE("a secret key is for its owner alone, is never printed and never overwritten") {
+TEST_CASE("a secret key is for its owner alone, is never printed and never overwritten", "[posix]") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
   auto const made = run_axisc({"keygen", "plant.key"}, there);
@@ -53,7 +53,7 @@ TEST_CASE("a secret key is for its owner alone, is never printed and never overw
   CHECK_FALSE(std::filesystem::exists(path + ".pub"));
 }
 
-TEST_CASE("a secret key that others may read, or that is none, is refused") {
+TEST_CASE("a secret key that others may read, or that is none, is refused", "[posix]") {
   TemporaryFolder const folder;
   auto const there = prepared(folder);
   std::string const path = folder.path() + "/a";

@@ -104,7 +104,7 @@ FilterCurves delays() {
 
 }  // namespace
 
-TEST_CASE("the page on filters shows what the program draws") {
+TEST_CASE("the page on filters shows what the program draws", "[digits]") {
   TemporaryFolder const folder;
   std::string const lowpass = "type LOWPASS,fg_f0 15";
   std::string const bandstop = "type BANDSTOP,fg_f0 30,guete 2";
@@ -129,7 +129,7 @@ TEST_CASE("the page on filters shows what the program draws") {
   }
 }
 
-TEST_CASE("the gallery shows what the program draws from the samples") {
+TEST_CASE("the gallery shows what the program draws from the samples", "[digits]") {
   TemporaryFolder const folder;
   write_repaired(folder);
   std::string const page = read_source_file("docs/gallery.md");

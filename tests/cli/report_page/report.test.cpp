@@ -4,8 +4,8 @@
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 
+#include <filesystem>
 #include <iomanip>
-#include <regex>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,13 @@ std::string report_of(std::vector<std::string> words, TemporaryFolder const& fol
 /// What a browser shows: without tags, entities decoded.
 std::string text_of(std::string const& html) {
   std::string const body = html.substr(html.find("<body>"), html.find("<script>") - html.find("<body>"));
-  std::string text = std::regex_replace(body, std::regex("<[^>]*>"), " ");
+  std::string text;
+  bool in_tag = false;
+  for (char const letter : body) {
+    if (letter == '<') in_tag = true;
+    if (!in_tag) text += letter;
+    if (letter == '>') in_tag = false;
+  }
   for (auto const& [entity, letter] : std::vector<std::pair<std::string, std::string>>{
            {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
     for (auto at = text.find(entity); at != std::string::npos; at = text.find(entity, at + 1)) {
@@ -44,19 +50,23 @@ std::string text_of(std::string const& html) {
 /// Every tag is closed, in the right order.
 void check_nesting(std::string const& html) {
   std::vector<std::string> open{"html"};
-  static std::regex const tag("<(/?)([a-zA-Z0-9]+)([^>]*)>");
   std::string body = html.substr(html.find("<body>"));
   if (auto const script = body.find("<script>"); script != std::string::npos) {
     body.erase(script, body.find("</script>") + std::string("</script>").size() - script);
   }
-  for (std::sregex_iterator it(body.begin(), body.end(), tag), end; it != end; ++it) {
-    if ((*it)[3].str().ends_with('/')) continue;
-    if ((*it)[1].length() == 0) {
-      open.push_back((*it)[2]);
+  for (auto at = body.find('<'); at != std::string::npos; at = body.find('<', at + 1)) {
+    auto const end = body.find('>', at);
+    REQUIRE(end != std::string::npos);
+    bool const closes = body[at + 1] == '/';
+    auto const begin = at + (closes ? 2 : 1);
+    std::string const name = body.substr(begin, body.find_first_of(" >/", begin) - begin);
+    if (body[end - 1] == '/') continue;
+    if (!closes) {
+      open.push_back(name);
       continue;
     }
     REQUIRE_FALSE(open.empty());
-    if (open.back() != (*it)[2]) FAIL("</" << (*it)[2] << "> closes <" << open.back() << ">");
+    if (open.back() != name) FAIL("</" << name << "> closes <" << open.back() << ">");
     open.pop_back();
   }
   CHECK(open.empty());
@@ -107,6 +117,31 @@ TEST_CASE("the report's figures are those of inspect and contour") {
   for (auto const& group : said["groups"]) {
     CHECK_THAT(text, Contains(rounded(group["contour_deviation_um"].get<double>())));
     CHECK_THAT(text, Contains(rounded(group["circle"]["contour_deviation_um"].get<double>())));
+  }
+}
+
+TEST_CASE("the report's programs are those of simulate") {
+  TemporaryFolder const folder;
+  auto const html = report_of({mill, "--lang", "de"}, folder);
+  check_nesting(html);
+  auto const text = text_of(html);
+  auto const simulated = json::parse(
+      run_axisc({"simulate", mill, "--program", AXISC_SOURCE_DIR "/samples/mill/part.nc", "--format", "json"})
+          .out);
+  REQUIRE(simulated["passes"].size() == 5);
+  for (auto const& pass : simulated["passes"]) {
+    std::ostringstream deviation;
+    deviation << std::fixed << std::setprecision(4) << pass["max_contour_deviation_um"].get<double>();
+    CHECK_THAT(text, Contains(deviation.str()));
+  }
+  CHECK_THAT(text, Contains("Bahn von part.nc, Ebene X/Y") && Contains("AX9007"));
+  SECTION("of each channel, and what cannot be followed says why") {
+    std::filesystem::copy(AXISC_SOURCE_DIR "/samples/controller", folder.path() + "/listen",
+                          std::filesystem::copy_options::recursive);
+    folder.write("listen/prog/init.nc", "#FILTER ON [ORDER=10]\nG01 X1 F100\nG41 X2\nM17\n");
+    auto const refused = text_of(report_of({"listen"}, folder));
+    CHECK_THAT(refused, Contains("init.nc in channel Fraesen") && Contains("The program is not followed:") &&
+                            Contains("AX9008") && Contains("G41"));
   }
 }
 

@@ -55,7 +55,6 @@ class DelayWriter {
   void write(LoadedAxis const& axis, double cycles, std::vector<Edit>& edits) const {
     LoadedList const& list = machine_.lists[axis.list].list;
     SourceText const& source = sources_[list.source];
-    std::string_view const line_end = source.bytes().find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
     struct Line {
       std::string_view name;
       double value;
@@ -70,7 +69,7 @@ class DelayWriter {
       if (value.origin == Origin::axis_list && value.value_place()) {
         edits.push_back({*value.value_place(), text});
       } else {
-        added.append(line.name).append(" ").append(text).append(line_end);
+        added.append(line.name).append(" ").append(text).append("\n");
       }
     }
     if (added.empty()) return;
@@ -78,8 +77,8 @@ class DelayWriter {
     bool const open_line = !list.tree.end_marker && !bytes.empty() && bytes.back() != '\n';
     auto const end = static_cast<std::uint32_t>(bytes.size());
     std::uint32_t const at = list.tree.end_marker ? list.tree.end_marker->begin : end;
-    edits.push_back({{.source = list.source, .span = {.begin = at, .end = at}},
-                     open_line ? std::string(line_end) + added : added});
+    edits.push_back(
+        {{.source = list.source, .span = {.begin = at, .end = at}}, open_line ? "\n" + added : added});
   }
 
  private:
