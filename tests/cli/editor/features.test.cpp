@@ -245,8 +245,8 @@ TEST_CASE("a hover says why a filter has no figures") {
   CHECK(shown(values + "filter[0].enable 1\n").find("No figures") == std::string::npos);
   CHECK(shown(values + "filter[0].enable 0\n").find("No figures: this filter is switched off.") !=
         std::string::npos);
-  CHECK(shown(values + "filter[0].enable 1\nfilter[0].share_percent oft\n").find(
-            "No figures: a value of this filter cannot be used.") != std::string::npos);
+  CHECK(shown(values + "filter[0].enable 1\nfilter[0].share_percent oft\n")
+            .find("No figures: a value of this filter cannot be used.") != std::string::npos);
 }
 
 TEST_CASE("a finding can be allowed on its line, and then it is gone") {
