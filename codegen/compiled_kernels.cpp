@@ -14,8 +14,11 @@ design::KernelSpecification normalised(design::KernelSpecification specification
   design::KernelKind const& kind = design::kind_of(specification.type);
   if (!kind.uses_frequency) specification.frequency = defaults.frequency;
   if (!kind.uses_quality) specification.quality = defaults.quality;
+  specification.reading = design::applied_reading(specification);
+  if (!kind.uses_frequency) specification.cycle_time = defaults.cycle_time;
   if (kind.computes_order) {
-    specification.order = design::novib_order(specification.frequency, cycle_time);
+    specification.order =
+        design::novib_order(specification.frequency, design::as_read(cycle_time, specification.cycle_time));
   }
   return specification;
 }

@@ -11,6 +11,8 @@ void set_specification(Record<records::filter>& record, design::FilterSpecificat
   record.set(fields::filter::quality, specification.quality);
   record.set(fields::filter::time_constant, specification.time_constant.value);
   record.set(fields::filter::share_percent, specification.share_percent);
+  record.set(fields::filter::reading, static_cast<std::uint32_t>(specification.reading));
+  record.set(fields::filter::cycle_reading, static_cast<std::uint32_t>(specification.cycle_time));
 }
 
 void set_proof(Record<records::filter>& record, FilterProof const& proof) {

@@ -25,6 +25,8 @@ void add_kernel(design::KernelSpecification const& specification, CompiledKernel
   record.set(fields::kernel::peak_gain, kernel.proof.peak_gain);
   record.set(fields::kernel::overshoot, kernel.proof.overshoot);
   record.set(fields::kernel::tail_gain, kernel.proof.tail_gain);
+  record.set(fields::kernel::reading, static_cast<std::uint32_t>(specification.reading));
+  record.set(fields::kernel::cycle_reading, static_cast<std::uint32_t>(specification.cycle_time));
 }
 
 void add_slot(PlannedSlot const& slot, std::uint32_t first_member, ImageTables& tables) {

@@ -18,7 +18,8 @@ std::uint64_t bits(double number) {
 void append(Key& key, design::FilterSpecification const& s) {
   key.insert(key.end(),
              {static_cast<std::uint64_t>(s.type), static_cast<std::uint64_t>(s.prototype), s.order,
-              bits(s.frequency.value), bits(s.quality), bits(s.time_constant.value), bits(s.share_percent)});
+              bits(s.frequency.value), bits(s.quality), bits(s.time_constant.value), bits(s.share_percent),
+              static_cast<std::uint64_t>(s.reading), static_cast<std::uint64_t>(s.cycle_time)});
 }
 
 CompiledFilter completed(design::FilterDesign design) {
@@ -57,9 +58,14 @@ KnownDesigns::Filter KnownDesigns::oscillator(design::OscillatorSpecification co
 
 KnownDesigns::Kernel KnownDesigns::kernel(design::KernelSpecification const& specification,
                                           design::CycleTime cycle_time) {
-  Key const key{cycle_time.nanoseconds,      static_cast<std::uint64_t>(specification.type),
-                specification.order,         bits(specification.frequency.value),
-                bits(specification.quality), bits(specification.share_percent)};
+  Key const key{cycle_time.nanoseconds,
+                static_cast<std::uint64_t>(specification.type),
+                specification.order,
+                bits(specification.frequency.value),
+                bits(specification.quality),
+                bits(specification.share_percent),
+                static_cast<std::uint64_t>(specification.reading),
+                static_cast<std::uint64_t>(specification.cycle_time)};
   return kernels_.get(key, [&] {
     CompiledKernel compiled{
         .design = design::design_kernel(specification, cycle_time), .proof = {}, .self_test = {}};

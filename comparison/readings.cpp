@@ -6,7 +6,6 @@
 #include "design/kernel_kinds.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace axisc::comparison::says {
 
@@ -14,6 +13,8 @@ constexpr Sentence double_cycle{"the filters are computed for twice the cycle ti
                                 "die Filter sind für die doppelte Zykluszeit gerechnet"};
 constexpr Sentence half_cycle{"the filters are computed for half the cycle time",
                               "die Filter sind für die halbe Zykluszeit gerechnet"};
+constexpr Sentence nc_cycle{"the filters are computed for the NC cycle time",
+                            "die Filter sind für die NC-Zykluszeit gerechnet"};
 constexpr Sentence kernel_off{"the linear-phase filter is off", "der linearphasige Filter ist aus"};
 constexpr Sentence kernel_on{"the linear-phase filter is on", "der linearphasige Filter ist an"};
 
@@ -49,21 +50,18 @@ void add(std::vector<Part>& parts, Part part) {
   parts.push_back(std::move(part));
 }
 
-bool can_be_designed(design::FilterSpecification const& filter, design::CycleTime cycle_time) {
-  return !design::uses_frequency(filter.type) || filter.frequency < cycle_time.nyquist();
-}
-
-Chain listed_filters(Configured const& configured, design::CycleTime cycle_time) {
+/// Empty where one of them cannot be designed.
+Chain listed_filters(Configured const& configured) {
   Chain chain;
   for (auto const& filter : configured.filters) {
-    if (!can_be_designed(filter, cycle_time)) return {};
-    chain.push_back(link_of(design::design_filter(filter, cycle_time, design::Precision::quick)));
+    if (!design::is_in_range(filter, configured.cycle_time)) return {};
+    chain.push_back(link_of(design::design_filter(filter, configured.cycle_time, design::Precision::quick)));
   }
   return chain;
 }
 
 std::vector<Part> filter_parts(Configured const& configured) {
-  std::vector<Part> parts{{std::nullopt, listed_filters(configured, configured.cycle_time)}};
+  std::vector<Part> parts{{std::nullopt, listed_filters(configured)}};
   for (auto const& reading : filter_readings()) {
     Chain chain = parts.front().links;
     bool changed = false;
@@ -107,20 +105,24 @@ Reading joined(Part const& filters, Part const& kernel) {
   return reading;
 }
 
+bool can_be_designed(design::KernelSpecification const& kernel, design::CycleTime cycle_time) {
+  auto const& kind = design::kind_of(kernel.type);
+  design::CycleTime const computed_for = design::as_read(cycle_time, kernel.cycle_time);
+  bool const fits = !kind.uses_frequency || kernel.frequency < computed_for.nyquist();
+  return fits && (!kind.computes_order || kernel.frequency >= design::lowest_novib_frequency(computed_for));
+}
+
 /// All parts but delays of whole cycles know the cycle time.
-void add_other_cycle_time(std::vector<Reading>& all, Configured const& configured, Departure departure,
-                          double factor) {
-  design::CycleTime const other{
-      static_cast<std::uint32_t>(std::lround(configured.cycle_time.nanoseconds * factor))};
-  Chain chain = listed_filters(configured, other);
+void add_other_cycle_time(std::vector<Reading>& all, Configured configured, Departure departure,
+                          design::CycleReading reading) {
+  for (auto& filter : configured.filters) filter.cycle_time = reading;
+  Chain chain = listed_filters(configured);
   if (chain.size() != configured.filters.size()) return;
   if (configured.kernel && configured.kernel_on) {
-    auto const& kernel = *configured.kernel;
-    auto const& kind = design::kind_of(kernel.type);
-    bool const fits = !kind.uses_frequency || kernel.frequency < other.nyquist();
-    bool const is_short = !kind.computes_order || kernel.frequency >= design::lowest_novib_frequency(other);
-    if (!fits || !is_short) return;
-    chain.push_back(kernel_chain(design::design_kernel(kernel, other).taps).front());
+    auto& kernel = *configured.kernel;
+    kernel.cycle_time = reading;
+    if (!can_be_designed(kernel, configured.cycle_time)) return;
+    chain.push_back(kernel_chain(design::design_kernel(kernel, configured.cycle_time).taps).front());
   }
   if (!same(chain, all.front().chain)) all.push_back({{departure}, std::move(chain)});
 }
@@ -134,8 +136,10 @@ std::vector<Reading> readings(Configured const& configured) {
   for (auto const& filter : filters) {
     for (auto const& kernel : kernels) all.push_back(joined(filter, kernel));
   }
-  add_other_cycle_time(all, configured, {"cycle-time-double", says::double_cycle}, 2);
-  add_other_cycle_time(all, configured, {"cycle-time-half", says::half_cycle}, 0.5);
+  using design::CycleReading;
+  add_other_cycle_time(all, configured, {cycle_time_double, says::double_cycle}, CycleReading::twice);
+  add_other_cycle_time(all, configured, {cycle_time_half, says::half_cycle}, CycleReading::half);
+  add_other_cycle_time(all, configured, {documented_cycle_time, says::nc_cycle}, CycleReading::documented);
   std::stable_sort(all.begin(), all.end(), [](Reading const& a, Reading const& b) {
     return a.departures.size() < b.departures.size();
   });

@@ -5,6 +5,7 @@
 #include "comparison/chain.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
+#include "design/readings.hpp"
 #include "design/units.hpp"
 #include "diagnostics/message.hpp"
 
@@ -28,6 +29,13 @@ struct Departure {
   std::string_view id;
   SentenceRef meaning;
 };
+
+/// Names of departures that are no words of settings; the first three lead back to what axisc computes without settings.
+inline constexpr std::string_view documented_filters = "documented-filters";
+inline constexpr std::string_view documented_kernels = "documented-kernels";
+inline constexpr std::string_view documented_cycle_time = "documented-cycle-time";
+inline constexpr std::string_view cycle_time_double = "cycle-time-double";
+inline constexpr std::string_view cycle_time_half = "cycle-time-half";
 
 /// A chain and the departures that lead to it; none for what axisc computes.
 struct Reading {

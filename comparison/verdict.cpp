@@ -153,4 +153,31 @@ Comparison compare(Recording const& recording, Configured const& configured) {
   return comparison;
 }
 
+std::optional<design::Readings> settings_of(Comparison const& comparison, design::Readings const& current) {
+  if (comparison.verdict == Verdict::same || comparison.verdict == Verdict::delayed) return current;
+  if (comparison.verdict != Verdict::different || comparison.fitting.size() != 1) return std::nullopt;
+  design::Readings settings = current;
+  for (auto const& departure : comparison.fitting.front().reading.departures) {
+    using namespace design;
+    if (auto const filters = reading_of<FilterReading>(filter_reading_words, departure.id)) {
+      settings.filters = *filters;
+    } else if (auto const kernels = reading_of<KernelReading>(kernel_reading_words, departure.id)) {
+      settings.kernels = *kernels;
+    } else if (departure.id == documented_filters) {
+      settings.filters = FilterReading::documented;
+    } else if (departure.id == documented_kernels) {
+      settings.kernels = KernelReading::documented;
+    } else if (departure.id == documented_cycle_time) {
+      settings.cycle_time = CycleReading::documented;
+    } else if (departure.id == cycle_time_double) {
+      settings.cycle_time = CycleReading::twice;
+    } else if (departure.id == cycle_time_half) {
+      settings.cycle_time = CycleReading::half;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return settings;
+}
+
 }  // namespace axisc::comparison

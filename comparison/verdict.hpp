@@ -49,6 +49,12 @@ struct Comparison {
   std::optional<Explained> next{};  ///< the best that does not fit
 };
 
+/// The settings under which axisc computes what a recording shows: those of `current`, which the lists were compiled with,
+/// changed by the one reading that fits. None where the recording does not tell, nothing fits, or the departure is none of the
+/// arithmetic but of the values (a filter that was on or off).
+[[nodiscard]] std::optional<design::Readings> settings_of(Comparison const& comparison,
+                                                          design::Readings const& current);
+
 /// Only the single best explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of a cycle
 /// for the listed chain, are found.
 [[nodiscard]] Comparison compare(Recording const& recording, Configured const& configured);

@@ -8,8 +8,9 @@ namespace axisc::design {
 
 FilterDesign design_filter(FilterSpecification const& specification, CycleTime cycle_time,
                            Precision precision) {
-  return precision == Precision::quick ? design_quick(specification, cycle_time)
-                                       : design_exact(specification, cycle_time);
+  CycleTime const computed_for = as_read(cycle_time, specification.cycle_time);
+  return precision == Precision::quick ? design_quick(specification, computed_for)
+                                       : design_exact(specification, computed_for);
 }
 
 FilterDesign design_oscillator(OscillatorSpecification const& specification, CycleTime cycle_time,

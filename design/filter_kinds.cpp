@@ -2,7 +2,8 @@
 
 namespace axisc::design {
 
-bool is_in_range(FilterSpecification const& specification, CycleTime cycle_time) {
+bool is_in_range(FilterSpecification const& specification, CycleTime nc_cycle_time) {
+  CycleTime const cycle_time = as_read(nc_cycle_time, specification.cycle_time);
   FilterKind const& kind = kind_of(specification.type);
   double const f = specification.frequency.value;
   bool const is_frequency_good = !kind.uses_frequency || (f > 0 && f < cycle_time.nyquist().value);

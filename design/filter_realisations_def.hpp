@@ -45,12 +45,52 @@ template <typename Number>
   return tan(1 / (2 * cycle_time.cycles_in<Number>(time_constant)));
 }
 
+[[nodiscard]] constexpr Discretisation method_of(FilterReading reading) {
+  switch (reading) {
+    case FilterReading::backward_euler:
+      return Discretisation::backward_euler;
+    case FilterReading::forward_euler:
+      return Discretisation::forward_euler;
+    case FilterReading::matched:
+      return Discretisation::matched;
+    case FilterReading::matched_poles:
+      return Discretisation::matched_poles;
+    case FilterReading::documented:
+    case FilterReading::no_prewarping:
+    case FilterReading::poles_at_frequency:
+    case FilterReading::analogue_quality:
+      break;
+  }
+  return Discretisation::bilinear;
+}
+
+/// Without pre-warping for every method but the documented one: t = π f T.
+[[nodiscard]] constexpr bool prewarps(FilterReading reading) {
+  return method_of(reading) == Discretisation::bilinear && reading != FilterReading::no_prewarping;
+}
+
+template <typename Number>
+[[nodiscard]] Discretiser<Number> discretiser(FilterSpecification const& wanted, CycleTime cycle_time) {
+  FilterReading const reading = applied_reading(wanted);
+  Discretiser<Number> made{.t = Number(0), .method = method_of(reading)};
+  if (uses_time_constant(wanted.type)) {
+    made.t = prewarps(reading) ? prewarped<Number>(wanted.time_constant, cycle_time)
+                               : Number(1 / (2 * cycle_time.cycles_in<Number>(wanted.time_constant)));
+  } else {
+    made.t = prewarps(reading) ? prewarped<Number>(wanted.frequency, cycle_time)
+                               : Number(pi<Number>() * cycle_time.periods_in<Number>(wanted.frequency));
+  }
+  return made;
+}
+
 /// Q_a = sin(2π f0 T)/(2 tan(π (f0/Q) T)) puts the digital -3 dB edges f0/Q apart;
-/// sin 2α = 2 tan α/(1 + tan² α).
+/// sin 2α = 2 tan α/(1 + tan² α). Without pre-warping, and where a reading says so, it is Q itself.
 template <typename Number>
 [[nodiscard]] Number analogue_quality(FilterSpecification const& specification, CycleTime cycle_time,
                                       Number const& t) {
   using std::tan;
+  FilterReading const reading = applied_reading(specification);
+  if (!prewarps(reading) || reading == FilterReading::analogue_quality) return Number(specification.quality);
   Number const bandwidth =
       cycle_time.periods_in<Number>(specification.frequency) / Number(specification.quality);
   return t / ((1 + t * t) * tan(pi<Number>() * bandwidth));
@@ -58,59 +98,62 @@ template <typename Number>
 
 template <typename Number>
 [[nodiscard]] Poles<Number> poles_of(FilterSpecification const& specification) {
+  if (applied_reading(specification) == FilterReading::poles_at_frequency) {
+    return Poles<Number>(specification.order, {Number(-1), Number(0)});
+  }
   return prototype_poles<Number>(specification.prototype, specification.order);
 }
 
 /// Poles at -1/τ.
 template <typename Number>
-[[nodiscard]] FilterRealisation<Number> lag(std::uint32_t order, Microseconds time_constant,
+[[nodiscard]] FilterRealisation<Number> lag(std::uint32_t order, FilterSpecification const& wanted,
                                             CycleTime cycle_time) {
   Poles<Number> const poles(order, {Number(-1), Number(0)});
-  return {.sections = lowpass(poles, prewarped<Number>(time_constant, cycle_time))};
+  return {.sections = lowpass(poles, discretiser<Number>(wanted, cycle_time))};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::lowpass>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  return {.sections = lowpass(poles_of<Number>(wanted), prewarped<Number>(wanted.frequency, cycle_time))};
+  return {.sections = lowpass(poles_of<Number>(wanted), discretiser<Number>(wanted, cycle_time))};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::highpass>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  return {.sections = highpass(poles_of<Number>(wanted), prewarped<Number>(wanted.frequency, cycle_time))};
+  return {.sections = highpass(poles_of<Number>(wanted), discretiser<Number>(wanted, cycle_time))};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::bandpass>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  auto const t = prewarped<Number>(wanted.frequency, cycle_time);
-  return {.sections = bandpass(poles_of<Number>(wanted), analogue_quality(wanted, cycle_time, t), t)};
+  auto const make = discretiser<Number>(wanted, cycle_time);
+  return {.sections = bandpass(poles_of<Number>(wanted), analogue_quality(wanted, cycle_time, make.t), make)};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::bandstop>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  auto const t = prewarped<Number>(wanted.frequency, cycle_time);
-  return {.sections = bandstop(poles_of<Number>(wanted), analogue_quality(wanted, cycle_time, t), t)};
+  auto const make = discretiser<Number>(wanted, cycle_time);
+  return {.sections = bandstop(poles_of<Number>(wanted), analogue_quality(wanted, cycle_time, make.t), make)};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::allpass>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  return {.sections = allpass(poles_of<Number>(wanted), prewarped<Number>(wanted.frequency, cycle_time))};
+  return {.sections = allpass(poles_of<Number>(wanted), discretiser<Number>(wanted, cycle_time))};
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::pt1>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  return lag<Number>(1, wanted.time_constant, cycle_time);
+  return lag<Number>(1, wanted, cycle_time);
 }
 
 template <typename Number>
 [[nodiscard]] FilterRealisation<Number> realise(Kind<FilterType::pt2>, FilterSpecification const& wanted,
                                                 CycleTime cycle_time) {
-  return lag<Number>(2, wanted.time_constant, cycle_time);
+  return lag<Number>(2, wanted, cycle_time);
 }
 
 template <typename Number>

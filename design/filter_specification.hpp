@@ -1,6 +1,7 @@
 // What a standard filter shall do, in the words of the axis list (manual "axis filters", sections 2.1 and 3).
 #pragma once
 
+#include "design/readings.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>
@@ -32,8 +33,15 @@ struct FilterSpecification {
   double quality = 1;
   Microseconds time_constant{10000};
   double share_percent = 100;
+  FilterReading reading = FilterReading::documented;  ///< see applied_reading()
+  CycleReading cycle_time = CycleReading::documented;
 
   friend constexpr bool operator==(FilterSpecification const&, FilterSpecification const&) = default;
 };
+
+/// The specification's reading, or `documented` where that one means nothing for the filter: for a time delay every one,
+/// matched poles where the constant part is blocked (the gain could not be normalised), poles_at_frequency for what is not a
+/// low-, high- or all-pass of critical damping above order 1, analogue_quality without a band.
+[[nodiscard]] FilterReading applied_reading(FilterSpecification const& specification);
 
 }  // namespace axisc::design

@@ -25,8 +25,28 @@ bool passes(KernelDesign const& kernel) {
   return kernel.tail_sums.empty();
 }
 
+/// What the tail sums say of the taps.
+enum class Shape : std::uint8_t {
+  odd,      ///< symmetrical about a tap
+  even,     ///< symmetrical about the middle between two
+  delay,    ///< two taps, the first and the last
+  blended,  ///< symmetrical but for an undelayed share
+};
+
+Shape shape_of(KernelDesign const& kernel) {
+  auto const& tails = kernel.tail_sums;
+  if (kernel.half_width > 0) return Shape::odd;
+  if (tails.front() == tails.back()) return Shape::delay;
+  return tails.size() % 2 == 1 && tails[tails.size() / 2] == 0.5 ? Shape::even : Shape::blended;
+}
+
 bool is_linear_phase(KernelDesign const& kernel) {
-  return kernel.half_width > 0;
+  Shape const shape = shape_of(kernel);
+  return shape == Shape::odd || shape == Shape::even;
+}
+
+double middle(KernelDesign const& kernel) {
+  return static_cast<double>(kernel.tail_sums.size()) / 2;
 }
 
 /// A(θ) and its derivative.
@@ -35,18 +55,22 @@ struct Amplitude {
   double slope = 0;
 };
 
+/// With an even number of taps:  A = cos(θ/2) - 4 sin(θ/2) Σ_{i=1..} S_(c+i) sin(iθ),  S_c in the middle.
 Amplitude amplitude_at(KernelDesign const& kernel, double theta) {
+  double const sine = std::sin(theta / 2), cosine = std::cos(theta / 2);
+  std::size_t const count = kernel.tail_sums.size();
+  bool const is_odd = count % 2 == 0;
   double sum = 0, sum_of_slopes = 0;
-  Phasor<double> phasor(theta / 2, theta);
-  double factor = 0.5;
-  for (double const tail : std::span(kernel.tail_sums).subspan(kernel.half_width)) {
+  double factor = is_odd ? 0.5 : 1;
+  Phasor<double> phasor(factor * theta, theta);
+  for (double const tail : std::span(kernel.tail_sums).subspan((count + 1) / 2)) {
     sum += tail * phasor.sine();
     sum_of_slopes += tail * factor * phasor.cosine();
     phasor.advance();
     factor += 1;
   }
-  double const sine = std::sin(theta / 2), cosine = std::cos(theta / 2);
-  return {1 - 4 * sine * sum, -2 * cosine * sum - 4 * sine * sum_of_slopes};
+  return {(is_odd ? 1 : cosine) - 4 * sine * sum,
+          (is_odd ? 0 : -sine / 2) - 2 * cosine * sum - 4 * sine * sum_of_slopes};
 }
 
 /// Time delay:  1 - s (1 - e^(-jNθ)).
@@ -57,22 +81,46 @@ std::complex<double> blended_delay(KernelDesign const& kernel, double theta) {
   return {1 - s * 2 * half_sine * half_sine, -s * std::sin(phi)};
 }
 
-std::complex<double> response_at(KernelDesign const& kernel, double theta) {
-  if (passes(kernel)) return 1;
-  if (!is_linear_phase(kernel)) return blended_delay(kernel, theta);
-  return amplitude_at(kernel, theta).value * std::polar(1.0, -(kernel.half_width * theta));
+/// H and j dH/dθ, from  H = 1 - Σ S_j (e^(-jjθ) - e^(-j(j+1)θ)).
+struct Moments {
+  std::complex<double> response = 1;
+  std::complex<double> first = 0;
+};
+
+Moments moments(KernelDesign const& kernel, double theta) {
+  Moments sums;
+  double j = 0;
+  std::complex<double> here = 1;
+  for (double const tail : kernel.tail_sums) {
+    std::complex<double> const next = std::polar(1.0, -(j + 1) * theta);
+    sums.response -= tail * (here - next);
+    sums.first -= tail * (j * here - (j + 1) * next);
+    here = next;
+    j += 1;
+  }
+  return sums;
 }
 
-/// -dφ/dθ;  for the time delay  Re(N s e^(-jNθ)/H).
+std::complex<double> response_at(KernelDesign const& kernel, double theta) {
+  if (passes(kernel)) return 1;
+  Shape const shape = shape_of(kernel);
+  if (shape == Shape::delay) return blended_delay(kernel, theta);
+  if (shape == Shape::blended) return moments(kernel, theta).response;
+  return amplitude_at(kernel, theta).value * std::polar(1.0, -(middle(kernel) * theta));
+}
+
+/// -dφ/dθ;  for the time delay  Re(N s e^(-jNθ)/H),  in general  Re(Σ n b_n e^(-jnθ)/H).
 double group_delay_cycles(KernelDesign const& kernel, double theta, std::complex<double> const& h) {
   if (passes(kernel)) return 0;
   double const N = kernel.delay_cycles;
   double const s = kernel.tail_sums.front();
-  if (is_linear_phase(kernel) || s == 1) return N;
+  if (is_linear_phase(kernel)) return middle(kernel);
+  bool const is_delay = shape_of(kernel) == Shape::delay;
+  if (is_delay && s == 1) return N;
   if (std::abs(h) <= 4 * std::numeric_limits<double>::epsilon() * (1 + N * theta)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  return (N * s * std::polar(1.0, -N * theta) / h).real();
+  return ((is_delay ? N * s * std::polar(1.0, -N * theta) : moments(kernel, theta).first) / h).real();
 }
 
 /// The root of f in low..high, where f has the given values of opposite sign.
@@ -84,10 +132,10 @@ double root(Function const& f, double low, double high, double f_low, double f_h
   return bracket.first + (bracket.second - bracket.first) / 2;
 }
 
-/// Walks A(θ), a polynomial of degree h in cos θ, in steps well below the distance π/h of its zeros.
+/// Walks A(θ), a polynomial of degree h in cos θ (times cos(θ/2) with an even number of taps), in steps well below the distance π/h of its zeros.
 class ZeroSearch {
  public:
-  explicit ZeroSearch(KernelDesign const& kernel) : kernel_(kernel), lobe_(pi / kernel.half_width) {}
+  explicit ZeroSearch(KernelDesign const& kernel) : kernel_(kernel), lobe_(pi / middle(kernel)) {}
 
   std::vector<double> run() {
     // A fraction no frequency hits by being a round number. The last step goes beyond π, where A is symmetrical.
@@ -158,7 +206,7 @@ class ZeroSearch {
 /// Halves of equal weight cancel where they are in opposite phase: θ = (2i + 1) π/N.
 std::vector<double> zeros_of_delay(KernelDesign const& kernel) {
   std::vector<double> zeros;
-  if (kernel.tail_sums.front() != 0.5) return zeros;
+  if (shape_of(kernel) != Shape::delay || kernel.tail_sums.front() != 0.5) return zeros;
   for (std::uint32_t odd = 1; odd <= kernel.delay_cycles; odd += 2) {
     zeros.push_back(pi * odd / kernel.delay_cycles);
   }

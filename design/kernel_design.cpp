@@ -38,35 +38,57 @@ std::uint32_t novib_box(Hertz frequency, CycleTime cycle_time) {
 KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time) {
   namespace multiprecision = boost::multiprecision;
   using Exact = multiprecision::number<multiprecision::cpp_bin_float<50>, multiprecision::et_off>;
-  return design_kernel_in<Exact>(specification, cycle_time);
+  return design_kernel_in<Exact>(specification, as_read(cycle_time, specification.cycle_time));
 }
 
 bool passes_unchanged(KernelSpecification const& specification) {
-  bool const computes_order = kind_of(specification.type).computes_order;
-  return specification.share_percent == 0 || (specification.order == 0 && !computes_order);
+  KernelReading const reading = applied_reading(specification);
+  if (specification.share_percent == 0 && reading != KernelReading::share_ignored) return true;
+  if (kind_of(specification.type).computes_order) return false;
+  bool const is_narrower =
+      reading == KernelReading::taps_n || reading == KernelReading::half_width_rounded_down;
+  return specification.order == 0 || (is_narrower && specification.order == 1);
 }
 
-std::uint32_t half_width(KernelSpecification const& specification, CycleTime cycle_time) {
-  if (passes_unchanged(specification)) return 0;
-  switch (specification.type) {
-    case KernelType::time_delay:
-      return 0;
-    case KernelType::novib:
-      return novib_order(specification.frequency, cycle_time) / 2;
-    case KernelType::moving_average:
-    case KernelType::gaussian:
-    case KernelType::windowed_sinc:
+std::uint32_t tap_count(KernelSpecification const& specification, CycleTime cycle_time) {
+  if (passes_unchanged(specification)) return 1;
+  std::uint32_t const N = specification.order;
+  if (specification.type == KernelType::time_delay) return N + 1;
+  switch (applied_reading(specification)) {
+    case KernelReading::taps_n:
+      return N;
+    case KernelReading::taps_n_plus_1:
+      return N + 1;
+    case KernelReading::half_width_rounded_down:
+      return 2 * (N / 2) + 1;
+    case KernelReading::order_is_half_width:
+      return 2 * N + 1;
+    case KernelReading::novib_one_box:
+      return novib_order(specification.frequency, as_read(cycle_time, specification.cycle_time)) / 2 + 1;
+    default:
       break;
   }
-  return specification.order / 2 + specification.order % 2;
+  if (specification.type == KernelType::novib) {
+    return novib_order(specification.frequency, as_read(cycle_time, specification.cycle_time)) + 1;
+  }
+  return 2 * (N / 2 + N % 2) + 1;
+}
+
+std::uint32_t longest_order(KernelType type, KernelReading reading) {
+  std::uint32_t const longest = kind_of(type).longest_order;
+  bool const is_twice_as_wide =
+      applied_reading({.type = type, .reading = reading}) == KernelReading::order_is_half_width;
+  return is_twice_as_wide ? longest / 2 : longest;
 }
 
 double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time) {
-  if (passes_unchanged(specification)) return 0;
+  double const whole = tap_count(specification, cycle_time) - 1;
+  KernelReading const reading = applied_reading(specification);
+  double const share = specification.share_percent / 100;
   if (specification.type == KernelType::time_delay) {
-    return specification.share_percent * specification.order / 100;
+    return reading == KernelReading::share_ignored ? whole : specification.share_percent * whole / 100;
   }
-  return half_width(specification, cycle_time);
+  return reading == KernelReading::share_undelayed ? share * whole / 2 : whole / 2;
 }
 
 std::optional<std::uint32_t> order_of_time(Microseconds time, CycleTime cycle_time) {

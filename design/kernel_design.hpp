@@ -12,9 +12,11 @@
 //
 // Order N means h = ceil(N/2), 2h + 1 taps and a delay of h cycles. The share s blends through the centre
 // tap, b'_k = s b_k + (1 - s) δ_k, which keeps the phase linear; the time delay blends with the undelayed
-// signal.
+// signal. Other readings (design/readings.hpp) have other widths, shapes or shares; with an even number of taps the delay has
+// half a cycle in it, and the share passes half through each of the two taps in the middle.
 #pragma once
 
+#include "design/readings.hpp"
 #include "design/units.hpp"
 
 #include <cstdint>
@@ -39,14 +41,18 @@ struct KernelSpecification {
   Hertz frequency{30};
   double quality = 1;
   double share_percent = 100;
+  KernelReading reading = KernelReading::documented;  ///< see applied_reading()
+  CycleReading cycle_time = CycleReading::documented;
 
   friend constexpr bool operator==(KernelSpecification const&, KernelSpecification const&) = default;
 };
 
 struct KernelDesign {
-  std::uint32_t half_width = 0;    ///< h; 0 for the time delay and where the signal passes unchanged
-  std::uint32_t delay_cycles = 0;  ///< h, or the order of the time delay; 0 where the signal passes unchanged
-  double group_delay_cycles = 0;   ///< at 0 Hz: delay_cycles, or s·N where a time delay blends
+  /// h; 0 for the time delay, an even number of taps, and where the signal passes unchanged
+  std::uint32_t half_width = 0;
+  std::uint32_t delay_cycles = 0;  ///< h where that is not 0, else as many as there are tail sums
+  double group_delay_cycles =
+      0;  ///< at 0 Hz; not a whole number with an even number of taps, or where a delay blends
   std::vector<double> tail_sums{};  ///< S_0, S_1, …: 2h or N of them; empty where the signal passes unchanged
   std::vector<double> taps{1.0};    ///< causal taps b_0, b_1, …, share included, for display and analysis
   double kernel_sum = 1;            ///< of the taps that the tail sums represent: telescopes to exactly 1
@@ -56,11 +62,16 @@ struct KernelDesign {
 /// Expects a specification within its ranges. Cost: up to 0.3 ms.
 [[nodiscard]] KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time);
 
-/// A share of 0 %, or order 0 where the order is not computed.
+/// The specification's reading, or `documented` where that one means nothing for the kernel.
+[[nodiscard]] KernelReading applied_reading(KernelSpecification const& specification);
+
+/// A share of 0 %, order 0 where the order is not computed, or a single tap.
 [[nodiscard]] bool passes_unchanged(KernelSpecification const& specification);
-/// h, without designing the kernel.
-[[nodiscard]] std::uint32_t half_width(KernelSpecification const& specification, CycleTime cycle_time);
-/// Delay at 0 Hz in cycles, without designing the kernel; a whole number for every linear-phase kernel.
+/// How many taps the kernel has, without designing it; 1 where the signal passes unchanged.
+[[nodiscard]] std::uint32_t tap_count(KernelSpecification const& specification, CycleTime cycle_time);
+/// Largest order of a type whose kernel has no more tail sums than a runtime takes.
+[[nodiscard]] std::uint32_t longest_order(KernelType type, KernelReading reading);
+/// Delay at 0 Hz in cycles, without designing the kernel.
 [[nodiscard]] double kernel_delay_cycles(KernelSpecification const& specification, CycleTime cycle_time);
 
 /// N = floor(time / T + 0.5), without rounding errors for whole nanoseconds; none where time < T (the filter

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "design/kernel_design.hpp"
-#include "design/kernel_shapes_def.hpp"
-#include "design/pi_def.hpp"
+#include "design/kernel_readings_def.hpp"
 
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,31 +11,6 @@
 #include <vector>
 
 namespace axisc::design {
-
-/// θ = 2π f T
-template <typename Number>
-[[nodiscard]] Number angle_per_cycle(Hertz frequency, CycleTime cycle_time) {
-  return 2 * pi<Number>() * cycle_time.periods_in<Number>(frequency);
-}
-
-template <typename Number>
-[[nodiscard]] HalfKernel<Number> half_kernel(KernelSpecification const& specification, CycleTime cycle_time) {
-  std::uint32_t const h = half_width(specification, cycle_time);
-  switch (specification.type) {
-    case KernelType::gaussian:
-      return gaussian(h, Number(specification.quality));
-    case KernelType::windowed_sinc:
-      return windowed_sinc(h, angle_per_cycle<Number>(specification.frequency, cycle_time));
-    case KernelType::novib:
-      return novib(h / 2, angle_per_cycle<Number>(specification.frequency, cycle_time));
-    case KernelType::moving_average:
-      return moving_average<Number>(h);
-    case KernelType::time_delay:  // not symmetrical
-      break;
-  }
-  assert(false);
-  return {};
-}
 
 /// The nearest double; 0 below the normal ones, with which processors disagree.
 template <typename Number>
@@ -76,19 +49,72 @@ void store_delay(std::uint32_t cycles, Number const& share, KernelDesign& design
   design.taps.back() = rounded(share);
 }
 
+/// Any taps: y[n] = Σ b_k x[n-k] with Σ b = 1.
+template <typename Number>
+void store_taps(std::vector<Number> const& taps, KernelDesign& design) {
+  std::size_t const count = taps.size() - 1;
+  design.tail_sums.resize(count);
+  design.taps.resize(taps.size());
+  Number tail{0};
+  for (std::size_t k = count; k > 0; --k) {
+    tail += taps[k];
+    design.tail_sums[k - 1] = rounded(tail);
+    design.taps[k] = rounded(taps[k]);
+  }
+  design.taps[0] = rounded<Number>(taps[0]);
+}
+
+/// An even number of taps, 2m: both halves of `c`, c_0 next to the middle. Half of the direct part passes through each of the
+/// two taps there.
+template <typename Number>
+void store_even(HalfKernel<Number> const& c, Number const& share, KernelDesign& design) {
+  std::size_t const m = c.size();
+  Number sum{0};
+  for (Number const& tap : c) sum += tap;
+  Number const scale = share / (2 * sum);
+  std::vector<Number> taps(2 * m);
+  for (std::size_t i = 0; i < m; ++i) taps[m - 1 - i] = taps[m + i] = scale * c[i];
+  taps[m - 1] += (1 - share) / 2;
+  taps[m] += (1 - share) / 2;
+  store_taps(taps, design);
+}
+
+/// The kernel with all of the signal, blended with the undelayed one.
+template <typename Number>
+void store_undelayed_share(HalfKernel<Number> const& c, Number const& share, KernelDesign& design) {
+  std::size_t const h = c.size() - 1;
+  Number sum = c[0];
+  for (std::size_t k = 1; k <= h; ++k) sum += 2 * c[k];
+  std::vector<Number> taps(2 * h + 1);
+  for (std::size_t k = 0; k <= h; ++k) taps[h - k] = taps[h + k] = share * c[k] / sum;
+  taps[0] += 1 - share;
+  store_taps(taps, design);
+}
+
 template <typename Number>
 [[nodiscard]] KernelDesign design_kernel_in(KernelSpecification const& specification, CycleTime cycle_time) {
   if (passes_unchanged(specification)) return {};
+  KernelReading const reading = applied_reading(specification);
   KernelDesign design;
-  design.half_width = half_width(specification, cycle_time);
   design.group_delay_cycles = kernel_delay_cycles(specification, cycle_time);
-  Number const share = Number(specification.share_percent) / 100;
+  Number const share =
+      reading == KernelReading::share_ignored ? Number(1) : Number(specification.share_percent) / 100;
+  std::uint32_t const taps = tap_count(specification, cycle_time);
   if (specification.type == KernelType::time_delay) {
     design.delay_cycles = specification.order;
     store_delay(specification.order, share, design);
+    return design;
+  }
+  bool const is_symmetrical = taps % 2 == 1 && reading != KernelReading::share_undelayed;
+  if (is_symmetrical) design.half_width = taps / 2;
+  design.delay_cycles = is_symmetrical ? taps / 2 : taps - 1;
+  auto const half = half_kernel<Number>(specification, cycle_time, taps);
+  if (taps % 2 == 0) {
+    store_even(half, share, design);
+  } else if (is_symmetrical) {
+    store_kernel(half, share, design);
   } else {
-    design.delay_cycles = design.half_width;
-    store_kernel(half_kernel<Number>(specification, cycle_time), share, design);
+    store_undelayed_share(half, share, design);
   }
   return design;
 }

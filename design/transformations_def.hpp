@@ -1,9 +1,9 @@
 // From prototype poles to the sections of low-, high-, all-pass and band filters.
 //
-// s is normalised to the pre-warped characteristic frequency, so that the bilinear transform reads
-//     s = (1/t) (1 - z^-1)/(1 + z^-1),  t = tan(π f T)
+// s is normalised to the characteristic frequency; a Discretiser (design/discretisation_def.hpp) makes sections of it.
 #pragma once
 
+#include "design/discretisation_def.hpp"
 #include "design/prototypes_def.hpp"
 #include "design/section_def.hpp"
 
@@ -13,46 +13,10 @@
 
 namespace axisc::design {
 
-/// Denominator c0 + c1 s + c2 s² of a section; first order where c2 = 0.
-template <typename Number>
-struct Denominator {
-  Number c0{0};
-  Number c1{0};
-  Number c2{0};
-  bool first_order = false;
-};
-
-/// What is left of the numerator when the constant part is taken off: of H - 1, or of an H that blocks it.
-template <typename Number>
-struct Numerator {
-  Number n1{0};
-  Number n2{0};
-};
-
-/// Value at w = 1 of the discretised denominator, by which a section's coefficients are divided.
+/// Value at w = 1 of the denominator that the bilinear transform makes, by which it divides a section's coefficients.
 template <typename Number>
 [[nodiscard]] Number normaliser(Denominator<Number> const& c, Number const& t) {
   return c.first_order ? Number(c.c0 * t + c.c1) : Number(c.c0 * t * t + c.c1 * t + c.c2);
-}
-
-/// (n1 s + n2 s²)/(c0 + c1 s + c2 s²), discretised. With w = 1 - z^-1, s = w/(t (2 - w)):
-///     numerator    w (2 n1 t + (n2 - n1 t) w)
-///     denominator  4 c0 t² + (2 c1 t - 4 c0 t²) w + (c0 t² - c1 t + c2) w²
-/// and both are divided by N. No coefficient of the denominator is a
-/// difference.
-template <typename Number>
-[[nodiscard]] Section<Number> bilinear(Denominator<Number> const& c, Numerator<Number> const& n,
-                                       Number const& t) {
-  Number const slope = n.n1 / (2 * c.c0 * t);
-  Number const N = normaliser(c, t);
-  if (c.first_order) {
-    return {.p = n.n1 / N, .q = Number(0), .k = 2 * c.c0 * t / N, .b = Number(1), .slope = slope};
-  }
-  return {.p = (n.n1 * t + n.n2) / N,
-          .q = (n.n1 * t - n.n2) / N,
-          .k = 4 * c.c0 * t * t / N,
-          .b = 2 * c.c1 * t / N,
-          .slope = slope};
 }
 
 /// Conjugate pairs become one factor each, real poles two a factor; a last one alone is of first order.
@@ -77,28 +41,31 @@ template <typename Number>
 
 /// Π c0/(c0 + c1 s + c2 s²)
 template <typename Number>
-[[nodiscard]] std::vector<Section<Number>> lowpass(Poles<Number> const& poles, Number const& t) {
+[[nodiscard]] std::vector<Section<Number>> lowpass(Poles<Number> const& poles,
+                                                   Discretiser<Number> const& make) {
   std::vector<Section<Number>> sections;
-  for (auto const& c : pair_poles(poles)) sections.push_back(bilinear(c, {-c.c1, -c.c2}, t));
+  for (auto const& c : pair_poles(poles)) sections.push_back(make(c, {-c.c1, -c.c2}));
   return sections;
 }
 
 /// The low-pass with s → 1/s: Π c0 s²/(c2 + c1 s + c0 s²)
 template <typename Number>
-[[nodiscard]] std::vector<Section<Number>> highpass(Poles<Number> const& poles, Number const& t) {
+[[nodiscard]] std::vector<Section<Number>> highpass(Poles<Number> const& poles,
+                                                    Discretiser<Number> const& make) {
   std::vector<Section<Number>> sections;
   for (auto const& c : pair_poles(poles)) {
-    sections.push_back(c.first_order ? bilinear({c.c1, c.c0, Number(0), true}, {c.c0, Number(0)}, t)
-                                     : bilinear({c.c2, c.c1, c.c0}, {Number(0), c.c0}, t));
+    sections.push_back(c.first_order ? make({c.c1, c.c0, Number(0), true}, {c.c0, Number(0)})
+                                     : make({c.c2, c.c1, c.c0}, {Number(0), c.c0}));
   }
   return sections;
 }
 
 /// Π (c0 - c1 s + c2 s²)/(c0 + c1 s + c2 s²)
 template <typename Number>
-[[nodiscard]] std::vector<Section<Number>> allpass(Poles<Number> const& poles, Number const& t) {
+[[nodiscard]] std::vector<Section<Number>> allpass(Poles<Number> const& poles,
+                                                   Discretiser<Number> const& make) {
   std::vector<Section<Number>> sections;
-  for (auto const& c : pair_poles(poles)) sections.push_back(bilinear(c, {-2 * c.c1, Number(0)}, t));
+  for (auto const& c : pair_poles(poles)) sections.push_back(make(c, {-2 * c.c1, Number(0)}));
   return sections;
 }
 
@@ -127,21 +94,21 @@ template <typename Number>
 /// which never exceeds 1.
 template <typename Number>
 [[nodiscard]] std::vector<Section<Number>> bandpass(Poles<Number> const& poles, Number const& Q,
-                                                    Number const& t) {
+                                                    Discretiser<Number> const& make) {
   using std::sqrt;
   std::vector<Section<Number>> sections;
   for (auto const& p : poles) {
     if (p.im == 0) {
-      sections.push_back(bilinear({Q, -p.re, Q}, {-p.re, Number(0)}, t));
+      sections.push_back(make({Q, -p.re, Q}, {-p.re, Number(0)}));
       continue;
     }
     Denominator<Number> const c = split_pair(p, Q);
     Denominator<Number> const mirror = mirrored(c);
     Number const detuning = c.c0 - c.c2;
     Number const m = sqrt(detuning * detuning + c.c1 * c.c1);
-    Number const balance = sqrt(normaliser(c, t) / normaliser(mirror, t));
-    sections.push_back(bilinear(c, {m * balance, Number(0)}, t));
-    sections.push_back(bilinear(mirror, {m / balance, Number(0)}, t));
+    Number const balance = sqrt(normaliser(c, make.t) / normaliser(mirror, make.t));
+    sections.push_back(make(c, {m * balance, Number(0)}));
+    sections.push_back(make(mirror, {m / balance, Number(0)}));
   }
   return sections;
 }
@@ -150,19 +117,19 @@ template <typename Number>
 /// p.
 template <typename Number>
 [[nodiscard]] std::vector<Section<Number>> bandstop(Poles<Number> const& poles, Number const& Q,
-                                                    Number const& t) {
+                                                    Discretiser<Number> const& make) {
   std::vector<Section<Number>> sections;
   for (auto const& p : poles) {
     if (p.im == 0) {
       Number const c1 = -1 / p.re;
-      sections.push_back(bilinear({Q, c1, Q}, {-c1, Number(0)}, t));
+      sections.push_back(make({Q, c1, Q}, {-c1, Number(0)}));
       continue;
     }
     Number const magnitude = square_of_magnitude(p);
     Denominator<Number> const c = split_pair(ComplexNumber<Number>{p.re / magnitude, p.im / magnitude}, Q);
     Number const detuning = c.c0 - c.c2;
-    sections.push_back(bilinear(c, {-c.c1, detuning}, t));
-    sections.push_back(bilinear(mirrored(c), {-c.c1, -detuning}, t));
+    sections.push_back(make(c, {-c.c1, detuning}));
+    sections.push_back(make(mirrored(c), {-c.c1, -detuning}));
   }
   return sections;
 }

@@ -93,6 +93,7 @@ std::optional<CommandHelp> command_help(std::string_view text, std::size_t offse
   auto const program = grammar::parse_nc_program(text, 0);
   validator::CommandLimits limits;
   if (machine != nullptr && machine->cycle_time) limits.cycle_time = *machine->cycle_time;
+  if (machine != nullptr) limits.readings = machine->readings;
   machine::FilterParameters in_force;
   for (auto const& command : program.commands) {
     if (command.name.begin > offset) break;

@@ -1,5 +1,7 @@
 #include "image/chain_difference.hpp"
 
+#include "image/image_readings.hpp"
+
 #include <algorithm>
 
 namespace axisc::image {
@@ -54,7 +56,9 @@ std::optional<ChainDifference> compare_chains(ImageAxisSide const& before, Image
   if (same_filtering(before.contents, was, after.contents, is)) return std::nullopt;
   return ChainDifference{.before = chain_figures(before.image, before.contents, before.axis),
                          .after = chain_figures(after.image, after.contents, after.axis),
-                         .gains = compare_gains(before.contents, before.axis, after.contents, after.axis)};
+                         .gains = compare_gains(before.contents, before.axis, after.contents, after.axis),
+                         .reading_before = readings_of(before.contents, before.axis),
+                         .reading_after = readings_of(after.contents, after.axis)};
 }
 
 }  // namespace axisc::image

@@ -20,6 +20,7 @@ struct GainChange {
 struct ChainDifference {
   ChainFigures before, after;
   std::vector<GainChange> gains;
+  design::Readings reading_before, reading_after;
 };
 
 struct ImageAxisSide {

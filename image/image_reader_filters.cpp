@@ -10,7 +10,11 @@ design::FilterSpecification specification(codegen::ConstRecord<codegen::records:
           .frequency = {record.get(codegen::fields::filter::frequency)},
           .quality = record.get(codegen::fields::filter::quality),
           .time_constant = {record.get(codegen::fields::filter::time_constant)},
-          .share_percent = record.get(codegen::fields::filter::share_percent)};
+          .share_percent = record.get(codegen::fields::filter::share_percent),
+          .reading = known_reading<design::FilterReading>(record.get(codegen::fields::filter::reading),
+                                                          design::filter_reading_words),
+          .cycle_time = known_reading<design::CycleReading>(
+              record.get(codegen::fields::filter::cycle_reading), design::cycle_reading_words)};
 }
 
 std::vector<design::IncrementSection> cascade(ImageRecords const& image, std::uint32_t first,

@@ -39,7 +39,11 @@ ImageKernel read_kernel(ImageRecords const& image, codegen::ConstRecord<codegen:
                         .order = record.get(codegen::fields::kernel::order),
                         .frequency = {record.get(codegen::fields::kernel::frequency)},
                         .quality = record.get(codegen::fields::kernel::quality),
-                        .share_percent = record.get(codegen::fields::kernel::share_percent)},
+                        .share_percent = record.get(codegen::fields::kernel::share_percent),
+                        .reading = known_reading<design::KernelReading>(
+                            record.get(codegen::fields::kernel::reading), design::kernel_reading_words),
+                        .cycle_time = known_reading<design::CycleReading>(
+                            record.get(codegen::fields::kernel::cycle_reading), design::cycle_reading_words)},
       .design = {},
       .peak_gain = record.get(codegen::fields::kernel::peak_gain),
       .overshoot = record.get(codegen::fields::kernel::overshoot),

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace axisc::image {
 
@@ -71,6 +72,12 @@ struct ImageRecords {
   Records<codegen::records::list> lists;
   Records<codegen::records::value> values;
 };
+
+/// A number that a later version knows and this one does not counts as `documented`: it changes no output.
+template <class Reading>
+[[nodiscard]] constexpr Reading known_reading(std::uint32_t number, std::span<std::string_view const> words) {
+  return number < words.size() ? static_cast<Reading>(number) : Reading::documented;
+}
 
 /// Filters of a chain, one after the other.
 [[nodiscard]] std::vector<ImageFilter> read_chain(ImageRecords const& image, std::uint32_t first,

@@ -1,6 +1,7 @@
 // What a check is asked to do: everything about policy comes in here, as data.
 #pragma once
 
+#include "design/readings.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "machine/machine.hpp"
@@ -24,6 +25,7 @@ struct PathRule {
 struct CheckOptions {
   std::optional<design::CycleTime> cycle_time;  ///< from the command line; wins over a machine file's
   std::optional<machine::AxisType> axis_type;   ///< overrides kenngr.achs_typ of a list
+  design::Readings readings;                    ///< what the control makes of its filters
   std::optional<BuildVersion> build;            ///< of the control: what it does not know yet is AX2016
   bool pedantic = false;                        ///< notes as well
   std::vector<Code> disabled;

@@ -8,6 +8,7 @@
 #include "cli/sentences.hpp"
 #include "comparison/residual.hpp"
 #include "comparison/verdict.hpp"
+#include "image/image_readings.hpp"
 
 namespace axisc::cli::says {
 
@@ -19,15 +20,17 @@ die Steuerung daraus machte. Wo beide abweichen, nennt es die Lesart der Paramet
 constexpr Sentence examples{R"(Examples:
   axisc compare machine.json scope.csv --axis X
   axisc compare mill.axim scope.csv --axis X --in setpoint --out filtered --format json
+  axisc compare machine.json scope.csv --axis X --emit settings > axisc.json
 
 Exit status: 0 the same, perhaps but for a delay; 1 different, or the recording cannot tell; 2 something could not
-be read.)",
+be read. With --emit settings: 0 the settings were written, 1 the recording tells none.)",
                             R"(Beispiele:
   axisc compare maschine.json scope.csv --axis X
   axisc compare fraese.axim scope.csv --axis X --in soll --out gefiltert --format json
+  axisc compare maschine.json scope.csv --axis X --emit settings > axisc.json
 
 Rückgabewert: 0 gleich, vielleicht bis auf eine Verzögerung; 1 verschieden, oder die Aufzeichnung entscheidet es
-nicht; 2 etwas war nicht lesbar.)"};
+nicht; 2 etwas war nicht lesbar. Mit --emit settings: 0 Einstellungen geschrieben, 1 die Aufzeichnung ergibt keine.)"};
 constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
@@ -40,6 +43,15 @@ constexpr Sentence option_unit{
     "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad (Standardwert: 0.1um bei ganzen Zahlen, sonst "
     "mm)"};
 constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence option_emit{"write the readings that fit as \"design\" of axisc.json instead",
+                               "stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben"};
+constexpr Sentence no_settings{
+    "no settings: the recording does not tell one reading of the arithmetic; `axisc compare` without --emit "
+    "says what "
+    "fits",
+    "keine Einstellungen: Die Aufzeichnung ergibt keine eindeutige Lesart der Berechnung; `axisc compare` "
+    "ohne "
+    "--emit nennt, was passt"};
 constexpr Sentence name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
                                 "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
 
@@ -51,6 +63,7 @@ namespace {
 
 constexpr std::uint32_t rotary = 2;
 enum class Format : std::uint8_t { text, json };
+enum class Emitted : std::uint8_t { nothing, settings };
 enum class Unit : std::uint8_t { recognised, tenths, um, mm };
 
 struct CompareOptions {
@@ -58,6 +71,7 @@ struct CompareOptions {
   WantedColumns columns;
   Unit unit = Unit::recognised;
   Format format = Format::text;
+  Emitted emitted = Emitted::nothing;
 };
 
 void declare(CommandLine& command_line, CompareOptions& options) {
@@ -69,6 +83,7 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.choice("--unit", {{"0.1um", Unit::tenths}, {"um", Unit::um}, {"mm", Unit::mm}}, options.unit,
                       says::option_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
 }
@@ -120,6 +135,15 @@ ExitStatus compare(Invocation const& invocation) {
                         .repeated = recorded.repeated,
                         .is_rotary = image.axes[axes.front()].type == rotary,
                         .result = comparison::compare(recording, configured(image, axes.front()))};
+  if (options.emitted == Emitted::settings) {
+    auto const settings = comparison::settings_of(shown.result, image::readings_of(image, axes.front()));
+    if (!settings) {
+      invocation.streams.err.write("axisc: " + render({says::no_settings, {}}, invocation.language) + "\n");
+      return ExitStatus::findings;
+    }
+    invocation.streams.out.write(design_settings(*settings));
+    return ExitStatus::success;
+  }
   shown.thousandths = thousandths(options.unit, shown.result);
   invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
                                                               : compare_text(shown, invocation.language));

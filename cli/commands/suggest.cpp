@@ -210,7 +210,8 @@ tuning::Task task_of(SuggestOptions const& options, Wishes const& wishes, Sugges
           .tolerance = wishes.tolerance_mm * motion::units_per_mm,
           .radius = wishes.radius_mm * motion::units_per_mm,
           .goal = options.goal,
-          .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc};
+          .family = knows_fir ? machine::KernelFamily::fir : machine::KernelFamily::hsc,
+          .readings = subject.loaded.readings};
 }
 
 void say_nothing_helps(NoSuggestion const& none, Wishes const& wishes, Invocation const& invocation) {

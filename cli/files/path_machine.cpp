@@ -25,11 +25,15 @@ constexpr Sentence unknown_group{"there is no group \"{group}\"; the groups are 
 namespace axisc::cli {
 
 validator::CommandLimits command_limits(machine::Machine const& machine, machine::MachineGroup const& group) {
-  return {.cycle_time = machine.cycle_time,
-          .time_delay = std::any_of(group.axes.begin(), group.axes.end(), [&](std::size_t axis) {
-            auto const& kernel = machine.axes[axis].kernel;
-            return kernel && kernel->specification.type == design::KernelType::time_delay;
-          })};
+  validator::CommandLimits limits{.cycle_time = machine.cycle_time};
+  for (auto const axis : group.axes) {
+    auto const& kernel = machine.axes[axis].kernel;
+    if (!kernel) continue;
+    limits.time_delay = limits.time_delay || kernel->specification.type == design::KernelType::time_delay;
+    limits.readings.kernels = kernel->specification.reading;
+    limits.readings.cycle_time = kernel->specification.cycle_time;
+  }
+  return limits;
 }
 
 std::optional<CheckedMachine> checked_machine(std::string const& input,

@@ -179,4 +179,17 @@ std::string compare_json(ShownComparison const& shown, Language language) {
          "\n}\n";
 }
 
+std::string design_settings(design::Readings const& readings) {
+  std::string members;
+  auto const add = [&members](std::string_view key, auto reading) {
+    if (reading == decltype(reading)::documented) return;
+    if (!members.empty()) members += ", ";
+    members += json_string(key) + ": " + json_string(word_of(reading));
+  };
+  add("filters", readings.filters);
+  add("kernels", readings.kernels);
+  add("cycle_time", readings.cycle_time);
+  return "{\n  \"design\": {" + members + "}\n}\n";
+}
+
 }  // namespace axisc::cli

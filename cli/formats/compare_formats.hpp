@@ -19,5 +19,7 @@ struct ShownComparison {
 
 [[nodiscard]] std::string compare_text(ShownComparison const& shown, Language language);
 [[nodiscard]] std::string compare_json(ShownComparison const& shown, Language language);
+/// The text of an axisc.json with these readings and nothing else.
+[[nodiscard]] std::string design_settings(design::Readings const& readings);
 
 }  // namespace axisc::cli

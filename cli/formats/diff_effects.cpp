@@ -1,10 +1,13 @@
 #include "cli/formats/diff_words.hpp"
 #include "diagnostics/format_number.hpp"
+#include "image/image_readings.hpp"
 
 #include <cmath>
 
 namespace axisc::cli::says {
 
+constexpr Sentence reading{"computed as (\"design\" of the settings)",
+                           "gerechnet als (\"design\" der Einstellungen)"};
 constexpr Sentence delay{"delay", "Verzögerung"};
 constexpr Sentence settling{"settling time (0.01 %)", "Einschwingzeit (0,01 %)"};
 constexpr Sentence longer{"longer than {time}", "länger als {time}"};
@@ -33,6 +36,10 @@ std::vector<DiffLine> DiffWords::effects(image::ChainDifference const& chain) co
   auto const old_time = shown_.difference.before.cycle_time;
   auto const new_time = shown_.difference.after.cycle_time;
   std::vector<DiffLine> lines;
+  if (chain.reading_before != chain.reading_after) {
+    lines.push_back({say(says::reading), image::readings_text(chain.reading_before),
+                     image::readings_text(chain.reading_after)});
+  }
   lines.push_back({say(says::delay), time(chain.before.delay_cycles, old_time),
                    time(chain.after.delay_cycles, new_time)});
   lines.push_back({say(says::settling), settling(chain.before, old_time), settling(chain.after, new_time)});

@@ -1,6 +1,7 @@
 #include "cli/formats/diff_formats.hpp"
 #include "cli/formats/parameter_facts.hpp"
 #include "cli/report/json_text.hpp"
+#include "image/image_readings.hpp"
 #include "schema/data_type.hpp"
 #include "schema/descriptions/description.hpp"
 
@@ -78,6 +79,10 @@ ordered_json axis_json(AxisDifference const& axis, ShownDifference const& shown,
   auto const& difference = shown.difference;
   json["before"] = figures_json(axis.chain->before, shown.feed_mm_per_min, difference.before.cycle_time);
   json["after"] = figures_json(axis.chain->after, shown.feed_mm_per_min, difference.after.cycle_time);
+  if (axis.chain->reading_before != axis.chain->reading_after) {
+    json["before"]["design"] = image::readings_text(axis.chain->reading_before);
+    json["after"]["design"] = image::readings_text(axis.chain->reading_after);
+  }
   json["gains"] = ordered_json::array();
   for (auto const& gain : axis.chain->gains) {
     json["gains"].push_back(

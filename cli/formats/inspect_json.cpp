@@ -65,6 +65,7 @@ ordered_json filter_json(image::ImageAxis const& axis, image::ImageFilter const&
   if (design::uses_quality(wanted.type)) json["quality"] = wanted.quality;
   if (design::uses_time_constant(wanted.type)) json["time_constant_us"] = wanted.time_constant.value;
   json["share_percent"] = wanted.share_percent;
+  add_readings(json, word_of(wanted.reading), word_of(wanted.cycle_time));
   json["realisation"] = realisation_word(made.realisation);
   if (made.realisation == design::Realisation::delay) json["pure_delay_cycles"] = made.delay_cycles;
   json["group_delay_cycles"] = made.group_delay_cycles;

@@ -88,6 +88,11 @@ ordered_json slot_json(image::ImageSlot const& slot) {
           {"channel", index_json(slot.group)}};
 }
 
+void add_readings(ordered_json& json, std::string_view reading, std::string_view cycle_time) {
+  if (reading != word_of(design::FilterReading::documented)) json["reading"] = reading;
+  if (cycle_time != word_of(design::CycleReading::documented)) json["computed_for"] = cycle_time;
+}
+
 ordered_json kernel_json(image::ImageKernel const& kernel, design::CycleTime cycle_time) {
   auto const& wanted = kernel.specification;
   auto const& kind = design::kind_of(wanted.type);
@@ -95,6 +100,7 @@ ordered_json kernel_json(image::ImageKernel const& kernel, design::CycleTime cyc
   if (kind.uses_frequency) json["frequency_hz"] = wanted.frequency.value;
   if (kind.uses_quality) json["quality"] = wanted.quality;
   json["share_percent"] = wanted.share_percent;
+  add_readings(json, word_of(wanted.reading), word_of(wanted.cycle_time));
   json["half_width"] = kernel.design.half_width;
   json["delay_cycles"] = kernel.design.delay_cycles;
   json["group_delay_cycles"] = kernel.design.group_delay_cycles;

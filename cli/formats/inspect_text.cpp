@@ -6,6 +6,7 @@
 #include "cli/options/filter_symbols.hpp"
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "image/image_readings.hpp"
 
 namespace axisc::cli::says {
 
@@ -31,6 +32,7 @@ constexpr Sentence spindle{"spindle", "Spindel"};
 constexpr Sentence velocity{"velocity limit", "Höchstgeschwindigkeit"};
 constexpr Sentence acceleration{"acceleration limit", "Höchstbeschleunigung"};
 constexpr Sentence window{"position window", "Positionsfenster"};
+constexpr Sentence computed_as{"computed as", "gerechnet als"};
 constexpr Sentence chain{"setpoint chain", "Sollwertkette"};
 constexpr Sentence chain_value{"delay {cycles} cycles ({ms} ms), peak gain {gain}",
                                "Verzögerung {cycles} Zyklen ({ms} ms), Spitzenverstärkung {gain}"};
@@ -101,6 +103,9 @@ class InspectText : public InspectWriter {
     text += row(says::chain, say(says::chain_value, {{"cycles", rounded(axis.delay_cycles)},
                                                      {"ms", milliseconds(axis.delay_cycles)},
                                                      {"gain", rounded(axis.peak_gain)}}));
+    if (auto const readings = image::readings_of(image_, index); readings != design::Readings{}) {
+      text += row(says::computed_as, image::readings_text(readings));
+    }
     if (!axis.filters.empty() || axis.slot) text += step(chain) + magnitudes(index);
     if (!axis.filters.empty() || !axis.slot) text += filters(axis, axis.filters, false);
     text += slot_text(index) + filters(axis, axis.interface_filters, true);

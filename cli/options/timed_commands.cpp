@@ -72,8 +72,10 @@ validator::CommandLimits limits_of(image::ImageContents const& image) {
   validator::CommandLimits limits{.cycle_time = image.cycle_time, .time_delay = false};
   for (auto const& axis : image.axes) {
     if (!axis.slot || !axis.slot->kernel) continue;
-    auto const type = image.kernels[*axis.slot->kernel].specification.type;
-    limits.time_delay = limits.time_delay || type == design::KernelType::time_delay;
+    auto const& kernel = image.kernels[*axis.slot->kernel].specification;
+    limits.time_delay = limits.time_delay || kernel.type == design::KernelType::time_delay;
+    if (kernel.reading != design::KernelReading::documented) limits.readings.kernels = kernel.reading;
+    if (kernel.cycle_time != design::CycleReading::documented) limits.readings.cycle_time = kernel.cycle_time;
   }
   return limits;
 }

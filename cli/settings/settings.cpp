@@ -95,6 +95,25 @@ void store_kind(JsonDocument const& /*document*/, JsonValue const& value, PathSe
   settings.kind = schema::find_list_kind(&schema::ListKindRow::word, value.string);
 }
 
+template <auto Readings_member, auto const& words>
+void store_reading(JsonDocument const& /*document*/, JsonValue const& value, design::Readings& readings) {
+  using Reading = std::remove_reference_t<decltype(readings.*Readings_member)>;
+  readings.*Readings_member = *design::reading_of<Reading>(words, value.string);
+}
+constexpr JsonShape filter_reading_shape{.words = design::filter_reading_words};
+constexpr JsonShape kernel_reading_shape{.words = design::kernel_reading_words};
+constexpr JsonShape cycle_reading_shape{.words = design::cycle_reading_words};
+constexpr std::array design_keys = {
+    JsonKey{"filters", &filter_reading_shape, optional, "Of the standard filters filter[i].",
+            by<store_reading<&design::Readings::filters, design::filter_reading_words>>},
+    JsonKey{"kernels", &kernel_reading_shape, optional, "Of filter_fir and the HSC filters.",
+            by<store_reading<&design::Readings::kernels, design::kernel_reading_words>>},
+    JsonKey{"cycle_time", &cycle_reading_shape, optional,
+            "The cycle time that both are computed for, beside that of the NC.",
+            by<store_reading<&design::Readings::cycle_time, design::cycle_reading_words>>}};
+constexpr JsonShape design_shape{
+    .kind = Kind::object, .title = "What the control makes of its filters", .keys = design_keys};
+
 template <std::vector<std::string> Settings::*patterns>
 void store_patterns(JsonDocument const& document, JsonValue const& value, Settings& settings) {
   for (auto const item : value.items) (settings.*patterns).push_back(document[item].string);
@@ -117,6 +136,10 @@ constexpr std::array settings_keys = {
     JsonKey{"build", &build_shape, optional, "Build of the control that the lists are for, V3.1.3080.00.",
             by<store_build>},
     JsonKey{"language", &language_shape, optional, "Language of messages.", by<store_language>},
+    JsonKey{
+        "design", &design_shape, optional,
+        "What the control makes of its filters where the manuals leave it open, as `axisc compare` finds it.",
+        into<&Settings::readings>},
     JsonKey{"disable", &codes_shape, optional, "Findings that are not reported, by code or name.",
             by<store_codes<Settings>>},
     JsonKey{"severity", &severities_shape, optional, "Other severities of findings, by code or name.",
@@ -304,6 +327,7 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   // A machine file has its own cycle time, which only the command line overrides.
   if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
   if (!options.build) options.build = settings.build;
+  options.readings = settings.readings;
   options.catalogue = settings.catalogue;
   options.disabled.insert(options.disabled.end(), settings.disabled.begin(), settings.disabled.end());
   options.severities = settings.severities;

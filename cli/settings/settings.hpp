@@ -4,6 +4,7 @@
 //     "cycle_time_us": 1000,                      for lists alone; a machine file says its own
 //     "build": "V3.1.3080.00",
 //     "language": "de",
+//     "design": {"filters": "no-prewarping", "kernels": "taps-n-plus-1"},   what the control makes of its filters
 //     "disable": ["AX4007"],
 //     "severity": {"AX3013": "error"},
 //     "schema": ["build-3200.json"],              schema files, see schema_file.hpp; relative to this file
@@ -47,6 +48,7 @@ struct Settings {
   std::optional<design::CycleTime> cycle_time;
   std::optional<validator::BuildVersion> build;
   std::optional<Language> language;
+  design::Readings readings;
   std::vector<Code> disabled;
   std::map<Code, Severity> severities;
   std::vector<PathSettings> paths;

@@ -58,6 +58,13 @@ std::string describe_settings(std::string const& input, validator::CheckOptions 
   if (command_line.kind) add("kind", std::string(row_of(*command_line.kind).word), from_command_line);
   if (!command_line.disabled.empty()) add("disable", joined(command_line.disabled), from_command_line);
   if (settings) {
+    auto const& readings = settings->readings;
+    auto const add_reading = [&](std::string const& name, auto reading) {
+      if (reading != decltype(reading)::documented) add(name, std::string(word_of(reading)), from_file);
+    };
+    add_reading("design: filters", readings.filters);
+    add_reading("design: kernels", readings.kernels);
+    add_reading("design: cycle_time", readings.cycle_time);
     for (auto const& file : settings->schema_files) add("schema", file, from_file);
   }
   for (auto const& file : schema_files) add("schema", file, from_command_line);

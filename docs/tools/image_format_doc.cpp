@@ -1,7 +1,11 @@
 #include "docs/tools/image_format_doc.hpp"
 
+#include "design/readings.hpp"
+
 #include <array>
 #include <initializer_list>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace axisc::docs {
@@ -159,6 +163,9 @@ Equal kernels are stored once, in the order of first use: by slots the lists' va
 a type ignores has its default (frequency 30, quality 1), so that it makes no difference; NoVib has the order that its
 frequency gives. Order 0 or share 0 means no kernel.
 
+A kernel with an even number of taps, or one that blends with the undelayed signal, is stored in the same way with
+`half_width` 0 and as many `delay_cycles` as tail sums; `group_delay` is its delay at 0 Hz.
+
 A slot is the one linear-phase filter that an axis may have. `kernel` is that of the lists' values; it works from start-up
 where `on_at_start` is 1. A slot remembers as many increments as its longest kernel needs (`history`), so that each of
 its kernels can begin at any time.
@@ -273,6 +280,27 @@ std::string record_description(RecordRow const& record) {
   return has_fields ? text + "\n" : text;
 }
 
+std::string rows(std::span<std::string_view const> words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += "| " + std::to_string(i) + " | `" + std::string(words[i]) + "` |\n";
+  }
+  return text;
+}
+
+std::string readings() {
+  return "\n## Readings\n\n"
+         "`reading` and `cycle_reading` say which departure from the manuals the coefficients were computed "
+         "with\n"
+         "([settings](settings.md), `design`). They are for people and tools: a runtime executes the "
+         "coefficients.\n\n"
+         "| `reading` of a filter | word of the settings |\n|--:|---|\n" +
+         rows(design::filter_reading_words) +
+         "\n| `reading` of a kernel | word of the settings |\n|--:|---|\n" +
+         rows(design::kernel_reading_words) + "\n| `cycle_reading` | word of the settings |\n|--:|---|\n" +
+         rows(design::cycle_reading_words);
+}
+
 }  // namespace
 
 std::string image_format_document() {
@@ -281,6 +309,7 @@ std::string image_format_document() {
   text += "## Records\n\n";
   for (RecordRow const& record : records) text += record_description(record);
   text += interpretation;
+  text += readings();
   return text;
 }
 

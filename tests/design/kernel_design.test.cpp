@@ -57,7 +57,8 @@ TEST_CASE("tail sums and taps agree, the tail sums mirror about the centre, and 
     CHECK(std::accumulate(kernel.taps.begin(), kernel.taps.end(), 0.0) == Approx(1).epsilon(1e-14));
     CHECK(std::accumulate(S.begin(), S.end(), 0.0) == Approx(kernel.group_delay_cycles).epsilon(1e-13));
     CHECK(kernel.group_delay_cycles == kernel_delay_cycles(c.specification, c.cycle_time));
-    CHECK(kernel.half_width == half_width(c.specification, c.cycle_time));
+    CHECK(2 * kernel.half_width + 1 ==
+          (c.specification.type == KernelType::time_delay ? 1 : tap_count(c.specification, c.cycle_time)));
   }
 }
 

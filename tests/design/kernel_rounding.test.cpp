@@ -48,7 +48,7 @@ Taps novib_taps(Reference const& theta, int half_box) {
 
 Taps taps_by_definition(KernelCase const& c) {
   KernelSpecification const& s = c.specification;
-  int const h = static_cast<int>(half_width(s, c.cycle_time));
+  int const h = static_cast<int>(tap_count(s, c.cycle_time) / 2);
   Reference const theta = 2 * pi * Reference(s.frequency.value) * c.cycle_time.nanoseconds / 1'000'000'000;
   Taps taps;
   if (s.type == KernelType::novib) {

@@ -1,5 +1,8 @@
 #include "tuning/suggestion/candidates.hpp"
 
+#include "design/filter_kinds.hpp"
+#include "design/kernel_kinds.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -144,7 +147,11 @@ class Enumerator {
  private:
   static constexpr std::size_t most_filters = 3;
 
+  /// As the control computes them, without those that it cannot.
   [[nodiscard]] std::vector<Part> parts(std::vector<Chain> chains) const {
+    if (task_.readings != design::Readings{}) {
+      std::erase_if(chains, [this](Chain& chain) { return !read(chain); });
+    }
     auto responses = impulse_responses(chains, task_.cycle_time);
     std::vector<Part> found;
     for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -153,6 +160,28 @@ class Enumerator {
           {.chain = std::move(chains[i]), .response = std::move(responses[i]), .gain = on_circle});
     }
     return found;
+  }
+
+  /// False where no filter can be computed in the control's reading.
+  [[nodiscard]] bool read(Chain& chain) const {
+    auto const& readings = task_.readings;
+    for (auto& filter : chain.filters) {
+      filter.reading = readings.filters;
+      filter.reading = design::applied_reading(filter);
+      filter.cycle_time = readings.cycle_time;
+      if (!design::is_in_range(filter, task_.cycle_time)) return false;
+      auto const made = design::design_filter(filter, task_.cycle_time, design::Precision::quick);
+      if (!std::all_of(made.sections.begin(), made.sections.end(), design::is_loadable)) return false;
+    }
+    if (!chain.kernel) return true;
+    auto& kernel = *chain.kernel;
+    kernel.reading = readings.kernels;
+    kernel.cycle_time = readings.cycle_time;
+    auto const computed_for = design::as_read(task_.cycle_time, readings.cycle_time);
+    auto const& kind = design::kind_of(kernel.type);
+    return kernel.order <= design::longest_order(kernel.type, kernel.reading) &&
+           (!kind.uses_frequency || kernel.frequency < computed_for.nyquist()) &&
+           (!kind.computes_order || kernel.frequency >= design::lowest_novib_frequency(computed_for));
   }
 
   /// Of wide kernels some are as good as all: a step changes the width by 3 % or less.

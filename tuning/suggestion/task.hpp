@@ -32,6 +32,7 @@ struct Task {
   std::optional<Goal> goal = std::nullopt;
   /// HSC: the control's build knows no FIR filters.
   machine::KernelFamily family = machine::KernelFamily::fir;
+  design::Readings readings{};  ///< of the control: what it makes of its filters
 };
 
 /// A setpoint chain: standard filters one after the other, then a kernel.

@@ -21,8 +21,14 @@ struct CommandLimits {
   design::CycleTime cycle_time;
   bool time_delay = false;  ///< an axis of the channel has the FIR time delay, which ends at order 100
 
+  design::Readings readings{};  ///< of the control: what it makes of its filters
+
   [[nodiscard]] std::uint32_t longest_order() const {
-    return time_delay ? design::longest_kernel_delay : design::longest_kernel_order;
+    return time_delay ? design::longest_kernel_delay
+                      : design::longest_order(design::KernelType::moving_average, readings.kernels);
+  }
+  [[nodiscard]] design::Hertz nyquist() const {
+    return design::as_read(cycle_time, readings.cycle_time).nyquist();
   }
 };
 

@@ -41,10 +41,9 @@ KeywordRange order_time(CommandLimits const& limits) {
 }
 
 KeywordRange below_nyquist(std::string_view keyword, CommandLimits const& limits) {
-  KeywordRange range = closed(keyword, 1, limits.cycle_time.nyquist().value);
+  KeywordRange range = closed(keyword, 1, limits.nyquist().value);
   range.below_maximum = true;
-  range.text =
-      fmt::format("1 Hz ≤ {} < 0.5/T = {} Hz", keyword, format_rounded(limits.cycle_time.nyquist().value, 6));
+  range.text = fmt::format("1 Hz ≤ {} < 0.5/T = {} Hz", keyword, format_rounded(limits.nyquist().value, 6));
   range.depends_on_cycle_time = true;
   return range;
 }

@@ -208,7 +208,7 @@ class Engine {
   }
 
   [[nodiscard]] CommandLimits limits_of(LoadedGroup const* group) const {
-    CommandLimits limits{.cycle_time = cycle_time_, .time_delay = false};
+    CommandLimits limits{.cycle_time = cycle_time_, .readings = machine_.readings};
     if (group != nullptr) limits.time_delay = has_time_delay(machine_, *group);
     return limits;
   }

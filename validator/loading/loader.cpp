@@ -109,6 +109,7 @@ std::optional<configuration::FileError> Loader::load(std::string const& path) {
   }
   if (options_.cycle_time) machine_.cycle_time = options_.cycle_time;
   machine_.build = options_.build;
+  machine_.readings = options_.readings;
   machine_.is_beside_start_up_list = options_.is_beside_start_up_list;
   return std::nullopt;
 }
@@ -196,6 +197,7 @@ LoadedAxis& Loader::add_axis(std::size_t list, std::optional<machine::AxisType> 
   std::optional<bool> rotary;
   if (type) rotary = *type != machine::AxisType::translatory;
   MergedValues merged = merge_lists(machine_.list_of_defaults(), machine_.lists[list].list, rotary);
+  merged.values.read_as(options_.readings);
   machine::AxisType const known_type = type.value_or(axis_type_of(merged.values));
   machine_.axes.push_back(
       {.name = {}, .type = known_type, .list = list, .drive = {}, .merged = std::move(merged)});

@@ -24,6 +24,7 @@ bool forget_guesses(LoadedMachine& machine) {
   for (LoadedAxis& axis : machine.axes) {
     axis.merged = merge_lists(machine.list_of_defaults(), machine.lists[axis.list].list,
                               axis.type != machine::AxisType::translatory);
+    axis.merged.values.read_as(machine.readings);
   }
   return true;
 }

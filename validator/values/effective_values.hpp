@@ -2,6 +2,7 @@
 // comes from.
 #pragma once
 
+#include "design/readings.hpp"
 #include "diagnostics/source_text.hpp"
 #include "machine/machine.hpp"
 #include "schema/catalogue.hpp"
@@ -81,6 +82,9 @@ class EffectiveValues {
     return catalogue_.parameter_of(slot);
   }
   [[nodiscard]] schema::Catalogue const& catalogue() const { return catalogue_; }
+  /// What the control that uses the values makes of its filters.
+  [[nodiscard]] design::Readings const& readings() const { return readings_; }
+  void read_as(design::Readings const& readings) { readings_ = readings; }
   /// A list sets the parameter, perhaps in a line that cannot be used.
   [[nodiscard]] bool is_set(schema::Slot slot) const {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
@@ -113,6 +117,7 @@ class EffectiveValues {
   }
 
   schema::Catalogue catalogue_;
+  design::Readings readings_;
   std::array<LoadedList const*, 2> lists_{};  ///< default list first; null if there is none
   /// 0: not yet looked at; else index + 1. There are at most schema::most_slots.
   mutable std::vector<std::uint16_t> entry_of_slot_;

@@ -92,7 +92,8 @@ std::vector<machine::FilterParameters> filter_sets_of(LoadedMachine const& machi
                                                       SourceSet const& sources,
                                                       std::vector<NotCompiled>& not_compiled) {
   CommandLimits const limits{.cycle_time = machine.cycle_time.value_or(design::CycleTime{}),
-                             .time_delay = has_time_delay(machine, group)};
+                             .time_delay = has_time_delay(machine, group),
+                             .readings = machine.readings};
   SetCollector collector(limits, not_compiled);
   for (std::size_t const program : group.programs) add_program(machine.programs[program], sources, collector);
   for (configuration::LocatedText const& set : machine.filter_sets) {

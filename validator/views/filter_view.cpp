@@ -65,7 +65,8 @@ FilterView::FilterView(EffectiveValues const& values, FilterPort port_, std::uin
       frequency(value_of(values, port_, index_, Member::frequency)),
       quality(value_of(values, port_, index_, Member::quality)),
       share(value_of(values, port_, index_, Member::share)),
-      time_constant(value_of(values, port_, index_, Member::time_constant)) {
+      time_constant(value_of(values, port_, index_, Member::time_constant)),
+      readings(values.readings()) {
   if (is_hsc()) return;
   if (auto const* const kind = design::find_filter_kind(type_number())) standard_type = kind->type;
 }
@@ -119,6 +120,8 @@ std::optional<design::FilterSpecification> FilterView::specification(design::Cyc
   specification.type = kind.type;
   specification.order = static_cast<std::uint32_t>(order.value.number);
   specification.share_percent = share.value.number;
+  specification.reading = readings.filters;
+  specification.cycle_time = readings.cycle_time;
   if (kind.uses_prototype) {
     if (prototype.unusable) return std::nullopt;
     specification.prototype = static_cast<design::Prototype>(static_cast<int>(prototype.value.number));
@@ -135,6 +138,7 @@ std::optional<design::FilterSpecification> FilterView::specification(design::Cyc
     if (time_constant.unusable) return std::nullopt;
     specification.time_constant = {time_constant.value.number};
   }
+  specification.reading = design::applied_reading(specification);
   return design::is_in_range(specification, cycle_time) ? std::optional(specification) : std::nullopt;
 }
 

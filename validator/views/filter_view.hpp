@@ -26,6 +26,7 @@ struct FilterView {
   EffectiveValue const& quality;
   EffectiveValue const& share;
   EffectiveValue const& time_constant;
+  design::Readings readings;  ///< of the values
   /// The type as a standard filter; none for HSC and undocumented types, and with prototype HSC.
   std::optional<design::FilterType> standard_type;
 

@@ -40,7 +40,8 @@ FirView::FirView(EffectiveValues const& values)
       order_time(values[slots().order_time]),
       share(values[slots().share]),
       frequency(values[slots().frequency]),
-      quality(values[slots().quality]) {}
+      quality(values[slots().quality]),
+      readings(values.readings()) {}
 
 FirType FirView::configured_type() const {
   double const number = type.value.number;
@@ -51,7 +52,7 @@ FirType FirView::configured_type() const {
 std::uint32_t FirView::longest_order() const {
   FirType const kind = configured_type();
   if (kind == FirType::none) return design::longest_kernel_order;
-  return design::kind_of(kernels[static_cast<std::size_t>(kind) - 1]).longest_order;
+  return design::longest_order(kernels[static_cast<std::size_t>(kind) - 1], readings.kernels);
 }
 
 double FirView::resulting_order(design::CycleTime cycle_time) const {
@@ -68,13 +69,15 @@ std::optional<design::KernelSpecification> FirView::specification(design::CycleT
   design::KernelSpecification specification;
   specification.type = kind.type;
   specification.share_percent = share.value.number;
+  specification.reading = readings.kernels;
+  specification.cycle_time = readings.cycle_time;
   bool const in_range = resulting <= longest_order() && share.value.number >= 0 && share.value.number <= 100;
   if (!in_range) return std::nullopt;
   specification.order = static_cast<std::uint32_t>(resulting);
   if (kind.uses_frequency) {
     specification.frequency = {frequency.value.number};
-    bool const fits =
-        frequency.value.number > 0 && specification.frequency.value < cycle_time.nyquist().value;
+    bool const fits = frequency.value.number > 0 &&
+                      specification.frequency < design::as_read(cycle_time, readings.cycle_time).nyquist();
     if (frequency.unusable || !fits) return std::nullopt;
   }
   if (kind.uses_quality) {

@@ -27,6 +27,7 @@ struct FirView {
   EffectiveValue const& share;
   EffectiveValue const& frequency;
   EffectiveValue const& quality;
+  design::Readings readings;  ///< of the values
 
   explicit FirView(EffectiveValues const& values);
 

@@ -40,20 +40,24 @@ std::optional<design::KernelSpecification> hsc_kernel(FilterView const& filter,
   if (!type || filter.order.unusable || filter.share.unusable) return std::nullopt;
   design::KernelSpecification specification;
   specification.share_percent = filter.share.value.number;
+  specification.reading = filter.readings.kernels;
+  specification.cycle_time = filter.readings.cycle_time;
   if (specification.share_percent < 0 || specification.share_percent > 100) return std::nullopt;
   double const order = resulting_hsc_order(filter, cycle_time);
-  if (order > design::longest_kernel_order) return std::nullopt;
+  auto const kernel = *type == HscType::mean ? design::KernelType::moving_average : design::KernelType::novib;
+  if (order > design::longest_order(kernel, filter.readings.kernels)) return std::nullopt;
   if (*type == HscType::mean) {
     if (!(filter.order.value.number > 0) && filter.time_constant.unusable) return std::nullopt;
-    specification.type = design::KernelType::moving_average;
+    specification.type = kernel;
     specification.order = static_cast<std::uint32_t>(order);
     return specification;
   }
-  specification.type = design::KernelType::novib;
+  specification.type = kernel;
+  design::CycleTime const computed_for = design::as_read(cycle_time, filter.readings.cycle_time);
   specification.frequency = {filter.frequency.value.number};
-  bool const fits = specification.frequency.value > 0 &&
-                    specification.frequency.value < cycle_time.nyquist().value &&
-                    design::novib_order(specification.frequency, cycle_time) <= design::longest_kernel_order;
+  bool const fits =
+      specification.frequency.value > 0 && specification.frequency < computed_for.nyquist() &&
+      design::novib_order(specification.frequency, computed_for) <= design::longest_kernel_order;
   if (order == 0 || filter.frequency.unusable || !fits) return std::nullopt;
   return specification;
 }

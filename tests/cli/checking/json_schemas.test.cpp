@@ -44,6 +44,7 @@ std::vector<FileKind> const& kinds() {
         "programs": ["b.nc"], "filter_sets": ["#FILTER ON"], "inch": false})"},
       {"docs/schemas/settings.schema.json", "docs/settings.md", axisc::cli::settings_shape, R"({
         "cycle_time_us": 62.5, "build": "V3.1.3080.00", "language": "de", "disable": ["AX4007", "delay-too-long"],
+        "design": {"filters": "matched", "kernels": "taps-n", "cycle_time": "half"},
         "severity": {"ax3013": "error"}, "schema": ["build.json"],
         "paths": [{"pattern": "old/**", "disable": ["AX1011"], "kind": "tool"}],
         "include": ["**/*.lis"], "exclude": ["old/**"]})"},

@@ -1,0 +1,73 @@
+#include "design/readings.hpp"
+
+#include "design/filter_kinds.hpp"
+#include "design/kernel_kinds.hpp"
+
+namespace axisc::design {
+namespace {
+
+bool changes(FilterReading reading, FilterSpecification const& wanted) {
+  FilterKind const& kind = kind_of(wanted.type);
+  switch (reading) {
+    case FilterReading::no_prewarping:
+    case FilterReading::backward_euler:
+    case FilterReading::forward_euler:
+      return true;
+    case FilterReading::matched:
+    case FilterReading::matched_poles:
+      return !kind.blocks_constant;
+    case FilterReading::poles_at_frequency:
+      return kind.uses_prototype && !kind.quality && wanted.prototype == Prototype::critical_damping &&
+             wanted.order > 1;
+    case FilterReading::analogue_quality:
+      return kind.quality.has_value();
+    case FilterReading::documented:
+      break;
+  }
+  return false;
+}
+
+bool has_order(KernelType type) {
+  return type != KernelType::time_delay && !kind_of(type).computes_order;
+}
+
+bool changes(KernelReading reading, KernelSpecification const& wanted) {
+  switch (reading) {
+    case KernelReading::taps_n:
+    case KernelReading::taps_n_plus_1:
+    case KernelReading::half_width_rounded_down:
+    case KernelReading::order_is_half_width:
+      return has_order(wanted.type);
+    case KernelReading::gaussian_width_1:
+    case KernelReading::gaussian_width_2:
+    case KernelReading::gaussian_width_3:
+      return wanted.type == KernelType::gaussian;
+    case KernelReading::sinc_hann:
+    case KernelReading::sinc_blackman:
+    case KernelReading::sinc_no_window:
+      return wanted.type == KernelType::windowed_sinc;
+    case KernelReading::novib_one_box:
+      return wanted.type == KernelType::novib;
+    case KernelReading::share_undelayed:
+      return wanted.type != KernelType::time_delay && wanted.share_percent != 100;
+    case KernelReading::share_ignored:
+      return wanted.share_percent != 100;
+    case KernelReading::documented:
+      break;
+  }
+  return false;
+}
+
+}  // namespace
+
+FilterReading applied_reading(FilterSpecification const& specification) {
+  bool const is_delay = specification.type == FilterType::time_delay;
+  return !is_delay && changes(specification.reading, specification) ? specification.reading
+                                                                    : FilterReading::documented;
+}
+
+KernelReading applied_reading(KernelSpecification const& specification) {
+  return changes(specification.reading, specification) ? specification.reading : KernelReading::documented;
+}
+
+}  // namespace axisc::design

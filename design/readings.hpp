@@ -1,0 +1,100 @@
+// How a control computes its filters where the manuals leave it open. What axisc computes unless it is told otherwise is
+// the reading `documented`; a comparison with a recording (comparison/) finds out which one a control has.
+#pragma once
+
+#include "design/units.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace axisc::design {
+
+/// Of standard filters. The numbers stand in images.
+enum class FilterReading : std::uint8_t {
+  documented =
+      0,  ///< bilinear transform with pre-warping, -3 dB at fg_f0, quality between the digital -3 dB edges
+  no_prewarping,       ///< bilinear transform without pre-warping
+  backward_euler,      ///< s = (1 - z^-1)/T
+  forward_euler,       ///< s = (1 - z^-1)/(T z^-1)
+  matched,             ///< poles and zeros z = exp(s T), zeros at infinity become -1; gain 1 at 0 Hz
+  matched_poles,       ///< the same without zeros for those at infinity
+  poles_at_frequency,  ///< critical damping: all poles at fg_f0 instead of -3 dB there
+  analogue_quality,    ///< the quality is that of the analogue filter
+};
+
+/// Of linear-phase kernels. The numbers stand in images.
+enum class KernelReading : std::uint8_t {
+  documented = 0,           ///< see design/kernel_design.hpp
+  taps_n,                   ///< order N means N taps
+  taps_n_plus_1,            ///< order N means N + 1 taps
+  half_width_rounded_down,  ///< h = floor(N/2)
+  order_is_half_width,      ///< h = N
+  gaussian_width_1,         ///< σ = quality·h
+  gaussian_width_2,         ///< σ = quality·h/2
+  gaussian_width_3,         ///< σ = quality·h/3
+  sinc_hann,                ///< window 0.5 + 0.5 cos(πk/h)
+  sinc_blackman,            ///< window 0.42 + 0.5 cos(πk/h) + 0.08 cos(2πk/h)
+  sinc_no_window,
+  novib_one_box,    ///< one box of a period, not two convolved
+  share_undelayed,  ///< the unfiltered share passes undelayed
+  share_ignored,    ///< as with 100 %
+};
+
+/// Of the cycle time for which standard filters and kernels are computed.
+enum class CycleReading : std::uint8_t { documented = 0, twice, half };
+
+/// One control's readings; those that mean nothing for a type leave it as documented.
+struct Readings {
+  FilterReading filters = FilterReading::documented;
+  KernelReading kernels = KernelReading::documented;
+  CycleReading cycle_time = CycleReading::documented;
+
+  friend constexpr bool operator==(Readings const&, Readings const&) = default;
+};
+
+/// From the analogue filter to the digital one.
+enum class Discretisation : std::uint8_t { bilinear, backward_euler, forward_euler, matched, matched_poles };
+
+/// By number: the words of settings, of `compare` and of `inspect`.
+inline constexpr std::array<std::string_view, 8> filter_reading_words{
+    "documented", "no-prewarping", "backward-euler",     "forward-euler",
+    "matched",    "matched-poles", "poles-at-frequency", "analogue-quality"};
+inline constexpr std::array<std::string_view, 14> kernel_reading_words{
+    "documented",          "taps-n",           "taps-n-plus-1",    "half-width-rounded-down",
+    "order-is-half-width", "gaussian-width-1", "gaussian-width-2", "gaussian-width-3",
+    "sinc-hann",           "sinc-blackman",    "sinc-no-window",   "novib-one-box",
+    "share-undelayed",     "share-ignored"};
+inline constexpr std::array<std::string_view, 3> cycle_reading_words{"documented", "double", "half"};
+
+[[nodiscard]] constexpr std::string_view word_of(FilterReading reading) {
+  return filter_reading_words[static_cast<std::size_t>(reading)];
+}
+[[nodiscard]] constexpr std::string_view word_of(KernelReading reading) {
+  return kernel_reading_words[static_cast<std::size_t>(reading)];
+}
+[[nodiscard]] constexpr std::string_view word_of(CycleReading reading) {
+  return cycle_reading_words[static_cast<std::size_t>(reading)];
+}
+
+/// The reading of a word; none where there is none.
+template <class Reading>
+[[nodiscard]] constexpr std::optional<Reading> reading_of(std::span<std::string_view const> words,
+                                                          std::string_view word) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) return static_cast<Reading>(i);
+  }
+  return std::nullopt;
+}
+
+/// The cycle time that filters are computed for, at least 1 ns.
+[[nodiscard]] constexpr CycleTime as_read(CycleTime cycle_time, CycleReading reading) {
+  if (reading == CycleReading::twice) return CycleTime{2 * cycle_time.nanoseconds};
+  if (reading == CycleReading::half) return CycleTime{(cycle_time.nanoseconds + 1) / 2};
+  return cycle_time;
+}
+
+}  // namespace axisc::design
