@@ -2,7 +2,6 @@
 
 #include "diagnostics/repository_path.hpp"
 
-#include <algorithm>
 #include <charconv>
 
 namespace axisc::editor {
@@ -22,8 +21,10 @@ bool begins_at_drive(std::string_view path) {
 std::string path_of(std::string_view uri) {
   if (!uri.starts_with(scheme)) return std::string(uri);
   auto rest = uri.substr(scheme.size());
-  rest.remove_prefix(std::min(rest.find('/'), rest.size()));
-  std::string path;
+  auto const host = rest.substr(0, rest.find('/'));
+  rest.remove_prefix(host.size());
+  bool const is_elsewhere = !host.empty() && host != "localhost" && !rest.empty();
+  std::string path = is_elsewhere ? "//" + std::string(host) : "";
   while (!rest.empty()) {
     unsigned byte = 0;
     bool const is_escape =
@@ -40,6 +41,7 @@ std::string uri_of(std::string_view path) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string uri(scheme);
   if (begins_at_drive(path)) uri += '/';
+  if (path.starts_with("//")) path.remove_prefix(2);
   for (char const character : path) {
     auto const byte = static_cast<unsigned char>(character);
     bool const is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
