@@ -10,50 +10,6 @@ namespace {
 constexpr std::size_t longest_settling = 20000;
 constexpr double settled = 1e-6;
 
-/// The runtime's recursion on increments (see design/filter_design.hpp).
-void run_sections(Link const& link, std::vector<double>& signal) {
-  struct State {
-    double e = 0, r = 0;
-  };
-  std::vector<State> states(link.sections.size());
-  double sum = 0;
-  double last = signal.front();
-  double passed = 0;  // what a blocking section has integrated
-  for (double& x : signal) {
-    double d = x - last;
-    last = x;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      auto const& s = link.sections[i];
-      auto& [e, r] = states[i];
-      double const change = s.p * d + r;
-      e += change;
-      r = change + s.q * d - s.k * e - s.b * change;
-      if (link.blocks_constant) {
-        d = change;
-        passed = e;
-      } else {
-        d += change;
-        sum += change;
-      }
-    }
-    double const filtered = link.blocks_constant ? passed : x + sum;
-    x += link.share * (filtered - x);
-  }
-}
-
-void run_taps(std::vector<double> const& taps, std::vector<double>& signal) {
-  std::size_t const before = taps.size() - 1;
-  std::vector<double> padded(before, signal.front());
-  padded.insert(padded.end(), signal.begin(), signal.end());
-  double const origin = signal.front();
-  for (double& x : padded) x -= origin;
-  for (std::size_t n = 0; n < signal.size(); ++n) {
-    double sum = 0;
-    for (std::size_t k = 0; k < taps.size(); ++k) sum += taps[k] * padded[n + before - k];
-    signal[n] = origin + sum;
-  }
-}
-
 }  // namespace
 
 Link link_of(design::FilterDesign const& filter) {
@@ -68,16 +24,73 @@ Link link_of(design::FilterDesign const& filter) {
   return link;
 }
 
-std::vector<double> respond(Chain const& chain, std::span<double const> input) {
-  std::vector<double> signal(input.begin(), input.end());
-  if (signal.empty()) return signal;
-  for (auto const& link : chain) {
+Runner::Runner(Chain chain) : chain_(std::move(chain)), memories_(chain_.size()) {}
+
+/// The runtime's recursion on increments (see design/filter_design.hpp).
+void Runner::run_sections(Link const& link, Memory& memory, std::span<double> signal) {
+  for (double& x : signal) {
+    double d = x - memory.last;
+    memory.last = x;
+    for (std::size_t i = 0; i < memory.states.size(); ++i) {
+      auto const& s = link.sections[i];
+      auto& [e, r] = memory.states[i];
+      double const change = s.p * d + r;
+      e += change;
+      r = change + s.q * d - s.k * e - s.b * change;
+      if (link.blocks_constant) {
+        d = change;
+        memory.passed = e;
+      } else {
+        d += change;
+        memory.sum += change;
+      }
+    }
+    double const filtered = link.blocks_constant ? memory.passed : x + memory.sum;
+    x += link.share * (filtered - x);
+  }
+}
+
+/// y[n] = origin + sum of taps[k] (x[n - k] - origin)
+void Runner::run_taps(Link const& link, Memory& memory, std::span<double> signal) {
+  std::size_t const before = link.taps.size() - 1;
+  padded_ = memory.before;
+  for (double const x : signal) padded_.push_back(x - memory.origin);
+  memory.before.assign(padded_.end() - static_cast<std::ptrdiff_t>(before), padded_.end());
+  constexpr std::size_t group = 512;  // sums that stay in the cache while all taps pass over them
+  for (std::size_t first = 0; first < signal.size(); first += group) {
+    auto const sums = signal.subspan(first, std::min(group, signal.size() - first));
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (std::size_t k = 0; k <= before; ++k) {
+      double const tap = link.taps[k];
+      double const* const x = padded_.data() + first + before - k;
+      for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += tap * x[n];
+    }
+    for (double& y : sums) y += memory.origin;
+  }
+}
+
+void Runner::run(std::span<double> signal) {
+  if (signal.empty()) return;
+  for (std::size_t i = 0; i < chain_.size(); ++i) {
+    auto const& link = chain_[i];
+    auto& memory = memories_[i];
+    if (!is_running_) {
+      memory.origin = memory.last = signal.front();
+      memory.states.resize(link.sections.size());
+      if (!link.taps.empty()) memory.before.assign(link.taps.size() - 1, 0.0);
+    }
     if (link.taps.empty()) {
-      run_sections(link, signal);
+      run_sections(link, memory, signal);
     } else {
-      run_taps(link.taps, signal);
+      run_taps(link, memory, signal);
     }
   }
+  is_running_ = true;
+}
+
+std::vector<double> respond(Chain const& chain, std::span<double const> input) {
+  std::vector<double> signal(input.begin(), input.end());
+  Runner(chain).run(signal);
   return signal;
 }
 

@@ -21,6 +21,34 @@ using Chain = std::vector<Link>;
 
 [[nodiscard]] Link link_of(design::FilterDesign const& filter);
 
+/// Answers an input that comes piece by piece, from rest at its first value.
+class Runner {
+ public:
+  explicit Runner(Chain chain);
+  /// The next piece becomes its answer.
+  void run(std::span<double> signal);
+
+ private:
+  struct State {
+    double e = 0, r = 0;
+  };
+  struct Memory {
+    std::vector<State> states{};
+    double origin = 0;  ///< the first input
+    double sum = 0, last = 0,
+           passed = 0;  ///< what sections have added, their last input, what blocking ones integrated
+    std::vector<double> before{};  ///< inputs of all taps but the first one, from the origin
+  };
+
+  static void run_sections(Link const& link, Memory& memory, std::span<double> signal);
+  void run_taps(Link const& link, Memory& memory, std::span<double> signal);
+
+  Chain chain_;
+  std::vector<Memory> memories_;
+  bool is_running_ = false;
+  std::vector<double> padded_;
+};
+
 /// The answer to `input`, from rest at its first value.
 [[nodiscard]] std::vector<double> respond(Chain const& chain, std::span<double const> input);
 

@@ -10,10 +10,13 @@ namespace axisc::comparison {
 namespace {
 
 constexpr int longest_lag = 10;
+constexpr std::size_t lags = 2 * longest_lag + 1;
 /// A fraction of a cycle is believed where it takes away at least this much.
 constexpr double fraction_gain = 0.7;
 /// Cycles behind a gap that do not count, if the chain settles more slowly.
 constexpr std::size_t longest_shadow = 400;
+/// Cycles of a recording that are in memory at once.
+constexpr std::size_t window_size = 16384;
 
 bool is_multiple(double value, double step) {
   constexpr double tolerance = 1e-3;
@@ -21,16 +24,26 @@ bool is_multiple(double value, double step) {
   return std::abs(steps - std::round(steps)) < tolerance;
 }
 
-/// `computed` at n - lag, within the recording.
-struct Shifted {
-  std::vector<double> const& values;
-  int lag;
-  [[nodiscard]] bool has(std::size_t n) const {
-    auto const at = static_cast<std::ptrdiff_t>(n) - lag;
-    return at >= 0 && at < static_cast<std::ptrdiff_t>(values.size());
+/// A part of two signals: of the cycles from `first` on, those from `from` to `to` are looked at.
+struct Window {
+  std::size_t first = 0;
+  std::span<double const> computed, output;
+  std::size_t from = 0, to = 0;
+  std::vector<bool> const& counted;
+
+  [[nodiscard]] double recorded(std::size_t n) const { return output[n - first]; }
+  /// `computed` at n - lag, within the window.
+  [[nodiscard]] bool has(std::size_t n, int lag) const {
+    auto const at = index(n, lag);
+    return at >= 0 && at < static_cast<std::ptrdiff_t>(computed.size());
   }
-  double operator[](std::size_t n) const {
-    return values[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(n) - lag)];
+  [[nodiscard]] double answer(std::size_t n, int lag) const {
+    return computed[static_cast<std::size_t>(index(n, lag))];
+  }
+
+ private:
+  [[nodiscard]] std::ptrdiff_t index(std::size_t n, int lag) const {
+    return static_cast<std::ptrdiff_t>(n - first) - lag;
   }
 };
 
@@ -47,91 +60,170 @@ struct Sums {
   }
 };
 
-Residual with_lag(std::vector<double> const& computed, std::vector<double> const& output,
-                  std::vector<bool> const& counted, int lag) {
-  Shifted const shifted{computed, lag};
-  Sums sums;
-  for (std::size_t n = 0; n < output.size(); ++n) {
-    if (counted[n] && shifted.has(n)) sums.add(output[n] - shifted[n]);
-  }
-  return sums.residual(lag);
-}
-
-/// Between `lag` and the next cycle: the part of it with the smallest sum of squares.
-Residual with_fraction(std::vector<double> const& computed, std::vector<double> const& output,
-                       std::vector<bool> const& counted, int lag) {
-  Shifted const early{computed, lag}, late{computed, lag + 1};
-  double projection = 0, energy = 0;
-  for (std::size_t n = 0; n < output.size(); ++n) {
-    if (!counted[n] || !early.has(n) || !late.has(n)) continue;
-    double const step = late[n] - early[n];
-    projection += step * (output[n] - early[n]);
-    energy += step * step;
-  }
-  double const part = energy > 0 ? std::clamp(projection / energy, 0.0, 1.0) : 0;
-  Sums sums;
-  for (std::size_t n = 0; n < output.size(); ++n) {
-    if (counted[n] && early.has(n) && late.has(n)) {
-      sums.add(output[n] - early[n] - part * (late[n] - early[n]));
+/// At every whole lag.
+class WholeLags {
+ public:
+  void add(Window const& window) {
+    for (std::size_t i = 0; i < lags; ++i) {
+      int const lag = static_cast<int>(i) - longest_lag;
+      for (std::size_t n = window.from; n < window.to; ++n) {
+        if (window.counted[n] && window.has(n, lag)) sums_[i].add(window.recorded(n) - window.answer(n, lag));
+      }
     }
   }
-  return sums.residual(lag + part);
+  [[nodiscard]] Residual best() const {
+    Residual best = at(0);
+    for (int distance = 1; distance <= longest_lag; ++distance) {
+      for (int const lag : {distance, -distance}) {
+        auto const other = at(lag);
+        if (other.rms < best.rms) best = other;
+      }
+    }
+    return best;
+  }
+
+ private:
+  [[nodiscard]] Residual at(int lag) const {
+    return sums_.at(static_cast<std::size_t>(lag + longest_lag)).residual(lag);
+  }
+  std::array<Sums, lags> sums_{};
+};
+
+/// Between `lag` and the next cycle: the part of it with the smallest sum of squares.
+struct PartOfCycle {
+  int lag = 0;
+  double projection = 0, energy = 0;
+  Sums sums{};
+
+  [[nodiscard]] double part() const { return energy > 0 ? std::clamp(projection / energy, 0.0, 1.0) : 0; }
+  void project(Window const& window) {
+    each(window, [&](double error, double step) {
+      projection += step * error;
+      energy += step * step;
+    });
+  }
+  void add(Window const& window) {
+    double const share = part();
+    each(window, [&](double error, double step) { sums.add(error - share * step); });
+  }
+
+ private:
+  template <class Use>
+  void each(Window const& window, Use use) const {
+    for (std::size_t n = window.from; n < window.to; ++n) {
+      if (!window.counted[n] || !window.has(n, lag) || !window.has(n, lag + 1)) continue;
+      double const early = window.answer(n, lag);
+      use(window.recorded(n) - early, window.answer(n, lag + 1) - early);
+    }
+  }
+};
+
+/// Calls `use` for windows that together cover the recording, each with the cycles around it that lags need.
+template <class Use>
+void for_each_window(Chain const& chain, Recording const& recording, std::vector<bool> const& counted,
+                     Use use) {
+  std::size_t const size = recording.output.size();
+  Runner runner(chain);
+  std::vector<double> computed, output;
+  std::size_t first = 0;
+  std::size_t done = 0;
+  while (done < size) {
+    std::size_t const known = first + computed.size();
+    std::size_t const more = std::min(window_size, size - known);
+    std::size_t const kept = computed.size();
+    computed.resize(kept + more);
+    output.resize(kept + more);
+    std::span<double> const fresh(computed.data() + kept, more);
+    recording.input.read(known, fresh);
+    runner.run(fresh);
+    recording.output.read(known, {output.data() + kept, more});
+    std::size_t const to = known + more == size ? size : known + more - longest_lag;
+    use(Window{
+        .first = first, .computed = computed, .output = output, .from = done, .to = to, .counted = counted});
+    done = to;
+    std::size_t const past = done > first + longest_lag ? done - first - longest_lag : 0;
+    computed.erase(computed.begin(), computed.begin() + static_cast<std::ptrdiff_t>(past));
+    output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(past));
+    first += past;
+  }
 }
 
 }  // namespace
 
-double resolution(std::span<double const> values, std::span<std::size_t const> gaps) {
-  auto const fits = [&](double step) {
-    auto gap = gaps.begin();
-    for (std::size_t n = 0; n < values.size(); ++n) {
-      if (gap != gaps.end() && *gap == n) {
+double resolution(Signal const& signal, std::span<std::size_t const> gaps) {
+  constexpr std::array<double, 7> steps{1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6};
+  std::size_t coarsest = 0;
+  auto gap = gaps.begin();
+  for_each_part(signal, [&](std::size_t first, std::span<double const> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (gap != gaps.end() && *gap == first + i) {
         ++gap;
-      } else if (!is_multiple(values[n], step)) {
-        return false;
+        continue;
       }
+      while (coarsest < steps.size() && !is_multiple(values[i], steps.at(coarsest))) ++coarsest;
     }
-    return true;
-  };
-  for (double const step : {1.0, 0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6}) {
-    if (fits(step)) return step;
-  }
-  return 0;
+  });
+  return coarsest < steps.size() ? steps.at(coarsest) : 0;
 }
 
-std::vector<bool> counted_cycles(Recording const& recording, std::size_t settling) {
-  auto const& output = recording.output;
-  double const step = resolution(output, recording.gaps);
-  std::vector<bool> counted(output.size(), false);
-  auto const& input = recording.input;
-  std::size_t begin = 0;
-  while (begin < input.size() && input[begin] == input.front() &&
-         std::abs(output[begin] - input.front()) <= step) {
-    ++begin;
-  }
-  if (begin < 3) begin = settling;  // no rest at the start: the state is not known
-  for (std::size_t n = std::max<std::size_t>(begin, 1); n < output.size(); ++n) {
-    counted[n] = std::abs(output[n] - output[n - 1]) > step;
-  }
-  std::size_t const shadow = std::min(settling, longest_shadow);
+std::vector<bool> counted_cycles(Recording const& recording, Counting const& counting) {
+  double const step = counting.output_resolution;
+  std::vector<bool> counted(recording.output.size(), false);
+  if (counted.empty()) return counted;
+  double const start = recording.input.front();
+  std::size_t resting = 0;
+  bool rests = true;
+  double last = recording.output.front();
+  std::vector<double> outputs;
+  for_each_part(recording.input, [&](std::size_t first, std::span<double const> inputs) {
+    outputs.resize(inputs.size());
+    recording.output.read(first, outputs);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      rests = rests && inputs[i] == start && std::abs(outputs[i] - start) <= step;
+      if (rests) ++resting;
+      counted[first + i] = std::abs(outputs[i] - last) > step;
+      last = outputs[i];
+    }
+  });
+  // No rest at the start: the state is not known.
+  std::size_t const begin = std::min(counted.size(), resting < 3 ? counting.settling : resting);
+  std::fill(counted.begin(), counted.begin() + static_cast<std::ptrdiff_t>(begin), false);
+  std::size_t const shadow = std::min(counting.settling, longest_shadow);
+  std::size_t cleared = 0;
   for (auto const gap : recording.gaps) {
-    for (std::size_t n = gap; n < std::min(output.size(), gap + shadow + 1); ++n) counted[n] = false;
+    std::size_t const end = std::min(counted.size(), gap + shadow + 1);
+    for (std::size_t n = std::max(gap, cleared); n < end; ++n) counted[n] = false;
+    cleared = std::max(cleared, end);
   }
   return counted;
 }
 
-Residual residual_of(std::vector<double> const& computed, std::vector<double> const& output,
-                     std::vector<bool> const& counted, bool with_fractions) {
-  Residual best = with_lag(computed, output, counted, 0);
-  for (int distance = 1; distance <= longest_lag; ++distance) {
-    for (int const lag : {distance, -distance}) {
-      auto const other = with_lag(computed, output, counted, lag);
-      if (other.rms < best.rms) best = other;
-    }
-  }
-  if (!with_fractions) return best;
-  auto const whole = static_cast<int>(best.delay_cycles);
-  for (int const lag : {whole, whole - 1}) {
-    auto const other = with_fraction(computed, output, counted, lag);
+Residual residual_of(std::span<double const> computed, std::span<double const> output,
+                     std::vector<bool> const& counted) {
+  WholeLags whole;
+  whole.add({.first = 0,
+             .computed = computed,
+             .output = output,
+             .from = 0,
+             .to = output.size(),
+             .counted = counted});
+  return whole.best();
+}
+
+Residual residual_of(Chain const& chain, Recording const& recording, std::vector<bool> const& counted) {
+  WholeLags whole;
+  for_each_window(chain, recording, counted, [&](Window const& window) { whole.add(window); });
+  Residual best = whole.best();
+  auto const lag = static_cast<int>(best.delay_cycles);
+  std::array<PartOfCycle, 2> parts{{{.lag = lag}, {.lag = lag - 1}}};
+  for_each_window(chain, recording, counted, [&](Window const& window) {
+    for (auto& part : parts) part.project(window);
+  });
+  for_each_window(chain, recording, counted, [&](Window const& window) {
+    for (auto& part : parts) part.add(window);
+  });
+  for (auto const& part : parts) {
+    auto const other = part.sums.residual(part.lag + part.part());
     if (other.rms < fraction_gain * best.rms) best = other;
   }
   return best;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace axisc::comparison {
 
@@ -21,28 +22,51 @@ constexpr double clearly_worse = 1.1;
 constexpr double believed_gain = 1.25;
 constexpr double numeric_noise = 2e-9;
 
-double largest_magnitude(std::vector<double> const& values) {
+double largest_magnitude(Signal const& signal) {
   double largest = 0;
-  for (double const value : values) largest = std::max(largest, std::abs(value));
+  for_each_part(signal, [&](std::size_t, std::span<double const> values) {
+    for (double const value : values) largest = std::max(largest, std::abs(value));
+  });
   return largest;
 }
 
-/// Of the widest travel: the part of a long recording that the readings are tried on.
+/// For each stretch of the signal how much its velocity changes there.
+std::vector<double> bends_of(Signal const& signal, std::size_t stretch) {
+  std::vector<double> bends(signal.size() / stretch + 1, 0.0);
+  double last = signal.front();
+  double velocity = 0;
+  for_each_part(signal, [&](std::size_t first, std::span<double const> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      double const step = values[i] - last;
+      bends[(first + i) / stretch] += std::abs(step - velocity);
+      velocity = step;
+      last = values[i];
+    }
+  });
+  return bends;
+}
+
+/// The liveliest part of a long recording, which the readings are tried on.
 Recording busiest_part(Recording const& whole, std::size_t settling) {
   std::size_t const length = longest_trial + settling;
   if (whole.input.size() <= length) return whole;
-  std::vector<double> bends(whole.input.size() + 1, 0.0);
-  for (std::size_t n = 0; n < whole.input.size(); ++n) {
-    double const bend = n < 2 ? 0 : std::abs(whole.input[n] - 2 * whole.input[n - 1] + whole.input[n - 2]);
-    bends[n + 1] = bends[n] + bend;
-  }
+  constexpr std::size_t stretch = longest_trial / 4;
+  auto const bends = bends_of(whole.input, stretch);
   std::size_t best = 0;
-  for (std::size_t begin = 0; begin + length <= whole.input.size(); begin += longest_trial / 4) {
-    if (bends[begin + length] - bends[begin] > bends[best + length] - bends[best]) best = begin;
+  double most = -1;
+  for (std::size_t begin = 0; begin + length <= whole.input.size(); begin += stretch) {
+    auto const from = bends.begin() + static_cast<std::ptrdiff_t>(begin / stretch);
+    auto const to = bends.begin() + static_cast<std::ptrdiff_t>((begin + length) / stretch);
+    double const sum = std::accumulate(from, to, 0.0);
+    if (sum > most) {
+      most = sum;
+      best = begin;
+    }
   }
-  auto const part = [&](std::vector<double> const& values) {
-    auto const from = values.begin() + static_cast<std::ptrdiff_t>(best);
-    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(length));
+  auto const part = [&](Signal const& signal) {
+    std::vector<double> values(length);
+    signal.read(best, values);
+    return Signal(values);
   };
   Recording taken{.input = part(whole.input), .output = part(whole.output), .gaps = {}};
   for (auto const gap : whole.gaps) {
@@ -68,15 +92,20 @@ bool is_same_reading(Reading const& one, Reading const& other) {
                     [](Departure const& a, Departure const& b) { return a.id == b.id; });
 }
 
-std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& all) {
+std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& all,
+                             double output_resolution) {
   std::vector<Explained> found;
   std::size_t settling = 0;
   for (auto const& reading : all) settling = std::max(settling, settling_cycles(reading.chain));
+  auto const counted = counted_cycles(part, {.settling = settling, .output_resolution = output_resolution});
+  auto const input = part.input.values();
+  auto const output = part.output.values();
   for (auto const& reading : all) {
-    bool const is_listed = reading.departures.empty();
-    auto const mask = counted_cycles(part, settling);
-    auto const measured = residual_of(respond(reading.chain, part.input), part.output, mask, is_listed);
-    found.push_back({reading, measured});
+    if (reading.departures.empty()) {
+      found.push_back({reading, residual_of(reading.chain, part, counted)});
+    } else {
+      found.push_back({reading, residual_of(respond(reading.chain, input), output, counted)});
+    }
   }
   std::stable_sort(found.begin(), found.end(),
                    [](Explained const& a, Explained const& b) { return a.residual.rms < b.residual.rms; });
@@ -128,10 +157,11 @@ Comparison compare(Recording const& recording, Configured const& configured) {
 
   auto const all = readings(configured);
   auto const settling = settling_cycles(all.front().chain);
-  auto const mask = counted_cycles(recording, settling);
+  auto const mask =
+      counted_cycles(recording, {.settling = settling, .output_resolution = comparison.output_resolution});
   comparison.compared = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), true));
   if (comparison.compared < fewest_cycles) return comparison;
-  comparison.listed = residual_of(respond(all.front().chain, recording.input), recording.output, mask, true);
+  comparison.listed = residual_of(all.front().chain, recording, mask);
   bool const is_same = allowance.holds(comparison.listed);
   if (is_same) {
     comparison.verdict = comparison.listed.delay_cycles == 0 ? Verdict::same : Verdict::delayed;
@@ -140,7 +170,7 @@ Comparison compare(Recording const& recording, Configured const& configured) {
   }
   std::size_t longest = 0;
   for (auto const& reading : all) longest = std::max(longest, settling_cycles(reading.chain));
-  explain(comparison, tried(busiest_part(recording, longest), all), allowance);
+  explain(comparison, tried(busiest_part(recording, longest), all, comparison.output_resolution), allowance);
   if (!is_same) return comparison;
   if (!comparison.fitting.empty() &&
       comparison.fitting.front().residual.rms * believed_gain < comparison.listed.rms) {

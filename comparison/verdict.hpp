@@ -2,6 +2,7 @@
 #pragma once
 
 #include "comparison/readings.hpp"
+#include "comparison/signal.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace axisc::comparison {
 
 /// The two columns of a recording, a value a cycle, in the same unit.
 struct Recording {
-  std::vector<double> input, output;
+  Signal input, output;
   std::vector<std::size_t> gaps;  ///< cycles whose values were not recorded and are interpolated
 };
 

@@ -1,12 +1,12 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/failure.hpp"
+#include "cli/files/byte_source.hpp"
 #include "cli/files/compiled_input.hpp"
 #include "cli/files/recorded_columns.hpp"
 #include "cli/formats/compare_formats.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/sentences.hpp"
-#include "comparison/residual.hpp"
 #include "comparison/verdict.hpp"
 #include "image/image_readings.hpp"
 
@@ -124,10 +124,9 @@ ExitStatus compare(Invocation const& invocation) {
     throw Failure({.sentence = says::name_an_axis,
                    .arguments = {{"file", *options.input}, {"count", std::to_string(axes.size())}}});
   }
-  auto recorded = read_recorded_columns(*options.recording, options.columns, image.cycle_time);
-  comparison::Recording const recording{.input = std::move(recorded.input),
-                                        .output = std::move(recorded.output),
-                                        .gaps = std::move(recorded.gaps)};
+  auto const recorded = read_recorded_columns(*options.recording, open_source(*options.recording),
+                                              options.columns, image.cycle_time);
+  auto const& recording = recorded.recording;
   ShownComparison shown{.axis = axis_label(image, axes.front()),
                         .input_name = recorded.input_name,
                         .output_name = recorded.output_name,

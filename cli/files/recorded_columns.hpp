@@ -1,12 +1,13 @@
 // A scope's recording of an axis: the setpoint before the filters and behind them.
 #pragma once
 
+#include "comparison/verdict.hpp"
 #include "design/units.hpp"
+#include "recordings/text_lines.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace axisc::cli {
 
@@ -16,17 +17,15 @@ struct WantedColumns {
 
 struct RecordedColumns {
   std::string input_name, output_name;
-  std::vector<double> input, output;  ///< a value a cycle
-  std::vector<std::size_t> gaps;  ///< cycles that were lost and are interpolated, by the column of the time
-  std::size_t repeated = 0;       ///< rows that were recorded twice and are left out
+  comparison::Recording recording;  ///< lost cycles, by the column of the time, are interpolated
+  std::size_t repeated = 0;         ///< rows that were recorded twice and are left out
 };
 
-/// Columns are separated by tabs, semicolons or commas; whether a comma is a decimal comma is decided by the whole column.
-/// Lines before the first line of numbers are headers, the last of them with as many fields names the columns; the line
-/// EOF ends the recording. A column whose name begins with "time" or "zeit" is the time of the columns behind it, in ms
-/// unless the name ends in "_s" or "[s]"; without names the first of three columns, and the first of each pair of four.
-/// Failure (AX9005) for a mistake, AX9001 for a file that cannot be read.
-[[nodiscard]] RecordedColumns read_recorded_columns(std::string const& path, WantedColumns const& wanted,
+/// Rows as recordings/number_rows.hpp says. A column whose name begins with "time" or "zeit" is the time of the columns behind it,
+/// in ms unless the name ends in "_s" or "[s]"; without names the first of three columns, and the first of each pair of
+/// four. `name` is the file in messages. Failure (AX9005) for a mistake, also where more than a quarter of the cycles is lost.
+[[nodiscard]] RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteSource source,
+                                                    WantedColumns const& wanted,
                                                     design::CycleTime cycle_time);
 
 }  // namespace axisc::cli

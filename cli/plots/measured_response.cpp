@@ -2,6 +2,7 @@
 
 #include "cli/failure.hpp"
 #include "cli/files/byte_source.hpp"
+#include "cli/files/row_problem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +25,16 @@ namespace axisc::cli {
 
 namespace {
 
-std::optional<std::size_t> column(CsvReader const& reader, std::string_view name) {
-  auto const& header = reader.header();
-  auto const found = std::find(header.begin(), header.end(), name);
-  if (found == header.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header.begin());
+std::optional<std::size_t> column(recordings::NumberRows const& rows, std::string_view name) {
+  auto const& names = rows.names();
+  auto const found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
 }
 
-std::size_t required_column(CsvReader const& reader, std::string const& path, std::string_view name) {
-  if (auto const found = column(reader, name)) return *found;
+std::size_t required_column(recordings::NumberRows const& rows, std::string const& path,
+                            std::string_view name) {
+  if (auto const found = column(rows, name)) return *found;
   throw Failure(
       {.sentence = says::measured_columns, .arguments = {{"file", path}, {"column", std::string(name)}}});
 }
@@ -40,13 +42,17 @@ std::size_t required_column(CsvReader const& reader, std::string const& path, st
 }  // namespace
 
 std::vector<MeasuredPoint> read_measured_response(std::string const& path) {
-  CsvReader reader(path, open_source(path));
-  auto const frequency = required_column(reader, path, "frequency_hz");
-  auto const magnitude = required_column(reader, path, "magnitude_db");
-  auto const phase = column(reader, "phase_deg");
+  recordings::NumberRows rows(open_source(path), recordings::Accepts::any);
+  if (rows.problem()) fail_row(rows, path);
+  auto const frequency = required_column(rows, path, "frequency_hz");
+  auto const magnitude = required_column(rows, path, "magnitude_db");
+  auto const phase = column(rows, "phase_deg");
+  std::vector<std::size_t> columns{frequency, magnitude};
+  if (phase) columns.push_back(*phase);
+  rows.read_only(columns);
   std::vector<MeasuredPoint> points;
-  std::vector<double> row(reader.header().size());
-  while (reader.next(row)) {
+  std::vector<double> row(rows.names().size());
+  while (next_row(rows, row, path)) {
     if (!(row[frequency] > 0) || !std::isfinite(row[frequency]) || !std::isfinite(row[magnitude])) continue;
     points.push_back(
         {.frequency = row[frequency],

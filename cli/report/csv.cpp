@@ -40,10 +40,7 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 16U;
-constexpr std::size_t longest_line = std::size_t{1} << 20U;
 constexpr std::size_t longest_shown = 40;
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 std::uint32_t code_points(std::string_view text) {
   return static_cast<std::uint32_t>(
@@ -84,7 +81,7 @@ std::string without_doubled_quotes(std::string_view text) {
 }  // namespace
 
 CsvReader::CsvReader(std::string name, ByteSource source)
-    : name_(std::move(name)), source_(std::move(source)) {
+    : name_(std::move(name)), lines_(std::move(source)) {
   if (!next_line()) fail(says::empty, {name_, 1, 1});
   split_line();
   header_line_ = number_;
@@ -100,30 +97,10 @@ CsvReader::CsvReader(std::string name, ByteSource source)
 }
 
 bool CsvReader::next_line() {
-  for (;;) {
-    auto const end = buffer_.find('\n', used_);
-    if (end == std::string::npos && !ended_) {
-      buffer_.erase(0, used_);
-      used_ = 0;
-      if (buffer_.size() > longest_line) fail(says::long_line, {name_, number_ + 1, 1});
-      auto const filled = buffer_.size();
-      buffer_.resize(filled + piece);
-      auto const got = source_({buffer_.data() + filled, piece});
-      buffer_.resize(filled + got);
-      ended_ = got == 0;
-      continue;
-    }
-    if (used_ == buffer_.size()) return false;
-    auto const stop = std::min(end, buffer_.size());
-    line_ = std::string_view(buffer_).substr(used_, stop - used_);
-    used_ = std::min(stop + 1, buffer_.size());
-    ++number_;
-    if (number_ == 1 && line_.substr(0, byte_order_mark.size()) == byte_order_mark) {
-      line_.remove_prefix(byte_order_mark.size());
-    }
-    if (!line_.empty() && line_.back() == '\r') line_.remove_suffix(1);
-    if (!std::all_of(line_.begin(), line_.end(), ascii::is_blank)) return true;
-  }
+  auto const step = lines_.next(line_);
+  if (step == recordings::TextLines::Step::too_long) fail(says::long_line, {name_, lines_.number(), 1});
+  number_ = lines_.number();
+  return step == recordings::TextLines::Step::line;
 }
 
 void CsvReader::split_line() {

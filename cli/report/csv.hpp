@@ -1,9 +1,10 @@
 // Numbers in columns, read and written row by row: memory does not grow with the length.
 #pragma once
 
+#include "recordings/text_lines.hpp"
+
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,8 +12,7 @@
 
 namespace axisc::cli {
 
-/// Fills the buffer from its front and returns how many bytes there were; 0 at the end. May throw a Failure.
-using ByteSource = std::function<std::size_t(std::span<char> buffer)>;
+using recordings::ByteSource;
 
 /// First line: column names. Fields are separated by commas and may be in double quotes; blanks around them, CRLF, a
 /// byte order mark and empty lines are accepted. A mistake is a Failure (AX9005) with line and column.
@@ -38,12 +38,9 @@ class CsvReader {
   void split_line();
 
   std::string name_;
-  ByteSource source_;
-  std::string buffer_;
-  std::size_t used_ = 0;      ///< bytes of buffer_ that were handed out as lines
-  std::string_view line_;     ///< into buffer_
-  std::uint64_t number_ = 0;  ///< of line_, from 1
-  bool ended_ = false;
+  recordings::TextLines lines_;
+  std::string_view line_;      ///< of lines_
+  std::uint64_t number_ = 0;   ///< of line_, from 1
   std::vector<Field> fields_;  ///< of line_
   std::vector<std::string> header_;
   std::vector<std::uint32_t> header_columns_;

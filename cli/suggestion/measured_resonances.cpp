@@ -31,6 +31,8 @@ constexpr Sentence uneven_time{"{file}:{line}: samples are missing; record again
                                "{file}:{line}: Abtastwerte fehlen; noch einmal ohne Lücken aufzeichnen"};
 constexpr Sentence uneven_frequency{"{file}:{line}: frequencies do not rise",
                                     "{file}:{line}: die Frequenzen steigen nicht"};
+constexpr Sentence long_measured_row{"{file}:{line}: the line is longer than 1 MiB",
+                                     "{file}:{line}: die Zeile ist länger als 1 MiB"};
 constexpr Sentence too_large{"{file} is larger than {limit} MiB: record for a shorter time",
                              "{file} ist größer als {limit} MiB: kürzer aufzeichnen"};
 
@@ -78,25 +80,25 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{256} << 20U;
 
-std::string read_whole(std::string const& path) {
-  auto const source = open_source(path);
-  std::string bytes;
-  std::vector<char> buffer(std::size_t{1} << 16U);
-  while (auto const got = source(buffer)) {
-    bytes.append(buffer.data(), got);
-    if (bytes.size() > largest_file) {
+/// Identification needs all rows at once.
+recordings::ByteSource limited_source(std::string const& path) {
+  return [source = open_source(path), path, total = std::size_t{0}](std::span<char> buffer) mutable {
+    auto const got = source(buffer);
+    total += got;
+    if (total > largest_file) {
       throw Failure({.sentence = says::too_large,
                      .arguments = {{"file", path}, {"limit", std::to_string(largest_file >> 20U)}}},
                     csv_malformed);
     }
-  }
-  return bytes;
+    return got;
+  };
 }
 
 /// By tuning::MeasurementProblem, by tuning::Doubt.
-constexpr std::array<SentenceRef, 9> problems = {
-    says::no_rows,        says::not_a_number,   says::field_count, says::mixed_numbers,   says::no_columns,
-    says::choose_columns, says::unknown_column, says::uneven_time, says::uneven_frequency};
+constexpr std::array<SentenceRef, 10> problems = {
+    says::no_rows,          says::not_a_number,     says::field_count,    says::mixed_numbers,
+    says::no_columns,       says::choose_columns,   says::unknown_column, says::uneven_time,
+    says::uneven_frequency, says::long_measured_row};
 constexpr std::array<SentenceRef, 5> doubts = {says::too_short, says::no_peak, says::no_excitation,
                                                says::incoherent, says::moving};
 
@@ -104,7 +106,7 @@ constexpr std::array<SentenceRef, 5> doubts = {says::too_short, says::no_peak, s
 
 MeasuredResonances measured_resonances(std::string const& path, tuning::SignalColumns const& columns,
                                        double highest) {
-  auto const read = tuning::read_measurement(read_whole(path), columns);
+  auto const read = tuning::read_measurement(limited_source(path), columns);
   if (auto const* const bad = std::get_if<tuning::BadMeasurement>(&read)) {
     throw Failure(
         {.sentence = problems[static_cast<std::size_t>(bad->problem)],

@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> const folders = {
-    "system",        "diagnostics", "grammar",  "schema", "design",  "machine",
-    "configuration", "validator",   "codegen",  "image",  "runtime", "motion",
-    "tuning",        "comparison",  "pictures", "editor", "cli"};
+std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",   "schema",     "design",
+                                       "machine", "configuration", "validator", "codegen",    "image",
+                                       "runtime", "motion",        "tuning",    "comparison", "pictures",
+                                       "editor",  "cli",           "recordings"};
 
 /// What each folder may include, beside itself: the picture of the architecture.
 std::map<std::string, std::set<std::string>> const may_include = {
@@ -37,7 +37,8 @@ std::map<std::string, std::set<std::string>> const may_include = {
       "pictures", "diagnostics"}},
     {"pictures", {"diagnostics"}},
     {"comparison", {"design", "diagnostics"}},
-    {"tuning", {"motion", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},
+    {"recordings", {"diagnostics"}},
+    {"tuning", {"motion", "recordings", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},
     {"motion", {"image", "codegen", "machine", "design", "grammar", "diagnostics", "runtime"}},
 };
 

@@ -33,5 +33,24 @@ TEST_CASE("the backward Euler method makes of a lag what textbooks say") {
   CHECK(std::abs(answer[2] - (a + (1 - a) * a)) < 1e-9);
 }
 
+TEST_CASE("pieces of an input have the answer of the whole") {
+  std::vector<double> input;
+  for (int n = 0; n < 3000; ++n) input.push_back(n % 700 < 350 ? 5.0 * n : 1e6 - n);
+  auto const blocking =
+      link_of(design::design_filter({.type = design::FilterType::highpass, .order = 2, .frequency = {15}},
+                                    cycle_time, design::Precision::quick));
+  Chain const chain{lag(), Link{.taps = std::vector<double>(41, 1.0 / 41)}, blocking,
+                    Link{.taps = {0.5, 0.5}}};
+  auto const whole = respond(chain, input);
+  Runner runner(chain);
+  auto pieces = input;
+  std::size_t length = 1;
+  for (std::size_t first = 0; first < pieces.size(); first += length) {
+    length = length * 3 % 601 + 1;
+    runner.run(std::span(pieces).subspan(first, std::min(length, pieces.size() - first)));
+  }
+  for (std::size_t n = 0; n < whole.size(); ++n) CHECK(std::abs(pieces[n] - whole[n]) < 1e-6);
+}
+
 }  // namespace
 }  // namespace axisc::comparison

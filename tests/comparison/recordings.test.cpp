@@ -1,11 +1,9 @@
 // Recordings that tests/comparison/recordings.py stored, computed by another program.
 #include "cli/failure.hpp"
+#include "cli/files/byte_source.hpp"
 #include "cli/files/recorded_columns.hpp"
 #include "comparison/verdict.hpp"
 #include "support/catch.hpp"
-
-#include <cstdlib>
-#include <fstream>
 
 namespace axisc::comparison {
 namespace {
@@ -13,14 +11,12 @@ namespace {
 constexpr design::CycleTime cycle_time{1'000'000};
 
 Recording stored(std::string const& name) {
-  auto recorded = cli::read_recorded_columns(
-      std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv", {}, cycle_time);
+  auto const path = std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv";
+  auto recorded = cli::read_recorded_columns(path, cli::open_source(path), {}, cycle_time);
   CHECK(recorded.input_name == "setpoint");
   CHECK(recorded.output_name == "filtered");
-  CHECK(recorded.input.size() == 900);
-  return {.input = std::move(recorded.input),
-          .output = std::move(recorded.output),
-          .gaps = std::move(recorded.gaps)};
+  CHECK(recorded.recording.input.size() == 900);
+  return std::move(recorded.recording);
 }
 
 Configured lowpass(std::uint32_t order, double frequency) {
@@ -40,15 +36,15 @@ Configured kernel(design::KernelType type, std::uint32_t order, double share = 1
 }
 
 cli::RecordedColumns read(std::string const& text, cli::WantedColumns const& wanted = {}) {
-  std::string path = (std::filesystem::temp_directory_path() / "axisc-recording-XXXXXX").string();
-  int const file = ::mkstemp(path.data());
-  REQUIRE(file >= 0);
-  std::ofstream(path, std::ios::binary) << text;
-  struct Remove {
-    std::string const& path;
-    ~Remove() { std::filesystem::remove(path); }
-  } const remove{path};
-  return cli::read_recorded_columns(path, wanted, cycle_time);
+  return cli::read_recorded_columns("scope.csv", recordings::source_of(text), wanted, cycle_time);
+}
+
+std::vector<double> inputs(std::string const& text, cli::WantedColumns const& wanted = {}) {
+  return read(text, wanted).recording.input.values();
+}
+
+std::vector<double> outputs(std::string const& text) {
+  return read(text).recording.output.values();
 }
 
 using design::KernelType;
@@ -83,8 +79,9 @@ TEST_CASE("a control that computes what axisc does is the same but for the offse
 }
 
 TEST_CASE("an axis at rest tells nothing") {
-  Recording const rest{
-      .input = std::vector<double>(500, 7.0), .output = std::vector<double>(500, 7.0), .gaps = {}};
+  Recording const rest{.input = Signal(std::vector<double>(500, 7.0)),
+                       .output = Signal(std::vector<double>(500, 7.0)),
+                       .gaps = {}};
   CHECK(compare(rest, lowpass(3, 40)).verdict == Verdict::cannot_tell);
 }
 
@@ -95,9 +92,9 @@ TEST_CASE("a reading that is not known is not explained by another one") {
 }
 
 TEST_CASE("columns are read with decimal commas and decimal points") {
-  CHECK(read("a;b\n1,5;2\n2;3,25\n").input == std::vector<double>{1.5, 2});
-  CHECK(read("a,b\n1.5,2\n2,3.25\n").output == std::vector<double>{2, 3.25});
-  CHECK(read("1\t2\r\n3\t4\r\nEOF\r\n").output == std::vector<double>{2, 4});
+  CHECK(inputs("a;b\n1,5;2\n2;3,25\n") == std::vector<double>{1.5, 2});
+  CHECK(outputs("a,b\n1.5,2\n2,3.25\n") == std::vector<double>{2, 3.25});
+  CHECK(outputs("1\t2\r\n3\t4\r\nEOF\r\n") == std::vector<double>{2, 4});
   CHECK_THROWS_AS(read("a;b\n1,5;2\n2.5;3\n"), cli::Failure);
   CHECK_THROWS_AS(read("a;b\n1;2\n2\n"), cli::Failure);
   CHECK_THROWS_AS(read("a;b\n"), cli::Failure);
@@ -105,16 +102,16 @@ TEST_CASE("columns are read with decimal commas and decimal points") {
 }
 
 TEST_CASE("columns are chosen by name or number") {
-  CHECK(read("a;b;c\n1;2;3\n4;5;6\n", {"c", "1"}).input == std::vector<double>{3, 6});
+  CHECK(inputs("a;b;c\n1;2;3\n4;5;6\n", {"c", "1"}) == std::vector<double>{3, 6});
   CHECK_THROWS_AS(read("a;b;c\n1;2;3\n", {"a", "d"}), cli::Failure);
   CHECK_THROWS_AS(read("a;b;c\n1;2;3\n"), cli::Failure);
 }
 
 TEST_CASE("the time shows lost and repeated rows") {
   auto const recorded = read("time;a;b\n0;0;0\n1;1;2\n1;1;2\n3;3;6\n");
-  CHECK(recorded.input == std::vector<double>{0, 1, 2, 3});
-  CHECK(recorded.output == std::vector<double>{0, 2, 4, 6});
-  CHECK(recorded.gaps == std::vector<std::size_t>{2});
+  CHECK(recorded.recording.input.values() == std::vector<double>{0, 1, 2, 3});
+  CHECK(recorded.recording.output.values() == std::vector<double>{0, 2, 4, 6});
+  CHECK(recorded.recording.gaps == std::vector<std::size_t>{2});
   CHECK(recorded.repeated == 1);
   CHECK_THROWS_AS(read("time;a;b\n0;0;0\n0.5;1;2\n"), cli::Failure);
 }

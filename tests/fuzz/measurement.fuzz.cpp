@@ -19,7 +19,7 @@ void require(bool condition) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   using namespace axisc::tuning;
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
-  auto const read = read_measurement(bytes, {});
+  auto const read = read_measurement(axisc::recordings::source_of(bytes), {});
   auto const* const measurement = std::get_if<Measurement>(&read);
   if (measurement == nullptr) return 0;
   auto const found = identify(*measurement, 400);

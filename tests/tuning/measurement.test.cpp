@@ -12,7 +12,7 @@ namespace axisc::tuning {
 namespace {
 
 Measurement read(std::string const& bytes, SignalColumns const& columns = {}) {
-  auto const found = read_measurement(bytes, columns);
+  auto const found = read_measurement(recordings::source_of(bytes), columns);
   if (auto const* const bad = std::get_if<BadMeasurement>(&found)) {
     FAIL(static_cast<int>(bad->problem) << " line " << bad->line << " " << bad->column);
   }
@@ -20,7 +20,7 @@ Measurement read(std::string const& bytes, SignalColumns const& columns = {}) {
 }
 
 BadMeasurement refused(std::string const& bytes, SignalColumns const& columns = {}) {
-  auto const found = read_measurement(bytes, columns);
+  auto const found = read_measurement(recordings::source_of(bytes), columns);
   REQUIRE(std::holds_alternative<BadMeasurement>(found));
   return std::get<BadMeasurement>(found);
 }

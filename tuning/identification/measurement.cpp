@@ -127,8 +127,8 @@ Result signals_of(NumberTable const& table, std::size_t time, SignalColumns cons
 
 }  // namespace
 
-Result read_measurement(std::string_view bytes, SignalColumns const& columns) {
-  auto read = read_number_table(bytes);
+Result read_measurement(recordings::ByteSource source, SignalColumns const& columns) {
+  auto read = read_number_table(std::move(source));
   if (auto* const bad = std::get_if<BadMeasurement>(&read)) return std::move(*bad);
   auto const& table = std::get<NumberTable>(read);
   if (auto const frequency = beginning_with(table, {"freq"})) return response_of(table, *frequency);

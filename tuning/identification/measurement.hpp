@@ -1,20 +1,19 @@
 // A file with a measurement: two signals over time, a frequency response, or a spectrum.
 //
-// Rows of numbers in columns. Fields are separated by tabs, semicolons or commas; where commas do not separate, a column may have
-// decimal commas, all of its numbers alike. Lines before the first row of numbers are headers, of which the last one names the
-// columns; a line `EOF` ends the table. TwinCAT Scope writes a column of times for each signal: all but the first are left out.
+// Rows of numbers in columns, as recordings/number_rows.hpp reads them. TwinCAT Scope writes a column of times for each signal:
+// all but the first are left out.
 //
 //   signals     a column of times ("time", "time_ms", "Zeit [s]"; ms where the name says so, else s), and two others
 //   response    "frequency_hz" or "freq", "magnitude_db" or "magnitude", "phase_deg", perhaps "coherence" (0 to 1)
 //   spectrum    "frequency_hz" or "freq", "magnitude_db", "magnitude" or "psd…"
 #pragma once
 
+#include "recordings/text_lines.hpp"
 #include "tuning/identification/resonances.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -40,6 +39,7 @@ enum class MeasurementProblem : std::uint8_t {
   unknown_column,    ///< `column`
   uneven_time,       ///< `line`: samples are missing, or time stands still
   uneven_frequency,  ///< `line`: frequencies do not rise
+  long_line,         ///< `line`
 };
 
 struct BadMeasurement {
@@ -53,7 +53,7 @@ struct SignalColumns {
   std::optional<std::string> in = {}, out = {};
 };
 
-[[nodiscard]] std::variant<Measurement, BadMeasurement> read_measurement(std::string_view bytes,
+[[nodiscard]] std::variant<Measurement, BadMeasurement> read_measurement(recordings::ByteSource source,
                                                                          SignalColumns const& columns);
 
 /// Resonances between 2 Hz, or four times the resolution, and `highest`, or 0.4 of the sampling rate.

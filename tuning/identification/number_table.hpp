@@ -1,11 +1,11 @@
 // Numbers in columns, as measuring programs write them.
 #pragma once
 
+#include "recordings/text_lines.hpp"
 #include "tuning/identification/measurement.hpp"
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -17,6 +17,6 @@ struct NumberTable {
   std::vector<std::size_t> lines;            ///< of the rows, from 1
 };
 
-[[nodiscard]] std::variant<NumberTable, BadMeasurement> read_number_table(std::string_view bytes);
+[[nodiscard]] std::variant<NumberTable, BadMeasurement> read_number_table(recordings::ByteSource source);
 
 }  // namespace axisc::tuning
