@@ -1,30 +1,21 @@
 #include "cli/codes.hpp"
 #include "cli/commands/command_table.hpp"
 #include "cli/failure.hpp"
+#include "cli/failure_line.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
 #include "cli/version.hpp"
-#include "configuration/files.hpp"
 #include "schema/closest_word.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>
-#include <exception>
-#include <new>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace axisc::cli::says {
-
-constexpr Sentence changed{
-    "cannot read {file}: it changed while it was read; run the command again when no program is writing to "
-    "it",
-    "{file} ist nicht lesbar: sie wurde beim Lesen geändert; den Befehl wiederholen, wenn kein Programm mehr "
-    "in sie schreibt"};
 
 constexpr Sentence no_option{"there is no option {option}; `axisc --help` lists the commands",
                              "die Option {option} gibt es nicht; `axisc --help` listet die Befehle auf"};
@@ -33,9 +24,6 @@ constexpr Sentence unknown_command{
     "den Befehl \"{command}\" gibt es nicht; `axisc --help` listet die Befehle auf"};
 constexpr Sentence unknown_command_meant{R"(there is no command "{command}"; did you mean "{meant}"?)",
                                          R"(den Befehl "{command}" gibt es nicht; war "{meant}" gemeint?)"};
-constexpr Sentence no_memory{
-    "out of memory; close other programs or check fewer files at once",
-    "kein Arbeitsspeicher mehr; andere Programme schließen oder weniger Dateien auf einmal prüfen"};
 constexpr Sentence help_command{"COMMAND", "BEFEHL"};
 constexpr Sentence help_commands_heading{"Commands", "Befehle"};
 
@@ -119,23 +107,6 @@ ExitStatus dispatch(std::vector<std::string> arguments, Language language, Strea
   auto const meant = schema::closest_word(word, names);
   throw Failure({.sentence = meant.empty() ? cli::says::unknown_command : cli::says::unknown_command_meant,
                  .arguments = {{"command", word}, {"meant", std::string(meant)}}});
-}
-
-/// The current exception as one line.
-std::string failure_line(Language language) {
-  try {
-    throw;
-  } catch (Failure const& failure) {
-    return failure.line(language);
-  } catch (configuration::SourceChanged const& changed) {
-    return Failure({.sentence = cli::says::changed, .arguments = {{"file", changed.path()}}}, cannot_read)
-        .line(language);
-  } catch (std::bad_alloc const&) {
-    return Failure({.sentence = cli::says::no_memory, .arguments = {}}).line(language);
-  } catch (std::exception const& error) {
-    return Failure({.sentence = cli::says::unexpected, .arguments = {{"reason", error.what()}}})
-        .line(language);
-  }
 }
 
 }  // namespace

@@ -1,18 +1,15 @@
-#include "cli/checking/check_input.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/lsp_pages.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/formats/explain_formats.hpp"
+#include "cli/commands/editor_session.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
-#include "editor/server.hpp"
 #include "system/file.hpp"
 
 #include <array>
-#include <optional>
-#include <set>
-#include <span>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace axisc::cli::says {
 
@@ -39,64 +36,40 @@ Rückgabewert: 0 vom Editor beendet, 1 ohne Anfrage nach dem Herunterfahren, 2 E
 
 namespace axisc::cli {
 
-ExitStatus lsp(Invocation const& invocation) {
+std::unique_ptr<EditorSession> editor_session(Invocation const& invocation) {
   CommandLine command_line("lsp", says::purpose, says::examples, invocation.language);
   CheckingOptions given;
   declare_control(command_line, given);
-  if (command_line.answers(invocation)) return ExitStatus::success;
-  auto const asked = check_options(given);
-  DiskFiles disk;
-  // Read again for every check: they may have changed. The options of a check refer to them.
-  std::optional<SettingsFinder> settings;
-  std::string failure;         // of the settings
-  std::set<std::string> told;  // those that the user knows
-  editor::OptionsOf const options = [&](std::string const& path) {
-    settings.emplace();
-    CheckJob job;
-    job.options = asked;
-    job.options.machine = false;
-    job.settings = &*settings;
-    try {
-      return options_for(job, path);
-    } catch (Failure const& mistake) {
-      failure = mistake.sentence(invocation.language);
-      return job.options;
-    }
-  };
-  editor::Server server(
-      {.disk = disk,
-       .options = options,
-       .explain =
-           [&invocation](schema::Catalogue const& catalogue, schema::Parameter const& parameter) {
-             return explain_parameter(catalogue, parameter, invocation.language);
-           },
-       .pages = editor_pages(options, invocation.language),
-       .language = invocation.language});
+  if (command_line.answers(invocation)) return nullptr;
+  return std::make_unique<EditorSession>(check_options(given), invocation.language);
+}
+
+ExitStatus lsp(Invocation const& invocation) {
+  auto const session = editor_session(invocation);
+  if (session == nullptr) return ExitStatus::success;
   auto const opened = system::File::standard_input();
   auto const* const input = std::get_if<system::File>(&opened);
   if (input == nullptr) return ExitStatus::failure;
-  auto const send = [&](std::vector<std::string> messages) {
-    if (!failure.empty() && told.insert(failure).second) messages.push_back(editor::error_message(failure));
-    failure.clear();
+  auto const send = [&](std::vector<std::string> const& messages) {
     for (auto const& message : messages) invocation.streams.out.write(editor::framed(message));
   };
   constexpr std::size_t block = 65536;
   std::array<char, block> buffer{};
   editor::FrameReader frames;
-  while (!server.has_ended() && !frames.is_broken()) {
+  while (!session->has_ended() && !frames.is_broken()) {
     auto const got = input->read(buffer);
     auto const* const size = std::get_if<std::size_t>(&got);
     if (size == nullptr || *size == 0) break;
     frames.add({buffer.data(), *size});
     while (auto const message = frames.next()) {
-      send(server.receive(*message));
-      if (server.has_ended()) break;
+      send(session->take(*message));
+      if (session->has_ended()) break;
     }
-    if (!server.has_ended()) send(server.publish());
+    if (!session->has_ended()) send(session->publish());
     invocation.streams.out.flush();
   }
   if (frames.is_broken()) return ExitStatus::failure;
-  return server.ended_properly() ? ExitStatus::success : ExitStatus::findings;
+  return session->ended_properly() ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

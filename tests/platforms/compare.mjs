@@ -4,6 +4,7 @@
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
+import { below } from "./below.mjs";
 import { load } from "./webassembly.mjs";
 
 const [native, program, samples] = process.argv.slice(2);
@@ -13,18 +14,6 @@ function underWine(words, { folder }) {
   const env = { ...process.env, LANG: "C.UTF-8", WINEDEBUG: "-all" };
   const { status, stdout, stderr } = spawnSync("wine64", [program, ...words], { cwd: folder, env, maxBuffer: 1 << 28 });
   return { status, out: stdout, err: stderr };
-}
-
-function* below(folder) {
-  for (const name of readdirSync(folder).sort()) {
-    const path = join(folder, name);
-    if (statSync(path).isDirectory()) {
-      yield path;
-      yield* below(path);
-    } else {
-      yield path;
-    }
-  }
 }
 
 const paths = [...below(samples)];

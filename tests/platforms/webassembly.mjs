@@ -3,6 +3,19 @@ import { readFileSync, readdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 
+/// Lets an instance see the files of this computer.
+export function mountComputer(program) {
+  for (const { name } of readdirSync("/", { withFileTypes: true }).filter((entry) => entry.isDirectory())) {
+    if (["dev", "proc", "sys"].includes(name)) continue;
+    try {
+      program.FS.mkdir(`/${name}`);
+    } catch {
+      // It is there.
+    }
+    program.FS.mount(program.NODEFS ?? program.FS.filesystems.NODEFS, { root: `/${name}` }, `/${name}`);
+  }
+}
+
 /// A function (words, {folder, input}) → {status, out, err}, with a new instance for every call.
 export function load(script) {
   const create = createRequire(import.meta.url)(script);
@@ -32,15 +45,7 @@ export function load(script) {
       onExit: (code) => (status = code),
       quit: (code) => (status = code),
     });
-    for (const { name } of readdirSync("/", { withFileTypes: true }).filter((entry) => entry.isDirectory())) {
-      if (["dev", "proc", "sys"].includes(name)) continue;
-      try {
-        program.FS.mkdir(`/${name}`);
-      } catch {
-        // It is there.
-      }
-      program.FS.mount(program.NODEFS ?? program.FS.filesystems.NODEFS, { root: `/${name}` }, `/${name}`);
-    }
+    mountComputer(program);
     program.FS.chdir(folder);
     status = program.callMain(words) ?? status;
     return { status, out: Buffer.from(out), err: Buffer.from(err) };

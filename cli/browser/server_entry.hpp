@@ -1,0 +1,13 @@
+// The language server for JavaScript, message by message: the WebAssembly exports these functions. One server at a time.
+#pragma once
+
+extern "C" {
+
+/// Begins a server, instead of the one before. `arguments_json`: those of `axisc lsp`, an array of strings. 0, or what is
+/// wrong is on standard error.
+int axisc_server_begin(char const* arguments_json);
+
+/// Takes one message, without a frame; the messages to send, an array, with the diagnostics of what has changed. Valid
+/// until the next call.
+char const* axisc_server_take(char const* message_json);
+}

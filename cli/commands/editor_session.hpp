@@ -1,0 +1,52 @@
+// What `axisc lsp` does with messages, however they reach it.
+#pragma once
+
+#include "cli/commands/commands.hpp"
+#include "cli/files/disk_files.hpp"
+#include "cli/settings/settings.hpp"
+#include "editor/server.hpp"
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace axisc::cli {
+
+/// A server with the settings that apply to each list. They are read again for every check, because they may have changed;
+/// the user is told once about each mistake in them.
+class EditorSession {
+ public:
+  EditorSession(validator::CheckOptions asked, Language language);
+  EditorSession(EditorSession const&) = delete;
+  EditorSession& operator=(EditorSession const&) = delete;
+  ~EditorSession() = default;
+
+  /// The answers to one message, without frames.
+  [[nodiscard]] std::vector<std::string> take(std::string_view message);
+  /// Diagnostics of what has changed since the last call.
+  [[nodiscard]] std::vector<std::string> publish();
+  [[nodiscard]] bool has_ended() const { return server_.has_ended(); }
+  [[nodiscard]] bool ended_properly() const { return server_.ended_properly(); }
+
+ private:
+  [[nodiscard]] validator::CheckOptions options_of(std::string const& path);
+  [[nodiscard]] std::vector<std::string> with_failure(std::vector<std::string> messages);
+
+  validator::CheckOptions asked_;
+  Language language_;
+  DiskFiles disk_;
+  std::optional<SettingsFinder> settings_;  ///< the options of a check refer to them
+  std::string failure_;                     ///< of the settings
+  std::set<std::string> told_;
+  editor::OptionsOf options_;
+  editor::Server server_;
+};
+
+/// The session that the arguments of `axisc lsp` ask for; none if they ask for the help, which is printed. Failure for
+/// invalid ones.
+[[nodiscard]] std::unique_ptr<EditorSession> editor_session(Invocation const& invocation);
+
+}  // namespace axisc::cli
