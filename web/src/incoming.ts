@@ -1,0 +1,66 @@
+// Files from a drop, a file dialog, or the samples that come with the page.
+export type Incoming = [string, Uint8Array][];
+
+const largest = 256 * 1024 * 1024;
+
+async function bytesOf(file: File): Promise<Uint8Array> {
+  return new Uint8Array(await file.arrayBuffer());
+}
+
+function entriesIn(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const found: FileSystemEntry[] = [];
+  return new Promise((resolve, reject) => {
+    const more = (): void =>
+      reader.readEntries((entries) => {
+        if (entries.length === 0) resolve(found);
+        else {
+          found.push(...entries);
+          more();
+        }
+      }, reject);
+    more();
+  });
+}
+
+async function collect(entry: FileSystemEntry, into: Incoming): Promise<void> {
+  if (entry.isDirectory) {
+    for (const inner of await entriesIn(entry as FileSystemDirectoryEntry)) await collect(inner, into);
+    return;
+  }
+  const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+  into.push([entry.fullPath.replace(/^\//, ''), await bytesOf(file)]);
+}
+
+function checked(files: Incoming): Incoming {
+  const total = files.reduce((sum, [, bytes]) => sum + bytes.length, 0);
+  if (total > largest) throw new RangeError(String(Math.round(total / 1024 / 1024)));
+  return files;
+}
+
+export async function dropped(transfer: DataTransfer): Promise<Incoming> {
+  const entries = [...transfer.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+  const files: Incoming = [];
+  for (const entry of entries) await collect(entry, files);
+  return checked(files);
+}
+
+export async function chosen(list: FileList): Promise<Incoming> {
+  const files: Incoming = [];
+  for (const file of list) files.push([file.webkitRelativePath || file.name, await bytesOf(file)]);
+  return checked(files);
+}
+
+/** A sample's files lie in one text: names, sizes, then the bytes. */
+export async function sample(name: string): Promise<Incoming> {
+  const answer = await fetch(`samples/${name}.bin`);
+  if (!answer.ok) throw new Error(name);
+  const bytes = new Uint8Array(await answer.arrayBuffer());
+  const size = new DataView(bytes.buffer).getUint32(0, true);
+  const names = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + size))) as [string, number][];
+  let at = 4 + size;
+  return names.map(([path, length]) => {
+    at += length;
+    return [path, bytes.slice(at - length, at)];
+  });
+}
