@@ -30,6 +30,8 @@ constexpr Sentence cannot_simulate_beside_dwell{
     "`{word}` ist hier nicht simulierbar: eine Verweilzeit (G04) braucht einen eigenen Satz"};
 constexpr Sentence cannot_simulate_twice{"`{word}`: this block has a value for it already",
                                          "`{word}`: dieser Satz hat schon einen Wert dafür"};
+constexpr Sentence cannot_simulate_both{"`{word}`: another word of this block excludes it",
+                                        "`{word}`: ein anderes Wort dieses Satzes schließt es aus"};
 constexpr Sentence cannot_simulate_speed{
     "a feed rate per revolution (G95) needs a spindle speed: write S before or in this block",
     "ein Vorschub je Umdrehung (G95) braucht eine Drehzahl: S vor oder in diesem Satz schreiben"};
@@ -105,6 +107,21 @@ SentenceRef sentence_of(ArcMistake mistake) {
       return says::arc_misses_end;
   }
   return says::arc_no_center;
+}
+
+/// G words of one group count one after the other, so that a block has one of them. Their number where there is none.
+std::size_t group_of(int number) {
+  constexpr std::array<std::array<int, 4>, 7> groups{{{0, 1, 2, 3},
+                                                      {17, 18, 19, -1},
+                                                      {40, 41, 42, -1},
+                                                      {60, 64, 360, -1},
+                                                      {70, 71, -1, -1},
+                                                      {90, 91, -1, -1},
+                                                      {94, 95, -1, -1}}};
+  auto const found = std::find_if(groups.begin(), groups.end(), [number](auto const& group) {
+    return std::find(group.begin(), group.end(), number) != group.end();
+  });
+  return static_cast<std::size_t>(found - groups.begin());
 }
 
 std::optional<int> whole_number(std::string_view digits) {
@@ -209,6 +226,7 @@ void ProgramInterpreter::block() {
   next_.end = position_;
   moves_ = false;
   moved_.reset();
+  chosen_ = {};
   dwells_ = false;
   refused_ = false;
   exact_stop_once_ = false;
@@ -375,6 +393,10 @@ void ProgramInterpreter::take_function(Token const& token, std::string_view digi
       return;
     }
     return ignore(token, "technology", says::not_simulated_technology);
+  }
+  if (auto const group = group_of(*number); group < chosen_.size()) {
+    if (chosen_[group].value_or(*number) != *number) return refuse(token, says::cannot_simulate_both);
+    chosen_[group] = *number;
   }
   auto const plane = [this](char first, char second) {
     plane_first_ = first;

@@ -197,6 +197,8 @@ class ProgramInterpreter final : private grammar::ProgramListener {
   Point position_{};
   bool moves_ = false;
   std::bitset<most_axes> moved_;  ///< axes that the block names
+  std::array<std::optional<int>, 7>
+      chosen_{};  ///< of each group that excludes others, the G word of the block
   enum class Motion : std::uint8_t { rapid, line, clockwise, counterclockwise };
   Motion motion_ = Motion::line;
   bool incremental_ = false;

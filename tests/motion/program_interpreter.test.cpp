@@ -127,6 +127,11 @@ TEST_CASE("a word that could only count by leaving out another one is refused") 
   CHECK(interpret("G02 F60 X1 R1 R2\n").problems == Lines{"1:15 AX9008 R2"});
   CHECK(interpret("G04 X1 X2\n").problems == Lines{"1:8 AX9008 X2"});
   CHECK(interpret("G01 F60 X1\nX2\nG02 X3 R1\nX4 R1\n").problems.empty());
+  CHECK(interpret("G00 G01 F60 X1\n").problems == Lines{"1:5 AX9008 G01"});
+  CHECK(interpret("G90 G01 F60 X1 G91\n").problems == Lines{"1:16 AX9008 G91"});
+  CHECK(interpret("G17 G18 G01 F60 X1\nG60 G64\nG70 G71\nG94 G95\n").problems ==
+        Lines{"1:5 AX9008 G18", "2:5 AX9008 G64", "3:5 AX9008 G71", "4:5 AX9008 G95"});
+  CHECK(interpret("G01 G01 G90 G71 G94 G17 G64 F60 X1\nG00 X2\nG01 X3\n").problems.empty());
 }
 
 TEST_CASE("inches and feed rates per revolution as the program asks for them") {
