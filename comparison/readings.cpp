@@ -14,6 +14,12 @@ constexpr Sentence double_cycle{"the filters are computed for twice the cycle ti
                                 "die Filter sind für die doppelte Zykluszeit gerechnet"};
 constexpr Sentence half_cycle{"the filters are computed for half the cycle time",
                               "die Filter sind für die halbe Zykluszeit gerechnet"};
+constexpr Sentence fourfold_cycle{"the filters are computed for four times the cycle time",
+                                  "die Filter sind für die vierfache Zykluszeit gerechnet"};
+constexpr Sentence quarter_cycle{"the filters are computed for a quarter of the cycle time",
+                                 "die Filter sind für ein Viertel der Zykluszeit gerechnet"};
+constexpr Sentence filters_off{"the standard filters are off, as the default list has them",
+                               "die Standardfilter sind aus, wie in der Standardliste"};
 constexpr Sentence kernel_off{"the linear-phase filter is off", "der linearphasige Filter ist aus"};
 constexpr Sentence kernel_on{"the linear-phase filter is on", "der linearphasige Filter ist an"};
 
@@ -75,6 +81,7 @@ std::vector<Part> filter_parts(Configured const& configured) {
     }
     if (changed) add(parts, {reading.departure, std::move(chain)});
   }
+  add(parts, {Departure{"filters-off", says::filters_off}, {}});
   return parts;
 }
 
@@ -136,6 +143,8 @@ std::vector<Reading> readings(Configured const& configured) {
   }
   add_other_cycle_time(all, configured, {"cycle-time-double", says::double_cycle}, 2);
   add_other_cycle_time(all, configured, {"cycle-time-half", says::half_cycle}, 0.5);
+  add_other_cycle_time(all, configured, {"cycle-time-fourfold", says::fourfold_cycle}, 4);
+  add_other_cycle_time(all, configured, {"cycle-time-quarter", says::quarter_cycle}, 0.25);
   std::stable_sort(all.begin(), all.end(), [](Reading const& a, Reading const& b) {
     return a.departures.size() < b.departures.size();
   });
