@@ -1,5 +1,6 @@
 #include "comparison/readings.hpp"
 
+#include "comparison/analogue_readings.hpp"
 #include "comparison/filter_readings.hpp"
 #include "comparison/kernel_readings.hpp"
 #include "design/filter_kinds.hpp"
@@ -15,6 +16,12 @@ constexpr Sentence half_cycle{"the filters are computed for half the cycle time"
                               "die Filter sind für die halbe Zykluszeit gerechnet"};
 constexpr Sentence nc_cycle{"the filters are computed for the NC cycle time",
                             "die Filter sind für die NC-Zykluszeit gerechnet"};
+constexpr Sentence fourfold_cycle{"the filters are computed for four times the cycle time",
+                                  "die Filter sind für die vierfache Zykluszeit gerechnet"};
+constexpr Sentence quarter_cycle{"the filters are computed for a quarter of the cycle time",
+                                 "die Filter sind für ein Viertel der Zykluszeit gerechnet"};
+constexpr Sentence filters_off{"the standard filters are off, as the default list has them",
+                               "die Standardfilter sind aus, wie in der Standardliste"};
 constexpr Sentence kernel_off{"the linear-phase filter is off", "der linearphasige Filter ist aus"};
 constexpr Sentence kernel_on{"the linear-phase filter is on", "der linearphasige Filter ist an"};
 
@@ -62,17 +69,20 @@ Chain listed_filters(Configured const& configured) {
 
 std::vector<Part> filter_parts(Configured const& configured) {
   std::vector<Part> parts{{std::nullopt, listed_filters(configured)}};
-  for (auto const& reading : filter_readings()) {
-    Chain chain = parts.front().links;
-    bool changed = false;
-    for (std::size_t i = 0; i < chain.size(); ++i) {
-      auto link = reading.link(configured.filters[i], configured.cycle_time);
-      if (!link) continue;
-      chain[i] = *std::move(link);
-      changed = true;
+  for (auto const& readings : {filter_readings(), analogue_readings()}) {
+    for (auto const& reading : readings) {
+      Chain chain = parts.front().links;
+      bool changed = false;
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        auto link = reading.link(configured.filters[i], configured.cycle_time);
+        if (!link) continue;
+        chain[i] = *std::move(link);
+        changed = true;
+      }
+      if (changed) add(parts, {reading.departure, std::move(chain)});
     }
-    if (changed) add(parts, {reading.departure, std::move(chain)});
   }
+  add(parts, {Departure{"filters-off", says::filters_off}, {}});
   return parts;
 }
 
@@ -139,6 +149,8 @@ std::vector<Reading> readings(Configured const& configured) {
   using design::CycleReading;
   add_other_cycle_time(all, configured, {cycle_time_double, says::double_cycle}, CycleReading::twice);
   add_other_cycle_time(all, configured, {cycle_time_half, says::half_cycle}, CycleReading::half);
+  add_other_cycle_time(all, configured, {cycle_time_fourfold, says::fourfold_cycle}, CycleReading::fourfold);
+  add_other_cycle_time(all, configured, {cycle_time_quarter, says::quarter_cycle}, CycleReading::quarter);
   add_other_cycle_time(all, configured, {documented_cycle_time, says::nc_cycle}, CycleReading::documented);
   std::stable_sort(all.begin(), all.end(), [](Reading const& a, Reading const& b) {
     return a.departures.size() < b.departures.size();

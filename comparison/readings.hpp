@@ -36,6 +36,8 @@ inline constexpr std::string_view documented_kernels = "documented-kernels";
 inline constexpr std::string_view documented_cycle_time = "documented-cycle-time";
 inline constexpr std::string_view cycle_time_double = "cycle-time-double";
 inline constexpr std::string_view cycle_time_half = "cycle-time-half";
+inline constexpr std::string_view cycle_time_fourfold = "cycle-time-fourfold";
+inline constexpr std::string_view cycle_time_quarter = "cycle-time-quarter";
 
 /// A chain and the departures that lead to it; none for what axisc computes.
 struct Reading {

@@ -203,6 +203,10 @@ std::optional<design::Readings> settings_of(Comparison const& comparison, design
       settings.cycle_time = CycleReading::twice;
     } else if (departure.id == cycle_time_half) {
       settings.cycle_time = CycleReading::half;
+    } else if (departure.id == cycle_time_fourfold) {
+      settings.cycle_time = CycleReading::fourfold;
+    } else if (departure.id == cycle_time_quarter) {
+      settings.cycle_time = CycleReading::quarter;
     } else {
       return std::nullopt;
     }

@@ -45,7 +45,7 @@ enum class KernelReading : std::uint8_t {
 };
 
 /// Of the cycle time for which standard filters and kernels are computed.
-enum class CycleReading : std::uint8_t { documented = 0, twice, half };
+enum class CycleReading : std::uint8_t { documented = 0, twice, half, fourfold, quarter };
 
 /// One control's readings; those that mean nothing for a type leave it as documented.
 struct Readings {
@@ -68,7 +68,8 @@ inline constexpr std::array<std::string_view, 14> kernel_reading_words{
     "order-is-half-width", "gaussian-width-1", "gaussian-width-2", "gaussian-width-3",
     "sinc-hann",           "sinc-blackman",    "sinc-no-window",   "novib-one-box",
     "share-undelayed",     "share-ignored"};
-inline constexpr std::array<std::string_view, 3> cycle_reading_words{"documented", "double", "half"};
+inline constexpr std::array<std::string_view, 5> cycle_reading_words{"documented", "double", "half",
+                                                                     "fourfold", "quarter"};
 
 [[nodiscard]] constexpr std::string_view word_of(FilterReading reading) {
   return filter_reading_words[static_cast<std::size_t>(reading)];
@@ -92,8 +93,18 @@ template <class Reading>
 
 /// The cycle time that filters are computed for, at least 1 ns.
 [[nodiscard]] constexpr CycleTime as_read(CycleTime cycle_time, CycleReading reading) {
-  if (reading == CycleReading::twice) return CycleTime{2 * cycle_time.nanoseconds};
-  if (reading == CycleReading::half) return CycleTime{(cycle_time.nanoseconds + 1) / 2};
+  switch (reading) {
+    case CycleReading::twice:
+      return CycleTime{2 * cycle_time.nanoseconds};
+    case CycleReading::half:
+      return CycleTime{(cycle_time.nanoseconds + 1) / 2};
+    case CycleReading::fourfold:
+      return CycleTime{4 * cycle_time.nanoseconds};
+    case CycleReading::quarter:
+      return CycleTime{(cycle_time.nanoseconds + 3) / 4};
+    case CycleReading::documented:
+      break;
+  }
   return cycle_time;
 }
 

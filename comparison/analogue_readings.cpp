@@ -1,0 +1,176 @@
+#include "comparison/analogue_readings.hpp"
+
+#include "comparison/prototype_gain.hpp"
+#include "design/filter_kinds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <numeric>
+
+namespace axisc::comparison::says {
+
+constexpr Sentence impulse_invariant{"impulse-invariant", "impulsinvariant"};
+constexpr Sentence step_invariant{"step-invariant (zero-order hold)",
+                                  "sprunginvariant (Halteglied nullter Ordnung)"};
+constexpr Sentence half_gain{"-6 dB at fg_f0", "-6 dB bei fg_f0"};
+constexpr Sentence pole_quality{"the quality is that of the poles, not centre by bandwidth",
+                                "die Güte ist die der Pole, nicht Mitte durch Bandbreite"};
+constexpr Sentence bessel_delay{"Bessel filters delay by 1/(2π fg_f0) at rest",
+                                "Bessel-Filter verzögern im Stillstand um 1/(2π fg_f0)"};
+constexpr Sentence allpass_phase{"all-passes turn the phase by half of its whole angle at fg_f0",
+                                 "Allpässe drehen die Phase bei fg_f0 um die Hälfte des ganzen Winkels"};
+
+}  // namespace axisc::comparison::says
+
+namespace axisc::comparison {
+
+namespace {
+
+using design::CycleTime;
+using design::FilterSpecification;
+using design::FilterType;
+using Result = std::optional<Link>;
+
+constexpr double pi = std::numbers::pi;
+
+bool is_band(FilterType type) {
+  return type == FilterType::bandpass || type == FilterType::bandstop;
+}
+
+Link designed(FilterSpecification wanted, CycleTime cycle_time) {
+  wanted.reading = design::FilterReading::documented;
+  return link_of(design::design_filter(wanted, cycle_time, design::Precision::quick));
+}
+
+/// The frequency whose pre-warped value is `t`.
+design::Hertz frequency_of(double t, CycleTime cycle_time) {
+  return {std::atan(t) / (pi * cycle_time.seconds())};
+}
+
+bool is_lag(FilterSpecification const& wanted) {
+  return wanted.type == FilterType::lowpass || wanted.type == FilterType::pt1 ||
+         wanted.type == FilterType::pt2;
+}
+
+FilterSpecification moved(FilterSpecification wanted, double factor, CycleTime cycle_time) {
+  wanted.frequency =
+      frequency_of(std::tan(pi * wanted.frequency.value * cycle_time.seconds()) * factor, cycle_time);
+  return wanted;
+}
+
+Result half_gain(FilterSpecification const& wanted, CycleTime cycle_time) {
+  constexpr double quarter = 0.25;
+  if (wanted.type != FilterType::lowpass && wanted.type != FilterType::highpass) return std::nullopt;
+  double const shift = frequency_with_power(wanted.prototype, wanted.order, quarter);
+  return designed(moved(wanted, wanted.type == FilterType::lowpass ? 1 / shift : shift, cycle_time),
+                  cycle_time);
+}
+
+Result delay_of_bessel(FilterSpecification const& wanted, CycleTime cycle_time) {
+  bool const is_kind = wanted.type == FilterType::lowpass || wanted.type == FilterType::allpass;
+  if (!is_kind || wanted.prototype != design::Prototype::bessel || wanted.order < 2) return std::nullopt;
+  return designed(moved(wanted, bessel_cutoff(wanted.order), cycle_time), cycle_time);
+}
+
+/// Equal poles at -1 before the transformation to a band.
+Result quality_of_poles(FilterSpecification const& listed, CycleTime cycle_time) {
+  FilterSpecification wanted = listed;
+  bool const is_damped = wanted.prototype == design::Prototype::critical_damping && wanted.order > 1;
+  if (!is_band(wanted.type) || !is_damped) return std::nullopt;
+  double const shift = std::sqrt(std::pow(2.0, 1.0 / wanted.order) - 1);
+  wanted.quality *= wanted.type == FilterType::bandstop ? shift : 1 / shift;
+  return designed(wanted, cycle_time);
+}
+
+/// Phase of the all-pass at the angle, in radians and without jumps: sections turn it by at most a whole turn each.
+double turned(Link const& link, double angle) {
+  double sum = 0;
+  for (auto const& section : link.sections) {
+    auto const [one, other] = design::poles(section);
+    auto const e = std::polar(1.0, -angle);
+    for (auto const pole : {one, other}) {
+      if (pole == 0.0) continue;
+      // (z^-1 - conj p)/(1 - p z^-1), relative to 0
+      sum += angle - 2 * std::arg(1.0 - pole * e) + 2 * std::arg(1.0 - pole);
+    }
+  }
+  return sum;
+}
+
+Result phase_of_allpass(FilterSpecification const& wanted, CycleTime cycle_time) {
+  bool const is_kind = wanted.type == FilterType::allpass && wanted.order > 1;
+  if (!is_kind || wanted.prototype == design::Prototype::butterworth) return std::nullopt;
+  double const angle = 2 * pi * wanted.frequency.value * cycle_time.seconds();
+  double low = 0.05, high = 20;
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    double const middle = std::sqrt(low * high);
+    bool const turns_less = std::abs(turned(designed(moved(wanted, middle, cycle_time), cycle_time), angle)) <
+                            wanted.order * pi / 2;
+    (turns_less ? high : low) = middle;
+  }
+  return designed(moved(wanted, std::sqrt(low * high), cycle_time), cycle_time);
+}
+
+/// The analogue filter's answer to a step at multiples of a part of a cycle.
+std::vector<double> analogue_step(FilterSpecification wanted, CycleTime cycle_time, std::uint32_t parts) {
+  wanted.share_percent = 100;
+  CycleTime const fine{cycle_time.nanoseconds / parts};
+  auto const link = designed(wanted, fine);
+  constexpr std::size_t longest = 4000;
+  std::size_t const cycles = std::min(longest, settling_cycles({link}) / parts + 2);
+  std::vector<double> step(cycles * parts + 2, 1.0);
+  step.front() = 0;
+  auto answer = respond({link}, step);
+  answer.erase(answer.begin());
+  return answer;
+}
+
+/// Taps that sum up to the share, and the rest passes.
+Link with_share(std::vector<double> taps, double share_percent) {
+  double const sum = std::accumulate(taps.begin(), taps.end(), 0.0);
+  for (double& tap : taps) tap *= share_percent / 100 / sum;
+  taps.front() += 1 - share_percent / 100;
+  return {.taps = std::move(taps)};
+}
+
+constexpr std::uint32_t parts_of_cycle = 32;
+
+Result by_impulse(FilterSpecification const& wanted, CycleTime cycle_time) {
+  if (!is_lag(wanted)) return std::nullopt;
+  auto const step = analogue_step(wanted, cycle_time, parts_of_cycle);
+  // The slope at 0 is that behind the step.
+  std::vector<double> taps{2 * (step[1] - step[0]) - (step[2] - step[0]) / 2};
+  for (std::size_t n = parts_of_cycle; n + 1 < step.size(); n += parts_of_cycle) {
+    taps.push_back((step[n + 1] - step[n - 1]) / 2);
+  }
+  return with_share(std::move(taps), wanted.share_percent);
+}
+
+Result by_step(FilterSpecification const& wanted, CycleTime cycle_time) {
+  if (!is_lag(wanted)) return std::nullopt;
+  auto const step = analogue_step(wanted, cycle_time, parts_of_cycle);
+  std::vector<double> taps{0.0};
+  for (std::size_t n = parts_of_cycle; n < step.size(); n += parts_of_cycle) {
+    taps.push_back(step[n] - step[n - parts_of_cycle]);
+  }
+  return with_share(std::move(taps), wanted.share_percent);
+}
+
+constexpr std::array<FilterReading, 6> rows{{{{"impulse-invariant", says::impulse_invariant}, by_impulse},
+                                             {{"step-invariant", says::step_invariant}, by_step},
+                                             {{"half-gain-at-frequency", says::half_gain}, half_gain},
+                                             {{"quality-of-poles", says::pole_quality}, quality_of_poles},
+                                             {{"bessel-delay", says::bessel_delay}, delay_of_bessel},
+                                             {{"allpass-phase", says::allpass_phase}, phase_of_allpass}}};
+
+}  // namespace
+
+std::span<FilterReading const> analogue_readings() {
+  return rows;
+}
+
+}  // namespace axisc::comparison
