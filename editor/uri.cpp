@@ -2,6 +2,7 @@
 
 #include "diagnostics/repository_path.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace axisc::editor {
@@ -16,15 +17,20 @@ bool begins_at_drive(std::string_view path) {
   return begins_with_drive(path) && path.substr(2, 1) == "/";
 }
 
+/// "//server/share/x.lis" is a file of another computer.
+bool has_shares(FileNames names) {
+  return names == FileNames::windows;
+}
+
 }  // namespace
 
-std::string path_of(std::string_view uri) {
+std::string path_of(std::string_view uri, FileNames names) {
   if (!uri.starts_with(scheme)) return std::string(uri);
   auto rest = uri.substr(scheme.size());
   auto const host = rest.substr(0, rest.find('/'));
   rest.remove_prefix(host.size());
-  bool const is_elsewhere = !host.empty() && host != "localhost" && !rest.empty();
-  std::string path = is_elsewhere ? "//" + std::string(host) : "";
+  std::string path;
+  if (has_shares(names) && !host.empty() && host != "localhost") path.append("//").append(host);
   while (!rest.empty()) {
     unsigned byte = 0;
     bool const is_escape =
@@ -37,11 +43,11 @@ std::string path_of(std::string_view uri) {
   return path;
 }
 
-std::string uri_of(std::string_view path) {
+std::string uri_of(std::string_view path, FileNames names) {
   constexpr std::string_view digits = "0123456789ABCDEF";
   std::string uri(scheme);
   if (begins_at_drive(path)) uri += '/';
-  if (path.starts_with("//")) path.remove_prefix(2);
+  if (has_shares(names) && path.starts_with("//")) path.remove_prefix(2);
   for (char const character : path) {
     auto const byte = static_cast<unsigned char>(character);
     bool const is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||

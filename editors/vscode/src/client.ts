@@ -8,7 +8,8 @@ import { show } from './preview';
 export const languages = ['isg-list', 'axis-list', 'isg-cnc'];
 export const machineFiles = '**/machine.json';
 export const programs = '**/*.{nc,NC}';
-const watched = '**/*.{lis,LIS,json,nc,NC,xml,tsproj,xti}';
+/** Endings of the files that a machine is made of. */
+export const endings = ['lis', 'LIS', 'json', 'nc', 'NC', 'xml', 'tsproj', 'xti'];
 
 function middleware(): Middleware {
   return {
@@ -28,7 +29,7 @@ export function clientOptions(schemes: string[]): LanguageClientOptions {
       { scheme, pattern: machineFiles },
       { scheme, pattern: programs },
     ]),
-    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher(watched) },
+    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher(`**/*.{${endings.join(',')}}`) },
     middleware: middleware(),
   };
 }

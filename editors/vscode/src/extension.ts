@@ -1,11 +1,9 @@
 import * as vscode from 'vscode';
 import { LanguageClient } from 'vscode-languageclient/node';
 import { clientOptions } from './client';
-import { offerCommands, registerCommands } from './commands';
+import { end, run } from './lifecycle';
 import { findProgram } from './program';
 import { serverArguments } from './settings';
-
-let client: LanguageClient | undefined;
 
 function program(): string | undefined {
   return findProgram(vscode.workspace.getConfiguration('axisc').get<string>('path', ''), {
@@ -26,49 +24,18 @@ async function tellMissing(): Promise<void> {
   }
 }
 
-async function stop(): Promise<void> {
-  const ending = client;
-  client = undefined;
-  await ending?.dispose();
-}
-
-async function start(): Promise<void> {
-  await stop();
+async function begin(): Promise<LanguageClient | undefined> {
   const command = program();
   if (command === undefined) {
     // Not awaited: the message stays until somebody answers it.
     void tellMissing();
-    return;
+    return undefined;
   }
-  client = new LanguageClient(
-    'axisc',
-    'Axisc',
-    { command, args: serverArguments() },
-    clientOptions(['file', 'untitled']),
-  );
-  await client.start();
-  await offerCommands(client);
+  return new LanguageClient('axisc', 'Axisc', { command, args: serverArguments() }, clientOptions(['file', 'untitled']));
 }
 
-/** One start after the other, however fast settings change. */
-let starting: Promise<void> = Promise.resolve();
-function restart(): Promise<void> {
-  starting = starting.then(start, start);
-  return starting;
+export function activate(context: vscode.ExtensionContext): Promise<void> {
+  return run(context, begin);
 }
 
-export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  context.subscriptions.push(
-    registerCommands(() => client),
-    vscode.commands.registerCommand('axisc.restart', restart),
-    vscode.workspace.onDidChangeConfiguration(async (event) => {
-      if (event.affectsConfiguration('axisc')) await restart();
-    }),
-  );
-  await restart();
-}
-
-export async function deactivate(): Promise<void> {
-  await starting.catch(() => undefined);
-  await stop();
-}
+export const deactivate = end;

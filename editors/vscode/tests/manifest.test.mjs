@@ -25,7 +25,7 @@ test('both languages have the same texts, and all that are used', () => {
   assert.deepEqual(Object.keys(german), Object.keys(english));
   const used = [...read('package.json').matchAll(/"%([^"]+)%"/g)].map(([, key]) => key);
   assert.deepEqual([...new Set(used)].sort(), Object.keys(english).sort());
-  const sources = readdirSync(path.join(root, 'src')).map((name) => read(`src/${name}`)).join('\n');
+  const sources = readdirSync(path.join(root, 'src'), { recursive: true }).filter((name) => name.endsWith('.ts')).map((name) => read(`src/${name}`)).join('\n');
   const said = [...sources.matchAll(/l10n\.t\(\s*'([^']+)'/g)].map(([, text]) => text);
   assert.deepEqual(said.sort(), Object.keys(JSON.parse(read('l10n/bundle.l10n.de.json'))).sort());
 });

@@ -18,11 +18,11 @@ const { StreamMessageReader, StreamMessageWriter } = require('vscode-languageser
 
 const types = { '.js': 'text/javascript', '.css': 'text/css', '.html': 'text/html', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm' };
 
-function page(host, settings) {
+function page(host, extensions, settings) {
   const port = host.split(':')[1];
   const product = {
     productConfiguration: { nameShort: 'Code', nameLong: 'Code', applicationName: 'code', dataFolderName: '.code', version: '1.91.1' },
-    additionalBuiltinExtensions: [{ scheme: 'http', authority: host, path: '/ext' }],
+    additionalBuiltinExtensions: extensions.map((path) => ({ scheme: 'http', authority: host, path })),
     folderUri: { scheme: 'memfs', path: mounted },
     webviewEndpoint: `http://{{uuid}}.code.localhost:${port}/out/vs/workbench/contrib/webview/browser/pre`,
     configurationDefaults: {
@@ -48,11 +48,23 @@ require.config({ baseUrl: window.location.origin + '/out', recordStats: true, pa
 <script src="/out/vs/code/browser/workbench/workbench.js"></script></body></html>`;
 }
 
+/** The extension with the test's own way to the server: nothing of it is packed. */
 async function manifest() {
   const about = JSON.parse(await fs.readFile(path.join(extension, 'package.json'), 'utf8'));
   delete about.main;
   return { ...about, browser: './web.js', activationEvents: ['*'], capabilities: { virtualWorkspaces: true, untrustedWorkspaces: { supported: true } } };
 }
+
+/** What opens files beside the packed extension. */
+const opener = {
+  name: 'opener',
+  publisher: 'test',
+  version: '1.0.0',
+  engines: { vscode: '^1.91.0' },
+  browser: './web.js',
+  activationEvents: ['*'],
+  capabilities: { virtualWorkspaces: true, untrustedWorkspaces: { supported: true } },
+};
 
 /** Where the workbench sees the folder. */
 const mounted = '/lists';
@@ -76,14 +88,14 @@ async function made(program, cwd, words) {
   }
 }
 
-/** Serves `folder` to the workbench. */
-export async function serve({ folder, program, settings }) {
+/** Serves `folder` to the workbench. `packed`: an unpacked .vsix that brings its server along. */
+export async function serve({ folder, program, settings, packed }) {
   const server = http.createServer();
   server.listen(0, '127.0.0.1');
   await once(server, 'listening');
   const host = `code.localhost:${server.address().port}`;
   const bundle = await build({
-    entryPoints: [path.join(here, 'extension.ts')],
+    entryPoints: [path.join(here, packed ? 'folder.ts' : 'extension.ts')],
     bundle: true,
     platform: 'browser',
     format: 'cjs',
@@ -93,7 +105,7 @@ export async function serve({ folder, program, settings }) {
     write: false,
   });
   let language;
-  let opener;
+  let asking;
   let answer;
   let makesPages = false;
   const opened = [];
@@ -152,7 +164,7 @@ export async function serve({ folder, program, settings }) {
     },
     open(_, __, response) {
       endless(response);
-      opener = response;
+      asking = response;
       waiting.splice(0).forEach((wake) => wake());
     },
     async opened(_, request) {
@@ -171,8 +183,12 @@ export async function serve({ folder, program, settings }) {
         if (answer !== undefined) response.end(typeof answer === 'string' || Buffer.isBuffer(answer) ? answer : JSON.stringify(answer));
         return;
       }
-      const special = { '/': () => page(host, settings), '/ext/web.js': () => bundle.outputFiles[0].text, '/ext/package.json': async () => JSON.stringify(await manifest()) }[pathname];
-      const file = pathname.startsWith('/ext/') ? path.join(extension, pathname.slice(4)) : path.join(workbench, pathname);
+      const special = {
+        '/': () => page(host, packed ? ['/ext', '/opener'] : ['/ext'], settings),
+        [packed ? '/opener/web.js' : '/ext/web.js']: () => bundle.outputFiles[0].text,
+        [packed ? '/opener/package.json' : '/ext/package.json']: async () => JSON.stringify(packed ? opener : await manifest()),
+      }[pathname];
+      const file = pathname.startsWith('/ext/') ? path.join(packed ?? extension, pathname.slice(4)) : path.join(workbench, pathname);
       response.setHeader('content-type', special && pathname === '/' ? 'text/html' : (types[path.extname(pathname)] ?? 'application/octet-stream'));
       if (special) {
         response.end(await special());
@@ -190,11 +206,16 @@ export async function serve({ folder, program, settings }) {
     missing,
     /** Opens a file with the cursor at a line and character, both from 0; its language. */
     async open(file, line = 0, character = 0) {
-      while (opener === undefined) await wake();
+      while (asking === undefined) await wake();
       const count = opened.length;
-      opener.write(`${JSON.stringify({ path: `${mounted}/${file}`, at: [line, character] })}\n`);
+      asking.write(`${JSON.stringify({ path: `${mounted}/${file}`, at: [line, character] })}\n`);
       while (opened.length === count) await wake();
       return opened.at(-1).language;
+    },
+    /** Writes a file as the editor does, so that it notices. */
+    async write(file, text) {
+      while (asking === undefined) await wake();
+      asking.write(`${JSON.stringify({ path: `${mounted}/${file}`, text })}\n`);
     },
     async close() {
       language?.kill();

@@ -1,4 +1,5 @@
 // The real workbench shows what the program says: squiggles, hover, completion, fixes, layout and pages.
+// AXISC_PACKED is the folder of an unpacked .vsix whose server runs in the browser; without it, the server is the native program.
 // AXISC_UPDATE_GOLDEN=1 writes the pictures of docs/editors.md, AXISC_PICTURES=FOLDER writes them elsewhere.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -24,7 +25,7 @@ let page;
 before(async () => {
   folder = await mkdtemp(path.join(os.tmpdir(), 'axisc-'));
   await cp(samples, folder, { recursive: true });
-  bridge = await serve({ folder, program, settings: { 'workbench.colorTheme': 'Default Light Modern', 'workbench.activityBar.location': 'hidden' } });
+  bridge = await serve({ folder, program, packed: process.env.AXISC_PACKED, settings: { 'workbench.colorTheme': 'Default Light Modern', 'workbench.activityBar.location': 'hidden' } });
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu'] });
   page = await browser.newPage({ viewport: { width: 960, height: 540 } });
   page.setDefaultTimeout(20000);
