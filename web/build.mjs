@@ -50,7 +50,7 @@ await rm(out, { recursive: true, force: true });
 await mkdir(path.join(out, 'samples'), { recursive: true });
 const { metafile } = await build({
   absWorkingDir: here,
-  entryPoints: { page: 'src/main.ts', worker: 'src/worker.ts' },
+  entryPoints: { start: 'src/start.ts', page: 'src/main.ts', worker: 'src/worker.ts' },
   outdir: out,
   bundle: true,
   format: 'iife',
