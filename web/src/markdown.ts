@@ -2,8 +2,8 @@
 // addresses are not followed.
 import { element } from './elements';
 
-const picture = /^data:image\/svg\+xml;(base64|utf8|charset=utf-8)[;,]/;
-const inline = /`([^`]+)`|\*\*(.+?)\*\*|!\[([^\]]*)\]\(([^)\s]+)\)|\[([^\]]+)\]\(([^)\s]+)\)/g;
+const picture = /^data:image\/svg\+xml[;,]/;
+const inline = /`([^`]+)`|\*\*(.+?)\*\*|!\[(.*?)\]\(([^)\s]+)\)|\[([^\]]+)\]\(([^)\s]+)\)/g;
 
 export function spans(text: string): (Node | string)[] {
   const parts: (Node | string)[] = [];

@@ -1,13 +1,13 @@
 // What is open, and what the program says of it.
-import { edited } from './edits';
+import { Checks, reasonOf } from './checks';
 import { Editor } from './editor';
 import { byId } from './elements';
 import type { Decoded } from './encoding';
-import { countsOf, findingsIn, showFindings, type Edit, type Finding } from './findings';
+import { countsOf, findingsIn, showFindings, type Finding } from './findings';
 import type { Incoming } from './incoming';
 import { fromFragment } from './link';
 import { Outputs } from './outputs';
-import { Interrupted, Program, type Outcome, type Started } from './program';
+import { Program, type Outcome, type Started } from './program';
 import { Server } from './server';
 import { currentLanguage, say } from './texts';
 import { Workspace } from './workspace';
@@ -25,8 +25,6 @@ filter_fir.type                1
 filter_fir.order               20
 `;
 
-const reason = (failure: unknown): string => (failure instanceof Error ? failure.message : String(failure));
-
 export class Page {
   readonly program: Program;
   workspace = new Workspace();
@@ -35,10 +33,11 @@ export class Page {
   private readonly editor: Editor;
   private readonly outputs: Outputs;
   private findings: Finding[] = [];
-  private isChecking = false;
-  private isStale = false;
   private isChosen = false;
-  private since = 0;
+  private readonly checks = new Checks(
+    () => this.checkOnce(),
+    (failure) => this.tell(say('failed', { reason: reasonOf(failure) })),
+  );
 
   constructor(started: Started) {
     this.program = new Program(started);
@@ -53,7 +52,7 @@ export class Page {
     const shared = await fromFragment(location.hash);
     if (shared) byId<HTMLInputElement>('cycle-time').value = shared.cycleTime;
     this.open([shared ? [shared.name, new TextEncoder().encode(shared.text)] : ['x.lis', new TextEncoder().encode(first)]]);
-    await this.program.ready.catch((failure: unknown) => this.tell(say('failed', { reason: reason(failure) })));
+    await this.program.ready.catch((failure: unknown) => this.tell(say('failed', { reason: reasonOf(failure) })));
   }
 
   get cycleTime(): string {
@@ -130,46 +129,24 @@ export class Page {
     void this.check(false);
   }
 
-  /** Checks until what was checked is what is there. */
-  async check(isNew: boolean): Promise<void> {
-    this.isStale = true;
-    this.since = performance.now();
-    if (this.isChecking) return;
-    this.isChecking = true;
+  /** Checks what is open; done when the findings are those of its present state. */
+  check(isNew: boolean): Promise<void> {
     if (isNew) this.tell(say('checking'));
-    while (this.isStale) {
-      this.isStale = false;
-      await this.checkOnce();
-    }
-    this.isChecking = false;
+    return this.checks.again();
   }
 
-  private async checkOnce(): Promise<void> {
+  private async checkOnce(): Promise<Outcome | null> {
     const workspace = this.workspace;
-    try {
-      const outcome = await this.program.run({ words: this.checking('--format', 'json') });
-      if (workspace !== this.workspace) return;
-      this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
-      const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
-      if (!this.isChosen && worst && this.workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
-      else this.render();
-      this.isChosen = true;
-      if (outcome.status === 2) this.tell(outcome.err);
-      this.finished(outcome);
-    } catch (failure) {
-      if (failure instanceof Interrupted) return;
-      this.tell(say('failed', { reason: reason(failure) }));
-    }
+    const outcome = await this.program.run({ words: this.checking('--format', 'json') });
+    if (workspace !== this.workspace) return null;
+    this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
+    const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
+    if (!this.isChosen && worst && this.workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
+    else this.render();
+    this.isChosen = true;
+    if (outcome.status === 2) this.tell(outcome.err);
     this.outputs.refresh();
-  }
-
-  /** For who measures the page. */
-  private finished(outcome: Outcome): void {
-    const data = document.body.dataset;
-    data['checked'] = String(Number(data['checked'] ?? 0) + 1);
-    data['time'] = outcome.time.toFixed(1);
-    data['first'] ??= performance.now().toFixed(1);
-    data['latency'] = (performance.now() - this.since).toFixed(1);
+    return outcome;
   }
 
   tell(text: string): void {
@@ -216,17 +193,8 @@ export class Page {
     const here = edits.some((edit) => edit.file === this.shown) ? this.shown : edits[0]?.file;
     if (here === undefined) return;
     if (here !== this.shown) this.choose(here);
-    for (const path of new Set(edits.map((edit) => edit.file))) {
-      if (path !== here) this.fixElsewhere(path, edits.filter((edit) => edit.file === path));
-    }
+    for (const [path, bytes] of this.workspace.repaired(edits.filter((edit) => edit.file !== here))) this.program.update([[path, bytes]]);
     this.editor.apply(edits.filter((edit) => edit.file === here));
-  }
-
-  private fixElsewhere(path: string, edits: Edit[]): void {
-    const decoded = this.workspace.text(path);
-    if (!decoded) return;
-    decoded.text = edited(decoded.text, edits);
-    this.program.update([[path, this.workspace.write(path, decoded)]]);
   }
 
   /** Files that the program wrote. */

@@ -1,5 +1,7 @@
 // The files that a user brought, as they came and as they are now.
+import { edited } from './edits';
 import { decode, encode, isBinary, type Decoded } from './encoding';
+import type { Edit } from './findings';
 
 export interface WorkFile {
   path: string;
@@ -65,6 +67,16 @@ export class Workspace {
   /** The bytes of a changed file; those that came where they mean the same. */
   write(path: string, decoded: Decoded): Uint8Array {
     return this.put(path, encode(decoded));
+  }
+
+  /** Files with the edits of a fix. */
+  repaired(edits: readonly Edit[]): [string, Uint8Array][] {
+    return [...new Set(edits.map((edit) => edit.file))].flatMap((path): [string, Uint8Array][] => {
+      const decoded = this.text(path);
+      if (!decoded) return [];
+      const text = edited(decoded.text, edits.filter((edit) => edit.file === path));
+      return [[path, this.write(path, { ...decoded, text })]];
+    });
   }
 
   put(path: string, bytes: Uint8Array): Uint8Array {
