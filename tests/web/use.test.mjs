@@ -45,6 +45,15 @@ test('a repaired folder is what --fix writes, and is saved as one file', wait, a
   assert.ok(changed.length > 1);
 });
 
+test('a fix in a file that is not shown opens it', wait, async () => {
+  await chooseFolder(page, path.join(samples, 'mistakes'));
+  const place = 'mistakes/typing.lis:2:34';
+  await afterCheck(page, () => page.click(`#finding-list li:has-text("${place}") .fix`));
+  assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mistakes/typing.lis');
+  const before = await readFile(path.join(samples, 'mistakes/typing.lis'), 'latin1');
+  assert.equal((await saved(page, '#download')).toString('latin1'), before.replace(/ 01(?=\s)/, ' 1'));
+});
+
 test('an aligned list is what fmt writes; undo brings the old one back', wait, async () => {
   const list = path.join(folder, 'wide.lis');
   const text = 'kopf.achs_nr 1 ( Nummer\r\nkenngr.achs_typ       1 ( Typ\r\n';

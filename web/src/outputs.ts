@@ -65,8 +65,10 @@ export class Outputs {
 
   listFiles(findings: readonly Finding[], shown: string): void {
     let folder = '';
-    const rows = this.page.workspace.paths.flatMap((path) => {
-      const above = path.slice(0, path.lastIndexOf('/') + 1);
+    const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
+    const paths = this.page.workspace.paths.sort((a, b) => folderOf(a).localeCompare(folderOf(b)) || a.localeCompare(b));
+    const rows = paths.flatMap((path) => {
+      const above = folderOf(path);
       const heading = above === folder ? [] : [element('li', { class: 'folder' }, above)];
       folder = above;
       const here = findings.filter((finding) => finding.file === path && finding.severity !== 'note');
@@ -98,7 +100,7 @@ export class Outputs {
   private linked(text: string): (Node | string)[] {
     const paths = this.page.workspace.paths;
     return text.split(/([^\s()"]+\.(?:lis|xml|json|tsproj|nc)\b)/i).map((part, i) => {
-      const path = i % 2 === 1 ? paths.find((one) => one === part || one.endsWith(`/${part}`)) : undefined;
+      const path = i % 2 === 1 ? paths.find((one) => one === part || one.endsWith(`/${part.replace(/^(\.\.?\/)+/, '')}`)) : undefined;
       return path === undefined ? part : button(part, () => this.page.choose(path), { class: 'link' });
     });
   }

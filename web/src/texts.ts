@@ -15,8 +15,8 @@ const texts = {
   pictures: ['Pictures', 'Bilder'],
   report: ['Report', 'Bericht'],
   drop: [
-    'Drop a list or a whole controller folder. Nothing leaves your browser.',
-    'Eine Liste oder den ganzen Ordner einer Steuerung hierher ziehen. Nichts verlässt den Browser.',
+    'Drop lists or a controller folder. Nothing leaves your browser.',
+    'Listen oder einen Steuerungsordner hierher ziehen. Nichts verlässt den Browser.',
   ],
   loading: ['The program is being loaded …', 'Das Programm wird geladen …'],
   checking: ['Checking …', 'Wird geprüft …'],
