@@ -28,10 +28,12 @@ export class Controls {
     });
     byId('theme').addEventListener('click', () => this.dress(document.documentElement.dataset['theme'] !== 'dark'));
     byId('cycle-time').addEventListener('change', () => this.page.again());
-    byId('fix-all').addEventListener('click', () => void this.page.fixAll());
-    byId('download').addEventListener('click', () => this.page.download());
-    byId('compile').addEventListener('click', () => void this.page.compile());
-    byId('share').addEventListener('click', () => void this.page.share());
+    byId('new').addEventListener('click', () => this.page.begun(''));
+    document.addEventListener('paste', (event) => {
+      const text = event.clipboardData?.getData('text/plain') ?? '';
+      const isElsewhere = event.target instanceof Element && event.target.closest('.cm-editor, input') === null;
+      if (isElsewhere && text !== '') this.page.begun(text);
+    });
   }
 
   private connectFiles(): void {
@@ -82,7 +84,7 @@ export class Controls {
     document.title = `axisc – ${say('title')}`;
     byId('subtitle').textContent = say('drop');
     const texts: Record<string, Key> = {
-      open: 'open', 'open-folder': 'openFolder', 'fix-all': 'fixAll', compile: 'compile', share: 'share',
+      open: 'open', 'open-folder': 'openFolder', new: 'new', 'fix-all': 'fixAll', align: 'align', compile: 'compile', share: 'share',
       'tab-findings': 'findings', 'tab-machine': 'machine', 'tab-pictures': 'pictures', 'tab-report': 'report',
     };
     for (const [id, key] of Object.entries(texts)) byId(id).textContent = say(key);

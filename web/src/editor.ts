@@ -3,40 +3,39 @@ import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { search, searchKeymap } from '@codemirror/search';
 import { EditorState, type ChangeSet, type Text } from '@codemirror/state';
-import { EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers } from '@codemirror/view';
-import { element } from './elements';
+import { EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { assistance, refreshHints } from './assistance';
+import { range } from './edits';
 import { joined, lines, usualEnd } from './encoding';
 import type { Edit, Finding, Place } from './findings';
 import { axisList } from './language';
+import type { Server } from './server';
 import { say } from './texts';
 
 export interface EditorEvents {
   changed: (text: string) => void;
   fix: (finding: Finding) => void;
-  meaning: (parameter: string) => Promise<string>;
 }
 
-/** Columns of findings count code points from 1. */
-function offset(document: Text, line: number, column: number): number {
-  if (line < 1 || line > document.lines) return line < 1 ? 0 : document.length;
-  const found = document.line(line);
-  const before = [...found.text].slice(0, Math.max(0, column - 1)).join('');
-  return found.from + Math.min(before.length, found.length);
-}
+const pause = 250;  // ms without a change before the hints are asked for
 
-function range(document: Text, place: Place): { from: number; to: number } {
-  const from = offset(document, place.line, place.column);
-  return { from, to: Math.max(from, offset(document, place.end_line, place.end_column)) };
+interface Opened {
+  state: EditorState;
+  ends: string[];
 }
 
 export class Editor {
   private readonly view: EditorView;
   private ends: string[] = [];
   private isOpening = false;
+  private hints = 0;
+  private readonly left = new Map<string, Opened>();
+  private path = '';
 
   constructor(
     parent: HTMLElement,
     private readonly events: EditorEvents,
+    private readonly server: Server,
   ) {
     this.view = new EditorView({ parent, state: this.state('') });
   }
@@ -45,6 +44,9 @@ export class Editor {
     return EditorState.create({
       doc: text,
       extensions: [
+        // A carriage return within a line is a character of it.
+        EditorState.lineSeparator.of('\n'),
+        EditorView.clipboardInputFilter.of((pasted) => pasted.replace(/\r\n?/g, '\n')),
         lineNumbers(),
         history(),
         drawSelection(),
@@ -52,10 +54,10 @@ export class Editor {
         search({ top: true }),
         lintGutter(),
         axisList,
+        assistance(this.server),
         // Tab leaves the editor: the page is used by keyboard alone.
         keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
-        hoverTooltip((view, at) => this.hover(view, at)),
-        EditorView.contentAttributes.of({ 'aria-label': say('editor'), spellcheck: 'false' }),
+        EditorView.contentAttributes.of(() => ({ 'aria-label': say('editor'), spellcheck: 'false', tabindex: '0' })),
         EditorView.updateListener.of((update) => {
           if (!update.docChanged || this.isOpening) return;
           this.follow(update.startState.doc, update.changes);
@@ -75,30 +77,36 @@ export class Editor {
     for (const [at, removed, added] of spans.reverse()) this.ends.splice(at, removed, ...Array<string>(added).fill(end));
   }
 
-  private async hover(view: EditorView, at: number) {
-    const line = view.state.doc.lineAt(at);
-    const name = /^\s*([A-Za-z_][\w.[\]]*)/.exec(line.text);
-    if (!name?.[1]) return null;
-    const from = line.from + name[0].length - name[1].length;
-    if (at < from || at > from + name[1].length) return null;
-    const text = await this.events.meaning(name[1]);
-    if (text === '') return null;
-    return { pos: from, end: from + name[1].length, above: true, create: () => ({ dom: element('pre', { class: 'meaning' }, text) }) };
+  /** Shows a file; one that was left comes back with its history, unless its text was changed elsewhere. */
+  open(path: string, text: string): void {
+    if (this.path !== '') this.left.set(this.path, { state: this.view.state, ends: this.ends });
+    this.path = path;
+    const before = this.left.get(path);
+    const { texts, ends } = lines(text);
+    const isSame = before !== undefined && joined([...before.state.doc.iterLines()], before.ends) === text;
+    this.ends = isSame ? before.ends : ends;
+    this.isOpening = true;
+    this.view.setState(isSame ? before.state : this.state(texts.join('\n')));
+    this.isOpening = false;
+    this.askHints();
   }
 
-  open(text: string): void {
-    const { texts, ends } = lines(text);
-    this.ends = ends;
-    this.isOpening = true;
-    this.view.setState(this.state(texts.join('\n')));
-    this.isOpening = false;
+  /** No file was opened before. */
+  forget(): void {
+    this.left.clear();
+    this.path = '';
   }
 
   /** Takes text that changed elsewhere, as one change that can be undone. */
   replace(text: string): void {
     const { texts, ends } = lines(text);
+    const [now, wanted] = [this.view.state.doc.toString(), texts.join('\n')];
+    let from = 0;
+    while (from < Math.min(now.length, wanted.length) && now[from] === wanted[from]) ++from;
+    let same = 0;
+    while (same < Math.min(now.length, wanted.length) - from && now[now.length - 1 - same] === wanted[wanted.length - 1 - same]) ++same;
     this.isOpening = true;
-    this.view.dispatch({ changes: { from: 0, to: this.view.state.doc.length, insert: texts.join('\n') } });
+    this.view.dispatch({ changes: { from, to: now.length - same, insert: wanted.slice(from, wanted.length - same) } });
     this.isOpening = false;
     this.ends = ends;
   }
@@ -110,7 +118,7 @@ export class Editor {
   show(findings: readonly Finding[]): void {
     const document = this.view.state.doc;
     const shown = findings
-      .filter((finding): finding is Finding & Place => (finding.line ?? 0) > 0)
+      .filter((finding): finding is Finding & Place => Boolean(finding.line && finding.column))
       .map((finding): Diagnostic => ({
         ...range(document, finding),
         severity: finding.severity === 'note' ? 'info' : finding.severity,
@@ -119,12 +127,22 @@ export class Editor {
         actions: finding.fix ? [{ name: finding.fix.title, apply: () => this.events.fix(finding) }] : [],
       }));
     this.view.dispatch(setDiagnostics(this.view.state, shown));
+    this.askHints();
+  }
+
+  private askHints(): void {
+    clearTimeout(this.hints);
+    this.hints = window.setTimeout(() => void refreshHints(this.server, this.view).catch(() => undefined), pause);
   }
 
   /** The edits of one fix, as one change. */
   apply(edits: readonly Edit[]): void {
     const document = this.view.state.doc;
     this.view.dispatch({ changes: edits.map((edit) => ({ ...range(document, edit), insert: edit.text })) });
+    this.view.focus();
+  }
+
+  focus(): void {
     this.view.focus();
   }
 

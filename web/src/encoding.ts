@@ -14,27 +14,25 @@ const table = new Map(
 
 export function decode(bytes: Uint8Array): Decoded {
   const marked = mark.every((byte, i) => bytes[i] === byte);
+  const content = marked ? bytes.subarray(3) : bytes;
   try {
-    const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(marked ? bytes.subarray(3) : bytes);
+    const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(content);
     return { text, encoding: 'utf-8', mark: marked };
   } catch {
-    return { text: new TextDecoder('windows-1252').decode(bytes), encoding: 'windows-1252', mark: false };
+    return { text: new TextDecoder('windows-1252').decode(content), encoding: 'windows-1252', mark: marked };
   }
 }
 
 /** In windows-1252 unless a character has no place there: then the whole text becomes UTF-8. */
 export function encode({ text, encoding, mark: marked }: Decoded): Uint8Array {
-  if (encoding === 'windows-1252') {
-    const bytes = [...text].map((character) => table.get(character));
-    if (bytes.every((byte) => byte !== undefined)) return Uint8Array.from(bytes as number[]);
-  }
-  const bytes = new TextEncoder().encode(text);
+  const single = encoding === 'windows-1252' ? [...text].map((character) => table.get(character)) : [undefined];
+  const bytes = single.includes(undefined) ? new TextEncoder().encode(text) : Uint8Array.from(single as number[]);
   return marked ? Uint8Array.from([...mark, ...bytes]) : bytes;
 }
 
-/** Lines without their ends, and the ends; the last line has none. */
+/** Lines without their ends (LF or CRLF, as the program counts them), and the ends; the last line has none. */
 export function lines(text: string): { texts: string[]; ends: string[] } {
-  const parts = text.split(/(\r\n|\r|\n)/);
+  const parts = text.split(/(\r?\n)/);
   return { texts: parts.filter((_, i) => i % 2 === 0), ends: parts.filter((_, i) => i % 2 === 1) };
 }
 

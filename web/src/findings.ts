@@ -1,5 +1,6 @@
 // Findings as `lint --format json` gives them, and the list that leads to their lines.
 import { button, element } from './elements';
+import { spans } from './markdown';
 import { say } from './texts';
 
 export interface Place {
@@ -14,12 +15,17 @@ export interface Edit extends Place {
   text: string;
 }
 
-export interface Finding extends Partial<Place> {
+export interface Finding {
   code: string;
   name: string;
   severity: 'error' | 'warning' | 'note';
   message: string;
   file: string;
+  /** Null where a finding is about the whole file. */
+  line: number | null;
+  column: number | null;
+  end_line: number | null;
+  end_column: number | null;
   parameter?: string | null;
   axis?: string | null;
   control?: { message: string | null; reaction: string | null; value: string | null } | null;
@@ -27,9 +33,16 @@ export interface Finding extends Partial<Place> {
   fix?: { title: string; edits: Edit[] } | null;
 }
 
+/** As the page names it: see named() of src/workspace.ts. */
+const plain = (path: string): string => path.replace(/^\.\//, '');
+
 export function findingsIn(json: string): Finding[] {
   const parsed = JSON.parse(json) as { diagnostics?: Finding[] };
-  return parsed.diagnostics ?? [];
+  return (parsed.diagnostics ?? []).map((finding) => ({
+    ...finding,
+    file: plain(finding.file),
+    fix: finding.fix ? { ...finding.fix, edits: finding.fix.edits.map((edit) => ({ ...edit, file: plain(edit.file) })) } : null,
+  }));
 }
 
 export interface Actions {
@@ -39,7 +52,13 @@ export interface Actions {
 }
 
 function place(finding: Finding): string {
-  return finding.line === undefined || finding.line === 0 ? finding.file : `${finding.file}:${finding.line}:${finding.column ?? 1}`;
+  return !finding.line ? finding.file : `${finding.file}:${finding.line}:${finding.column ?? 1}`;
+}
+
+function message(finding: Finding, actions: Actions): HTMLButtonElement {
+  const leading = button('', () => actions.go(finding), { class: 'message' });
+  leading.append(...spans(finding.message));
+  return leading;
 }
 
 function item(finding: Finding, actions: Actions): HTMLLIElement {
@@ -51,25 +70,33 @@ function item(finding: Finding, actions: Actions): HTMLLIElement {
     element(
       'div',
       { class: 'words' },
-      button(finding.message, () => actions.go(finding), { class: 'message' }),
+      message(finding, actions),
       element('span', { class: 'place' }, finding.axis ? `${finding.axis} · ${place(finding)}` : place(finding)),
-      control && element('span', { class: 'control' }, control),
-      ...(finding.notes ?? []).map((note) => element('span', { class: 'control' }, note)),
+      control && element('span', { class: 'control' }, `${say('control')}: `, ...spans(control)),
+      ...(finding.notes ?? []).map((note) => element('span', { class: 'control' }, ...spans(note))),
     ),
     finding.fix ? button(say('fix'), () => actions.fix(finding), { class: 'fix', title: finding.fix.title }) : null,
   );
 }
 
-const mostShown = 2000;
+const atFirst = 200;
+const more = 1000;
 
-export function showFindings(list: HTMLElement, findings: readonly Finding[], actions: Actions): void {
-  const items = findings.slice(0, mostShown).map((finding) => item(finding, actions));
-  if (findings.length > mostShown) items.push(element('li', {}, `… ${findings.length - mostShown}`));
+/** The first of them; a button shows more. */
+export function showFindings(list: HTMLElement, findings: readonly Finding[], actions: Actions, most = atFirst): void {
+  const items = findings.slice(0, most).map((finding) => item(finding, actions));
+  if (findings.length > most) {
+    const rest = say('more', { count: findings.length - most });
+    items.push(element('li', {}, button(rest, () => showFindings(list, findings, actions, most + more))));
+  }
   list.replaceChildren(...items);
 }
 
 export function countsOf(findings: readonly Finding[]): string {
   if (findings.length === 0) return say('nothing');
-  const count = (severity: string): number => findings.filter((finding) => finding.severity === severity).length;
-  return say('counts', { errors: count('error'), warnings: count('warning') });
+  const counted = (['error', 'warning', 'note'] as const).map((severity) => {
+    const count = findings.filter((finding) => finding.severity === severity).length;
+    return count === 0 ? null : say(count === 1 ? severity : `${severity}s`, { count });
+  });
+  return counted.filter((text) => text !== null).join(', ');
 }

@@ -40,14 +40,17 @@ function checked(files: Incoming): Incoming {
 
 export async function dropped(transfer: DataTransfer): Promise<Incoming> {
   const entries = [...transfer.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
+  // What was not dragged from a disk has files without entries.
+  if (entries.length === 0) return chosen(transfer.files);
   const files: Incoming = [];
   for (const entry of entries) await collect(entry, files);
   return checked(files);
 }
 
+/** The field may be emptied as soon as this returns. */
 export async function chosen(list: FileList): Promise<Incoming> {
   const files: Incoming = [];
-  for (const file of list) files.push([file.webkitRelativePath || file.name, await bytesOf(file)]);
+  for (const file of [...list]) files.push([file.webkitRelativePath || file.name, await bytesOf(file)]);
   return checked(files);
 }
 

@@ -2,12 +2,14 @@
 import { button, byId, element, save } from './elements';
 import type { Finding } from './findings';
 import type { Page } from './page';
+import { markdown } from './markdown';
 import { Picture } from './picture';
+import { Interrupted } from './program';
 import { say } from './texts';
 
 const panels = ['findings', 'machine', 'pictures', 'report'] as const;
 export type Panel = (typeof panels)[number];
-export const kinds = ['response', 'step', 'delay', 'corner', 'circle'] as const;
+export const kinds = ['response', 'step', 'delay', 'corner', 'circle', 'path'] as const;
 
 export class Outputs {
   private panel: Panel = 'findings';
@@ -26,7 +28,7 @@ export class Outputs {
     byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
     byId('save-report').addEventListener('click', () => save('report.html', this.html, 'text/html'));
     byId('close-page').addEventListener('click', () => byId<HTMLDialogElement>('page').close());
-    for (const id of ['kind', 'axis', 'before']) byId(id).addEventListener('change', () => this.refresh());
+    for (const id of ['kind', 'axis', 'program', 'before']) byId(id).addEventListener('change', () => this.refresh());
     this.choose('findings');
   }
 
@@ -55,37 +57,57 @@ export class Outputs {
   refresh(): void {
     const round = ++this.round;
     const isLast = (): boolean => round === this.round;
-    if (this.panel === 'machine') void this.machine(isLast);
-    if (this.panel === 'pictures') void this.draw(isLast);
-    if (this.panel === 'report') void this.report(isLast);
+    const compute = { findings: null, machine: () => this.machine(isLast), pictures: () => this.draw(isLast), report: () => this.report(isLast) };
+    compute[this.panel]?.().catch((failure: unknown) => {
+      if (!(failure instanceof Interrupted)) this.page.tell(say('failed', { reason: String(failure) }));
+    });
   }
 
   listFiles(findings: readonly Finding[], shown: string): void {
-    const rows = this.page.workspace.paths.map((path) => {
+    let folder = '';
+    const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
+    const paths = this.page.workspace.paths.sort((a, b) => folderOf(a).localeCompare(folderOf(b)) || a.localeCompare(b));
+    const rows = paths.flatMap((path) => {
+      const above = folderOf(path);
+      const heading = above === folder ? [] : [element('li', { class: 'folder' }, above)];
+      folder = above;
       const here = findings.filter((finding) => finding.file === path && finding.severity !== 'note');
       const worst = here.some((finding) => finding.severity === 'error') ? 'error' : 'warning';
-      const row = button(path, () => this.page.show(path), { 'aria-current': String(path === shown) });
+      const row = button(path.slice(above.length), () => this.page.choose(path), { 'aria-current': String(path === shown), title: path });
       if (here.length > 0) row.append(element('span', { class: `count ${worst}` }, String(here.length)));
-      return element('li', {}, row);
+      return [...heading, element('li', {}, row)];
     });
     byId('file-list').replaceChildren(...rows);
   }
 
-  /** A page of text over the others. */
+  /** A page of Markdown over the others. */
   open(text: string): void {
-    byId('page-text').textContent = text;
+    byId('page-text').replaceChildren(markdown(text));
     const dialog = byId<HTMLDialogElement>('page');
     if (!dialog.open) dialog.showModal();
   }
 
   private async machine(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.words('machine', this.page.workspace.inputs.machine) });
-    if (isLast()) byId('machine-text').textContent = outcome.out || outcome.err;
+    const outcome = await this.page.program.run({ words: this.page.words('machine') });
+    const contour = outcome.status === 0 ? await this.page.program.run({ words: this.page.words('contour') }) : null;
+    if (!isLast()) return;
+    byId('machine-text').replaceChildren(...this.linked(outcome.out || outcome.err));
+    byId('contour').hidden = contour === null || contour.out === '';
+    byId('contour-text').textContent = contour?.out ?? '';
+  }
+
+  /** Names of files lead to them. */
+  private linked(text: string): (Node | string)[] {
+    const paths = this.page.workspace.paths;
+    return text.split(/([^\s()"]+\.(?:lis|xml|json|tsproj|nc)\b)/i).map((part, i) => {
+      const path = i % 2 === 1 ? paths.find((one) => one === part || one.endsWith(`/${part.replace(/^(\.\.?\/)+/, '')}`)) : undefined;
+      return path === undefined ? part : button(part, () => this.page.choose(path), { class: 'link' });
+    });
   }
 
   private async axes(): Promise<string[]> {
     const outcome = await this.page.program.run({
-      words: this.page.words('machine', '--format', 'json', this.page.workspace.inputs.machine),
+      words: this.page.words('machine', '--format', 'json'),
     });
     try {
       const machine = JSON.parse(outcome.out) as { axes?: { name: string }[] };
@@ -102,22 +124,36 @@ export class Outputs {
     axis.replaceChildren(element('option', { value: '' }, say('everyAxis')), ...names.map((name) => element('option', { value: name }, name)));
     if (names.includes(wanted)) axis.value = wanted;
     const kind = byId<HTMLSelectElement>('kind').value;
-    const input = this.page.workspace.inputs.machine;
-    const more = kind === 'corner' || kind === 'circle' || axis.value === '' ? [] : ['--axis', axis.value];
-    if (byId<HTMLInputElement>('before').checked) more.push('--before', `/before/${input}`);
-    const outcome = await this.page.program.run({ words: this.page.words('plot', '--kind', kind, '--format', 'svg', '-o', '-', ...more, input) });
+    const isOfAxes = kind === 'response' || kind === 'step' || kind === 'delay';
+    axis.disabled = !isOfAxes;
+    const more = !isOfAxes || axis.value === '' ? [] : ['--axis', axis.value];
+    const program = this.followed(kind);
+    if (program !== '') more.push('--program', program);
+    if (byId<HTMLInputElement>('before').checked) more.push('--before', `/before/${this.page.machine.replace(/^\.\//, '')}`);
+    const outcome = await this.page.program.run({ words: this.page.words('plot', '--kind', kind, '--format', 'svg', '-o', '-', ...more) });
     if (!isLast()) return;
     this.svg = outcome.out;
     const trouble = byId('picture-trouble');
     trouble.hidden = this.svg !== '';
-    trouble.textContent = outcome.err;
+    trouble.textContent = outcome.err.trim();
     byId<HTMLButtonElement>('save-picture').disabled = this.svg === '';
     if (this.svg === '') this.picture.clear();
     else this.picture.show(this.svg, say(kind as (typeof kinds)[number]));
   }
 
+  /** The NC program of a path; empty for other kinds. */
+  private followed(kind: string): string {
+    const menu = byId<HTMLSelectElement>('program');
+    const programs = this.page.workspace.paths.filter((path) => /\.nc$/i.test(path));
+    const wanted = menu.value;
+    menu.replaceChildren(...programs.map((path) => element('option', { value: path }, path)));
+    if (programs.includes(wanted)) menu.value = wanted;
+    byId('program-line').hidden = kind !== 'path';
+    return kind === 'path' ? menu.value : '';
+  }
+
   private async report(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.words('report', '-o', '-', this.page.workspace.inputs.machine) });
+    const outcome = await this.page.program.run({ words: this.page.words('report', '-o', '-') });
     if (!isLast()) return;
     this.html = outcome.out;
     const trouble = byId('report-trouble');

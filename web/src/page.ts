@@ -1,14 +1,16 @@
 // What is open, and what the program says of it.
+import { Checks, reasonOf } from './checks';
 import { Editor } from './editor';
-import { byId, save } from './elements';
+import { byId } from './elements';
+import type { Decoded } from './encoding';
 import { countsOf, findingsIn, showFindings, type Finding } from './findings';
 import type { Incoming } from './incoming';
-import { fromFragment, toFragment } from './link';
+import { fromFragment } from './link';
 import { Outputs } from './outputs';
-import { Program, type Outcome } from './program';
+import { Program, type Outcome, type Started } from './program';
+import { Server } from './server';
 import { currentLanguage, say } from './texts';
 import { Workspace } from './workspace';
-import type { Decoded } from './encoding';
 
 const first = `kopf.achs_nr                   1
 kopf.log_achs_name             X
@@ -24,119 +26,150 @@ filter_fir.order               20
 `;
 
 export class Page {
-  readonly program = new Program();
+  readonly program: Program;
   workspace = new Workspace();
+  shown = '';
+  decoded: Decoded | null = null;
   private readonly editor: Editor;
   private readonly outputs: Outputs;
   private findings: Finding[] = [];
-  private shown = '';
-  private decoded: Decoded | null = null;
-  private isChecking = false;
-  private isStale = false;
-  private readonly pages = new Map<string, string>();
+  private isChosen = false;
+  private readonly checks = new Checks(
+    () => this.checkOnce(),
+    (failure) => this.tell(say('failed', { reason: reasonOf(failure) })),
+  );
 
-  constructor() {
-    this.editor = new Editor(byId('editor'), {
-      changed: (text) => this.edited(text),
-      fix: (finding) => this.fix(finding),
-      meaning: (parameter) => this.explained(parameter),
-    });
+  constructor(started: Started) {
+    this.program = new Program(started);
+    const server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text, words: this.settings(this.shown) });
+    const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix(finding) };
+    this.editor = new Editor(byId('editor'), events, server);
     this.outputs = new Outputs(this);
   }
 
   async begin(): Promise<void> {
     this.tell(say('loading'));
     const shared = await fromFragment(location.hash);
-    if (shared) {
-      byId<HTMLInputElement>('cycle-time').value = shared.cycleTime;
-      this.open([[shared.name, new TextEncoder().encode(shared.text)]]);
-    } else {
-      this.open([['x.lis', new TextEncoder().encode(first)]]);
-    }
-    try {
-      await this.program.ready;
-    } catch (failure) {
-      this.tell(say('failed', { reason: failure instanceof Error ? failure.message : String(failure) }));
-    }
+    if (shared) byId<HTMLInputElement>('cycle-time').value = shared.cycleTime;
+    this.open([shared ? [shared.name, new TextEncoder().encode(shared.text)] : ['x.lis', new TextEncoder().encode(first)]]);
+    await this.program.ready.catch((failure: unknown) => this.tell(say('failed', { reason: reasonOf(failure) })));
   }
 
-  /** Words of every command: language and cycle time. */
+  get cycleTime(): string {
+    return byId<HTMLInputElement>('cycle-time').value.trim();
+  }
+
+  /** Language, and the cycle time where no file says it. */
+  private settings(input: string): string[] {
+    const isSaid = input === '' ? this.workspace.descriptions.length > 0 : this.workspace.machineOf(input) !== input;
+    const isList = input === '' || /\.(lis|xml|nc)$/i.test(input);
+    return ['--lang', currentLanguage(), ...(isList && !isSaid && this.cycleTime !== '' ? ['--cycle-time', this.cycleTime] : [])];
+  }
+
+  /** The words of `lint`, about everything that is open. */
+  checking(...more: string[]): string[] {
+    return ['lint', ...this.settings(''), ...more, ...this.workspace.checked];
+  }
+
+  /** What commands about one machine are called with. */
+  get machine(): string {
+    return this.workspace.machineOf(this.shown);
+  }
+
+  /** The words of a command about the machine, or about the list that is shown. */
   words(command: string, ...more: string[]): string[] {
-    const cycleTime = byId<HTMLInputElement>('cycle-time').value.trim();
-    const input = this.workspace.inputs.machine;
-    const isList = /\.(lis|xml)$/i.test(input);
-    const asked = command === 'lint' ? this.workspace.inputs.checked.some((path) => /\.(lis|nc)$/i.test(path)) : isList;
-    return [command, '--lang', currentLanguage(), ...(asked && cycleTime !== '' ? ['--cycle-time', cycleTime] : []), ...more];
+    const isList = this.machine.replace(/^\.\//, '') === this.shown;
+    return [command, ...this.settings(isList ? this.shown : this.machine), ...more, this.machine];
   }
 
   open(files: Incoming): void {
     if (files.length === 0) return;
+    this.program.interrupt();
     const old = this.workspace.paths.flatMap((path) => [path, `/before/${path}`]);
     this.workspace = new Workspace(files);
     this.program.update(
       files.flatMap(([path, bytes]) => [[path, bytes], [`/before/${path}`, bytes]] as [string, Uint8Array][]),
       old,
     );
-    const named = this.workspace.inputs.checked;
     this.findings = [];
-    this.show(this.workspace.paths.find((path) => named.includes(path)) ?? this.workspace.paths[0] ?? '');
+    this.editor.forget();
+    this.isChosen = false;
+    const paths = this.workspace.paths;
+    this.show(paths.find((path) => path.endsWith('.lis')) ?? (paths[0] as string));
     void this.check(true);
   }
 
-  /** A file in the editor. */
-  show(path: string): void {
+  /** An empty list, to type or to paste into. */
+  begun(text: string): void {
+    this.open([['x.lis', new TextEncoder().encode(text)]]);
+    this.editor.focus();
+  }
+
+  /** A file that somebody asked for. */
+  choose(path: string): void {
+    this.isChosen = true;
+    this.show(path);
+    this.outputs.refresh();
+  }
+
+  private show(path: string): void {
     this.shown = path;
     this.decoded = this.workspace.text(path);
-    byId('file-name').textContent = path;
-    byId('download').textContent = say('download', { file: path.slice(path.lastIndexOf('/') + 1) });
     byId('editor').hidden = this.decoded === null;
     byId('hidden-text').hidden = this.decoded !== null;
-    byId('hidden-text').textContent = say('notShown', { file: path });
-    this.editor.open(this.decoded?.text ?? '');
+    this.editor.open(path, this.decoded?.text ?? '');
     this.render();
   }
 
   private edited(text: string): void {
     if (!this.decoded) return;
+    this.isChosen = true;
     this.decoded.text = text;
     this.program.update([[this.shown, this.workspace.write(this.shown, this.decoded)]]);
     void this.check(false);
   }
 
-  /** Checks until what was checked is what is there. */
-  async check(isNew: boolean): Promise<void> {
-    this.isStale = true;
-    if (this.isChecking) return;
-    this.isChecking = true;
+  /** Checks what is open; done when the findings are those of its present state. */
+  check(isNew: boolean): Promise<void> {
     if (isNew) this.tell(say('checking'));
-    while (this.isStale) {
-      this.isStale = false;
-      await this.checkOnce();
-    }
-    this.isChecking = false;
+    return this.checks.again();
   }
 
-  private async checkOnce(): Promise<void> {
+  private async checkOnce(): Promise<Outcome | null> {
     const workspace = this.workspace;
-    try {
-      const outcome = await this.program.run({ words: this.words('lint', '--format', 'json', ...workspace.inputs.checked) });
-      if (workspace !== this.workspace) return;
-      this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
-      document.body.dataset['checked'] = String(Number(document.body.dataset['checked'] ?? 0) + 1);
-      document.body.dataset['time'] = outcome.time.toFixed(1);
-      this.render();
-      if (!outcome.out.startsWith('{')) this.tell(outcome.err);
-    } catch (failure) {
-      this.tell(say('failed', { reason: failure instanceof Error ? failure.message : String(failure) }));
-    }
+    const outcome = await this.program.run({ words: this.checking('--format', 'json') });
+    if (workspace !== this.workspace) return null;
+    this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
+    const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
+    if (!this.isChosen && worst && this.workspace.files.has(worst.file) && worst.file !== this.shown) this.show(worst.file);
+    else this.render();
+    this.isChosen = true;
+    if (outcome.status === 2) this.tell(outcome.err);
     this.outputs.refresh();
+    return outcome;
   }
 
   tell(text: string): void {
     byId('counts').textContent = text.trim();
   }
 
+  /** A page of Markdown, or what a command says, over the others. */
+  async explain(code: string): Promise<void> {
+    const outcome = await this.program.run({ words: ['explain', '--lang', currentLanguage(), code] });
+    this.outputs.open(outcome.out || outcome.err);
+  }
+
+  said(text: string): void {
+    this.outputs.open(`\`\`\`\n${text.trim()}\n\`\`\``);
+  }
+
   private render(): void {
+    byId('file-name').textContent = this.shown;
+    byId('download').textContent = say('download', { file: this.shown.slice(this.shown.lastIndexOf('/') + 1) });
+    byId('hidden-text').textContent = say('notShown', { file: this.shown });
+    const changed = this.workspace.changed.length;
+    byId('download-all').hidden = changed < 2;
+    byId('download-all').textContent = say('downloadAll', { files: changed });
     showFindings(byId('finding-list'), this.findings, {
       go: (finding) => this.go(finding),
       fix: (finding) => this.fix(finding),
@@ -148,93 +181,33 @@ export class Page {
   }
 
   private go(finding: Finding): void {
-    if (finding.file !== this.shown && this.workspace.files.has(finding.file)) this.show(finding.file);
+    if (finding.file !== this.shown && this.workspace.files.has(finding.file)) this.choose(finding.file);
     const { line, column, end_line, end_column } = finding;
     if (!line || !column || !end_line || !end_column) return;
     this.editor.go({ file: finding.file, line, column, end_line, end_column });
   }
 
-  /** The edits of one finding, in the editor where it shows the file. */
+  /** The edits of one finding: in the editor what it shows, in other files at once. */
   private fix(finding: Finding): void {
     const edits = finding.fix?.edits ?? [];
-    const file = edits[0]?.file;
-    if (file === undefined || edits.some((edit) => edit.file !== file)) return;
-    if (file !== this.shown) this.show(file);
-    this.editor.apply(edits);
+    const here = edits.some((edit) => edit.file === this.shown) ? this.shown : edits[0]?.file;
+    if (here === undefined) return;
+    if (here !== this.shown) this.choose(here);
+    for (const [path, bytes] of this.workspace.repaired(edits.filter((edit) => edit.file !== here))) this.program.update([[path, bytes]]);
+    this.editor.apply(edits.filter((edit) => edit.file === here));
   }
 
-  /** As `lint --fix` writes the files. */
-  async fixAll(): Promise<void> {
-    const paths = this.workspace.paths;
-    const outcome = await this.program.run({ words: this.words('lint', '--fix', ...this.workspace.inputs.checked), wanted: paths });
-    const changed = paths.filter((path) => {
-      const now = outcome.written.get(path);
-      const before = this.workspace.files.get(path)?.bytes;
-      return now && before && (now.length !== before.length || now.some((byte, i) => byte !== before[i]));
-    });
-    for (const path of changed) {
-      const bytes = this.workspace.put(path, outcome.written.get(path) as Uint8Array);
-      this.program.update([[path, bytes]]);
-    }
-    if (changed.includes(this.shown)) {
-      this.decoded = this.workspace.text(this.shown);
-      this.editor.replace(this.decoded?.text ?? '');
-    }
-    await this.check(false);
-    this.tell(changed.length === 0 ? say('nothingToFix') : say('fixed', { files: changed.join(', ') }));
-  }
-
-  download(): void {
-    const file = this.workspace.files.get(this.shown);
-    if (file) save(this.shown.slice(this.shown.lastIndexOf('/') + 1), file.bytes);
-  }
-
-  async compile(): Promise<Outcome> {
-    const image = '/image.axim';
-    const outcome = await this.program.run({
-      words: this.words('compile', '--quiet', '-o', image, this.workspace.inputs.machine),
-      wanted: [image],
-    });
-    const bytes = outcome.written.get(image);
-    if (bytes) save(`${this.workspace.inputs.machine.replace(/^.*\//, '').replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
-    else this.outputs.open(outcome.err);
-    return outcome;
-  }
-
-  async share(): Promise<void> {
-    if (!this.decoded) return;
-    const fragment = await toFragment({
-      name: this.shown.slice(this.shown.lastIndexOf('/') + 1),
-      cycleTime: byId<HTMLInputElement>('cycle-time').value,
-      text: this.decoded.text,
-    });
-    if (fragment === null) {
-      this.tell(say('tooLong'));
-      return;
-    }
-    history.replaceState(null, '', fragment);
-    await navigator.clipboard?.writeText(location.href).catch(() => undefined);
-    this.tell(say('shared'));
-  }
-
-  private async explained(word: string): Promise<string> {
-    const key = `${currentLanguage()} ${word}`;
-    let text = this.pages.get(key);
-    if (text === undefined) {
-      const outcome = await this.program.run({ words: ['explain', '--lang', currentLanguage(), word] });
-      text = outcome.status === 0 ? outcome.out.trim() : '';
-      this.pages.set(key, text);
-    }
-    return text;
-  }
-
-  async explain(code: string): Promise<void> {
-    this.outputs.open(await this.explained(code));
+  /** Files that the program wrote. */
+  replaced(written: Map<string, Uint8Array>): void {
+    for (const [path, bytes] of written) this.program.update([[path, this.workspace.put(path, bytes)]]);
+    if (!written.has(this.shown)) return;
+    this.decoded = this.workspace.text(this.shown);
+    this.editor.replace(this.decoded?.text ?? '');
   }
 
   /** After a change of language or cycle time. */
   again(): void {
-    if (this.shown !== '') this.show(this.shown);
+    this.render();
     void this.check(true);
   }
 }

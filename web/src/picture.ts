@@ -32,7 +32,7 @@ export class Picture {
     for (const tool of this.frame.parentElement?.querySelectorAll<HTMLElement>('[data-text]') ?? []) {
       const text = say(tool.dataset['text'] as 'larger' | 'smaller' | 'whole');
       tool.title = text;
-      tool.setAttribute('aria-label', text);
+      tool.setAttribute('aria-label', `${tool.textContent} ${text}`);
     }
   }
 

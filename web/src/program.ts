@@ -11,6 +11,8 @@ export interface Outcome {
 
 export interface Run {
   words: string[];
+  /** Standard input. */
+  input?: string;
   /** Paths that are read after the run. */
   wanted?: string[];
 }
@@ -18,7 +20,7 @@ export interface Run {
 /** From the page to the worker. */
 export type Request =
   | { kind: 'files'; set: [string, Uint8Array][]; removed: string[] }
-  | { kind: 'run'; id: number; words: string[]; wanted: string[] };
+  | { kind: 'run'; id: number; words: string[]; input: string; wanted: string[] };
 
 /** And back. */
 export type Answer =
@@ -26,26 +28,45 @@ export type Answer =
   | { kind: 'done'; id: number; status: number; out: Uint8Array; err: Uint8Array; written: [string, Uint8Array][]; time: number }
   | { kind: 'failed'; id: number | null; reason: string };
 
+/** The worker, as src/start.ts leaves it. */
+export interface Started {
+  worker: Worker;
+  early: MessageEvent<Answer>[];
+}
+
 interface Waiting {
   resolve: (outcome: Outcome) => void;
   reject: (reason: Error) => void;
 }
 
+/** A run that interrupt() ended. */
+export class Interrupted extends Error {}
+
+const patience = 1000;  // ms
+
 export class Program {
-  private readonly worker = new Worker('worker.js');
+  private worker: Worker;
+  private readonly files = new Map<string, Uint8Array>();
+  private begun = 0;
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
-  readonly ready: Promise<void>;
+  ready: Promise<void>;
 
-  constructor() {
-    this.ready = new Promise((resolve, reject) => {
-      this.worker.onerror = (event) => reject(new Error(event.message || 'worker.js'));
-      this.worker.onmessage = (event: MessageEvent<Answer>) => {
-        const answer = event.data;
+  constructor({ worker, early }: Started) {
+    this.worker = worker;
+    this.ready = this.listen(early);
+  }
+
+  private listen(early: MessageEvent<Answer>[]): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const take = ({ data: answer }: MessageEvent<Answer>): void => {
         if (answer.kind === 'ready') resolve();
         else if (answer.kind === 'failed' && answer.id === null) reject(new Error(answer.reason));
         else this.settle(answer);
       };
+      this.worker.onerror = (event) => reject(new Error(event.message || 'worker.js'));
+      this.worker.onmessage = take;
+      early.forEach(take);
     });
   }
 
@@ -72,14 +93,28 @@ export class Program {
 
   /** Gives files to the runs that follow, or takes them away. */
   update(set: [string, Uint8Array][], removed: string[] = []): void {
+    for (const path of removed) this.files.delete(path);
+    for (const [path, bytes] of set) this.files.set(path, bytes);
     this.send({ kind: 'files', set, removed });
   }
 
-  run({ words, wanted = [] }: Run): Promise<Outcome> {
+  /** Ends what takes long: nobody waits for it any more. */
+  interrupt(): void {
+    if (this.waiting.size === 0 || performance.now() - this.begun < patience) return;
+    this.worker.terminate();
+    for (const { reject } of this.waiting.values()) reject(new Interrupted());
+    this.waiting.clear();
+    this.worker = new Worker('worker.js');
+    this.ready = this.listen([]);
+    this.send({ kind: 'files', set: [...this.files], removed: [] });
+  }
+
+  run({ words, input = '', wanted = [] }: Run): Promise<Outcome> {
+    if (this.waiting.size === 0) this.begun = performance.now();
     const id = ++this.last;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.send({ kind: 'run', id, words, wanted });
+      this.send({ kind: 'run', id, words, input, wanted });
     });
   }
 }

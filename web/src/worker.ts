@@ -1,121 +1,82 @@
 // Runs the program: one compiled module, an instance for each run, a file system in memory for each instance.
 import type { Answer, Request } from './program';
+import { Stream, create, type Instance } from './instance';
 
-interface Module {
-  FS: {
-    init(input: () => number | null, output: (byte: number | null) => void, error: (byte: number | null) => void): void;
-    mkdirTree(path: string): void;
-    writeFile(path: string, bytes: Uint8Array): void;
-    readFile(path: string): Uint8Array;
-    analyzePath(path: string): { exists: boolean };
-    chdir(path: string): void;
-  };
-  ENV: Record<string, string>;
-  callMain(words: string[]): number | undefined;
-}
-
-declare function createAxisc(options: object): Promise<Module>;
 declare function importScripts(...scripts: string[]): void;
 
 const folder = '/work';
 const files = new Map<string, Uint8Array>();
 
-function answer(message: Answer, transferred: Transferable[] = []): void {
-  (self as unknown as { postMessage(message: Answer, transferred: Transferable[]): void }).postMessage(message, transferred);
+function answer(message: Answer): void {
+  (self as unknown as { postMessage(message: Answer): void }).postMessage(message);
 }
 
-/** Bytes as they come. */
-class Stream {
-  private bytes = new Uint8Array(4096);
-  private size = 0;
+const whole = (path: string): string => (path.startsWith('/') ? path : `${folder}/${path}`);
+const reason = (failure: unknown): string => (failure instanceof Error ? failure.message : String(failure));
 
-  add(byte: number | null): void {
-    if (byte === null) return;
-    if (this.size === this.bytes.length) {
-      const longer = new Uint8Array(2 * this.size);
-      longer.set(this.bytes);
-      this.bytes = longer;
-    }
-    this.bytes[this.size++] = byte;
+/** Instances of the module; the next one is made while nobody waits for it. */
+class Instances {
+  private next: Promise<Instance> | null = null;
+
+  constructor(private readonly compiled: WebAssembly.Module) {}
+
+  take(): Promise<Instance> {
+    const taken = this.next ?? create(this.compiled);
+    this.next = null;
+    return taken;
   }
 
-  taken(): Uint8Array {
-    return this.bytes.slice(0, this.size);
+  prepare(): void {
+    this.next ??= create(this.compiled);
   }
 }
 
-async function run(compiled: WebAssembly.Module, words: string[], wanted: string[]) {
-  const out = new Stream();
-  const err = new Stream();
-  let status = 0;
-  const program = await createAxisc({
-    instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-      void WebAssembly.instantiate(compiled, imports).then(done);
-      return {};
-    },
-    preRun: [
-      (module: Module) => {
-        module.FS.init(() => null, (byte) => out.add(byte), (byte) => err.add(byte));
-        for (const name of Object.keys(module.ENV)) delete module.ENV[name];
-        Object.assign(module.ENV, { LANG: 'C.UTF-8', NO_COLOR: '1' });
-      },
-    ],
-    onExit: (code: number) => (status = code),
-    quit: (code: number) => (status = code),
-  });
+function run({ program, streams }: Instance, { words, input, wanted }: Extract<Request, { kind: 'run' }>) {
+  streams.in = new Stream(new TextEncoder().encode(input));
   program.FS.mkdirTree(folder);
   for (const [path, bytes] of files) {
-    const whole = path.startsWith('/') ? path : `${folder}/${path}`;
-    program.FS.mkdirTree(whole.slice(0, whole.lastIndexOf('/')));
-    program.FS.writeFile(whole, bytes);
+    program.FS.mkdirTree(whole(path).slice(0, whole(path).lastIndexOf('/')));
+    program.FS.writeFile(whole(path), bytes);
   }
   program.FS.chdir(folder);
-  status = program.callMain(words) ?? status;
+  const status = program.callMain(words) ?? streams.status;
   const written: [string, Uint8Array][] = [];
   for (const path of wanted) {
-    const whole = path.startsWith('/') ? path : `${folder}/${path}`;
-    if (program.FS.analyzePath(whole).exists) written.push([path, program.FS.readFile(whole)]);
+    if (program.FS.analyzePath(whole(path)).exists) written.push([path, program.FS.readFile(whole(path))]);
   }
-  return { status, out: out.taken(), err: err.taken(), written };
+  return { status, out: streams.out.written(), err: streams.err.written(), written };
 }
 
-function reason(failure: unknown): string {
-  return failure instanceof Error ? failure.message : String(failure);
-}
-
-async function begin(): Promise<void> {
-  let compiled: WebAssembly.Module;
-  try {
-    importScripts('axisc.js');
-    compiled = await WebAssembly.compileStreaming(fetch('axisc.wasm'));
-  } catch (failure) {
-    answer({ kind: 'failed', id: null, reason: reason(failure) });
-    return;
-  }
-  let queue = Promise.resolve();
-  self.onmessage = (event: MessageEvent<Request>) => {
-    const request = event.data;
-    queue = queue.then(async () => {
-      if (request.kind === 'files') {
-        for (const path of request.removed) files.delete(path);
-        for (const [path, bytes] of request.set) files.set(path, bytes);
-        return;
-      }
-      const start = performance.now();
-      try {
-        const done = await run(compiled, request.words, request.wanted);
-        answer({ kind: 'done', id: request.id, ...done, time: performance.now() - start });
-      } catch (failure) {
-        answer({ kind: 'failed', id: request.id, reason: reason(failure) });
-      }
-    });
-  };
+/** What to do about a request, once the module is compiled. */
+async function begin(): Promise<(request: Request) => Promise<void>> {
+  const compiled = WebAssembly.compileStreaming(fetch('axisc.wasm'));
+  importScripts('axisc.js');
+  const instances = new Instances(await compiled);
+  instances.prepare();
   answer({ kind: 'ready' });
+  return async (request) => {
+    if (request.kind === 'files') {
+      for (const path of request.removed) files.delete(path);
+      for (const [path, bytes] of request.set) files.set(path, bytes);
+      return;
+    }
+    const start = performance.now();
+    try {
+      const done = run(await instances.take(), request);
+      answer({ kind: 'done', id: request.id, ...done, time: performance.now() - start });
+    } catch (failure) {
+      answer({ kind: 'failed', id: request.id, reason: reason(failure) });
+    }
+    instances.prepare();
+  };
 }
 
-// What arrives while the module is compiled waits.
-const early: MessageEvent<Request>[] = [];
-self.onmessage = (event: MessageEvent<Request>) => void early.push(event);
-void begin().then(() => {
-  for (const event of early) self.onmessage?.(event as MessageEvent);
-});
+// One after the other; what arrives while the module is compiled waits for it.
+const started = begin();
+let queue: Promise<void> = started.then(
+  () => undefined,
+  (failure: unknown) => answer({ kind: 'failed', id: null, reason: reason(failure) }),
+);
+self.onmessage = (event: MessageEvent<Request>) => {
+  queue = queue.then(async () => (await started)(event.data)).catch(() => undefined);
+};

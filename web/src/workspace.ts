@@ -1,5 +1,7 @@
 // The files that a user brought, as they came and as they are now.
+import { edited } from './edits';
 import { decode, encode, isBinary, type Decoded } from './encoding';
+import type { Edit } from './findings';
 
 export interface WorkFile {
   path: string;
@@ -7,16 +9,11 @@ export interface WorkFile {
   bytes: Uint8Array;
 }
 
-/** What commands are called with, and what the user dropped. */
-export interface Inputs {
-  /** For lint: a folder, or each file. */
-  checked: string[];
-  /** For commands about one machine or list. */
-  machine: string;
-}
-
 export const largestShown = 4 * 1024 * 1024;
-const folderOf = (path: string): string => path.slice(0, Math.max(0, path.indexOf('/')));
+const description = /(^|\/)(hochlauf[^/]*\.(lis|xml)|(?!axisc\.json$|plant\.json$)[^/]*\.json|[^/]*\.(tsproj|xti))$/i;
+
+/** A name that is no option of the program, and no file of options. */
+const named = (path: string): string => (/^[-@]/.test(path) ? `./${path}` : path);
 
 export class Workspace {
   readonly files = new Map<string, WorkFile>();
@@ -29,17 +26,35 @@ export class Workspace {
     return [...this.files.keys()].sort();
   }
 
-  get inputs(): Inputs {
-    const paths = this.paths;
-    const folders = [...new Set(paths.map(folderOf))];
-    if (folders.length === 1 && folders[0]) return { checked: [folders[0]], machine: folders[0] };
-    const checked = paths.filter((path) => /\.(lis|nc|json|xml|tsproj|xti)$/i.test(path));
-    const named = checked.length > 0 ? checked : paths;
-    return { checked: named, machine: named.find((path) => /\.(json|tsproj|xti)$/i.test(path)) ?? named[0] ?? '.' };
+  /** The one folder that everything is in; empty for single files. */
+  private get root(): string {
+    const folders = new Set(this.paths.map((path) => path.slice(0, Math.max(0, path.indexOf('/')))));
+    return folders.size === 1 ? ([...folders][0] as string) : '';
   }
 
-  get isChanged(): boolean {
-    return [...this.files.values()].some((file) => file.bytes !== file.original);
+  /** Files that describe a machine, cycle time included. */
+  get descriptions(): string[] {
+    return this.paths.filter((path) => description.test(path));
+  }
+
+  /** What `lint` is called with: the folder, or each file. */
+  get checked(): string[] {
+    if (this.root !== '') return [named(this.root)];
+    const known = this.paths.filter((path) => /\.(lis|nc|json|xml|tsproj|xti)$/i.test(path));
+    return (known.length > 0 ? known : this.paths).map(named);
+  }
+
+  /** What the commands about one machine are called with, while `shown` is looked at: its machine, or the list alone. */
+  machineOf(shown: string): string {
+    const descriptions = this.descriptions;
+    const above = descriptions.filter((path) => path === shown || shown.startsWith(path.slice(0, path.lastIndexOf('/') + 1)));
+    if (descriptions.length === 0 || (above.length === 0 && /\.(lis|xml)$/i.test(shown))) return named(shown);
+    if (descriptions.length === 1 && this.root !== '') return named(this.root);
+    return named(above.sort((a, b) => b.length - a.length)[0] ?? (descriptions[0] as string));
+  }
+
+  get changed(): WorkFile[] {
+    return [...this.files.values()].filter((file) => file.bytes !== file.original);
   }
 
   /** Null where the file is no text, or too long for an editor. */
@@ -52,6 +67,16 @@ export class Workspace {
   /** The bytes of a changed file; those that came where they mean the same. */
   write(path: string, decoded: Decoded): Uint8Array {
     return this.put(path, encode(decoded));
+  }
+
+  /** Files with the edits of a fix. */
+  repaired(edits: readonly Edit[]): [string, Uint8Array][] {
+    return [...new Set(edits.map((edit) => edit.file))].flatMap((path): [string, Uint8Array][] => {
+      const decoded = this.text(path);
+      if (!decoded) return [];
+      const text = edited(decoded.text, edits.filter((edit) => edit.file === path));
+      return [[path, this.write(path, { ...decoded, text })]];
+    });
   }
 
   put(path: string, bytes: Uint8Array): Uint8Array {

@@ -1,0 +1,64 @@
+// How quick and how large the page is: printed, not asserted, for machines differ.
+import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import test, { after, before } from 'node:test';
+import { brotliCompressSync } from 'node:zlib';
+import { afterCheck, begin, choose, chooseFolder, end, opened, pageFolder, samples, wait } from './support.mjs';
+
+let folder;
+
+before(async () => {
+  folder = await begin();
+}, wait);
+
+after(() => end(folder));
+
+const median = (values) => values.toSorted?.((a, b) => a - b)[values.length >> 1] ?? [...values].sort((a, b) => a - b)[values.length >> 1];
+const pause = (time) => new Promise((wake) => setTimeout(wake, time));
+
+test('figures', { timeout: 300000 }, async () => {
+  const starts = [];
+  for (let i = 0; i < 5; ++i) {
+    const one = await opened();
+    starts.push(await one.evaluate(() => Number(document.body.dataset.first)));
+    await one.context().close();
+  }
+  const page = await opened();
+  const list = (await readFile(path.join(samples, 'mill/default.lis'), 'utf8')).trimEnd();
+  const lines = 1000 - list.split('\n').length;
+  const long = `${list}\n${Array.from({ length: lines }, (_, i) => `# P-AXIS-00067 ${i}\n`).join('')}`;
+  await writeFile(path.join(folder, 'long.lis'), long);
+  await choose(page, path.join(folder, 'long.lis'));
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('# ');
+  const memory = () => page.evaluate(() => (globalThis.gc?.(), performance.memory.usedJSHeapSize / 1e6));
+  const latencies = [];
+  let before = 0;
+  for (let i = 0; i < 1000; ++i) {
+    if (i === 100) before = await memory();
+    await afterCheck(page, () => page.keyboard.insertText(i % 2 ? 'a' : '1'));
+    latencies.push(await page.evaluate(() => Number(document.body.dataset.latency)));
+    if (i < 100) await pause(60);
+  }
+  const typed = median(latencies.slice(0, 100));
+  const machine = path.join(folder, 'sixteen');
+  await mkdir(machine);
+  const axes = Array.from({ length: 16 }, (_, i) => ({ name: `A${i}`, list: `a${i}.lis` }));
+  await writeFile(path.join(machine, 'machine.json'), JSON.stringify({ machine: 'sixteen', cycle_time_us: 1000, axes }));
+  for (let i = 0; i < 16; ++i) await writeFile(path.join(machine, `a${i}.lis`), list.replace(/kopf.achs_nr +0/, `kopf.achs_nr ${i + 1}`));
+  const folders = [];
+  for (let i = 0; i < 5; ++i) {
+    await chooseFolder(page, machine);
+    folders.push(await page.evaluate(() => Number(document.body.dataset.latency)));
+  }
+  let size = 0;
+  for (const name of (await readdir(pageFolder)).filter((one) => /\.(html|css|js|wasm|svg)$/.test(one))) {
+    size += brotliCompressSync(await readFile(path.join(pageFolder, name))).length;
+  }
+  console.error(
+    `figures: ${median(starts).toFixed(0)} ms from navigation to the first findings; ${typed.toFixed(0)} ms from a keystroke in 1,000 lines to its findings; ` +
+      `${median(folders).toFixed(0)} ms for 16 axes; ${(size / 1e6).toFixed(2)} MB with brotli; ` +
+      `heap ${before.toFixed(1)} MB after 100 edits, ${(await memory()).toFixed(1)} MB after 1,000`,
+  );
+});

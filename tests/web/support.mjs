@@ -1,0 +1,121 @@
+// The page in a browser, and what the native program says about the same files.
+//   AXISC, PAGE: the native program and the folder of the page; AXISC_PICTURES: where pictures of the page are written
+import { spawnSync } from 'node:child_process';
+import { mkdir, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+export const require = createRequire(path.join(root, 'web/package.json'));
+const { chromium } = require('playwright-core');
+export const native = process.env.AXISC ?? path.join(root, 'build/release/bin/axisc');
+export const pageFolder = process.env.PAGE ?? path.join(root, 'build/web');
+export const samples = path.join(root, 'samples');
+export const wait = { timeout: 120000 };
+export const cycle = ['--cycle-time', '1ms'];
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.svg': 'image/svg+xml' };
+
+let server;
+let browser;
+let address;
+export const violations = [];
+export const strangers = [];
+
+/** Serves the page and starts a browser; gives a folder for files. */
+export async function begin() {
+  server = createServer(async (request, response) => {
+    const name = path.join(pageFolder, path.normalize(new URL(request.url, 'http://x').pathname.replace(/\/$/, '/index.html')));
+    try {
+      const bytes = await readFile(name);
+      response.writeHead(200, { 'content-type': types[path.extname(name)] ?? 'application/octet-stream' }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  address = `http://127.0.0.1:${server.address().port}/`;
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--disable-gpu', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
+  return mkdtemp(path.join(os.tmpdir(), 'axisc-web-'));
+}
+
+export async function end(folder) {
+  await browser?.close();
+  server?.close();
+  if (folder) await rm(folder, { recursive: true, force: true });
+}
+
+export async function opened(options = {}, target = '') {
+  const context = await browser.newContext({ locale: 'en-GB', viewport: { width: 1280, height: 800 }, ...options });
+  const made = await context.newPage();
+  made.setDefaultTimeout(10000);
+  made.on('console', (message) => /Content Security Policy/.test(message.text()) && violations.push(message.text()));
+  made.on('pageerror', (failure) => violations.push(String(failure)));
+  made.on('request', (request) => {
+    if (!request.url().startsWith(address) && !/^(blob|data):/.test(request.url())) strangers.push(request.url());
+  });
+  await made.goto(address + target);
+  await checked(made);
+  return made;
+}
+
+export const rounds = (one) => one.evaluate(() => Number(document.body.dataset.checked ?? 0));
+
+/** After `act`, the next check is done. */
+export async function checked(one, act = async () => {}, since = 0) {
+  await act();
+  await one.waitForFunction((before) => Number(document.body.dataset.checked ?? 0) > before, since);
+}
+
+export async function afterCheck(one, act) {
+  await checked(one, act, await rounds(one));
+}
+
+/** Findings as the page lists them. */
+export const listed = (one) =>
+  one.$$eval('#finding-list li', (items) =>
+    items.map((item) => ({
+      severity: item.className,
+      code: item.querySelector('.code').textContent,
+      message: item.querySelector('.message').textContent,
+      place: item.querySelector('.place').textContent.replace(/^.* · /, ''),
+    })),
+  );
+
+export function expected(words, cwd, language = 'en') {
+  const { stdout } = spawnSync(native, ['lint', '--lang', language, ...words, '--format', 'json'], { cwd, env: { ...process.env, LANG: 'C.UTF-8' }, maxBuffer: 1 << 28 });
+  return JSON.parse(stdout).diagnostics.map((finding) => ({
+    severity: finding.severity,
+    code: finding.code,
+    message: finding.message.replace(/`/g, ''),
+    place: finding.line > 0 ? `${finding.file}:${finding.line}:${finding.column ?? 1}` : finding.file,
+  }));
+}
+
+export async function filesBelow(whole) {
+  const entries = await readdir(whole, { withFileTypes: true, recursive: true });
+  return entries.filter((entry) => entry.isFile()).map((entry) => path.join(entry.parentPath ?? entry.path, entry.name)).sort();
+}
+
+export const choose = (one, files) => afterCheck(one, () => one.setInputFiles('#files', files));
+export const chooseFolder = (one, whole) => afterCheck(one, () => one.setInputFiles('#folder', whole));
+
+export async function picture(one, name) {
+  if (!process.env.AXISC_PICTURES) return;
+  await mkdir(process.env.AXISC_PICTURES, { recursive: true });
+  await new Promise((wake) => setTimeout(wake, 400));
+  await one.screenshot({ path: path.join(process.env.AXISC_PICTURES, `${name}.png`) });
+}
+
+/** What a click on `selector` saves. */
+export async function saved(one, selector) {
+  const [download] = await Promise.all([one.waitForEvent('download'), one.click(selector)]);
+  return readFile(await download.path());
+}
+
+/** The native program, in a folder. */
+export function run(words, cwd) {
+  return spawnSync(native, words, { cwd, env: { LANG: 'C.UTF-8' }, maxBuffer: 1 << 28 });
+}

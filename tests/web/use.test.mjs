@@ -1,0 +1,172 @@
+// What one can do on the page: repair folders, align, paste, ask what a name means, compare with what was opened.
+import assert from 'node:assert/strict';
+import { cp, mkdir, readFile, writeFile } from 'node:fs/promises';
+import path from 'node:path';
+import test, { after, before } from 'node:test';
+import { afterCheck, begin, choose, chooseFolder, cycle, end, expected, filesBelow, listed, opened, picture, require, run, samples, saved, strangers, violations, wait } from './support.mjs';
+
+const { unzipSync } = require('fflate');
+const notch = `kopf.achs_nr 1
+kenngr.achs_typ 1
+filter[0].enable 1
+filter[0].type BANDSTOP
+filter[0].order 2
+filter[0].prototype BUTTERWORTH
+filter[0].guete 2
+filter[0].fg_f0 42
+`;
+let folder;
+let page;
+
+before(async () => {
+  folder = await begin();
+  page = await opened();
+}, wait);
+
+after(() => end(folder));
+
+test('a repaired folder is what --fix writes, and is saved as one file', wait, async () => {
+  const whole = path.join(folder, 'mistakes');
+  await cp(path.join(samples, 'mistakes'), whole, { recursive: true });
+  const typing = path.join(whole, 'typing.lis');
+  await cp(typing, path.join(whole, 'controller/again.lis'));
+  const before = new Map();
+  for (const file of await filesBelow(whole)) before.set(file, await readFile(file));
+  await chooseFolder(page, whole);
+  await afterCheck(page, () => page.click('#fix-all'));
+  const files = Object.entries(unzipSync(await saved(page, '#download-all')));
+  assert.equal(run(['lint', '--fix', 'mistakes'], folder).signal, null);
+  for (const [name, bytes] of files) assert.deepEqual(Buffer.from(bytes), await readFile(path.join(folder, name)), name);
+  const changed = [];
+  for (const file of await filesBelow(whole)) {
+    if (!before.get(file).equals(await readFile(file))) changed.push(path.relative(folder, file));
+  }
+  assert.deepEqual(files.map(([name]) => name).sort(), changed.sort());
+  assert.ok(changed.length > 1);
+});
+
+test('a fix in a file that is not shown opens it', wait, async () => {
+  await chooseFolder(page, path.join(samples, 'mistakes'));
+  const place = 'mistakes/typing.lis:2:34';
+  await afterCheck(page, () => page.click(`#finding-list li:has-text("${place}") .fix`));
+  assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mistakes/typing.lis');
+  const before = await readFile(path.join(samples, 'mistakes/typing.lis'), 'latin1');
+  assert.equal((await saved(page, '#download')).toString('latin1'), before.replace(/ 01(?=\s)/, ' 1'));
+});
+
+test('an aligned list is what fmt writes; undo brings the old one back', wait, async () => {
+  const list = path.join(folder, 'wide.lis');
+  const text = 'kopf.achs_nr 1 ( Nummer\r\nkenngr.achs_typ       1 ( Typ\r\n';
+  await writeFile(list, text);
+  await choose(page, list);
+  await afterCheck(page, () => page.click('#align'));
+  run(['fmt', 'wide.lis'], folder);
+  assert.notEqual(await readFile(list, 'utf8'), text);
+  assert.deepEqual(await saved(page, '#download'), await readFile(list));
+  await page.click('.cm-content');
+  await afterCheck(page, () => page.keyboard.press('Control+z'));
+  assert.equal(String(await saved(page, '#download')), text);
+});
+
+test('findings are German in German', wait, async () => {
+  const list = path.join(samples, 'mistakes/units.lis');
+  await choose(page, list);
+  await afterCheck(page, () => page.selectOption('#language', 'de'));
+  assert.deepEqual(await listed(page), expected([...cycle, 'units.lis'], path.dirname(list), 'de'));
+  assert.equal(await page.$eval('html', (html) => html.lang), 'de');
+  await afterCheck(page, () => page.selectOption('#language', 'en'));
+});
+
+test('the cycle time decides', wait, async () => {
+  const list = path.join(samples, 'mistakes/units.lis');
+  await choose(page, list);
+  await page.fill('#cycle-time', '250us');
+  await afterCheck(page, () => page.press('#cycle-time', 'Enter'));
+  assert.deepEqual(await listed(page), expected(['--cycle-time', '250us', 'units.lis'], path.dirname(list)));
+  await page.fill('#cycle-time', '1ms');
+  await afterCheck(page, () => page.press('#cycle-time', 'Enter'));
+});
+
+test('what is pasted becomes a list; names that look like options are names', wait, async () => {
+  await page.focus('#open');
+  await afterCheck(page, () =>
+    page.evaluate(() => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text/plain', 'kopf.achs_nr 01\n');
+      document.activeElement.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+    }),
+  );
+  assert.deepEqual((await listed(page)).map(({ code, place }) => [code, place]), [['AX1006', 'x.lis:1:14']]);
+  const odd = ['--help.lis', '@x.lis', 'ä ö.lis'].map((name) => path.join(folder, name));
+  for (const file of odd) await writeFile(file, 'kopf.achs_nr 01\n');
+  await choose(page, odd);
+  assert.deepEqual((await listed(page)).map(({ place }) => place).sort(), ['--help.lis:1:14', '@x.lis:1:14', 'ä ö.lis:1:14']);
+});
+
+test('dropped files are opened', wait, async () => {
+  await afterCheck(page, () =>
+    page.evaluate(() => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File(['kopf.achs_nr 02\n'], 'dropped.lis'));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    }),
+  );
+  assert.deepEqual((await listed(page)).map(({ place }) => place), ['dropped.lis:1:14']);
+});
+
+test('a name says what it means, and completes; numbers say their quantity', wait, async () => {
+  const list = path.join(folder, 'q.lis');
+  await writeFile(list, notch);
+  await choose(page, list);
+  await page.waitForSelector('.hint');
+  assert.ok((await page.$$eval('.hint', (hints) => hints.map((hint) => hint.textContent))).includes('= 42 Hz'));
+  await page.hover('.list-name:text-is("filter[0].fg_f0")');
+  await page.waitForSelector('.meaning img');
+  assert.match(await page.$eval('.meaning', (meaning) => meaning.textContent), /P-AXIS-00067/);
+  await picture(page, 'hover');
+  await page.mouse.move(2, 2);
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('filter[1].proto', { delay: 30 });
+  await page.waitForSelector('.cm-tooltip-autocomplete [aria-selected]');
+  await picture(page, 'completion');
+  await new Promise((wake) => setTimeout(wake, 200));
+  await afterCheck(page, () => page.keyboard.press('Enter'));
+  assert.match(String(await saved(page, '#download')), /\nfilter\[1\]\.prototype$/);
+});
+
+test('the machine leads to its files; an edit is compared with what was opened', wait, async () => {
+  await afterCheck(page, () => page.selectOption('#samples', 'mill'));
+  await page.click('#tab-machine');
+  await page.click('#machine-text .link:text-is("x.lis")');
+  assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mill/x.lis');
+  await page.waitForFunction(() => document.getElementById('contour-text').textContent.includes('µm'));
+  await page.click('#tab-pictures');
+  const drawn = () => page.$eval('.frame img', (image) => image.src);
+  await page.waitForFunction(() => document.querySelector('.frame img').naturalWidth > 0);
+  const alone = await drawn();
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+End');
+  await afterCheck(page, () => page.keyboard.insertText('filter[0].guete 5\n'));
+  await page.check('#before');
+  await page.waitForFunction((before) => document.querySelector('.frame img').src !== before, alone);
+  const svg = String(await saved(page, '#save-picture'));
+  assert.match(svg, /<svg[^]*before/);
+  await page.uncheck('#before');
+  await page.selectOption('#kind', 'path');
+  await page.waitForFunction(() => document.querySelector('.frame img').alt === 'Path of a program');
+  await page.click('#tab-findings');
+});
+
+test('an image of the mill is the native one', wait, async () => {
+  await afterCheck(page, () => page.selectOption('#samples', 'mill'));
+  const image = await saved(page, '#compile');
+  await mkdir(path.join(folder, 'images'));
+  run(['compile', '--quiet', '-o', path.join(folder, 'images/mill.axim'), 'mill'], samples);
+  assert.deepEqual(image, await readFile(path.join(folder, 'images/mill.axim')));
+});
+
+test('nothing was refused by the policy, and nothing asked for elsewhere', () => {
+  assert.deepEqual(violations, []);
+  assert.deepEqual(strangers, []);
+});
