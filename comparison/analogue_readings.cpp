@@ -115,14 +115,16 @@ Result phase_of_allpass(FilterSpecification const& wanted, CycleTime cycle_time)
   return designed(moved(wanted, std::sqrt(low * high), cycle_time), cycle_time);
 }
 
-/// The analogue filter's answer to a step at multiples of a part of a cycle.
-std::vector<double> analogue_step(FilterSpecification wanted, CycleTime cycle_time, std::uint32_t parts) {
+constexpr std::size_t parts_of_cycle = 64;
+
+/// The analogue filter's answer to a step, in parts of a cycle. The bilinear transform of a short cycle makes of the jump a
+/// ramp between two samples, so that these are half a part behind it.
+std::vector<double> analogue_step(FilterSpecification wanted, CycleTime cycle_time) {
   wanted.share_percent = 100;
-  CycleTime const fine{cycle_time.nanoseconds / parts};
-  auto const link = designed(wanted, fine);
+  auto const link = designed(wanted, CycleTime{cycle_time.nanoseconds / std::uint32_t{parts_of_cycle}});
   constexpr std::size_t longest = 4000;
-  std::size_t const cycles = std::min(longest, settling_cycles({link}) / parts + 2);
-  std::vector<double> step(cycles * parts + 2, 1.0);
+  std::size_t const cycles = std::min(longest, settling_cycles({designed(wanted, cycle_time)}) + 4);
+  std::vector<double> step(cycles * parts_of_cycle + 1, 1.0);
   step.front() = 0;
   auto answer = respond({link}, step);
   answer.erase(answer.begin());
@@ -137,25 +139,24 @@ Link with_share(std::vector<double> taps, double share_percent) {
   return {.taps = std::move(taps)};
 }
 
-constexpr std::uint32_t parts_of_cycle = 32;
-
 Result by_impulse(FilterSpecification const& wanted, CycleTime cycle_time) {
   if (!is_lag(wanted)) return std::nullopt;
-  auto const step = analogue_step(wanted, cycle_time, parts_of_cycle);
-  // The slope at 0 is that behind the step.
-  std::vector<double> taps{2 * (step[1] - step[0]) - (step[2] - step[0]) / 2};
-  for (std::size_t n = parts_of_cycle; n + 1 < step.size(); n += parts_of_cycle) {
-    taps.push_back((step[n + 1] - step[n - 1]) / 2);
-  }
+  auto const step = analogue_step(wanted, cycle_time);
+  auto const slope = [&](std::size_t at) { return step[at] - step[at - 1]; };
+  std::vector<double> taps{3 * slope(1) - 3 * slope(2) + slope(3)};
+  for (std::size_t at = parts_of_cycle; at < step.size(); at += parts_of_cycle) taps.push_back(slope(at));
   return with_share(std::move(taps), wanted.share_percent);
 }
 
 Result by_step(FilterSpecification const& wanted, CycleTime cycle_time) {
   if (!is_lag(wanted)) return std::nullopt;
-  auto const step = analogue_step(wanted, cycle_time, parts_of_cycle);
+  auto const step = analogue_step(wanted, cycle_time);
   std::vector<double> taps{0.0};
-  for (std::size_t n = parts_of_cycle; n < step.size(); n += parts_of_cycle) {
-    taps.push_back(step[n] - step[n - parts_of_cycle]);
+  double last = 0;
+  for (std::size_t at = parts_of_cycle; at < step.size(); at += parts_of_cycle) {
+    double const here = (step[at] + step[at - 1]) / 2;
+    taps.push_back(here - last);
+    last = here;
   }
   return with_share(std::move(taps), wanted.share_percent);
 }

@@ -46,7 +46,7 @@ struct Reading {
 };
 
 /// The first is what axisc computes; then readings with one departure, then with two. Readings that compute the same
-/// numbers as an earlier one are left out.
+/// numbers as an earlier one, perhaps some cycles later, are left out.
 [[nodiscard]] std::vector<Reading> readings(Configured const& configured);
 
 }  // namespace axisc::comparison

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 namespace axisc::comparison {
@@ -55,6 +56,11 @@ struct Sums {
     largest = std::max(largest, std::abs(error));
     ++count;
   }
+  void add(Sums const& other) {
+    squares += other.squares;
+    largest = std::max(largest, other.largest);
+    count += other.count;
+  }
   [[nodiscard]] Residual residual(double delay) const {
     return {delay, largest, count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count))};
   }
@@ -64,11 +70,20 @@ struct Sums {
 class WholeLags {
  public:
   void add(Window const& window) {
+    std::vector<std::uint32_t> places;  // of the cycles that count, in the window
+    for (std::size_t n = window.from; n < window.to; ++n) {
+      if (window.counted[n]) places.push_back(static_cast<std::uint32_t>(n - window.first));
+    }
+    auto const size = static_cast<std::int64_t>(window.computed.size());
     for (std::size_t i = 0; i < lags; ++i) {
-      int const lag = static_cast<int>(i) - longest_lag;
-      for (std::size_t n = window.from; n < window.to; ++n) {
-        if (window.counted[n] && window.has(n, lag)) sums_[i].add(window.recorded(n) - window.answer(n, lag));
+      std::int64_t const lag = static_cast<std::int64_t>(i) - longest_lag;
+      Sums sums;
+      for (std::int64_t const place : places) {
+        if (place < lag || place - lag >= size) continue;
+        sums.add(window.output[static_cast<std::size_t>(place)] -
+                 window.computed[static_cast<std::size_t>(place - lag)]);
       }
+      sums_.at(i).add(sums);
     }
   }
   [[nodiscard]] Residual best() const {

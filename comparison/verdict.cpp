@@ -1,10 +1,10 @@
 #include "comparison/verdict.hpp"
 
+#include "comparison/liveliness.hpp"
 #include "comparison/residual.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace axisc::comparison {
 
@@ -30,39 +30,11 @@ double largest_magnitude(Signal const& signal) {
   return largest;
 }
 
-/// For each stretch of the signal how much its velocity changes there.
-std::vector<double> bends_of(Signal const& signal, std::size_t stretch) {
-  std::vector<double> bends(signal.size() / stretch + 1, 0.0);
-  double last = signal.front();
-  double velocity = 0;
-  for_each_part(signal, [&](std::size_t first, std::span<double const> values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      double const step = values[i] - last;
-      bends[(first + i) / stretch] += std::abs(step - velocity);
-      velocity = step;
-      last = values[i];
-    }
-  });
-  return bends;
-}
-
 /// The liveliest part of a long recording, which the readings are tried on.
 Recording busiest_part(Recording const& whole, std::size_t settling) {
   std::size_t const length = longest_trial + settling;
   if (whole.input.size() <= length) return whole;
-  constexpr std::size_t stretch = longest_trial / 4;
-  auto const bends = bends_of(whole.input, stretch);
-  std::size_t best = 0;
-  double most = -1;
-  for (std::size_t begin = 0; begin + length <= whole.input.size(); begin += stretch) {
-    auto const from = bends.begin() + static_cast<std::ptrdiff_t>(begin / stretch);
-    auto const to = bends.begin() + static_cast<std::ptrdiff_t>((begin + length) / stretch);
-    double const sum = std::accumulate(from, to, 0.0);
-    if (sum > most) {
-      most = sum;
-      best = begin;
-    }
-  }
+  std::size_t const best = liveliest_part(whole.input, length);
   auto const part = [&](Signal const& signal) {
     std::vector<double> values(length);
     signal.read(best, values);

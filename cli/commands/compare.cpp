@@ -1,13 +1,10 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/byte_source.hpp"
+#include "cli/execution/recorded_axis.hpp"
 #include "cli/files/compiled_input.hpp"
-#include "cli/files/recorded_columns.hpp"
 #include "cli/formats/compare_formats.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/sentences.hpp"
-#include "comparison/verdict.hpp"
 #include "image/image_readings.hpp"
 
 namespace axisc::cli::says {
@@ -35,25 +32,16 @@ constexpr Sentence argument_recording{"what a scope recorded: two columns, a row
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
                                "die aufgezeichnete Achse (Standardwert: die einzige)"};
-constexpr Sentence option_in{"column before the filters: name, or number from 1",
-                             "Spalte vor den Filtern: Name oder Nummer ab 1"};
-constexpr Sentence option_out{"column behind the filters", "Spalte hinter den Filtern"};
-constexpr Sentence option_unit{
-    "unit of both columns; mm for rotary axes means degrees (default: 0.1um for whole numbers, else mm)",
-    "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad (Standardwert: 0.1um bei ganzen Zahlen, sonst "
-    "mm)"};
 constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
 constexpr Sentence option_emit{"write the readings that fit as \"design\" of axisc.json instead",
                                "stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben"};
 constexpr Sentence no_settings{
-    "no settings: the recording does not tell one reading of the arithmetic; `axisc compare` without --emit "
+    "no settings: the recording does not tell one reading that settings have; `axisc compare` without --emit "
     "says what "
     "fits",
-    "keine Einstellungen: Die Aufzeichnung ergibt keine eindeutige Lesart der Berechnung; `axisc compare` "
-    "ohne "
+    "keine Einstellungen: Die Aufzeichnung ergibt keine eindeutige Lesart, die Einstellungen kennen; `axisc "
+    "compare` ohne "
     "--emit nennt, was passt"};
-constexpr Sentence name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
-                                "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
 
 }  // namespace axisc::cli::says
 
@@ -61,15 +49,13 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::uint32_t rotary = 2;
 enum class Format : std::uint8_t { text, json };
 enum class Emitted : std::uint8_t { nothing, settings };
-enum class Unit : std::uint8_t { recognised, tenths, um, mm };
 
 struct CompareOptions {
   std::optional<std::string> input, recording, axis, cycle_time;
   WantedColumns columns;
-  Unit unit = Unit::recognised;
+  RecordedUnit unit = RecordedUnit::recognised;
   Format format = Format::text;
   Emitted emitted = Emitted::nothing;
 };
@@ -78,32 +64,15 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.argument("INPUT", options.input, says::argument_input);
   command_line.argument("RECORDING.csv", options.recording, says::argument_recording);
   command_line.value("--axis", "NAME", options.axis, says::option_axis);
-  command_line.value("--in", "COLUMN", options.columns.input, says::option_in);
-  command_line.value("--out", "COLUMN", options.columns.output, says::option_out);
-  command_line.choice("--unit", {{"0.1um", Unit::tenths}, {"um", Unit::um}, {"mm", Unit::mm}}, options.unit,
-                      says::option_unit);
+  command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
+  command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
+  command_line.choice("--unit",
+                      {{"0.1um", RecordedUnit::tenths}, {"um", RecordedUnit::um}, {"mm", RecordedUnit::mm}},
+                      options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
-}
-
-comparison::Configured configured(image::ImageContents const& image, std::size_t axis) {
-  auto const& contents = image.axes[axis];
-  comparison::Configured chain{.cycle_time = image.cycle_time, .filters = {}, .kernel = {}};
-  for (auto const& filter : contents.filters) chain.filters.push_back(filter.specification);
-  if (contents.slot && contents.slot->kernel) {
-    chain.kernel = image.kernels[*contents.slot->kernel].specification;
-    chain.kernel_on = contents.slot->on_at_start;
-  }
-  return chain;
-}
-
-double thousandths(Unit unit, comparison::Comparison const& result) {
-  bool const is_whole = result.input_resolution == 1 && result.output_resolution == 1;
-  if (unit == Unit::recognised) unit = is_whole ? Unit::tenths : Unit::mm;
-  if (unit == Unit::um) return 1;
-  return unit == Unit::tenths ? 0.1 : 1000;
 }
 
 }  // namespace
@@ -119,23 +88,10 @@ ExitStatus compare(Invocation const& invocation) {
                                     use_color(command_line.color(), system::Stream::error));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
-  auto const axes = chosen_axes(image, options.axis);
-  if (axes.size() != 1) {
-    throw Failure({.sentence = says::name_an_axis,
-                   .arguments = {{"file", *options.input}, {"count", std::to_string(axes.size())}}});
-  }
-  auto const recorded = read_recorded_columns(*options.recording, open_source(*options.recording),
-                                              options.columns, image.cycle_time);
-  auto const& recording = recorded.recording;
-  ShownComparison shown{.axis = axis_label(image, axes.front()),
-                        .input_name = recorded.input_name,
-                        .output_name = recorded.output_name,
-                        .cycles = recording.input.size(),
-                        .repeated = recorded.repeated,
-                        .is_rotary = image.axes[axes.front()].type == rotary,
-                        .result = comparison::compare(recording, configured(image, axes.front()))};
+  auto const axis = recorded_axis(image, options.axis, *options.input);
+  auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit);
   if (options.emitted == Emitted::settings) {
-    auto const settings = comparison::settings_of(shown.result, image::readings_of(image, axes.front()));
+    auto const settings = comparison::settings_of(recorded.result, image::readings_of(image, axis));
     if (!settings) {
       invocation.streams.err.write("axisc: " + render({says::no_settings, {}}, invocation.language) + "\n");
       return ExitStatus::findings;
@@ -143,7 +99,14 @@ ExitStatus compare(Invocation const& invocation) {
     invocation.streams.out.write(design_settings(*settings));
     return ExitStatus::success;
   }
-  shown.thousandths = thousandths(options.unit, shown.result);
+  ShownComparison const shown{.axis = axis_label(image, axis),
+                              .input_name = recorded.columns.input_name,
+                              .output_name = recorded.columns.output_name,
+                              .cycles = recorded.columns.recording.input.size(),
+                              .repeated = recorded.columns.repeated,
+                              .thousandths = recorded.thousandths,
+                              .is_rotary = recorded.is_rotary,
+                              .result = std::move(recorded.result)};
   invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
                                                               : compare_text(shown, invocation.language));
   bool const agrees = shown.result.verdict == comparison::Verdict::same ||

@@ -8,6 +8,7 @@
 #include "cli/options/frequencies.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/options/timed_commands.hpp"
+#include "cli/plots/compare_figure.hpp"
 #include "cli/plots/path_figure.hpp"
 #include "cli/plots/picture_output.hpp"
 #include "cli/plots/plant_figure.hpp"
@@ -22,11 +23,11 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Draws what `response`, `run`, `contour` and `simulate` compute: magnitude, phase and group delay over frequency, the answer to a
-step, the delay of each axis, a corner, a circle, a program's path, an axis in its position loop. Several axes lie over one another; a single one is shown with each of
+    R"(Draws what `response`, `run`, `contour`, `simulate` and `compare` compute: magnitude, phase and group delay over frequency, the answer to a
+step, the delay of each axis, a corner, a circle, a program's path, an axis in its position loop, a control's recording beside it. Several axes lie over one another; a single one is shown with each of
 its filters. A picture is an SVG file, the same bytes on every host; without -o it is drawn in the terminal.)",
-    R"(Zeichnet, was `response`, `run`, `contour` und `simulate` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
-Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke, einen Kreis, die Bahn eines Programms, eine Achse im Lageregelkreis. Mehrere Achsen liegen übereinander; eine
+    R"(Zeichnet, was `response`, `run`, `contour`, `simulate` und `compare` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
+Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke, einen Kreis, die Bahn eines Programms, eine Achse im Lageregelkreis, die Aufzeichnung einer Steuerung daneben. Mehrere Achsen liegen übereinander; eine
 einzelne zeigt jeden ihrer Filter. Ein Bild ist eine SVG-Datei, auf jedem Rechner dieselben Bytes; ohne -o wird es im
 Terminal gezeichnet.)"};
 constexpr Sentence examples{R"(Examples:
@@ -82,6 +83,9 @@ constexpr Sentence option_marked_tolerance{"mark blocks that deviate by more tha
 constexpr Sentence path_needs{"--kind path needs --program", "--kind path braucht --program"};
 constexpr Sentence bad_plane{"--plane needs two axes of the group, {axes}, not \"{value}\"",
                              "--plane braucht zwei Achsen der Gruppe, {axes}, nicht \"{value}\""};
+constexpr Sentence option_plotted_recording{"what a scope recorded, for --kind compare",
+                                            "was ein Scope aufzeichnete, für --kind compare"};
+constexpr Sentence compare_needs{"--kind compare needs --recording", "--kind compare braucht --recording"};
 constexpr Sentence plant_needs{"--kind plant needs --plant and --move",
                                "--kind plant braucht --plant und --move"};
 constexpr Sentence kind_of_image{"--kind {kind} needs the machine: {file} is an image",
@@ -98,11 +102,13 @@ namespace axisc::cli {
 
 namespace {
 
-enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant, path };
+enum class Kind : std::uint8_t { response, step, delay, corner, circle, plant, path, compare };
 
 struct PlotOptions {
   std::optional<std::string> input, before, axis, group, cycle_time, measured, plant, move, program, plane,
-      tolerance;
+      tolerance, recording;
+  WantedColumns columns;
+  RecordedUnit unit = RecordedUnit::recognised;
   PictureTarget target;
   std::vector<std::string> marks, commands;
   Kind kind = Kind::response;
@@ -120,7 +126,8 @@ void declare(CommandLine& command_line, PlotOptions& options) {
                        {"corner", Kind::corner},
                        {"circle", Kind::circle},
                        {"path", Kind::path},
-                       {"plant", Kind::plant}},
+                       {"plant", Kind::plant},
+                       {"compare", Kind::compare}},
                       options.kind, says::option_kind);
   command_line.value("--before", "OTHER", options.before, says::option_before);
   command_line.flag("--table", options.target.table, says::option_table);
@@ -138,6 +145,12 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.value("--tolerance", "MM", options.tolerance, says::option_marked_tolerance);
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plotted_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_plotted_move);
+  command_line.value("--recording", "RECORDING.csv", options.recording, says::option_plotted_recording);
+  command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
+  command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
+  command_line.choice("--unit",
+                      {{"0.1um", RecordedUnit::tenths}, {"um", RecordedUnit::um}, {"mm", RecordedUnit::mm}},
+                      options.unit, says::option_recorded_unit);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
                       options.target.format, says::option_picture_format);
@@ -169,16 +182,22 @@ void refuse_mixture(PlotOptions const& options) {
   bool const response = options.kind == Kind::response;
   bool const plant = options.kind == Kind::plant;
   bool const path = options.kind == Kind::path;
-  bool const of_axes = !contour && !plant && !path;
+  bool const compared = options.kind == Kind::compare;
+  bool const of_axes = !contour && !plant && !path && !compared;
   for (auto const& [given, option, kinds, fits] : std::initializer_list<Belongs>{
            {!options.marks.empty(), "--mark", "response", response},
            {options.response.linear_frequency, "--linear", "response", response},
            {options.response.linear_magnitude, "--magnitude linear", "response", response},
            {options.response.wraps_phase, "--wrap", "response", response},
            {options.measured.has_value(), "--measured", "response", response},
-           {options.axis.has_value(), "--axis", "response, step, delay", of_axes},
+           {options.axis.has_value(), "--axis", "response, step, delay, compare", of_axes || compared},
            {!options.commands.empty(), "--at", "response, step, delay", of_axes},
-           {options.before.has_value(), "--before", "response, step, delay, corner, circle", !plant && !path},
+           {options.before.has_value(), "--before", "response, step, delay, corner, circle",
+            contour || of_axes},
+           {options.recording.has_value(), "--recording", "compare", compared},
+           {options.columns.input.has_value(), "--in", "compare", compared},
+           {options.columns.output.has_value(), "--out", "compare", compared},
+           {options.unit != RecordedUnit::recognised, "--unit", "compare", compared},
            {options.program.has_value(), "--program", "path", path},
            {options.plane.has_value(), "--plane", "path", path},
            {options.tolerance.has_value(), "--tolerance", "path", path},
@@ -194,6 +213,7 @@ void refuse_mixture(PlotOptions const& options) {
                    .arguments = {{"option", std::string(option)}, {"kinds", std::string(kinds)}}});
   }
   if (path && !options.program) throw Failure({.sentence = says::path_needs, .arguments = {}});
+  if (compared && !options.recording) throw Failure({.sentence = says::compare_needs, .arguments = {}});
   if (plant && (!options.plant || !options.move)) {
     throw Failure({.sentence = says::plant_needs, .arguments = {}});
   }
@@ -302,7 +322,8 @@ ExitStatus plot(Invocation const& invocation) {
   refuse_mixture(options);
   options.target.check();
   std::vector<std::string> inputs{*options.input};
-  for (auto const& other : {options.before, options.measured, options.plant, options.program}) {
+  for (auto const& other :
+       {options.before, options.measured, options.plant, options.program, options.recording}) {
     if (other) inputs.push_back(*other);
   }
   if (options.target.path) refuse_overwriting({*options.target.path}, inputs);
@@ -327,6 +348,11 @@ ExitStatus plot(Invocation const& invocation) {
     auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation);
     if (!found) return ExitStatus::findings;
     figure = *std::move(found);
+  } else if (options.kind == Kind::compare) {
+    auto const axis = recorded_axis(contents, options.axis, *options.input);
+    auto const found = compare_axis(contents, axis, *options.recording, options.columns, options.unit);
+    figure =
+        compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), invocation.language);
   } else if (is_contour(options.kind)) {
     figure = contour_figure(options, now->input, before ? &before->input : nullptr, invocation.language);
   } else {

@@ -24,6 +24,15 @@ constinit Sentence const option_level{
     "Befehlssatz: portable (Standardwert) gibt überall dieselben Bits, auto nimmt, was eine Steuerung mit "
     "diesem Prozessor verwenden würde"};
 
+constinit Sentence const option_setpoint_column{"column before the filters: name, or number from 1",
+                                   "Spalte vor den Filtern: Name oder Nummer ab 1"};
+constinit Sentence const option_filtered_column{"column behind the filters", "Spalte hinter den Filtern"};
+constinit Sentence const option_recorded_unit{
+    "unit of both columns; mm for rotary axes means degrees (default: 0.1um for whole numbers, else mm)",
+    "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad (Standardwert: 0.1um bei ganzen Zahlen, sonst "
+    "mm)"};
+constinit Sentence const name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
+                                      "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
 constinit Sentence const option_group{"only this group (NC channel)", "nur diese Gruppe (NC-Kanal)"};
 
 }  // namespace axisc::cli::says

@@ -18,23 +18,67 @@ import sys
 import numpy as np
 
 T = 0.001
-FILTER_READINGS = ["listed", "no-prewarping", "backward-euler", "forward-euler", "matched-poles"]
+FILTER_READINGS = ["listed", "no-prewarping", "backward-euler", "forward-euler", "matched-poles", "impulse-invariant",
+                   "step-invariant", "half-gain-at-frequency", "poles-at-frequency", "filters-off"]
 KERNEL_READINGS = ["listed", "taps-n", "taps-n-plus-1", "half-width-rounded-down", "order-is-half-width"]
 GAUSS_READINGS = ["gaussian-width-1", "gaussian-width-2", "gaussian-width-3"]
 SINC_READINGS = ["sinc-hann", "sinc-blackman", "sinc-no-window"]
 SHARE_READINGS = ["share-undelayed", "share-ignored"]
 
 
+def exponential(matrix):
+    """By its series, of a matrix with small numbers."""
+    squarings = max(0, int(np.ceil(np.log2(max(1e-9, np.abs(matrix).sum(axis=1).max())))) + 6)
+    term = result = np.eye(len(matrix))
+    for k in range(1, 16):
+        term = term @ matrix / 2 ** squarings / k
+        result = result + term
+    for _ in range(squarings):
+        result = result @ result
+    return result
+
+
+def invariant(poles, reading):
+    """Numerator and denominator in z^-1 of a low-pass with these poles, per cycle, whose answer is sampled."""
+    n = len(poles)
+    coefficients = np.real(np.poly(poles))
+    state = np.zeros((n + 1, n + 1))  # the states in a chain, and the input
+    state[:n - 1, 1:n] = np.eye(n - 1)
+    state[n - 1, :n] = -coefficients[:0:-1]
+    state[n - 1, n] = 1
+    move = exponential(state)
+    answers = []
+    inner, vector = move[:n, :n], np.eye(n)[:, n - 1] if reading == "impulse-invariant" else move[:n, n]
+    for _ in range(n + 1):
+        answers.append(vector[0])
+        vector = inner @ vector
+    if reading == "step-invariant":
+        answers = [0.0] + answers[:n]
+    denominator = np.real(np.poly(np.exp(poles)))
+    return np.convolve(denominator, answers)[:n + 1], denominator
+
+
 def standard_filter(f, reading, cycle=T):
-    """Numerator and denominator in z^-1 of a Butterworth low-pass of order n at `fg` Hz."""
+    """Numerator and denominator in z^-1 of a low-pass of order n at `fg` Hz."""
     n = f["order"]
+    if reading == "filters-off":
+        return [1.0], [1.0]
     omega = 2 * np.pi * f["fg"]
-    if reading == "listed":
+    if reading in ("listed", "half-gain-at-frequency", "poles-at-frequency"):
         omega = 2 / cycle * np.tan(omega * cycle / 2)
-    poles = omega * np.exp(1j * np.pi * (2 * np.arange(n) + n + 1) / (2 * n))
+    if f["prototype"] == 2:
+        poles = omega * np.exp(1j * np.pi * (2 * np.arange(n) + n + 1) / (2 * n))
+        if reading == "half-gain-at-frequency":
+            poles = poles / 3 ** (1 / (2 * n))
+    else:
+        width = {"half-gain-at-frequency": 4, "poles-at-frequency": 2 ** n}.get(reading, 2)
+        poles = np.full(n, -omega / np.sqrt(width ** (1 / n) - 1))
     zeros = []
-    if reading in ("listed", "no-prewarping"):  # s = 2/T (1 - z^-1)/(1 + z^-1)
-        z = (1 + poles * cycle / 2) / (1 - poles * cycle / 2)
+    if reading in ("impulse-invariant", "step-invariant"):
+        numerator, denominator = invariant(poles * cycle, reading)
+        return numerator * denominator.sum() / numerator.sum(), denominator
+    if reading in ("listed", "no-prewarping", "half-gain-at-frequency", "poles-at-frequency"):
+        z = (1 + poles * cycle / 2) / (1 - poles * cycle / 2)  # s = 2/T (1 - z^-1)/(1 + z^-1)
         zeros = [-1] * n
     elif reading == "matched-poles":
         z = np.exp(poles * cycle)
@@ -109,7 +153,8 @@ def machine(rng):
     chosen = {"filter": None, "kernel": None}
     kind = rng.integers(0, 3)
     if kind != 1:
-        chosen["filter"] = {"order": int(rng.integers(1, 5)), "fg": round(float(rng.uniform(8, 120)), 1)}
+        chosen["filter"] = {"order": int(rng.integers(1, 5)), "fg": round(float(rng.uniform(8, 120)), 1),
+                            "prototype": int(rng.choice([1, 2, 2]))}
     if kind != 0:
         chosen["kernel"] = {"type": int(rng.integers(1, 4)), "order": int(rng.integers(7, 120)),
                             "quality": round(float(rng.uniform(0.4, 1)), 2), "share": int(rng.choice([100, 100, 80, 60])),
@@ -117,6 +162,9 @@ def machine(rng):
     readings = {"filter": "listed", "kernel": "listed"}
     if chosen["filter"] and rng.random() < 0.7:
         readings["filter"] = str(rng.choice(FILTER_READINGS))
+        alike = chosen["filter"]["prototype"] == 2 or chosen["filter"]["order"] == 1
+        if readings["filter"] == "poles-at-frequency" and alike:
+            readings["filter"] = "listed"
     if chosen["kernel"] and rng.random() < 0.7:
         k = chosen["kernel"]
         known = KERNEL_READINGS + {1: [], 2: GAUSS_READINGS, 3: SINC_READINGS}[k["type"]]
@@ -128,7 +176,7 @@ def list_text(chosen):
     lines = ["kenngr.achs_typ 1"]
     if chosen["filter"]:
         f = chosen["filter"]
-        lines += ["filter[0].enable 1", "filter[0].type 1", "filter[0].prototype 2", f"filter[0].order {f['order']}",
+        lines += ["filter[0].enable 1", "filter[0].type 1", f"filter[0].prototype {f['prototype']}", f"filter[0].order {f['order']}",
                   f"filter[0].fg_f0 {f['fg']}", "filter[0].share_percent 100"]
     if chosen["kernel"]:
         k = chosen["kernel"]
@@ -168,27 +216,41 @@ def same_taps(chosen, one, other):
     return len(a) == len(b) and np.allclose(a, b, atol=1e-12)
 
 
+def same_but_delayed(one, other):
+    """Whether answers to a jump agree but for whole cycles, which no recording can tell."""
+    n = len(one)
+    return any(np.abs(one[max(0, d):n + min(0, d)] - other[max(0, -d):n - max(0, d)]).max() < 1e-5 for d in range(-8, 9))
+
+
+def jump_answer(chosen, filter_reading, kernel_reading):
+    return computed(chosen, {"filter": filter_reading, "kernel": kernel_reading}, np.r_[np.zeros(20), np.ones(2500)])
+
+
 def right(chosen, readings, named):
-    wanted = set()
-    if readings["filter"] != "listed":
-        wanted.add(readings["filter"])
-    if not same_taps(chosen, readings["kernel"], "listed"):
-        wanted.add(readings["kernel"])
-    if {n for n in named if n in FILTER_READINGS} != {n for n in wanted if n in FILTER_READINGS}:
+    """Whether what is named computes what was made, but for whole cycles."""
+    known = set(FILTER_READINGS + KERNEL_READINGS + GAUSS_READINGS + SINC_READINGS + SHARE_READINGS)
+    if not set(named) <= known or len(named) > 2:
         return False
+    filters = [n for n in named if n in FILTER_READINGS] or ["listed"]
     kernels = [n for n in named if n not in FILTER_READINGS] or ["listed"]
-    try:
-        return len(kernels) == 1 and same_taps(chosen, readings["kernel"], kernels[0])
-    except (KeyError, IndexError):
+    if len(filters) > 1 or len(kernels) > 1:
         return False
+    if chosen["filter"] is None and filters != ["listed"] or chosen["kernel"] is None and kernels != ["listed"]:
+        return False
+    made, told = jump_answer(chosen, **names(readings)), jump_answer(chosen, filters[0], kernels[0])
+    return told is not None and same_but_delayed(made, told)
+
+
+def names(readings):
+    return {"filter_reading": readings["filter"], "kernel_reading": readings["kernel"]}
 
 
 STORED = [
-    ("listed", {"filter": {"order": 3, "fg": 40.0}, "kernel": None}, {}),
-    ("no-prewarping", {"filter": {"order": 3, "fg": 60.0}, "kernel": None}, {"filter": "no-prewarping"}),
-    ("backward-euler", {"filter": {"order": 2, "fg": 20.0}, "kernel": None}, {"filter": "backward-euler"}),
-    ("forward-euler", {"filter": {"order": 2, "fg": 20.0}, "kernel": None}, {"filter": "forward-euler"}),
-    ("matched-poles", {"filter": {"order": 4, "fg": 50.0}, "kernel": None}, {"filter": "matched-poles"}),
+    ("listed", {"filter": {"order": 3, "fg": 40.0, "prototype": 2}, "kernel": None}, {}),
+    ("no-prewarping", {"filter": {"order": 3, "fg": 60.0, "prototype": 2}, "kernel": None}, {"filter": "no-prewarping"}),
+    ("backward-euler", {"filter": {"order": 2, "fg": 20.0, "prototype": 2}, "kernel": None}, {"filter": "backward-euler"}),
+    ("forward-euler", {"filter": {"order": 2, "fg": 20.0, "prototype": 2}, "kernel": None}, {"filter": "forward-euler"}),
+    ("matched-poles", {"filter": {"order": 4, "fg": 50.0, "prototype": 2}, "kernel": None}, {"filter": "matched-poles"}),
     ("taps-n-plus-1", {"kernel": {"type": 1, "order": 41}}, {"kernel": "taps-n-plus-1"}),
     ("order-is-half-width", {"kernel": {"type": 1, "order": 24}}, {"kernel": "order-is-half-width"}),
     ("gaussian-width-3", {"kernel": {"type": 2, "order": 40}}, {"kernel": "gaussian-width-3"}),
@@ -211,7 +273,7 @@ def store(folder):
 
 def can_tell(chosen, readings, setpoints, answer):
     """Whether the answer differs from the listed chain's, at any offset of parts of a cycle, by more than rounding hides."""
-    if readings["filter"] == "listed" and same_taps(chosen, readings["kernel"], "listed"):
+    if right(chosen, readings, []):
         return True
     listed = computed(chosen, {"filter": "listed", "kernel": "listed"}, setpoints)
     moves = np.abs(np.diff(answer, prepend=answer[0])) > 1

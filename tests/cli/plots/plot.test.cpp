@@ -218,6 +218,7 @@ TEST_CASE("the documentation shows what the program draws") {
   std::string const mill = AXISC_SOURCE_DIR "/samples/mill/machine.json";
   std::string const rack = AXISC_SOURCE_DIR "/samples/motion/rack/";
   std::string const square = AXISC_SOURCE_DIR "/samples/motion/square/";
+  std::string const scope = AXISC_SOURCE_DIR "/samples/recording/";
   write_changed_mill(folder);
   for (auto const& [name, options] : std::map<std::string, std::vector<std::string>>{
            {"response", {"--axis", "X"}},
@@ -227,11 +228,13 @@ TEST_CASE("the documentation shows what the program draws") {
            {"circle", {"--kind", "circle", "--feed", "2000,4000"}},
            {"path", {"--kind", "path", "--program", square + "square.nc", "--tolerance", "0.1"}},
            {"plant", {"--kind", "plant", "--plant", rack + "plant.json", "--move", "X:800:31800"}},
+           {"compare", {"--kind", "compare", "--recording", scope + "scope.csv", "--cycle-time", "1ms"}},
            {"change", {"--before", "old/machine.json", "--axis", "X"}}}) {
     std::vector<std::string> words{"plot",
-                                   name == "plant"  ? rack + "machine.json"
-                                   : name == "path" ? square + "machine.json"
-                                                    : mill,
+                                   name == "plant"     ? rack + "machine.json"
+                                   : name == "path"    ? square + "machine.json"
+                                   : name == "compare" ? scope + "x.lis"
+                                                       : mill,
                                    "-o", "-"};
     words.insert(words.end(), options.begin(), options.end());
     auto const outcome = run_axisc(words, there);
@@ -502,4 +505,44 @@ TEST_CASE("errors in lists are printed, and nothing is drawn") {
   CHECK(outcome.status == 1);
   CHECK_THAT(outcome.err, Contains("AX3001"));
   CHECK_FALSE(outcome.err.empty());
+}
+
+TEST_CASE("a recording's picture shows the deviation that compare names") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  std::string const scope = AXISC_SOURCE_DIR "/samples/recording/";
+  auto const told = json::parse(
+      run_axisc({"compare", scope + "x.lis", scope + "scope.csv", "--cycle-time", "1ms", "--format", "json"},
+                there)
+          .out);
+  std::vector<std::string> const plot{"plot", scope + "x.lis", "--cycle-time", "1ms", "--kind", "compare"};
+  auto const with = [&](std::vector<std::string> const& more) {
+    auto words = plot;
+    words.insert(words.end(), more.begin(), more.end());
+    return run_axisc(words, there);
+  };
+  std::string const svg = with({"--recording", scope + "scope.csv", "-o", "-"}).out;
+  // The second panel has the difference in µm: its highest and lowest points are the largest deviation apart from 0.
+  auto const second = svg.find("class=\"curve before", svg.find("class=\"curve before") + 1);
+  REQUIRE(second != std::string::npos);
+  auto const drawn = places_of(svg, second);
+  auto const [top, bottom] =
+      std::minmax_element(drawn.begin(), drawn.end(), [](Place a, Place b) { return a.y < b.y; });
+  double const zero = drawn.front().y;
+  double const reach = std::max(zero - top->y, bottom->y - zero) / (bottom->y - top->y);
+  CHECK(reach > 0.4);
+  CHECK_THAT(svg, Contains(told["fitting"][0]["meaning"].get<std::string>()));
+  CHECK_THAT(svg, Contains("µm"));
+  auto const table = with({"--recording", scope + "scope.csv", "--table"});
+  CHECK(table.status == 0);
+  CHECK_THAT(table.out, Contains("11.8"));
+  for (auto const& wrong :
+       std::vector<std::vector<std::string>>{{},
+                                             {"--recording", "none.csv"},
+                                             {"--recording", scope + "x.lis"},
+                                             {"--recording", scope + "scope.csv", "--mark", "48"}}) {
+    auto const outcome = with(wrong);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+  }
 }

@@ -1,0 +1,59 @@
+#include "cli/execution/recorded_axis.hpp"
+
+#include "cli/commands/commands.hpp"
+#include "cli/commands/sentences.hpp"
+#include "cli/failure.hpp"
+#include "cli/files/byte_source.hpp"
+#include "cli/files/compiled_input.hpp"
+
+namespace axisc::cli {
+
+namespace {
+
+constexpr std::uint32_t rotary = 2;
+
+comparison::Configured configured(image::ImageContents const& image, std::size_t axis) {
+  auto const& contents = image.axes[axis];
+  comparison::Configured chain{.cycle_time = image.cycle_time, .filters = {}, .kernel = {}};
+  for (auto const& filter : contents.filters) chain.filters.push_back(filter.specification);
+  if (contents.slot && contents.slot->kernel) {
+    chain.kernel = image.kernels[*contents.slot->kernel].specification;
+    chain.kernel_on = contents.slot->on_at_start;
+  }
+  return chain;
+}
+
+RecordedUnit recognised(RecordedUnit unit, comparison::Comparison const& result) {
+  if (unit != RecordedUnit::recognised) return unit;
+  bool const is_whole = result.input_resolution == 1 && result.output_resolution == 1;
+  return is_whole ? RecordedUnit::tenths : RecordedUnit::mm;
+}
+
+double thousandths(RecordedUnit unit) {
+  if (unit == RecordedUnit::um) return 1;
+  return unit == RecordedUnit::tenths ? 0.1 : 1000;
+}
+
+}  // namespace
+
+std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::string> const& name,
+                          std::string const& file) {
+  auto const axes = chosen_axes(image, name);
+  if (axes.size() == 1) return axes.front();
+  throw Failure({.sentence = says::name_an_axis,
+                 .arguments = {{"file", file}, {"count", std::to_string(axes.size())}}});
+}
+
+RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, std::string const& path,
+                          WantedColumns const& columns, RecordedUnit unit) {
+  auto const chain = configured(image, axis);
+  RecordedAxis found{.columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
+                     .readings = comparison::readings(chain),
+                     .result = {},
+                     .is_rotary = image.axes[axis].type == rotary};
+  found.result = comparison::compare(found.columns.recording, chain);
+  found.thousandths = thousandths(recognised(unit, found.result));
+  return found;
+}
+
+}  // namespace axisc::cli

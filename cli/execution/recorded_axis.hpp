@@ -1,0 +1,30 @@
+// An axis' setpoint chain beside what a scope recorded of it.
+#pragma once
+
+#include "cli/files/recorded_columns.hpp"
+#include "comparison/verdict.hpp"
+#include "image/image_contents.hpp"
+
+namespace axisc::cli {
+
+enum class RecordedUnit : std::uint8_t { recognised, tenths, um, mm };
+
+struct RecordedAxis {
+  RecordedColumns columns;
+  std::vector<comparison::Reading> readings;  ///< the first is what axisc computes
+  comparison::Comparison result;
+  double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
+  bool is_rotary = false;
+  [[nodiscard]] std::string unit() const { return is_rotary ? "0.001°" : "µm"; }
+};
+
+/// The named axis, or the only one of the image `file`. Failure where there are several.
+[[nodiscard]] std::size_t recorded_axis(image::ImageContents const& image,
+                                        std::optional<std::string> const& name, std::string const& file);
+
+/// Failures as those of read_recorded_columns().
+[[nodiscard]] RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis,
+                                        std::string const& path, WantedColumns const& columns,
+                                        RecordedUnit unit);
+
+}  // namespace axisc::cli
