@@ -143,6 +143,21 @@ test('a fix is offered and applied', wait, async () => {
   await saved('mistakes/typing.lis', (now) => now.includes('17.5') && !now.includes('17,5'));
 });
 
+test('a file that is not open counts as soon as it is written', wait, async () => {
+  // With a cycle time, the list has figures and a picture of them.
+  await bridge.write('manual/axisc.json', '{"cycle_time_us": 1000}');
+  await bridge.open('manual/axis-bandstop.lis', await lineOf('manual/axis-bandstop.lis', 'filter[0].fg_f0'), 12);
+  const response = page.locator('.monaco-hover:not(.hidden) img[src^="data:image/svg+xml"]');
+  while ((await response.count()) === 0) {
+    await press('Escape', 'Control+k', 'Control+i');
+    await new Promise((wake) => setTimeout(wake, 500));
+  }
+  await response.scrollIntoViewIfNeeded();
+  assert.ok(await response.evaluate((image) => image.complete && image.naturalWidth > 100));
+  await picture('response');
+  await press('Escape');
+});
+
 test('the layout is that of fmt', wait, async () => {
   await bridge.open('manual/axis-pt1.lis', 1, 0);
   await press('End', 'Enter');
