@@ -62,7 +62,7 @@ const { metafile } = await build({
 await writeFile(path.join(out, 'NOTICE.txt'), await notice(metafile));
 for (const name of ['index.html', 'page.css', 'icon.svg']) await copyFile(path.join(here, name), path.join(out, name));
 for (const name of ['axisc.js', 'axisc.wasm']) await copyFile(path.join(root, 'build/wasm/bin', name), path.join(out, name));
-await copyFile(path.join(root, 'build/wasm/notices/third-party-licences.txt'), path.join(out, 'third-party-licences.txt'));
+await copyFile(path.join(root, 'build/release/notices/third-party-licences.txt'), path.join(out, 'third-party-licences.txt'));
 for (const [name, [source, folder]] of Object.entries(samples)) {
   await writeFile(path.join(out, 'samples', `${name}.bin`), await packed(source, folder));
 }

@@ -3,7 +3,7 @@ import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { afterCheck, begin, choose, chooseFolder, end, opened, pageFolder, samples, wait } from './support.mjs';
+import { afterCheck, begin, choose, chooseFolder, end, opened, pageFolder, resident, samples, wait } from './support.mjs';
 
 let folder;
 
@@ -13,7 +13,7 @@ before(async () => {
 
 after(() => end(folder));
 
-const median = (values) => values.toSorted?.((a, b) => a - b)[values.length >> 1] ?? [...values].sort((a, b) => a - b)[values.length >> 1];
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
 const pause = (time) => new Promise((wake) => setTimeout(wake, time));
 
 test('figures', { timeout: 300000 }, async () => {
@@ -35,12 +35,14 @@ test('figures', { timeout: 300000 }, async () => {
   const memory = () => page.evaluate(() => (globalThis.gc?.(), performance.memory.usedJSHeapSize / 1e6));
   const latencies = [];
   let before = 0;
+  let occupied = 0;
   for (let i = 0; i < 1000; ++i) {
-    if (i === 100) before = await memory();
+    if (i === 100) [before, occupied] = [await memory(), await resident()];
     await afterCheck(page, () => page.keyboard.insertText(i % 2 ? 'a' : '1'));
     latencies.push(await page.evaluate(() => Number(document.body.dataset.latency)));
     if (i < 100) await pause(60);
   }
+  const [atEnd, occupiedAtEnd] = [await memory(), await resident()];
   const typed = median(latencies.slice(0, 100));
   const machine = path.join(folder, 'sixteen');
   await mkdir(machine);
@@ -59,6 +61,7 @@ test('figures', { timeout: 300000 }, async () => {
   console.error(
     `figures: ${median(starts).toFixed(0)} ms from navigation to the first findings; ${typed.toFixed(0)} ms from a keystroke in 1,000 lines to its findings; ` +
       `${median(folders).toFixed(0)} ms for 16 axes; ${(size / 1e6).toFixed(2)} MB with brotli; ` +
-      `heap ${before.toFixed(1)} MB after 100 edits, ${(await memory()).toFixed(1)} MB after 1,000`,
+      `after 100 edits ${before.toFixed(1)} MB of objects, ${occupied.toFixed(0)} MB with the worker; ` +
+      `after 1,000 edits ${atEnd.toFixed(1)} MB and ${occupiedAtEnd.toFixed(0)} MB`,
   );
 });

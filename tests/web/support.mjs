@@ -1,6 +1,7 @@
 // The page in a browser, and what the native program says about the same files.
 //   AXISC, PAGE: the native program and the folder of the page; AXISC_PICTURES: where pictures of the page are written
 import { spawnSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { mkdir, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
@@ -113,6 +114,16 @@ export async function picture(one, name) {
 export async function saved(one, selector) {
   const [download] = await Promise.all([one.waitForEvent('download'), one.click(selector)]);
   return readFile(await download.path());
+}
+
+/** MB that the processes of pages and their workers occupy. */
+export async function resident() {
+  const session = await browser.newBrowserCDPSession();
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  const sizes = processInfo
+    .filter(({ type }) => type === 'renderer')
+    .map(({ id }) => Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${id}/status`, 'utf8'))?.[1] ?? 0));
+  return sizes.reduce((sum, size) => sum + size, 0) / 1024;
 }
 
 /** The native program, in a folder. */
