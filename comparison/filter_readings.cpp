@@ -25,7 +25,8 @@ constexpr Sentence pole_at_frequency{"the poles lie at fg_f0 (below -3 dB there 
 constexpr Sentence analogue_quality{"the quality counts before the bilinear transform",
                                     "die Güte gilt vor der bilinearen Transformation"};
 constexpr Sentence impulse_invariant{"impulse-invariant", "impulsinvariant"};
-constexpr Sentence step_invariant{"step-invariant (zero-order hold)", "sprunginvariant (Halteglied nullter Ordnung)"};
+constexpr Sentence step_invariant{"step-invariant (zero-order hold)",
+                                  "sprunginvariant (Halteglied nullter Ordnung)"};
 constexpr Sentence half_gain{"-6 dB at fg_f0", "-6 dB bei fg_f0"};
 constexpr Sentence pole_quality{"the quality is that of the poles, not centre by bandwidth",
                                 "die Güte ist die der Pole, nicht Mitte durch Bandbreite"};
@@ -114,11 +115,13 @@ Result with_analogue_quality(FilterSpecification const& listed, CycleTime cycle_
 }
 
 bool is_lag(FilterSpecification const& wanted) {
-  return wanted.type == FilterType::lowpass || wanted.type == FilterType::pt1 || wanted.type == FilterType::pt2;
+  return wanted.type == FilterType::lowpass || wanted.type == FilterType::pt1 ||
+         wanted.type == FilterType::pt2;
 }
 
 FilterSpecification moved(FilterSpecification wanted, double factor, CycleTime cycle_time) {
-  wanted.frequency = frequency_of(std::tan(pi * wanted.frequency.value * cycle_time.seconds()) * factor, cycle_time);
+  wanted.frequency =
+      frequency_of(std::tan(pi * wanted.frequency.value * cycle_time.seconds()) * factor, cycle_time);
   return wanted;
 }
 
@@ -126,7 +129,8 @@ Result half_gain(FilterSpecification const& wanted, CycleTime cycle_time) {
   constexpr double quarter = 0.25;
   if (wanted.type != FilterType::lowpass && wanted.type != FilterType::highpass) return std::nullopt;
   double const shift = frequency_with_power(wanted.prototype, wanted.order, quarter);
-  return designed(moved(wanted, wanted.type == FilterType::lowpass ? 1 / shift : shift, cycle_time), cycle_time);
+  return designed(moved(wanted, wanted.type == FilterType::lowpass ? 1 / shift : shift, cycle_time),
+                  cycle_time);
 }
 
 Result delay_of_bessel(FilterSpecification const& wanted, CycleTime cycle_time) {
@@ -168,8 +172,8 @@ Result phase_of_allpass(FilterSpecification const& wanted, CycleTime cycle_time)
   constexpr int halvings = 40;
   for (int i = 0; i < halvings; ++i) {
     double const middle = std::sqrt(low * high);
-    bool const turns_less =
-        std::abs(turned(designed(moved(wanted, middle, cycle_time), cycle_time), angle)) < wanted.order * pi / 2;
+    bool const turns_less = std::abs(turned(designed(moved(wanted, middle, cycle_time), cycle_time), angle)) <
+                            wanted.order * pi / 2;
     (turns_less ? high : low) = middle;
   }
   return designed(moved(wanted, std::sqrt(low * high), cycle_time), cycle_time);
