@@ -25,7 +25,7 @@ constinit Sentence const option_level{
     "diesem Prozessor verwenden würde"};
 
 constinit Sentence const option_setpoint_column{"column before the filters: name, or number from 1",
-                                   "Spalte vor den Filtern: Name oder Nummer ab 1"};
+                                                "Spalte vor den Filtern: Name oder Nummer ab 1"};
 constinit Sentence const option_filtered_column{"column behind the filters", "Spalte hinter den Filtern"};
 constinit Sentence const option_recorded_unit{
     "unit of both columns; mm for rotary axes means degrees (default: 0.1um for whole numbers, else mm)",

@@ -5,6 +5,8 @@
 #include "cli/failure.hpp"
 #include "cli/files/byte_source.hpp"
 #include "cli/files/compiled_input.hpp"
+#include "comparison/residual.hpp"
+#include "comparison/turns.hpp"
 
 namespace axisc::cli {
 
@@ -23,9 +25,11 @@ comparison::Configured configured(image::ImageContents const& image, std::size_t
   return chain;
 }
 
-RecordedUnit recognised(RecordedUnit unit, comparison::Comparison const& result) {
+/// Whole numbers are those of CNC objects.
+RecordedUnit recognised(RecordedUnit unit, comparison::Recording const& recording) {
   if (unit != RecordedUnit::recognised) return unit;
-  bool const is_whole = result.input_resolution == 1 && result.output_resolution == 1;
+  bool const is_whole = comparison::resolution(recording.input, recording.gaps) == 1 &&
+                        comparison::resolution(recording.output, recording.gaps) == 1;
   return is_whole ? RecordedUnit::tenths : RecordedUnit::mm;
 }
 
@@ -51,8 +55,10 @@ RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, s
                      .readings = comparison::readings(chain),
                      .result = {},
                      .is_rotary = image.axes[axis].type == rotary};
+  found.thousandths = thousandths(recognised(unit, found.columns.recording));
+  constexpr double turn = 360'000;
+  if (found.is_rotary) found.jumps = comparison::unwind(found.columns.recording, turn / found.thousandths);
   found.result = comparison::compare(found.columns.recording, chain);
-  found.thousandths = thousandths(recognised(unit, found.result));
   return found;
 }
 

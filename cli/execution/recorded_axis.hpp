@@ -15,6 +15,7 @@ struct RecordedAxis {
   comparison::Comparison result;
   double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
   bool is_rotary = false;
+  std::size_t jumps = 0;  ///< by full turns, which a modulo axis makes; they are taken out
   [[nodiscard]] std::string unit() const { return is_rotary ? "0.001°" : "µm"; }
 };
 

@@ -2,8 +2,11 @@
 #include "cli/failure.hpp"
 #include "cli/files/byte_source.hpp"
 #include "cli/files/recorded_columns.hpp"
+#include "comparison/turns.hpp"
 #include "comparison/verdict.hpp"
 #include "support/catch.hpp"
+
+#include <cmath>
 
 namespace axisc::comparison {
 namespace {
@@ -83,6 +86,29 @@ TEST_CASE("an axis at rest tells nothing") {
                        .output = Signal(std::vector<double>(500, 7.0)),
                        .gaps = {}};
   CHECK(compare(rest, lowpass(3, 40)).verdict == Verdict::cannot_tell);
+}
+
+TEST_CASE("jumps by full turns are taken out") {
+  std::vector<double> in, out, wrapped_in, wrapped_out;
+  constexpr double turn = 3'600'000;
+  auto const wrapped = [](double value) { return value - turn * std::floor(value / turn); };
+  for (int n = 0; n < 900; ++n) {
+    in.push_back(n < 50 ? 0.0 : n < 500 ? 30'000.0 * (n - 50) : 13'500'000.0 - 20'000.0 * (n - 500));
+    double sum = 0;
+    for (int k = 0; k < 9; ++k) sum += in[static_cast<std::size_t>(std::max(0, n - k))];
+    out.push_back(std::round(sum / 9));
+    wrapped_in.push_back(wrapped(in.back()));
+    wrapped_out.push_back(wrapped(out.back()));
+  }
+  Recording recording{.input = Signal(wrapped_in), .output = Signal(wrapped_out), .gaps = {170, 171}};
+  CHECK(unwind(recording, turn) == 10);
+  auto expected = in;
+  for (std::size_t const gap : recording.gaps) {
+    expected[gap] = in[169] + (in[172] - in[169]) * static_cast<double>(gap - 169) / 3;
+  }
+  CHECK(recording.input.values() == expected);
+  CHECK(compare(recording, kernel(KernelType::moving_average, 8)).verdict == Verdict::same);
+  CHECK(unwind(recording, turn) == 0);
 }
 
 TEST_CASE("a reading that is not known is not explained by another one") {
