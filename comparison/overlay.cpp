@@ -32,8 +32,9 @@ Overlay overlay(Recording const& recording, Chain const& chain, double delay_cyc
     auto const offset = static_cast<std::ptrdiff_t>(first) - begin;
     for (std::size_t i = 0; i < piece.size(); ++i) {
       auto const at = offset + static_cast<std::ptrdiff_t>(i);
-      if (at >= 0 && at < static_cast<std::ptrdiff_t>(answers.size()))
+      if (at >= 0 && at < static_cast<std::ptrdiff_t>(answers.size())) {
         answers[static_cast<std::size_t>(at)] = piece[i];
+      }
     }
   });
   for (std::size_t i = 0; i < length; ++i) {

@@ -99,7 +99,8 @@ class WholeLags {
 
  private:
   [[nodiscard]] Residual at(int lag) const {
-    return sums_.at(static_cast<std::size_t>(lag + longest_lag)).residual(lag);
+    auto const index = std::ptrdiff_t{lag} + longest_lag;
+    return sums_.at(static_cast<std::size_t>(index)).residual(lag);
   }
   std::array<Sums, lags> sums_{};
 };

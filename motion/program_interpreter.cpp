@@ -118,7 +118,7 @@ std::size_t group_of(int number) {
                                                       {70, 71, -1, -1},
                                                       {90, 91, -1, -1},
                                                       {94, 95, -1, -1}}};
-  auto const found = std::find_if(groups.begin(), groups.end(), [number](auto const& group) {
+  auto const* const found = std::find_if(groups.begin(), groups.end(), [number](auto const& group) {
     return std::find(group.begin(), group.end(), number) != group.end();
   });
   return static_cast<std::size_t>(found - groups.begin());

@@ -106,7 +106,7 @@ class CompareFigure {
   [[nodiscard]] double scale() const { return recorded_.thousandths; }
 
   static void fit(pictures::Axis& y, std::vector<pictures::Curve> const& curves, bool from_zero) {
-    double low = INFINITY, high = -INFINITY;
+    double low = HUGE_VAL, high = -HUGE_VAL;
     for (auto const& curve : curves) {
       for (auto const& point : curve.points) {
         if (!std::isfinite(point.y)) continue;

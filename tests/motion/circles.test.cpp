@@ -184,7 +184,7 @@ TEST_CASE("an exact stop leaves no deviation at a corner") {
   CHECK(run(40, "G01 X10 F6000" + end).passes.at(0).deviation > 100);
   CHECK(run(40, "G09 G01 X10 F6000" + end).passes.at(0).deviation < 1e-6);
   CHECK(run(40, "G60 G01 X10 F6000" + end).passes.at(0).deviation < 1e-6);
-  CHECK(run(40, "G60 G64 G01 X10 F6000" + end).passes.at(0).deviation > 100);
+  CHECK(run(40, "G60\nG64 G01 X10 F6000" + end).passes.at(0).deviation > 100);
 }
 
 TEST_CASE("a ramp with sin² takes twice as long for the same largest acceleration") {
