@@ -18,6 +18,13 @@ constexpr Sentence documented{"standard filters as axisc computes them without s
                               "Standardfilter, wie axisc sie ohne Einstellungen rechnet"};
 constexpr Sentence analogue_quality{"the quality counts before the bilinear transform",
                                     "die Güte gilt vor der bilinearen Transformation"};
+constexpr Sentence half_gain{"-6 dB at fg_f0", "-6 dB bei fg_f0"};
+constexpr Sentence pole_quality{"the quality is that of the poles, not centre by bandwidth",
+                                "die Güte ist die der Pole, nicht Mitte durch Bandbreite"};
+constexpr Sentence bessel_delay{"Bessel filters delay by 1/(2π fg_f0) at rest",
+                                "Bessel-Filter verzögern im Stillstand um 1/(2π fg_f0)"};
+constexpr Sentence allpass_phase{"all-passes turn the phase by half of its whole angle at fg_f0",
+                                 "Allpässe drehen die Phase bei fg_f0 um die Hälfte des ganzen Winkels"};
 
 }  // namespace axisc::comparison::says
 
@@ -44,7 +51,7 @@ constexpr FilterReading row(SentenceRef meaning) {
 }
 
 // The last one differs from the listed chain where settings ask for another reading.
-constexpr std::array<FilterReading, 8> rows{
+constexpr std::array<FilterReading, 12> rows{
     row<Wanted::no_prewarping>(says::no_prewarping),
     row<Wanted::backward_euler>(says::backward_euler),
     row<Wanted::forward_euler>(says::forward_euler),
@@ -52,6 +59,10 @@ constexpr std::array<FilterReading, 8> rows{
     row<Wanted::matched_poles>(says::matched_poles),
     row<Wanted::poles_at_frequency>(says::pole_at_frequency),
     row<Wanted::analogue_quality>(says::analogue_quality),
+    row<Wanted::half_gain_at_frequency>(says::half_gain),
+    row<Wanted::quality_of_poles>(says::pole_quality),
+    row<Wanted::bessel_delay>(says::bessel_delay),
+    row<Wanted::allpass_phase>(says::allpass_phase),
     {{documented_filters, says::documented}, read_as<Wanted::documented>}};
 
 }  // namespace

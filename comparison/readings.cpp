@@ -1,7 +1,7 @@
 #include "comparison/readings.hpp"
 
-#include "comparison/analogue_readings.hpp"
 #include "comparison/filter_readings.hpp"
+#include "comparison/invariant_readings.hpp"
 #include "comparison/kernel_readings.hpp"
 #include "design/filter_kinds.hpp"
 #include "design/kernel_kinds.hpp"
@@ -90,7 +90,7 @@ Chain listed_filters(Configured const& configured) {
 
 std::vector<Part> filter_parts(Configured const& configured) {
   std::vector<Part> parts{{std::nullopt, listed_filters(configured)}};
-  for (auto const& readings : {filter_readings(), analogue_readings()}) {
+  for (auto const& readings : {filter_readings(), invariant_readings()}) {
     for (auto const& reading : readings) {
       Chain chain = parts.front().links;
       bool changed = false;

@@ -116,7 +116,7 @@ void explain(Comparison& comparison, std::vector<Explained> const& found, Allowa
 
 }  // namespace
 
-Comparison compare(Recording const& recording, Configured const& configured) {
+Comparison compare(Recording const& recording, std::vector<Reading> const& all) {
   Comparison comparison;
   comparison.lost = recording.gaps.size();
   comparison.input_resolution = resolution(recording.input, recording.gaps);
@@ -127,7 +127,6 @@ Comparison compare(Recording const& recording, Configured const& configured) {
   allowance.noise = numeric_noise * std::max(largest_magnitude(recording.output), 1e-3);
   comparison.allowed_rms = allowance.rms;
 
-  auto const all = readings(configured);
   auto const settling = settling_cycles(all.front().chain);
   auto const mask =
       counted_cycles(recording, {.settling = settling, .output_resolution = comparison.output_resolution});

@@ -57,7 +57,7 @@ struct Comparison {
                                                           design::Readings const& current);
 
 /// Only the single best explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of a cycle
-/// for the listed chain, are found.
-[[nodiscard]] Comparison compare(Recording const& recording, Configured const& configured);
+/// for the listed chain, are found. `all`: of readings(), the listed one first.
+[[nodiscard]] Comparison compare(Recording const& recording, std::vector<Reading> const& all);
 
 }  // namespace axisc::comparison

@@ -43,6 +43,12 @@ struct Increments {
   }
 };
 
+/// Value at w = 1 of the denominator that the bilinear transform makes, by which it divides a section's coefficients.
+template <typename Number>
+[[nodiscard]] Number normaliser(Denominator<Number> const& c, Number const& t) {
+  return c.first_order ? Number(c.c0 * t + c.c1) : Number(c.c0 * t * t + c.c1 * t + c.c2);
+}
+
 /// (n1 s + n2 s²)/(c0 + c1 s + c2 s²), discretised by the bilinear transform:
 ///     numerator    w (2 n1 t + (n2 - n1 t) w)
 ///     denominator  4 c0 t² + (2 c1 t - 4 c0 t²) w + (c0 t² - c1 t + c2) w²
@@ -52,11 +58,10 @@ template <typename Number>
 [[nodiscard]] Section<Number> bilinear(Denominator<Number> const& c, Numerator<Number> const& n,
                                        Number const& t) {
   Number const slope = n.n1 / (2 * c.c0 * t);
+  Number const N = normaliser(c, t);
   if (c.first_order) {
-    Number const N = c.c0 * t + c.c1;
     return {.p = n.n1 / N, .q = Number(0), .k = 2 * c.c0 * t / N, .b = Number(1), .slope = slope};
   }
-  Number const N = c.c0 * t * t + c.c1 * t + c.c2;
   return {.p = (n.n1 * t + n.n2) / N,
           .q = (n.n1 * t - n.n2) / N,
           .k = 4 * c.c0 * t * t / N,

@@ -3,6 +3,7 @@
 
 #include "design/filter_kinds.hpp"
 #include "design/pi_def.hpp"
+#include "design/pole_scale_def.hpp"
 #include "design/prototypes_def.hpp"
 #include "design/section_def.hpp"
 #include "design/thiran_def.hpp"
@@ -59,6 +60,10 @@ template <typename Number>
     case FilterReading::no_prewarping:
     case FilterReading::poles_at_frequency:
     case FilterReading::analogue_quality:
+    case FilterReading::half_gain_at_frequency:
+    case FilterReading::quality_of_poles:
+    case FilterReading::bessel_delay:
+    case FilterReading::allpass_phase:
       break;
   }
   return Discretisation::bilinear;
@@ -98,10 +103,12 @@ template <typename Number>
 
 template <typename Number>
 [[nodiscard]] Poles<Number> poles_of(FilterSpecification const& specification) {
-  if (applied_reading(specification) == FilterReading::poles_at_frequency) {
-    return Poles<Number>(specification.order, {Number(-1), Number(0)});
-  }
-  return prototype_poles<Number>(specification.prototype, specification.order);
+  auto poles = prototype_poles<Number>(specification.prototype, specification.order);
+  FilterReading const reading = applied_reading(specification);
+  if (reading == FilterReading::documented) return poles;
+  Number const scale = pole_scale(reading, poles);
+  for (auto& p : poles) p = {p.re * scale, p.im * scale};
+  return poles;
 }
 
 /// Poles at -1/τ.

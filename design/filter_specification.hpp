@@ -41,7 +41,7 @@ struct FilterSpecification {
 
 /// The specification's reading, or `documented` where that one means nothing for the filter: for a time delay every one,
 /// matched poles where the constant part is blocked (the gain could not be normalised), poles_at_frequency for what is not a
-/// low-, high- or all-pass of critical damping above order 1, analogue_quality without a band.
+/// low-, high- or all-pass of critical damping above order 1, and so on.
 [[nodiscard]] FilterReading applied_reading(FilterSpecification const& specification);
 
 }  // namespace axisc::design

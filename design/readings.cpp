@@ -21,6 +21,16 @@ bool changes(FilterReading reading, FilterSpecification const& wanted) {
              wanted.order > 1;
     case FilterReading::analogue_quality:
       return kind.quality.has_value();
+    case FilterReading::half_gain_at_frequency:
+      return wanted.type == FilterType::lowpass || wanted.type == FilterType::highpass;
+    case FilterReading::quality_of_poles:
+      return kind.quality && wanted.prototype == Prototype::critical_damping && wanted.order > 1;
+    case FilterReading::bessel_delay:
+      return (wanted.type == FilterType::lowpass || wanted.type == FilterType::allpass) &&
+             wanted.prototype == Prototype::bessel && wanted.order > 1;
+    case FilterReading::allpass_phase:  // Butterworth filters do so anyway
+      return wanted.type == FilterType::allpass && wanted.prototype != Prototype::butterworth &&
+             wanted.order > 1;
     case FilterReading::documented:
       break;
   }

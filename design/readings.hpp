@@ -17,13 +17,17 @@ namespace axisc::design {
 enum class FilterReading : std::uint8_t {
   documented =
       0,  ///< bilinear transform with pre-warping, -3 dB at fg_f0, quality between the digital -3 dB edges
-  no_prewarping,       ///< bilinear transform without pre-warping
-  backward_euler,      ///< s = (1 - z^-1)/T
-  forward_euler,       ///< s = (1 - z^-1)/(T z^-1)
-  matched,             ///< poles and zeros z = exp(s T), zeros at infinity become -1; gain 1 at 0 Hz
-  matched_poles,       ///< the same without zeros for those at infinity
-  poles_at_frequency,  ///< critical damping: all poles at fg_f0 instead of -3 dB there
-  analogue_quality,    ///< the quality is that of the analogue filter
+  no_prewarping,           ///< bilinear transform without pre-warping
+  backward_euler,          ///< s = (1 - z^-1)/T
+  forward_euler,           ///< s = (1 - z^-1)/(T z^-1)
+  matched,                 ///< poles and zeros z = exp(s T), zeros at infinity become -1; gain 1 at 0 Hz
+  matched_poles,           ///< the same without zeros for those at infinity
+  poles_at_frequency,      ///< critical damping: all poles at fg_f0 instead of -3 dB there
+  analogue_quality,        ///< the quality is that of the analogue filter
+  half_gain_at_frequency,  ///< low- and high-passes: -6 dB at fg_f0
+  quality_of_poles,  ///< bands of critical damping: the quality is that of the poles, not fg_f0 by bandwidth
+  bessel_delay,      ///< Bessel filters: a delay of 1/(2π fg_f0) at rest
+  allpass_phase,     ///< all-passes turn the phase by half of its whole angle at fg_f0
 };
 
 /// Of linear-phase kernels. The numbers stand in images.
@@ -60,9 +64,10 @@ struct Readings {
 enum class Discretisation : std::uint8_t { bilinear, backward_euler, forward_euler, matched, matched_poles };
 
 /// By number: the words of settings, of `compare` and of `inspect`.
-inline constexpr std::array<std::string_view, 8> filter_reading_words{
-    "documented", "no-prewarping", "backward-euler",     "forward-euler",
-    "matched",    "matched-poles", "poles-at-frequency", "analogue-quality"};
+inline constexpr std::array<std::string_view, 12> filter_reading_words{
+    "documented",    "no-prewarping",      "backward-euler",   "forward-euler",          "matched",
+    "matched-poles", "poles-at-frequency", "analogue-quality", "half-gain-at-frequency", "quality-of-poles",
+    "bessel-delay",  "allpass-phase"};
 inline constexpr std::array<std::string_view, 14> kernel_reading_words{
     "documented",          "taps-n",           "taps-n-plus-1",    "half-width-rounded-down",
     "order-is-half-width", "gaussian-width-1", "gaussian-width-2", "gaussian-width-3",

@@ -13,12 +13,6 @@
 
 namespace axisc::design {
 
-/// Value at w = 1 of the denominator that the bilinear transform makes, by which it divides a section's coefficients.
-template <typename Number>
-[[nodiscard]] Number normaliser(Denominator<Number> const& c, Number const& t) {
-  return c.first_order ? Number(c.c0 * t + c.c1) : Number(c.c0 * t * t + c.c1 * t + c.c2);
-}
-
 /// Conjugate pairs become one factor each, real poles two a factor; a last one alone is of first order.
 template <typename Number>
 [[nodiscard]] std::vector<Denominator<Number>> pair_poles(Poles<Number> const& poles) {

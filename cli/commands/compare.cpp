@@ -106,6 +106,7 @@ ExitStatus compare(Invocation const& invocation) {
                               .repeated = recorded.columns.repeated,
                               .thousandths = recorded.thousandths,
                               .is_rotary = recorded.is_rotary,
+                              .jumps = recorded.jumps,
                               .result = std::move(recorded.result)};
   invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
                                                               : compare_text(shown, invocation.language));

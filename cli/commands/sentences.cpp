@@ -31,8 +31,6 @@ constinit Sentence const option_recorded_unit{
     "unit of both columns; mm for rotary axes means degrees (default: 0.1um for whole numbers, else mm)",
     "Einheit beider Spalten; mm bedeutet bei Rundachsen Grad (Standardwert: 0.1um bei ganzen Zahlen, sonst "
     "mm)"};
-constinit Sentence const name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
-                                      "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
 constinit Sentence const option_group{"only this group (NC channel)", "nur diese Gruppe (NC-Kanal)"};
 
 }  // namespace axisc::cli::says

@@ -15,7 +15,6 @@ extern Sentence const option_level;
 extern Sentence const option_setpoint_column;
 extern Sentence const option_filtered_column;
 extern Sentence const option_recorded_unit;
-extern Sentence const name_an_axis;
 extern Sentence const option_group;
 
 }  // namespace axisc::cli::says

@@ -1,12 +1,17 @@
 #include "cli/execution/recorded_axis.hpp"
 
-#include "cli/commands/commands.hpp"
-#include "cli/commands/sentences.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/byte_source.hpp"
-#include "cli/files/compiled_input.hpp"
+#include "cli/files/image_file.hpp"
 #include "comparison/residual.hpp"
 #include "comparison/turns.hpp"
+
+namespace axisc::cli::says {
+
+constexpr Sentence name_an_axis{"{file} has {count} axes; name the recorded one with --axis",
+                                "{file} hat {count} Achsen; die aufgezeichnete mit --axis nennen"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
@@ -50,15 +55,14 @@ std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::
 
 RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, std::string const& path,
                           WantedColumns const& columns, RecordedUnit unit) {
-  auto const chain = configured(image, axis);
   RecordedAxis found{.columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
-                     .readings = comparison::readings(chain),
+                     .readings = comparison::readings(configured(image, axis)),
                      .result = {},
                      .is_rotary = image.axes[axis].type == rotary};
   found.thousandths = thousandths(recognised(unit, found.columns.recording));
   constexpr double turn = 360'000;
   if (found.is_rotary) found.jumps = comparison::unwind(found.columns.recording, turn / found.thousandths);
-  found.result = comparison::compare(found.columns.recording, chain);
+  found.result = comparison::compare(found.columns.recording, found.readings);
   return found;
 }
 

@@ -1,6 +1,7 @@
 #include "cli/files/disk_files.hpp"
 
 #include "cli/codes.hpp"
+#include "cli/sentences.hpp"
 #include "system/file.hpp"
 #include "system/folder.hpp"
 
@@ -226,6 +227,14 @@ Failure unreadable(std::string const& path, FileError error) {
   bool const large = error == FileError::too_large || error == FileError::line_too_long;
   return Failure({.sentence = sentence(error), .arguments = {{"file", path}}},
                  large ? too_large : cannot_read);
+}
+
+Failure unreadable(std::string const& path, system::Error const& error) {
+  auto const known = error_of(error);
+  if (known != FileError::not_readable) return unreadable(path, known);
+  return Failure(
+      {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
+      cannot_read);
 }
 
 std::string read_whole(std::string const& path, Dash dash) {

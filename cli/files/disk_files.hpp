@@ -3,6 +3,7 @@
 
 #include "cli/failure.hpp"
 #include "configuration/files.hpp"
+#include "system/error.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -32,6 +33,8 @@ class DiskFiles final : public configuration::Files {
 
 /// The line for a file that could not be read: AX9001, or AX9003 where it is too large.
 [[nodiscard]] Failure unreadable(std::string const& path, configuration::FileError error);
+/// The same; what has no sentence here is said in the system's words.
+[[nodiscard]] Failure unreadable(std::string const& path, system::Error const& error);
 
 enum class Dash : std::uint8_t { is_standard_input, is_a_name };
 

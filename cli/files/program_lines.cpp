@@ -19,28 +19,10 @@ constexpr std::size_t longest_line = std::size_t{1} << 20U;
 /// Offsets in a program have 32 bits.
 constexpr std::uint64_t longest_program = std::numeric_limits<std::uint32_t>::max();
 
-[[noreturn]] void fail(std::string const& path, system::Error const& error) {
-  using configuration::FileError;
-  switch (error.refusal) {
-    case system::Refusal::not_found:
-      throw unreadable(path, FileError::not_found);
-    case system::Refusal::is_folder:
-      throw unreadable(path, FileError::is_folder);
-    case system::Refusal::no_permission:
-      throw unreadable(path, FileError::no_permission);
-    case system::Refusal::link_loop:
-      throw unreadable(path, FileError::link_loop);
-    default:
-      throw Failure(
-          {.sentence = says::cannot_read, .arguments = {{"file", path}, {"reason", system::text_of(error)}}},
-          cannot_read);
-  }
-}
-
 /// The value, or a failure.
 template <typename Value>
 Value require(std::string const& path, system::Result<Value> result) {
-  if (auto const* const error = std::get_if<system::Error>(&result)) fail(path, *error);
+  if (auto const* const error = std::get_if<system::Error>(&result)) throw unreadable(path, *error);
   return std::get<Value>(std::move(result));
 }
 

@@ -6,12 +6,17 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence no_numbers{"{file} has no line of numbers", "{file} hat keine Zeile mit Zahlen"};
+constexpr Sentence no_numbers{
+    "{file} has no line of numbers; give a file with columns that tabs, semicolons or commas separate",
+    "{file} hat keine Zeile mit Zahlen; eine Datei mit Spalten angeben, die Tabulatoren, Semikolons oder "
+    "Kommas trennen"};
 constexpr Sentence bad_field{R"({file}:{line}: "{text}" in column "{column}" is not a number)",
                              R"({file}:{line}: "{text}" in Spalte "{column}" ist keine Zahl)"};
 constexpr Sentence few_fields{
-    "{file}:{line}: the line has {fields} fields, the first line of numbers {columns}",
-    "{file}:{line}: die Zeile hat {fields} Felder, die erste mit Zahlen {columns}"};
+    "{file}:{line}: the line has {fields} fields, the first line of numbers {columns}; complete it, or "
+    "delete it where the file is cut off",
+    "{file}:{line}: die Zeile hat {fields} Felder, die erste mit Zahlen {columns}; ergänzen oder, wo die "
+    "Datei abgeschnitten ist, löschen"};
 constexpr Sentence mixed_marks{
     R"({file}:{line}: column "{column}" has decimal commas and decimal points; write it without thousands separators)",
     R"({file}:{line}: Spalte "{column}" hat Dezimalkommas und Dezimalpunkte; ohne Tausendertrennzeichen schreiben)"};

@@ -14,6 +14,8 @@ constexpr Sentence compared{
     "Achse {axis}, {input} neben {output}: {compared} von {cycles} Zyklen zählen (verloren {lost}, "
     "wiederholt "
     "{repeated})"};
+constexpr Sentence turns_taken_out{"jumps by a full turn, taken out: {jumps}",
+                                   "Sprünge um eine volle Umdrehung, herausgerechnet: {jumps}"};
 constexpr Sentence is_same{"the same: the control does what axisc computes",
                            "gleich: die Steuerung tut, was axisc rechnet"};
 constexpr Sentence is_delayed{"the same but for a delay (in cycles: {delay})",
@@ -82,6 +84,7 @@ class Writer {
                           {"cycles", std::to_string(shown_.cycles)},
                           {"lost", std::to_string(result.lost)},
                           {"repeated", std::to_string(shown_.repeated)}});
+    if (shown_.jumps > 0) line(says::turns_taken_out, {{"jumps", std::to_string(shown_.jumps)}});
     verdict();
     if (result.verdict == Verdict::cannot_tell) return text_;
     line(says::deviation, {{"largest", length(result.listed.largest)},
@@ -170,6 +173,7 @@ std::string compare_json(ShownComparison const& shown, Language language) {
          ",\n  \"compared\": " + std::to_string(result.compared) +
          ",\n  \"lost\": " + std::to_string(result.lost) +
          ",\n  \"repeated\": " + std::to_string(shown.repeated) +
+         ",\n  \"jumps\": " + std::to_string(shown.jumps) +
          ",\n  \"unit\": " + json_string(shown.is_rotary ? "0.001°" : "µm") +
          ",\n  \"verdict\": " + json_string(word(result)) +
          ",\n  \"allowed_rms\": " + json_number(result.allowed_rms * shown.thousandths) +

@@ -65,7 +65,7 @@ TEST_CASE("the control's reading of the parameters is named") {
                           Row{"sinc-blackman", kernel(KernelType::windowed_sinc, 40)},
                           Row{"share-undelayed", kernel(KernelType::moving_average, 40, 70)}}) {
     INFO(row.name);
-    auto const comparison = compare(stored(row.name), row.configured);
+    auto const comparison = compare(stored(row.name), readings(row.configured));
     CHECK(comparison.verdict == Verdict::different);
     REQUIRE(comparison.fitting.size() == 1);
     REQUIRE(comparison.fitting.front().reading.departures.size() == 1);
@@ -75,7 +75,7 @@ TEST_CASE("the control's reading of the parameters is named") {
 }
 
 TEST_CASE("a control that computes what axisc does is the same but for the offset of the columns") {
-  auto const comparison = compare(stored("listed"), lowpass(3, 40));
+  auto const comparison = compare(stored("listed"), readings(lowpass(3, 40)));
   CHECK(comparison.verdict == Verdict::delayed);
   CHECK(comparison.listed.delay_cycles == 1);
   CHECK(comparison.input_resolution == 1);
@@ -85,7 +85,7 @@ TEST_CASE("an axis at rest tells nothing") {
   Recording const rest{.input = Signal(std::vector<double>(500, 7.0)),
                        .output = Signal(std::vector<double>(500, 7.0)),
                        .gaps = {}};
-  CHECK(compare(rest, lowpass(3, 40)).verdict == Verdict::cannot_tell);
+  CHECK(compare(rest, readings(lowpass(3, 40))).verdict == Verdict::cannot_tell);
 }
 
 TEST_CASE("jumps by full turns are taken out") {
@@ -107,12 +107,12 @@ TEST_CASE("jumps by full turns are taken out") {
     expected[gap] = in[169] + (in[172] - in[169]) * static_cast<double>(gap - 169) / 3;
   }
   CHECK(recording.input.values() == expected);
-  CHECK(compare(recording, kernel(KernelType::moving_average, 8)).verdict == Verdict::same);
+  CHECK(compare(recording, readings(kernel(KernelType::moving_average, 8))).verdict == Verdict::same);
   CHECK(unwind(recording, turn) == 0);
 }
 
 TEST_CASE("a reading that is not known is not explained by another one") {
-  auto const comparison = compare(stored("sinc-blackman"), kernel(KernelType::moving_average, 40));
+  auto const comparison = compare(stored("sinc-blackman"), readings(kernel(KernelType::moving_average, 40)));
   CHECK(comparison.verdict == Verdict::different);
   CHECK(comparison.fitting.empty());
 }

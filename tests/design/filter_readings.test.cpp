@@ -163,3 +163,51 @@ TEST_CASE("an unstable forward Euler filter says so by its pole radius") {
   wanted.reading = FilterReading::forward_euler;
   CHECK(design_filter(wanted, one_millisecond, Precision::quick).pole_radius == 1);
 }
+
+TEST_CASE("half the gain at the frequency, in every prototype") {
+  for (auto const prototype : every_prototype) {
+    for (std::uint32_t const order : {1U, 2U, 5U}) {
+      for (auto const type : {FilterType::lowpass, FilterType::highpass}) {
+        auto wanted = filter_of(type, prototype, order, 35);
+        wanted.reading = FilterReading::half_gain_at_frequency;
+        INFO(int(prototype) << " of order " << order);
+        CHECK(std::abs(response(design_filter(wanted, one_millisecond, Precision::exact), {35},
+                                one_millisecond)) == Approx(0.5).epsilon(1e-12));
+      }
+    }
+  }
+}
+
+TEST_CASE("Bessel filters that delay by 1/(2 pi f) at rest") {
+  // In cycles 1/(2t), t = tan(pi f T), where s = (1/t)(1 - z^-1)/(1 + z^-1).
+  for (std::uint32_t const order : {2U, 3U, 6U}) {
+    auto wanted = filter_of(FilterType::lowpass, Prototype::bessel, order, 25);
+    wanted.reading = FilterReading::bessel_delay;
+    CHECK(design_filter(wanted, one_millisecond, Precision::exact).group_delay_cycles ==
+          Approx(1 / (2 * std::tan(pi * 25 * T))).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("all-passes that turn the phase by half of its angle at the frequency") {
+  for (auto const prototype : {Prototype::critical_damping, Prototype::bessel}) {
+    for (std::uint32_t const order : {2U, 3U, 4U}) {
+      auto wanted = filter_of(FilterType::allpass, prototype, order, 25);
+      wanted.reading = FilterReading::allpass_phase;
+      auto const turned =
+          response(design_filter(wanted, one_millisecond, Precision::exact), {25}, one_millisecond);
+      CHECK(std::abs(turned - std::polar(1.0, -pi / 2 * order)) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("a band-stop of critical damping with the quality of its poles is one of order 1, several times") {
+  auto wanted = filter_of(FilterType::bandstop, Prototype::critical_damping, 3, 48, 3);
+  wanted.reading = FilterReading::quality_of_poles;
+  auto const cubed = design_filter(wanted, one_millisecond, Precision::exact);
+  auto const single = design_filter(filter_of(FilterType::bandstop, Prototype::critical_damping, 1, 48, 3),
+                                    one_millisecond, Precision::exact);
+  for (double const frequency : {5.0, 44.0, 60.0, 300.0}) {
+    auto const H = response(single, {frequency}, one_millisecond);
+    CHECK(std::abs(response(cubed, {frequency}, one_millisecond) - H * H * H) < 1e-12);
+  }
+}

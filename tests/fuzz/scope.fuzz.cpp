@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     auto const& recording = recorded.recording;
     require(recording.input.size() == recording.output.size());
     for (auto const gap : recording.gaps) require(gap < recording.input.size());
-    auto const told = comparison::compare(recording, configured(size % 2 == 0));
+    auto const told = comparison::compare(recording, comparison::readings(configured(size % 2 == 0)));
     require(!(told.listed.rms < 0) && told.compared <= recording.input.size());
     for (auto const& one : told.fitting) require(std::isfinite(one.residual.rms));
   } catch (cli::Failure const&) {
