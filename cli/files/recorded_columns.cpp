@@ -4,6 +4,7 @@
 #include "cli/failure.hpp"
 #include "cli/files/row_problem.hpp"
 #include "cli/options/quantities.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -65,9 +66,8 @@ struct Layout {
 };
 
 bool is_time(std::string_view name) {
-  std::string lower(name.substr(0, 4));
-  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
-  return lower == "time" || lower == "zeit";
+  auto const begin = name.substr(0, 4);
+  return ascii::equal_ignoring_case(begin, "time") || ascii::equal_ignoring_case(begin, "zeit");
 }
 
 std::string known(std::vector<std::string> const& names) {
