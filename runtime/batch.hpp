@@ -36,6 +36,7 @@ struct Kernel {
   uint32_t tail_count;
   uint32_t block_count;  ///< blocks of the history that the tails reach into
   double ramp;           ///< S_j = ramp (tail_count - j) for a moving average, 0 for every other kernel
+  double length;         ///< tail_count as a factor
 };
 
 enum class SlotMode : uint32_t {

@@ -85,15 +85,17 @@ struct ControlWord {
 #endif
 
 /// Changes the word where one of its bits, but for those that do not matter and the flags, is not the wanted one. Afterwards the
-/// caller's word comes back, with the flags of `Left` added that were raised meanwhile.
-template <ControlWord::Word Indifferent, ControlWord::Word Left>
+/// caller's word comes back, with the flags of `Left` added that were raised meanwhile. Reading the word waits for all computations
+/// before it: where they raise no flags but those of `Left`, as `Raised` says, it is not read again.
+enum class Raised { any_flag, only_what_is_left };
+template <ControlWord::Word Indifferent, ControlWord::Word Left, Raised Flags = Raised::any_flag>
 class Arithmetic {
  public:
   Arithmetic() : callers_(ControlWord::read()), changed_(!is_wanted(callers_)) {
     if (changed_) ControlWord::write(ControlWord::wanted);
   }
   ~Arithmetic() {
-    if (changed_ || ((ControlWord::read() ^ callers_) & ~Left) != 0) ControlWord::write(callers_);
+    if (changed_ || (Flags == Raised::any_flag && has_other_flags())) ControlWord::write(callers_);
   }
   Arithmetic(Arithmetic const&) = delete;
   Arithmetic& operator=(Arithmetic const&) = delete;
@@ -102,12 +104,17 @@ class Arithmetic {
   static bool is_wanted(ControlWord::Word word) {
     return (word & ~(Indifferent | ControlWord::flags)) == ControlWord::wanted;
   }
+  [[nodiscard]] bool has_other_flags() const { return ((ControlWord::read() ^ callers_) & ~Left) != 0; }
   ControlWord::Word callers_;
   bool changed_;
 };
 
-/// That of a cycle. Nearly every computation is inexact: that flag stays as the cycle leaves it.
-using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
+/// That of a cycle. Nearly every computation is inexact: that flag stays as the cycle leaves it. No other is raised: bad setpoints are
+/// sorted out as integers, no number is subnormal, and none gets too large (lanes/sections_def.hpp).
+using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact, Raised::only_what_is_left>;
+
+/// That of a cycle which joins what filters give, and whose products may be subnormal.
+using JoiningArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
 
 /// That of all other calls, which may meet subnormal numbers.
 using PlainArithmetic = Arithmetic<0, 0>;
@@ -126,8 +133,8 @@ auto in_plain_arithmetic(Work const& work) {
 }
 
 template <class Work>
-auto in_cycle_arithmetic(Work const& work) {
-  [[maybe_unused]] CycleArithmetic const arithmetic;
+auto in_joining_arithmetic(Work const& work) {
+  [[maybe_unused]] JoiningArithmetic const arithmetic;
   return apart(work);
 }
 

@@ -26,7 +26,7 @@ bool has_company(axisrt const& runtime) {
   return runtime.recorder != nullptr || runtime.change->begun != 0;
 }
 
-axisrt_status execute(axisrt const& runtime, Port const& port, Call const& call) {
+AXISRT_INLINE axisrt_status execute(axisrt const& runtime, Port const& port, Call const& call) {
   CycleArithmetic const arithmetic;
   return static_cast<axisrt_status>(runtime.instructions->step(port, call.in, call.out, call.status));
 }
@@ -34,7 +34,7 @@ axisrt_status execute(axisrt const& runtime, Port const& port, Call const& call)
 axisrt_status execute_in_change(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
   axisrt const* const before = changes_from(runtime);
   if (before == nullptr) return execute(runtime, (runtime.*port).port, call);
-  CycleArithmetic const arithmetic;
+  JoiningArithmetic const arithmetic;
   return static_cast<axisrt_status>(step_both(runtime, *before, port, call));
 }
 

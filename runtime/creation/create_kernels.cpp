@@ -42,7 +42,11 @@ void build_kernels(ImageView const& view, Layout const& layout, Memory memory) {
     double const* const zero = write_tails(tails, blocks, count, [&](uint32_t j) {
       return unless_below(smallest_tail, view.tails[first + j][field::tail::value]);
     });
-    kernels[i] = {.zero = zero, .tail_count = count, .block_count = blocks, .ramp = find_ramp(zero, count)};
+    kernels[i] = {.zero = zero,
+                  .tail_count = count,
+                  .block_count = blocks,
+                  .ramp = find_ramp(zero, count),
+                  .length = static_cast<double>(count)};
     tails += padded_tails(blocks);
   }
 }

@@ -236,12 +236,44 @@ AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
   return worst;
 }
 
+/// Slots from group `first` on.
+template <uint32_t Width, bool AllReset>
+AXISRT_APART uint64_t step_slots(Batch const& batch, uint32_t first, Call const& call) {
+  Happened<Width> happened{};
+  for (uint32_t group = first; group < batch.group_count; ++group) {
+    Place<Width> place(batch, group);
+    Signal<Width> const in = place.template begin<AllReset>(call, happened);
+    Signal<Width> const out = run_slot<Width>(batch.operations[0].slots[group], place.states(), in);
+    place.template end<AllReset>(call, out, happened);
+  }
+  return worst_of<Width>(happened);
+}
+
+/// Slots with moving averages, as far as they come first: as no call interrupts them, they have all registers for themselves.
+template <uint32_t Width, bool AllReset>
+AXISRT_INLINE uint32_t step_ramps(Batch const& batch, Call const& call, Happened<Width>& happened) {
+  SlotGroup* const slots = batch.operations[0].slots;
+  uint32_t group = 0;
+  for (; group < batch.group_count && slots[group].mode == SlotMode::ramp; ++group) {
+    Place<Width> place(batch, group);
+    Signal<Width> const in = place.template begin<AllReset>(call, happened);
+    place.template end<AllReset>(call, run_ramp_slot<Width>(slots[group], place.states(), in), happened);
+  }
+  return group;
+}
+
 /// A function of its own for each kind, so that each has all registers for itself.
 template <uint32_t Width, ChainKind Kind, bool AllReset>
-AXISRT_APART uint64_t step_groups(Batch const& batch, Call const& call) {
+AXISRT_APART uint64_t step_groups(Batch const& batch, double const* in, double* out, uint8_t* status) {
+  Call const call{in, out, status};
   Happened<Width> happened{};
   uint32_t group = 0;
-  if constexpr (sections_of(Kind) > 0) {
+  if constexpr (Kind == ChainKind::slot) {
+    group = step_ramps<Width, AllReset>(batch, call, happened);
+    if (group < batch.group_count) {
+      return worst_of<Width>(happened) | step_slots<Width, AllReset>(batch, group, call);
+    }
+  } else if constexpr (sections_of(Kind) > 0) {
     for (; group + 2 <= batch.group_count; group += 2) {
       step_sections<Width, sections_of(Kind), 2, AllReset>(batch, group, call, happened);
     }
@@ -253,19 +285,13 @@ AXISRT_APART uint64_t step_groups(Batch const& batch, Call const& call) {
     for (; group < batch.group_count; ++group) {
       Place<Width> place(batch, group);
       Signal<Width> signal = place.template begin<AllReset>(call, happened);
-      if constexpr (Kind == ChainKind::slot) {
-        signal = run_slot<Width>(batch.operations[0].slots[group], place.states(), signal);
-      } else {
-        for (uint32_t i = 0; i < batch.operation_count; ++i) {
-          signal =
-              run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
-        }
+      for (uint32_t i = 0; i < batch.operation_count; ++i) {
+        signal = run_operation<Width>(batch.operations[i], group, place.constants(i), place.parts(), signal);
       }
       place.template end<AllReset>(call, signal, happened);
     }
-    if constexpr (Kind == ChainKind::any) {
-      for (uint32_t i = 0; i < batch.operation_count; ++i)
-        advance_operation<Width>(batch, batch.operations[i]);
+    for (uint32_t i = 0; i < batch.operation_count; ++i) {
+      advance_operation<Width>(batch, batch.operations[i]);
     }
   }
   return worst_of<Width>(happened);
@@ -273,8 +299,9 @@ AXISRT_APART uint64_t step_groups(Batch const& batch, Call const& call) {
 
 template <uint32_t Width, ChainKind Kind>
 AXISRT_INLINE uint64_t step_kind(Batch const& batch, Call const& call) {
-  return batch.state->never_reset == 0 ? step_groups<Width, Kind, true>(batch, call)
-                                       : step_groups<Width, Kind, false>(batch, call);
+  return batch.state->never_reset == 0
+             ? step_groups<Width, Kind, true>(batch, call.in, call.out, call.status)
+             : step_groups<Width, Kind, false>(batch, call.in, call.out, call.status);
 }
 
 template <uint32_t Width>

@@ -38,7 +38,7 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
   auto q = load_real<Width>(sums + 3 * Width);
   g -= q;
   q -= load_real<Width>(increment_of_age<Width>(slot, history, length));
-  c = (c - p) + static_cast<double>(length) * d;
+  c = (c - p) + kernel.length * d;
   p += d;
   Real<Width> const removed = rounded<Width>(kernel.ramp * (c + g));
   slot.ramp_phase += 1;

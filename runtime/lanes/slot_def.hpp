@@ -131,6 +131,15 @@ AXISRT_APART void begin_block(SlotGroup& slot, double* parts) {
   for (uint32_t i = 0; i < block_cycles; ++i) store<Width>(next + i * Width, Real<Width>{});
 }
 
+/// Goes on to where the next cycle's increment goes; true if a block begins there.
+AXISRT_INLINE bool next_place(SlotGroup& slot) {
+  slot.phase += 1;
+  if (slot.phase < block_cycles) return false;
+  slot.phase = 0;
+  slot.block = slot.block + 1 == slot.block_count ? 0 : slot.block + 1;
+  return true;
+}
+
 template <uint32_t Width>
 AXISRT_INLINE void advance(SlotGroup& slot, double* parts) {
   if (slot.mode == SlotMode::direct && slot.fading == 0 && slot.gathers == 0) {
@@ -141,23 +150,41 @@ AXISRT_INLINE void advance(SlotGroup& slot, double* parts) {
       begin_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width);
     }
   }
-  slot.phase += 1;
-  if (slot.phase < block_cycles) return;
-  slot.phase = 0;
-  slot.block = slot.block + 1 == slot.block_count ? 0 : slot.block + 1;
-  begin_block<Width>(slot, parts);
+  if (next_place(slot)) begin_block<Width>(slot, parts);
+}
+
+template <uint32_t Width>
+AXISRT_INLINE void remember(SlotGroup const& slot, double* parts, Real<Width> d) {
+  uint32_t const place = slot.block * block_cycles + slot.phase;
+  store<Width>(parts + (SlotParts::history + place) * Width, d);
+}
+
+template <uint32_t Width>
+AXISRT_INLINE Signal<Width> without(Real<Width> what, double* parts, Signal<Width> const& in) {
+  Real<Width> const removed = on_grid<Width>(what);
+  auto const removed_before = load_real<Width>(parts + SlotParts::removed * Width);
+  store<Width>(parts + SlotParts::removed * Width, removed);
+  return {in.base, in.sum - removed, in.d - (removed - removed_before)};
 }
 
 /// One cycle.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
-  uint32_t const place = slot.block * block_cycles + slot.phase;
-  store<Width>(parts + (SlotParts::history + place) * Width, in.d);
-  Real<Width> const removed = on_grid<Width>(removed_in_cycle<Width>(slot, parts, in.d));
-  auto const removed_before = load_real<Width>(parts + SlotParts::removed * Width);
-  store<Width>(parts + SlotParts::removed * Width, removed);
+  remember<Width>(slot, parts, in.d);
+  Signal<Width> const out = without<Width>(removed_in_cycle<Width>(slot, parts, in.d), parts, in);
   advance<Width>(slot, parts);
-  return {in.base, in.sum - removed, in.d - (removed - removed_before)};
+  return out;
+}
+
+/// One cycle in SlotMode::ramp, without a call of anything.
+template <uint32_t Width>
+AXISRT_INLINE Signal<Width> run_ramp_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
+  remember<Width>(slot, parts, in.d);
+  Real<Width> const removed =
+      run_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width, in.d);
+  Signal<Width> const out = without<Width>(removed, parts, in);
+  next_place(slot);
+  return out;
 }
 
 }  // namespace axisc::runtime::AXISRT_LEVEL
