@@ -231,9 +231,15 @@ AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const&
 /// The worst status as a number.
 template <uint32_t Width>
 AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
-  uint64_t worst = 0;
-  for (uint32_t lane = 0; lane < Width; ++lane) worst |= lane_of(happened, lane);
-  return worst;
+  if constexpr (Width > 2) {
+    struct Halves {
+      Happened<Width / 2> lower, upper;
+    };
+    auto const halves = AXISRT_BIT_CAST(Halves, happened);
+    return worst_of<Width / 2>(halves.lower | halves.upper);
+  } else {
+    return lane_of(happened, 0) | lane_of(happened, Width - 1);
+  }
 }
 
 /// Slots from group `first` on.
