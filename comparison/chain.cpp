@@ -10,7 +10,19 @@ namespace {
 constexpr std::size_t longest_settling = 20000;
 constexpr double settled = 1e-6;
 
+/// w = t^3 (10 - 15 t + 6 t^2), the runtime's
+double fade_weight(std::size_t position, std::size_t length) {
+  double const t = static_cast<double>(position) / static_cast<double>(length);
+  return t * t * t * (10 + t * (6 * t - 15));
+}
+
 }  // namespace
+
+std::size_t most_taps(Link const& link) {
+  std::size_t most = link.taps.size();
+  for (auto const& one : link.switches) most = std::max(most, one.taps.size());
+  return most;
+}
 
 Link link_of(design::FilterDesign const& filter) {
   if (filter.realisation == design::Realisation::sections) {
@@ -24,7 +36,8 @@ Link link_of(design::FilterDesign const& filter) {
   return link;
 }
 
-Runner::Runner(Chain chain) : chain_(std::move(chain)), memories_(chain_.size()) {}
+Runner::Runner(Chain chain, std::size_t first)
+    : chain_(std::move(chain)), memories_(chain_.size()), cycle_(first) {}
 
 /// The runtime's recursion on increments (see design/filter_design.hpp).
 void Runner::run_sections(Link const& link, Memory& memory, std::span<double> signal) {
@@ -50,23 +63,49 @@ void Runner::run_sections(Link const& link, Memory& memory, std::span<double> si
   }
 }
 
-/// y[n] = origin + sum of taps[k] (x[n - k] - origin)
-void Runner::run_taps(Link const& link, Memory& memory, std::span<double> signal) {
-  std::size_t const before = link.taps.size() - 1;
-  padded_ = memory.before;
-  for (double const x : signal) padded_.push_back(x - memory.origin);
-  memory.before.assign(padded_.end() - static_cast<std::ptrdiff_t>(before), padded_.end());
+/// y[n] = origin + sum of taps[k] (x[n - k] - origin), x[n] being padded[n + longest - 1]; from cycle `from` of the piece on.
+void Runner::apply(std::vector<double> const& taps, double origin, std::size_t from,
+                   std::span<double> signal) const {
   constexpr std::size_t group = 512;  // sums that stay in the cache while all taps pass over them
   for (std::size_t first = 0; first < signal.size(); first += group) {
     auto const sums = signal.subspan(first, std::min(group, signal.size() - first));
     std::fill(sums.begin(), sums.end(), 0.0);
-    for (std::size_t k = 0; k <= before; ++k) {
-      double const tap = link.taps[k];
-      double const* const x = padded_.data() + first + before - k;
+    for (std::size_t k = 0; k < taps.size(); ++k) {
+      double const tap = taps[k];
+      double const* const x = padded_.data() + from + first - k;
       for (std::size_t n = 0; n < sums.size(); ++n) sums[n] += tap * x[n];
     }
-    for (double& y : sums) y += memory.origin;
+    for (double& y : sums) y += origin;
   }
+}
+
+void Runner::run_taps(Link const& link, Memory& memory, std::span<double> signal) {
+  std::size_t const before = most_taps(link) - 1;
+  padded_ = memory.before;
+  for (double const x : signal) padded_.push_back(x - memory.origin);
+  memory.before.assign(padded_.end() - static_cast<std::ptrdiff_t>(before), padded_.end());
+  auto const* taps = &link.taps;
+  std::size_t from = 0;  // of the piece
+  for (auto const& next : link.switches) {
+    std::size_t const at = next.cycle > cycle_ ? std::min(next.cycle - cycle_, signal.size()) : 0;
+    if (at > from) apply(*taps, memory.origin, before + from, signal.subspan(from, at - from));
+    from = std::max(from, at);
+    std::size_t const fade_end = next.cycle + next.fade_cycles;
+    std::size_t const end = fade_end > cycle_ ? std::min(fade_end - cycle_, signal.size()) : 0;
+    if (end > from && from >= at && next.cycle < cycle_ + signal.size()) {
+      auto const faded = signal.subspan(from, end - from);
+      before_fade_.resize(faded.size());
+      apply(*taps, memory.origin, before + from, before_fade_);
+      apply(next.taps, memory.origin, before + from, faded);
+      for (std::size_t n = 0; n < faded.size(); ++n) {
+        double const w = fade_weight(cycle_ + from + n + 1 - next.cycle, next.fade_cycles);
+        faded[n] = before_fade_[n] + w * (faded[n] - before_fade_[n]);
+      }
+      from = end;
+    }
+    if (next.cycle < cycle_ + signal.size()) taps = &next.taps;
+  }
+  if (from < signal.size()) apply(*taps, memory.origin, before + from, signal.subspan(from));
 }
 
 void Runner::run(std::span<double> signal) {
@@ -77,7 +116,7 @@ void Runner::run(std::span<double> signal) {
     if (!is_running_) {
       memory.origin = memory.last = signal.front();
       memory.states.resize(link.sections.size());
-      if (!link.taps.empty()) memory.before.assign(link.taps.size() - 1, 0.0);
+      if (!link.taps.empty()) memory.before.assign(most_taps(link) - 1, 0.0);
     }
     if (link.taps.empty()) {
       run_sections(link, memory, signal);
@@ -86,18 +125,19 @@ void Runner::run(std::span<double> signal) {
     }
   }
   is_running_ = true;
+  cycle_ += signal.size();
 }
 
-std::vector<double> respond(Chain const& chain, std::span<double const> input) {
+std::vector<double> respond(Chain const& chain, std::span<double const> input, std::size_t first) {
   std::vector<double> signal(input.begin(), input.end());
-  Runner(chain).run(signal);
+  Runner(chain, first).run(signal);
   return signal;
 }
 
 std::size_t settling_cycles(Chain const& chain) {
   std::size_t cycles = 1;
   for (auto const& link : chain) {
-    cycles += link.taps.size();
+    cycles += most_taps(link);
     for (auto const& section : link.sections) {
       auto const [one, other] = design::poles(section);
       double const radius = std::max(std::abs(one), std::abs(other));

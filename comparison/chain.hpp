@@ -9,22 +9,30 @@
 
 namespace axisc::comparison {
 
+/// From a cycle of the recording on a kernel has other taps; it fades over to them as the runtime does.
+struct Switch {
+  std::size_t cycle = 0;
+  std::vector<double> taps{};
+  std::size_t fade_cycles = 0;
+};
+
 /// Either second-order sections with a share, or the taps of a kernel: those, where there are any.
 struct Link {
   std::vector<design::IncrementSection> sections{};
   bool blocks_constant = false;
   double share = 1;  ///< of the sections; taps have theirs in them
   std::vector<double> taps{};
+  std::vector<Switch> switches{};  ///< of taps, by rising cycle
 };
 
 using Chain = std::vector<Link>;
 
 [[nodiscard]] Link link_of(design::FilterDesign const& filter);
 
-/// Answers an input that comes piece by piece, from rest at its first value.
+/// Answers an input that comes piece by piece, from rest at its first value, which is that of cycle `first` of the recording.
 class Runner {
  public:
-  explicit Runner(Chain chain);
+  explicit Runner(Chain chain, std::size_t first = 0);
   /// The next piece becomes its answer.
   void run(std::span<double> signal);
 
@@ -42,15 +50,21 @@ class Runner {
 
   static void run_sections(Link const& link, Memory& memory, std::span<double> signal);
   void run_taps(Link const& link, Memory& memory, std::span<double> signal);
+  void apply(std::vector<double> const& taps, double origin, std::size_t from, std::span<double> sums) const;
 
   Chain chain_;
   std::vector<Memory> memories_;
   bool is_running_ = false;
-  std::vector<double> padded_;
+  std::size_t cycle_;  ///< of the next piece's first value
+  std::vector<double> padded_, before_fade_;
 };
 
-/// The answer to `input`, from rest at its first value.
-[[nodiscard]] std::vector<double> respond(Chain const& chain, std::span<double const> input);
+/// The answer to `input`, from rest at its first value, that of cycle `first` of the recording.
+[[nodiscard]] std::vector<double> respond(Chain const& chain, std::span<double const> input,
+                                          std::size_t first = 0);
+
+/// Of a kernel and whatever it is switched to.
+[[nodiscard]] std::size_t most_taps(Link const& link);
 
 /// Cycles after which a state that is not known has less than a millionth of its effect; at most 20000.
 [[nodiscard]] std::size_t settling_cycles(Chain const& chain);

@@ -24,7 +24,7 @@ Overlay overlay(Recording const& recording, Chain const& chain, double delay_cyc
   auto const lag = static_cast<std::ptrdiff_t>(whole);
   auto const begin = static_cast<std::ptrdiff_t>(shown.first) - lag - 1;
   std::vector<double> answers(length + 1, std::numeric_limits<double>::quiet_NaN());
-  Runner runner(chain);
+  Runner runner(chain, recording.first);
   std::vector<double> piece;
   for_each_part(recording.input, [&](std::size_t first, std::span<double const> input) {
     piece.assign(input.begin(), input.end());

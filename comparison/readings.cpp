@@ -23,6 +23,7 @@ constexpr Sentence quarter_cycle{"the filters are computed for a quarter of the 
 constexpr Sentence filters_off{"the standard filters are off, as the default list has them",
                                "die Standardfilter sind aus, wie in der Standardliste"};
 constexpr Sentence kernel_off{"the linear-phase filter is off", "der linearphasige Filter ist aus"};
+constexpr Sentence unswitched{"the #FILTER commands change nothing", "die #FILTER-Befehle ändern nichts"};
 constexpr Sentence kernel_on{"the linear-phase filter is on", "der linearphasige Filter ist an"};
 
 }  // namespace axisc::comparison::says
@@ -46,12 +47,27 @@ bool same(std::vector<double> const& one, std::vector<double> const& other) {
 
 bool same(Chain const& one, Chain const& other) {
   return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](Link const& a, Link const& b) {
-    return a.sections == b.sections && a.share == b.share && same(a.taps, b.taps);
+    return a.sections == b.sections && a.share == b.share && same(a.taps, b.taps) &&
+           std::equal(a.switches.begin(), a.switches.end(), b.switches.begin(), b.switches.end(),
+                      [](Switch const& x, Switch const& y) { return same(x.taps, y.taps); });
   });
 }
 
+/// With the longest kernel that it is switched to, and without switches.
+Chain unswitched(Chain chain) {
+  for (auto& link : chain) {
+    for (auto& one : link.switches) {
+      if (one.taps.size() > link.taps.size()) link.taps = std::move(one.taps);
+    }
+    link.switches.clear();
+  }
+  return chain;
+}
+
 /// Whether the answers to a jump are the same but for whole cycles, which no recording tells apart from an offset of its columns.
-bool same_but_delayed(Chain const& one, Chain const& other) {
+bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
+  Chain const one = unswitched(switched_one);
+  Chain const other = unswitched(switched_other);
   constexpr std::size_t jump = 8;  // also the longest delay
   constexpr double indistinguishable = 3e-5;
   std::size_t const length = std::max(settling_cycles(one), settling_cycles(other)) + 2 * jump;
@@ -107,23 +123,53 @@ std::vector<Part> filter_parts(Configured const& configured) {
   return parts;
 }
 
-Chain kernel_chain(std::vector<double> taps) {
-  return {Link{.taps = std::move(taps)}};
+std::vector<double> passing() {
+  return {1.0};
+}
+
+/// The linear-phase filter and what commands make of it, each kernel as `taps` has it; empty where that cannot be had of one.
+template <class Taps>
+Chain kernel_chain(Configured const& configured, Taps const& taps) {
+  if (configured.switches.empty() && !configured.kernel_on) return {};
+  Link link{.taps = configured.kernel && configured.kernel_on ? taps(*configured.kernel) : passing()};
+  bool complete = !link.taps.empty();
+  for (auto const& one : configured.switches) {
+    link.switches.push_back({one.cycle, one.kernel ? taps(*one.kernel) : passing(), one.fade_cycles});
+    complete = complete && !link.switches.back().taps.empty();
+  }
+  return complete ? Chain{std::move(link)} : Chain{};
+}
+
+Chain listed_kernel(Configured const& configured) {
+  return kernel_chain(configured, [&](design::KernelSpecification const& kernel) {
+    return design::design_kernel(kernel, configured.cycle_time).taps;
+  });
+}
+
+/// Without commands, on or off.
+Configured steady(Configured configured, bool on) {
+  configured.switches.clear();
+  configured.kernel_on = on;
+  return configured;
 }
 
 std::vector<Part> kernel_parts(Configured const& configured) {
-  if (!configured.kernel) return {{std::nullopt, {}}};
-  auto const listed = design::design_kernel(*configured.kernel, configured.cycle_time).taps;
-  std::vector<Part> parts{{std::nullopt, configured.kernel_on ? kernel_chain(listed) : Chain{}}};
-  if (!configured.kernel_on) {
-    add(parts, {Departure{"filter-on", says::kernel_on}, kernel_chain(listed)});
-    return parts;
-  }
+  if (!configured.kernel && configured.switches.empty()) return {{std::nullopt, {}}};
+  std::vector<Part> parts{{std::nullopt, listed_kernel(configured)}};
   for (auto const& reading : kernel_readings()) {
-    auto taps = reading.taps(*configured.kernel, configured.cycle_time);
-    if (!taps.empty()) add(parts, {reading.departure, kernel_chain(std::move(taps))});
+    Chain links = kernel_chain(configured, [&](design::KernelSpecification const& kernel) {
+      return reading.taps(kernel, configured.cycle_time);
+    });
+    if (!links.empty()) add(parts, {reading.departure, std::move(links)});
   }
-  add(parts, {Departure{"filter-off", says::kernel_off}, {}});
+  if (!configured.switches.empty()) {
+    parts.push_back({Departure{"filter-unswitched", says::unswitched},
+                     listed_kernel(steady(configured, configured.kernel_on && configured.kernel))});
+  } else if (configured.kernel_on) {
+    add(parts, {Departure{"filter-off", says::kernel_off}, {}});
+  } else {
+    add(parts, {Departure{"filter-on", says::kernel_on}, listed_kernel(steady(configured, true))});
+  }
   return parts;
 }
 
@@ -149,11 +195,17 @@ void add_other_cycle_time(std::vector<Reading>& all, Configured configured, Depa
   for (auto& filter : configured.filters) filter.cycle_time = reading;
   Chain chain = listed_filters(configured);
   if (chain.size() != configured.filters.size()) return;
-  if (configured.kernel && configured.kernel_on) {
-    auto& kernel = *configured.kernel;
-    kernel.cycle_time = reading;
-    if (!can_be_designed(kernel, configured.cycle_time)) return;
-    chain.push_back(kernel_chain(design::design_kernel(kernel, configured.cycle_time).taps).front());
+  auto const take_over = [&](std::optional<design::KernelSpecification>& kernel) {
+    if (kernel) kernel->cycle_time = reading;
+    return !kernel || can_be_designed(*kernel, configured.cycle_time);
+  };
+  if (!take_over(configured.kernel)) return;
+  for (auto& one : configured.switches) {
+    if (!take_over(one.kernel)) return;
+  }
+  if (configured.kernel || !configured.switches.empty()) {
+    auto const links = listed_kernel(configured);
+    chain.insert(chain.end(), links.begin(), links.end());
   }
   if (!same(chain, all.front().chain)) all.push_back({{departure}, std::move(chain)});
 }

@@ -16,12 +16,20 @@
 
 namespace axisc::comparison {
 
+/// A `#FILTER` command while the recording ran, as far as it concerns the axis.
+struct KernelSwitch {
+  std::size_t cycle = 0;
+  std::optional<design::KernelSpecification> kernel{};  ///< none: off
+  std::size_t fade_cycles = 0;
+};
+
 /// The setpoint chain of an axis as the lists say it.
 struct Configured {
   design::CycleTime cycle_time;
   std::vector<design::FilterSpecification> filters;
   std::optional<design::KernelSpecification> kernel;
-  bool kernel_on = true;  ///< in the recording, as far as the lists say
+  bool kernel_on = true;                 ///< as the recording begins, as far as the lists say
+  std::vector<KernelSwitch> switches{};  ///< by rising cycle
 };
 
 /// A departure: its name in JSON and what it means.

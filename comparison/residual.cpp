@@ -139,7 +139,7 @@ template <class Use>
 void for_each_window(Chain const& chain, Recording const& recording, std::vector<bool> const& counted,
                      Use use) {
   std::size_t const size = recording.output.size();
-  Runner runner(chain);
+  Runner runner(chain, recording.first);
   std::vector<double> computed, output;
   std::size_t first = 0;
   std::size_t done = 0;

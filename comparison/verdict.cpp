@@ -40,7 +40,8 @@ Recording busiest_part(Recording const& whole, std::size_t settling) {
     signal.read(best, values);
     return Signal(values);
   };
-  Recording taken{.input = part(whole.input), .output = part(whole.output), .gaps = {}};
+  Recording taken{
+      .input = part(whole.input), .output = part(whole.output), .gaps = {}, .first = whole.first + best};
   for (auto const gap : whole.gaps) {
     if (gap >= best && gap < best + length) taken.gaps.push_back(gap - best);
   }
@@ -76,7 +77,7 @@ std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& 
     if (reading.departures.empty()) {
       found.push_back({reading, residual_of(reading.chain, part, counted)});
     } else {
-      found.push_back({reading, residual_of(respond(reading.chain, input), output, counted)});
+      found.push_back({reading, residual_of(respond(reading.chain, input, part.first), output, counted)});
     }
   }
   std::stable_sort(found.begin(), found.end(),

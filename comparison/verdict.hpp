@@ -15,6 +15,7 @@ namespace axisc::comparison {
 struct Recording {
   Signal input, output;
   std::vector<std::size_t> gaps;  ///< cycles whose values were not recorded and are interpolated
+  std::size_t first = 0;          ///< cycle of the first value, where this is a part of a recording
 };
 
 /// How far a chain's answer is from the recorded output where the output moves.

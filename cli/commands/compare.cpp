@@ -1,6 +1,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/execution/recorded_axis.hpp"
+#include "cli/execution/recorded_switches.hpp"
 #include "cli/files/compiled_input.hpp"
 #include "cli/formats/compare_formats.hpp"
 #include "cli/options/command_line.hpp"
@@ -33,6 +34,11 @@ constexpr Sentence argument_recording{"what a scope recorded: two columns, a row
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
                                "die aufgezeichnete Achse (Standardwert: die einzige)"};
 constexpr Sentence option_format{"output format (default: text)", "Ausgabeformat (Standardwert: text)"};
+constexpr Sentence option_switched{
+    "the control executed COMMAND (#FILTER ...) before that cycle of the recording; for images with kernel "
+    "banks",
+    "die Steuerung führte BEFEHL (#FILTER ...) vor diesem Zyklus der Aufzeichnung aus; für "
+    "Abbilder mit Kernbänken"};
 constexpr Sentence option_emit{"write the readings that fit as \"design\" of axisc.json instead",
                                "stattdessen die passenden Lesarten als \"design\" für axisc.json ausgeben"};
 constexpr Sentence no_settings{
@@ -54,6 +60,7 @@ enum class Emitted : std::uint8_t { nothing, settings };
 
 struct CompareOptions {
   std::optional<std::string> input, recording, axis, cycle_time;
+  std::vector<std::string> commands;
   WantedColumns columns;
   RecordedUnit unit = RecordedUnit::recognised;
   Format format = Format::text;
@@ -70,6 +77,7 @@ void declare(CommandLine& command_line, CompareOptions& options) {
                       {{"0.1um", RecordedUnit::tenths}, {"um", RecordedUnit::um}, {"mm", RecordedUnit::mm}},
                       options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
   command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
@@ -89,7 +97,11 @@ ExitStatus compare(Invocation const& invocation) {
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
   auto const axis = recorded_axis(image, options.axis, *options.input);
-  auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit);
+  auto const commands =
+      read_timed_commands(options.commands, input->image, *options.input, invocation.language);
+  auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,
+                               kernel_switches(commands, image, axis, *options.input));
+  refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
     auto const settings = comparison::settings_of(recorded.result, image::readings_of(image, axis));
     if (!settings) {

@@ -1,6 +1,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
+#include "cli/execution/recorded_switches.hpp"
 #include "cli/files/compiled_input.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
@@ -191,7 +192,7 @@ void refuse_mixture(PlotOptions const& options) {
            {options.response.wraps_phase, "--wrap", "response", response},
            {options.measured.has_value(), "--measured", "response", response},
            {options.axis.has_value(), "--axis", "response, step, delay, compare", of_axes || compared},
-           {!options.commands.empty(), "--at", "response, step, delay", of_axes},
+           {!options.commands.empty(), "--at", "response, step, delay, compare", of_axes || compared},
            {options.before.has_value(), "--before", "response, step, delay, corner, circle",
             contour || of_axes},
            {options.recording.has_value(), "--recording", "compare", compared},
@@ -230,8 +231,9 @@ std::optional<Plotted> plotted(PlotOptions const& options, std::string const& pa
   auto input = compiled_input(path, options.cycle_time, invocation, color);
   if (!input) return std::nullopt;
   auto host = start_runtime(path, input->image);
+  bool const at_once = options.kind != Kind::compare;
   for (auto const& command : read_timed_commands(options.commands, input->image, path, invocation.language)) {
-    execute(command, host, input->image.contents, path);
+    if (at_once) execute(command, host, input->image.contents, path);
   }
   return Plotted{.input = std::move(*input), .host = std::move(host)};
 }
@@ -350,7 +352,10 @@ ExitStatus plot(Invocation const& invocation) {
     figure = *std::move(found);
   } else if (options.kind == Kind::compare) {
     auto const axis = recorded_axis(contents, options.axis, *options.input);
-    auto const found = compare_axis(contents, axis, *options.recording, options.columns, options.unit);
+    auto const commands =
+        read_timed_commands(options.commands, now->input.image, *options.input, invocation.language);
+    auto const found = compare_axis(contents, axis, *options.recording, options.columns, options.unit,
+                                    kernel_switches(commands, contents, axis, *options.input));
     figure =
         compare_figure(found, axis_label(contents, axis), contents.cycle_time.seconds(), invocation.language);
   } else if (is_contour(options.kind)) {

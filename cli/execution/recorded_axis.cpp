@@ -54,9 +54,12 @@ std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::
 }
 
 RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, std::string const& path,
-                          WantedColumns const& columns, RecordedUnit unit) {
+                          WantedColumns const& columns, RecordedUnit unit,
+                          std::vector<comparison::KernelSwitch> switches) {
+  auto chain = configured(image, axis);
+  chain.switches = std::move(switches);
   RecordedAxis found{.columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
-                     .readings = comparison::readings(configured(image, axis)),
+                     .readings = comparison::readings(chain),
                      .result = {},
                      .is_rotary = image.axes[axis].type == rotary};
   found.thousandths = thousandths(recognised(unit, found.columns.recording));

@@ -23,9 +23,10 @@ struct RecordedAxis {
 [[nodiscard]] std::size_t recorded_axis(image::ImageContents const& image,
                                         std::optional<std::string> const& name, std::string const& file);
 
-/// Failures as those of read_recorded_columns().
+/// `switches` of kernel_switches(), in cycles of the recording. Failures as those of read_recorded_columns().
 [[nodiscard]] RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis,
                                         std::string const& path, WantedColumns const& columns,
-                                        RecordedUnit unit);
+                                        RecordedUnit unit,
+                                        std::vector<comparison::KernelSwitch> switches = {});
 
 }  // namespace axisc::cli

@@ -23,8 +23,8 @@ constexpr Sentence no_bank{
     "in "
     "filter_sets der Maschinendatei nennen"};
 constexpr Sentence late{
-    "--at {cycle}:{command}: there is no such cycle; the run has the cycles 0 to {last}",
-    "--at {cycle}:{command}: diesen Zyklus gibt es nicht; der Lauf hat die Zyklen 0 bis {last}"};
+    "--at {cycle}:{command}: there is no such cycle; there are the cycles 0 to {last}",
+    "--at {cycle}:{command}: diesen Zyklus gibt es nicht; es gibt die Zyklen 0 bis {last}"};
 constexpr Sentence command_busy{
     "\"{command}\" at cycle {cycle}: a filter is still changing over from the previous command",
     "\"{command}\" in Zyklus {cycle}: ein Filter ist noch im Übergang vom vorherigen Befehl"};
@@ -65,6 +65,12 @@ std::string banks_of(image::ImageContents const& image) {
   std::string text;
   for (auto const& bank : banks) text += (text.empty() ? "" : ", ") + bank;
   return text;
+}
+
+[[noreturn]] void refuse_bank(TimedCommand const& command, image::ImageContents const& image,
+                              std::string const& path) {
+  refuse(says::no_bank, command, path,
+         {{"banks", banks_of(image)}, {"needed", bank_text(command.parameters, command.command.hsc)}});
 }
 
 /// An axis with the time delay bounds the order of the whole channel's commands.
@@ -135,10 +141,17 @@ void execute(TimedCommand const& command, image::RuntimeHost& host, image::Image
         refuse(says::command_standstill, command, path);
     }
   }
-  if (!executed) {
-    refuse(says::no_bank, command, path,
-           {{"banks", banks_of(image)}, {"needed", bank_text(command.parameters, command.command.hsc)}});
-  }
+  if (!executed) refuse_bank(command, image, path);
+}
+
+image::ImageBank const& bank_of(TimedCommand const& command, image::ImageGroup const& group,
+                                image::ImageContents const& image, std::string const& path) {
+  bool const hsc = command.command.hsc;
+  auto const found = std::find_if(group.banks.begin(), group.banks.end(), [&](image::ImageBank const& bank) {
+    return bank.hsc == hsc && (hsc || bank.parameters == command.parameters);
+  });
+  if (found == group.banks.end()) refuse_bank(command, image, path);
+  return *found;
 }
 
 }  // namespace axisc::cli

@@ -1,4 +1,4 @@
-// `--at CYCLE:COMMAND`: #FILTER commands that `run` and `response` execute.
+// `--at CYCLE:COMMAND`: #FILTER commands that `run` and `response` execute, and that a control executed in a recording.
 #pragma once
 
 #include "cli/files/image_file.hpp"
@@ -31,5 +31,9 @@ void refuse_late(std::vector<TimedCommand> const& commands, std::uint64_t cycles
 /// banks), if a filter is still changing over, or if the change is possible only at standstill.
 void execute(TimedCommand const& command, image::RuntimeHost& host, image::ImageContents const& image,
              std::string const& path);
+
+/// The kernels of the channel for what the command asks for, unless it is OFF. Failure if there are none: as execute().
+[[nodiscard]] image::ImageBank const& bank_of(TimedCommand const& command, image::ImageGroup const& group,
+                                              image::ImageContents const& image, std::string const& path);
 
 }  // namespace axisc::cli

@@ -3,6 +3,7 @@
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
 
+#include <cmath>
 #include <iterator>
 #include <sstream>
 
@@ -128,4 +129,54 @@ TEST_CASE("settings that compare emits make the recording agree") {
   // A reading that the settings ask for, and the control does not have, leads back.
   folder.write("axisc.json", R"({"design": {"kernels": "order-is-half-width"}})");
   CHECK(run_axisc(emitting, there).out == settings.out);
+}
+
+TEST_CASE("a recording with #FILTER commands is compared with what they make of the filter") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("x.lis", "filter_fir.enable 0\nfilter_fir.type 1\nfilter_fir.order 10\nEnde\n");
+  folder.write("machine.json",
+               R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}], "programs": ["p.nc"]})");
+  folder.write("p.nc", "N10 #FILTER ON\nN20 #FILTER OFF\nN30 M30\n");
+  auto const compiled = run_axisc({"compile", "machine.json", "-o", "m.axim", "--quiet"}, there);
+  INFO(compiled.err);
+  REQUIRE(compiled.status == 0);
+  std::string setpoints = "X\n";
+  for (int n = 0; n < 6000; ++n)
+    setpoints += std::to_string(n % 300 < 150 ? 40 * (n % 300) : 12000 - 40 * (n % 300)) + "\n";
+  folder.write("setpoints.csv", setpoints);
+  std::vector<std::string> const commands{"--at", "1000:#FILTER ON", "--at", "3500:#FILTER OFF"};
+  auto const with = [&](std::vector<std::string> words, std::vector<std::string> const& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return run_axisc(words, there);
+  };
+  auto const control = with({"run", "m.axim", "--input", "setpoints.csv"}, commands);
+  INFO(control.err);
+  REQUIRE(control.status == 0);
+  std::istringstream before(setpoints);
+  std::istringstream behind(control.out);
+  std::string recording;
+  for (std::string in, out; std::getline(before, in) && std::getline(behind, out);) {
+    recording +=
+        recording.empty() ? "in;out\n" : in + ";" + std::to_string(std::lround(std::stod(out))) + "\n";
+  }
+  folder.write("scope.csv", recording);
+
+  auto const same = with({"compare", "machine.json", "scope.csv"}, commands);
+  CHECK(same.status == 0);
+  CHECK_THAT(same.out, Catch::Matchers::Contains("the same: the control does what axisc computes"));
+  auto const unsaid = with({"compare", "machine.json", "scope.csv"}, {});
+  CHECK(unsaid.status == 1);
+  auto const early =
+      with({"compare", "machine.json", "scope.csv"}, {"--at", "900:#FILTER ON", "--at", "3500:#FILTER OFF"});
+  CHECK(early.status == 1);
+  CHECK_THAT(early.out, Catch::Matchers::Contains("different"));
+
+  auto const late = with({"compare", "machine.json", "scope.csv"}, {"--at", "6000:#FILTER ON"});
+  CHECK(late.status == 2);
+  CHECK_THAT(late.err, Catch::Matchers::Contains("there are the cycles 0 to 5999"));
+  auto const hasty =
+      with({"compare", "machine.json", "scope.csv"}, {"--at", "100:#FILTER ON", "--at", "101:#FILTER OFF"});
+  CHECK(hasty.status == 2);
+  CHECK_THAT(hasty.err, Catch::Matchers::Contains("still changing over"));
 }
