@@ -1,5 +1,7 @@
 #include "comparison/chain.hpp"
 
+#include "comparison/fade_weight.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +11,6 @@ namespace {
 
 constexpr std::size_t longest_settling = 20000;
 constexpr double settled = 1e-6;
-
-/// w = t^3 (10 - 15 t + 6 t^2), the runtime's
-double fade_weight(std::size_t position, std::size_t length) {
-  double const t = static_cast<double>(position) / static_cast<double>(length);
-  return t * t * t * (10 + t * (6 * t - 15));
-}
 
 }  // namespace
 

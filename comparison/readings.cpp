@@ -146,13 +146,6 @@ Chain listed_kernel(Configured const& configured) {
   });
 }
 
-/// Without commands, on or off.
-Configured steady(Configured configured, bool on) {
-  configured.switches.clear();
-  configured.kernel_on = on;
-  return configured;
-}
-
 std::vector<Part> kernel_parts(Configured const& configured) {
   if (!configured.kernel && configured.switches.empty()) return {{std::nullopt, {}}};
   std::vector<Part> parts{{std::nullopt, listed_kernel(configured)}};
@@ -211,6 +204,12 @@ void add_other_cycle_time(std::vector<Reading>& all, Configured configured, Depa
 }
 
 }  // namespace
+
+Configured steady(Configured configured, bool on) {
+  configured.switches.clear();
+  configured.kernel_on = on;
+  return configured;
+}
 
 std::vector<Reading> readings(Configured const& configured) {
   auto const filters = filter_parts(configured);

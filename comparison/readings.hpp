@@ -32,6 +32,9 @@ struct Configured {
   std::vector<KernelSwitch> switches{};  ///< by rising cycle
 };
 
+/// The linear-phase filter on or off all the time, without commands.
+[[nodiscard]] Configured steady(Configured configured, bool on);
+
 /// A departure: its name in JSON and what it means.
 struct Departure {
   std::string_view id;

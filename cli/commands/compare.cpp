@@ -119,6 +119,7 @@ ExitStatus compare(Invocation const& invocation) {
                               .thousandths = recorded.thousandths,
                               .is_rotary = recorded.is_rotary,
                               .jumps = recorded.jumps,
+                              .found_switches = std::move(recorded.found_switches),
                               .result = std::move(recorded.result)};
   invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)
                                                               : compare_text(shown, invocation.language));

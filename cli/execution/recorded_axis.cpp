@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 #include "cli/files/byte_source.hpp"
 #include "cli/files/image_file.hpp"
+#include "comparison/found_switches.hpp"
 #include "comparison/residual.hpp"
 #include "comparison/turns.hpp"
 
@@ -43,6 +44,40 @@ double thousandths(RecordedUnit unit) {
   return unit == RecordedUnit::tenths ? 0.1 : 1000;
 }
 
+bool agrees(comparison::Comparison const& result) {
+  return result.verdict == comparison::Verdict::same || result.verdict == comparison::Verdict::delayed;
+}
+
+bool fits_nothing(comparison::Comparison const& result) {
+  return result.verdict == comparison::Verdict::different && result.fitting.empty();
+}
+
+/// That of #FILTER ON and OFF without keywords.
+comparison::ChangeOver change_over(image::ImageContents const& image, std::size_t axis) {
+  auto const& slot = image.axes[axis].slot;
+  if (!slot || !slot->group) return {};
+  auto const& group = image.groups[*slot->group];
+  comparison::ChangeOver lengths{.on = 0, .off = group.off_fade_cycles};
+  bool const hsc = slot->family == machine::KernelFamily::hsc;
+  for (auto const& bank : group.banks) {
+    if (bank.parameters.empty() && bank.hsc == hsc) lengths.on = bank.fade_cycles;
+  }
+  return lengths;
+}
+
+/// Switches are only believed where the recording is what axisc computes with them.
+void explain_by_switches(RecordedAxis& found, comparison::Configured chain,
+                         comparison::ChangeOver const& lengths) {
+  chain.switches = comparison::found_switches(found.columns.recording, chain, lengths);
+  if (chain.switches.empty()) return;
+  auto all = comparison::readings(chain);
+  auto result = comparison::compare(found.columns.recording, all);
+  if (!agrees(result)) return;
+  found.readings = std::move(all);
+  found.result = std::move(result);
+  found.found_switches = std::move(chain.switches);
+}
+
 }  // namespace
 
 std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::string> const& name,
@@ -66,6 +101,9 @@ RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, s
   constexpr double turn = 360'000;
   if (found.is_rotary) found.jumps = comparison::unwind(found.columns.recording, turn / found.thousandths);
   found.result = comparison::compare(found.columns.recording, found.readings);
+  if (chain.switches.empty() && fits_nothing(found.result)) {
+    explain_by_switches(found, std::move(chain), change_over(image, axis));
+  }
   return found;
 }
 

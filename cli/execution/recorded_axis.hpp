@@ -15,6 +15,7 @@ struct RecordedAxis {
   comparison::Comparison result;
   double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
   bool is_rotary = false;
+  std::vector<comparison::KernelSwitch> found_switches{};  ///< that nobody named, without which nothing fits
   std::size_t jumps = 0;  ///< by full turns, which a modulo axis makes; they are taken out
   [[nodiscard]] std::string unit() const { return is_rotary ? "0.001°" : "µm"; }
 };
@@ -23,7 +24,7 @@ struct RecordedAxis {
 [[nodiscard]] std::size_t recorded_axis(image::ImageContents const& image,
                                         std::optional<std::string> const& name, std::string const& file);
 
-/// `switches` of kernel_switches(), in cycles of the recording. Failures as those of read_recorded_columns().
+/// `switches` of kernel_switches(), in cycles of the recording; where there are none, such that explain it are looked for. Failures as those of read_recorded_columns().
 [[nodiscard]] RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis,
                                         std::string const& path, WantedColumns const& columns,
                                         RecordedUnit unit,

@@ -16,6 +16,9 @@ constexpr Sentence compared{
     "{repeated})"};
 constexpr Sentence turns_taken_out{"jumps by a full turn, taken out: {jumps}",
                                    "Sprünge um eine volle Umdrehung, herausgerechnet: {jumps}"};
+constexpr Sentence found_on{"found: #FILTER ON at cycle {cycle}", "gefunden: #FILTER ON in Zyklus {cycle}"};
+constexpr Sentence found_off{"found: #FILTER OFF at cycle {cycle}",
+                             "gefunden: #FILTER OFF in Zyklus {cycle}"};
 constexpr Sentence is_same{"the same: the control does what axisc computes",
                            "gleich: die Steuerung tut, was axisc rechnet"};
 constexpr Sentence is_delayed{"the same but for a delay (in cycles: {delay})",
@@ -85,6 +88,9 @@ class Writer {
                           {"lost", std::to_string(result.lost)},
                           {"repeated", std::to_string(shown_.repeated)}});
     if (shown_.jumps > 0) line(says::turns_taken_out, {{"jumps", std::to_string(shown_.jumps)}});
+    for (auto const& one : shown_.found_switches) {
+      line(one.kernel ? says::found_on : says::found_off, {{"cycle", std::to_string(one.cycle)}});
+    }
     verdict();
     if (result.verdict == Verdict::cannot_tell) return text_;
     line(says::deviation, {{"largest", length(result.listed.largest)},
@@ -162,6 +168,11 @@ std::string compare_text(ShownComparison const& shown, Language language) {
 
 std::string compare_json(ShownComparison const& shown, Language language) {
   auto const& result = shown.result;
+  std::string switches;
+  for (auto const& one : shown.found_switches) {
+    switches += (switches.empty() ? "" : ", ") + ("{\"cycle\": " + std::to_string(one.cycle)) +
+                ", \"command\": \"" + (one.kernel ? "#FILTER ON" : "#FILTER OFF") + "\"}";
+  }
   std::string fitting;
   for (auto const& one : result.fitting) {
     fitting += (fitting.empty() ? "\n    " : ",\n    ") + json_explained(one, shown, language);
@@ -173,7 +184,7 @@ std::string compare_json(ShownComparison const& shown, Language language) {
          ",\n  \"compared\": " + std::to_string(result.compared) +
          ",\n  \"lost\": " + std::to_string(result.lost) +
          ",\n  \"repeated\": " + std::to_string(shown.repeated) +
-         ",\n  \"jumps\": " + std::to_string(shown.jumps) +
+         ",\n  \"jumps\": " + std::to_string(shown.jumps) + ",\n  \"found_switches\": [" + switches + "]" +
          ",\n  \"unit\": " + json_string(shown.is_rotary ? "0.001°" : "µm") +
          ",\n  \"verdict\": " + json_string(word(result)) +
          ",\n  \"allowed_rms\": " + json_number(result.allowed_rms * shown.thousandths) +

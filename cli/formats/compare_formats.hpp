@@ -14,7 +14,8 @@ struct ShownComparison {
   std::size_t cycles = 0, repeated = 0;
   double thousandths = 1;  ///< µm (or 0.001°) in a unit of the recording
   bool is_rotary = false;
-  std::size_t jumps = 0;  ///< by full turns, which were taken out
+  std::size_t jumps = 0;                                 ///< by full turns, which were taken out
+  std::vector<comparison::KernelSwitch> found_switches;  ///< that nobody named
   comparison::Comparison result;
 };
 

@@ -192,7 +192,8 @@ AXISRT_INLINE Bits<Width> mask_if_below(Real<Width> value, double limit) {
   } else if constexpr (Width == 8) {
     // Comparing eight numbers makes a mask register, and compilers turn it into a vector with an instruction that waits for what its
     // target was before: that of the group before.
-    return AXISRT_BIT_CAST(Bits<Width>, (AXISRT_BIT_CAST(Signed<Width>, magnitude<Width>(value)) - end) >> 63);
+    return AXISRT_BIT_CAST(Bits<Width>,
+                           (AXISRT_BIT_CAST(Signed<Width>, magnitude<Width>(value)) - end) >> 63);
   } else {
     return AXISRT_BIT_CAST(Bits<Width>, AXISRT_BIT_CAST(Signed<Width>, magnitude<Width>(value)) < end);
   }
