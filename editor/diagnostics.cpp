@@ -70,12 +70,13 @@ Json Server::diagnostics(MachineReading& reading, Document const& document) cons
 
 std::vector<std::string> Server::publish() {
   std::vector<std::string> messages;
-  auto const add = [&messages](Json params) {
-    Json const message = {
-        {"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}};
-    messages.push_back(dump(message));
+  auto const add = [&messages](Json const& uri, std::string const& shown,
+                               std::optional<std::int64_t> version) {
+    messages.push_back(R"({"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":{"diagnostics":)" +
+                       shown + R"(,"uri":)" + dump(uri) +
+                       (version ? R"(,"version":)" + std::to_string(*version) : "") + "}}");
   };
-  for (auto const& uri : std::exchange(closed_, {})) add({{"uri", uri}, {"diagnostics", Json::array()}});
+  for (auto const& uri : std::exchange(closed_, {})) add(uri, "[]", std::nullopt);
   if (changed_.empty()) return messages;
   std::set<std::string> machines;
   auto const changed = std::exchange(changed_, {});
@@ -84,11 +85,11 @@ std::vector<std::string> Server::publish() {
     auto& reading = reading_of(machine);
     for (auto const& [uri, document] : documents_) {
       if (machine_of(document) != machine) continue;
-      Json params = {{"uri", uri}, {"diagnostics", diagnostics(reading, document)}};
-      auto const text = dump(params);
-      if (std::exchange(published_[uri], text) == text && !changed.contains(uri)) continue;
-      if (document.version) params["version"] = *document.version;
-      add(std::move(params));
+      auto shown = dump(diagnostics(reading, document));
+      auto& before = published_[uri];
+      bool const is_news = before != shown || changed.contains(uri);
+      before = std::move(shown);
+      if (is_news) add(uri, before, document.version);
     }
   }
   return messages;

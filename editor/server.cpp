@@ -115,7 +115,10 @@ std::vector<std::string> Server::receive(std::string_view message) {
     auto const result = (this->*method->handler)(json.contains("params") ? json["params"] : Json());
     // What is due is said before the farewell.
     auto messages = phase_ == Phase::shut_down ? publish() : std::vector<std::string>();
-    if (is_request) messages.push_back(dump({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}));
+    // Around the result, which may be large: no copy of it is made.
+    if (is_request) {
+      messages.push_back(R"({"id":)" + dump(id) + R"(,"jsonrpc":"2.0","result":)" + dump(result) + "}");
+    }
     return messages;
   } catch (Json::exception const& exception) {
     return refuse(ErrorCode::invalid_params, exception.what());
