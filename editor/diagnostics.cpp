@@ -72,9 +72,9 @@ std::vector<std::string> Server::publish() {
   std::vector<std::string> messages;
   auto const add = [&messages](Json const& uri, std::string const& shown,
                                std::optional<std::int64_t> version) {
-    messages.push_back(R"({"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":{"diagnostics":)" +
-                       shown + R"(,"uri":)" + dump(uri) +
-                       (version ? R"(,"version":)" + std::to_string(*version) : "") + "}}");
+    messages.push_back(
+        R"({"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":{"diagnostics":)" + shown +
+        R"(,"uri":)" + dump(uri) + (version ? R"(,"version":)" + std::to_string(*version) : "") + "}}");
   };
   for (auto const& uri : std::exchange(closed_, {})) add(uri, "[]", std::nullopt);
   if (changed_.empty()) return messages;
