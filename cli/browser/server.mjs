@@ -19,5 +19,5 @@ export function begin(program, words) {
 
 /** The messages that the server sends because of messages that arrived together: requests that later ones cancel are refused. */
 export function take(program, ...messages) {
-  return withText(program, JSON.stringify(messages), (address) => JSON.parse(program.UTF8ToString(program._axisc_server_take(address))));
+  return withText(program, JSON.stringify(messages.map((message) => JSON.stringify(message))), (address) => JSON.parse(program.UTF8ToString(program._axisc_server_take(address))));
 }

@@ -30,13 +30,6 @@ std::string as_array(std::vector<std::string> const& messages) {
   return text + "]";
 }
 
-/// The text of each element.
-std::vector<std::string> waiting_messages(char const* array) {
-  std::vector<std::string> messages;
-  for (auto const& message : nlohmann::json::parse(array)) messages.push_back(message.dump());
-  return messages;
-}
-
 }  // namespace
 
 int axisc_server_begin(char const* arguments_json) {
@@ -58,7 +51,7 @@ int axisc_server_begin(char const* arguments_json) {
 char const* axisc_server_take(char const* messages_json) {
   answer = "[]";
   if (session == nullptr || session->has_ended()) return answer.c_str();
-  auto messages = session->take(waiting_messages(messages_json));
+  auto messages = session->take(nlohmann::json::parse(messages_json).get<std::vector<std::string>>());
   if (!session->has_ended()) {
     for (auto& message : session->publish()) messages.push_back(std::move(message));
   }

@@ -7,7 +7,7 @@ extern "C" {
 /// wrong is on standard error.
 int axisc_server_begin(char const* arguments_json);
 
-/// Takes messages that arrived together, an array, without frames; the messages to send, an array, with the diagnostics of
+/// Takes messages that arrived together, an array of their texts, without frames; the messages to send, an array, with the diagnostics of
 /// what has changed. Valid until the next call.
 char const* axisc_server_take(char const* messages_json);
 }
