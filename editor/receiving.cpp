@@ -82,24 +82,25 @@ std::vector<std::string> Server::receive(std::span<std::string const> messages) 
   return answers;
 }
 
-std::vector<std::string> Server::take(Json const& json) {
-  if (json.is_discarded()) return {error(nullptr, ErrorCode::parse_error, "not JSON")};
-  if (!json.is_object()) return {error(nullptr, ErrorCode::invalid_request, "not a message")};
+std::vector<std::string> Server::take(Json const& message) {
+  if (message.is_discarded()) return {error(nullptr, ErrorCode::parse_error, "not JSON")};
+  if (!message.is_object()) return {error(nullptr, ErrorCode::invalid_request, "not a message")};
   // An answer of the client.
-  if (!json.contains("method") && (json.contains("result") || json.contains("error"))) {
-    if (json.contains("result") && json.value("id", Json()) == settings_request)
-      take_settings(json["result"]);
+  if (!message.contains("method") && (message.contains("result") || message.contains("error"))) {
+    if (message.contains("result") && message.value("id", Json()) == settings_request) {
+      take_settings(message["result"]);
+    }
     return {};
   }
-  bool const is_request = json.contains("id");
-  auto const id = is_request ? json["id"] : Json();
+  bool const is_request = message.contains("id");
+  auto const id = is_request ? message["id"] : Json();
   if (id.is_structured()) {
     return {error(nullptr, ErrorCode::invalid_request, "the id is not a number or text")};
   }
-  if (!json.contains("method") || !json["method"].is_string()) {
+  if (!message.contains("method") || !message["method"].is_string()) {
     return {error(id, ErrorCode::invalid_request, "no method")};
   }
-  auto const name = json["method"].get<std::string>();
+  auto const name = message["method"].get<std::string>();
   auto const refuse = [&](ErrorCode code, std::string_view reason) {
     return is_request ? std::vector{error(id, code, reason)} : std::vector<std::string>();
   };
@@ -113,11 +114,11 @@ std::vector<std::string> Server::take(Json const& json) {
   auto const handler = find(name);
   if (handler == nullptr) return refuse(ErrorCode::method_not_found, "unknown method " + name);
   try {
-    auto const result = (this->*handler)(json.contains("params") ? json["params"] : Json());
+    auto const result = (this->*handler)(message.contains("params") ? message["params"] : Json());
     // What is due is said before the farewell.
     auto messages = std::exchange(due_, {});
     if (phase_ == Phase::shut_down) {
-      for (auto& message : publish()) messages.push_back(std::move(message));
+      for (auto& due : publish()) messages.push_back(std::move(due));
     }
     // Around the result, which may be large: no copy of it is made.
     if (is_request) {

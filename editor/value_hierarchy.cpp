@@ -44,7 +44,7 @@ validator::LoadedList const* ValueHierarchy::list_of(std::string const& uri) con
 }
 
 std::vector<ValueHierarchy::Line> ValueHierarchy::lines_in(validator::LoadedList const& list,
-                                                           schema::Slot slot) const {
+                                                           schema::Slot slot) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < list.tree.assignments.size(); ++i) {
     if (list.readings.slot(i) == slot) lines.push_back({.list = &list, .assignment = i});

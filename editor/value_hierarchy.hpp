@@ -39,7 +39,7 @@ class ValueHierarchy {
   };
 
   [[nodiscard]] validator::LoadedList const* list_of(std::string const& uri) const;
-  [[nodiscard]] std::vector<Line> lines_in(validator::LoadedList const& list, schema::Slot slot) const;
+  [[nodiscard]] static std::vector<Line> lines_in(validator::LoadedList const& list, schema::Slot slot);
   [[nodiscard]] Chain chain_of(Json const& item, validator::LoadedList const& list, schema::Slot slot) const;
   [[nodiscard]] Json item_of(Line const& line) const;
   /// None where the parameter has none.
