@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -61,9 +63,15 @@ Json Server::diagnostic(Finding const& finding, Places const& places) const {
 Json Server::diagnostics(MachineReading& reading, Document const& document) const {
   Places const places(reading.sources(), reading.files(), encoding_);
   Json found = Json::array();
+  // Most findings are in the file of the one before.
+  std::optional<std::string> file;
+  bool is_here = false;
   for (auto const& finding : reading.findings()) {
-    if (reading.files().document(std::string(file_of(finding, reading.sources()))) != &document) continue;
-    found.push_back(diagnostic(finding, places));
+    if (auto const name = file_of(finding, reading.sources()); file != name) {
+      file = name;
+      is_here = reading.files().document(*file) == &document;
+    }
+    if (is_here) found.push_back(diagnostic(finding, places));
   }
   return found;
 }
