@@ -1,7 +1,7 @@
 #include "diagnostics/ascii.hpp"
+#include "editor/meaning/program_help.hpp"
 #include "editor/open_list.hpp"
 #include "editor/places.hpp"
-#include "editor/program_help.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"

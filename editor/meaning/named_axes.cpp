@@ -1,4 +1,4 @@
-#include "editor/named_axes.hpp"
+#include "editor/meaning/named_axes.hpp"
 
 #include "configuration/channel_list.hpp"
 #include "configuration/list_kind.hpp"

@@ -1,7 +1,7 @@
-#include "editor/value_hierarchy.hpp"
+#include "editor/meaning/value_hierarchy.hpp"
 
+#include "editor/meaning/parameter_number.hpp"
 #include "editor/open_list.hpp"
-#include "editor/parameter_number.hpp"
 #include "editor/places.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
