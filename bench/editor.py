@@ -41,9 +41,10 @@ class Server:
         self.process.stdin.flush()
 
     def receive(self):
+        """The bytes of a message: what a client makes of them is its own time."""
         size = int(self.process.stdout.readline().split(b":")[1])
         self.process.stdout.readline()
-        return json.loads(self.process.stdout.read(size))
+        return self.process.stdout.read(size)
 
     def ask(self, method, params):
         self.last += 1
@@ -80,21 +81,41 @@ def main():
         server.send("textDocument/didOpen", {"textDocument": {"uri": uri, "languageId": "isg-list", "version": 1, "text": text}})
         server.receive()
         print(f"start to first diagnostics: {(time.perf_counter() - begin) * 1e3:.1f} ms, {server.memory():.1f} MB")
-        times = []
-        for i in range(EDITS):
-            # A letter behind a value and two blanks before a name, so that findings come and stay.
-            at = {"line": random.randrange(2, LINES - 10), "character": 0 if i % 2 else 60}
-            change = {"textDocument": {"uri": uri, "version": i + 2},
-                      "contentChanges": [{"range": {"start": at, "end": at}, "text": "  " if i % 2 else "x"}]}
+        random_line = lambda: random.randrange(2, LINES - 10)
+        version = 1
 
-            def keystroke(change=change):
+        def keystroke(line, character, removed, text):
+            nonlocal version
+            version += 1
+            edit = {"range": {"start": {"line": line, "character": character},
+                              "end": {"line": line, "character": character + removed}}, "text": text}
+            change = {"textDocument": {"uri": uri, "version": version}, "contentChanges": [edit]}
+
+            def answer():
                 server.send("textDocument/didChange", change)
                 return server.receive()
 
-            seconds, answer = timed(keystroke)
-            times.append(seconds)
-        show(f"keystroke to {len(answer['params']['diagnostics'])} diagnostics", times)
-        print(f"after {EDITS} edits: {server.memory():.1f} MB")
+            return timed(answer)
+
+        def written_and_removed(edits):
+            """A letter in front of a name, and away again: the list has the same findings after every second edit."""
+            times = []
+            for _ in range(edits // 2):
+                line = random_line()
+                times += [keystroke(line, 0, 0, "x")[0], keystroke(line, 0, 1, "")[0]]
+            return times
+
+        show("keystroke to diagnostics, sound list", written_and_removed(min(EDITS, 1000)))
+        for line in range(2, LINES - 10):
+            _, answer = keystroke(line, 60, 0, "x")
+        found = len(json.loads(answer)["params"]["diagnostics"])
+        quarter, times = EDITS // 4, []
+        memory = [server.memory()]
+        for _ in range(4):
+            times += written_and_removed(quarter)
+            memory.append(server.memory())
+        show(f"keystroke to {found} diagnostics", times)
+        print(f"memory before {EDITS} edits and after each quarter: " + ", ".join(f"{size:.1f}" for size in memory) + " MB")
         at = lambda: {"line": random.randrange(LINES), "character": random.choice([3, 8, 52])}
         whole = {"start": {"line": 0, "character": 0}, "end": {"line": LINES, "character": 0}}
         for method, params in (("hover", None), ("completion", None), ("definition", None), ("inlayHint", {"range": whole}),

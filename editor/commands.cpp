@@ -28,7 +28,11 @@ Json Server::execute(Json const& params) {
   auto const& arguments = params.at("arguments");
   auto const& asked = documents_.at(arguments.at(0).get<std::string>());
   Buffers files(documents_, surroundings_.disk);
-  PageSubject subject{.files = files, .machine = machine_of(asked), .axis = axis_of(asked), .words = {}};
+  PageSubject subject{.files = files,
+                      .machine = machine_of(asked),
+                      .axis = axis_of(asked),
+                      .words = {},
+                      .language = surroundings_.language};
   for (std::size_t i = 1; i < arguments.size(); ++i) subject.words.push_back(arguments[i].get<std::string>());
   auto page = found->page(subject);
   return {{"title", std::move(page.title)}, {"html", std::move(page.html)}};
@@ -64,10 +68,12 @@ Json Server::resolve_lens(Json const& params) {
   auto lens = params;
   auto const& asked = documents_.at(params.at("data").get<std::string>());
   Buffers files(documents_, surroundings_.disk);
-  auto const text = surroundings_.pages.cascade(
-      {.files = files, .machine = machine_of(asked), .axis = axis_of(asked), .words = {}});
-  lens["command"] = {{"title", text.empty() ? "-" : text},
-                     {"command", text.empty() ? "" : "axisc.plot"},
+  lens["command"] = {{"title", surroundings_.pages.cascade({.files = files,
+                                                            .machine = machine_of(asked),
+                                                            .axis = axis_of(asked),
+                                                            .words = {},
+                                                            .language = surroundings_.language})},
+                     {"command", "axisc.plot"},
                      {"arguments", {asked.uri, "response"}}};
   return lens;
 }

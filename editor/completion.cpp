@@ -1,7 +1,7 @@
 #include "diagnostics/ascii.hpp"
+#include "editor/meaning/program_help.hpp"
 #include "editor/open_list.hpp"
 #include "editor/places.hpp"
-#include "editor/program_help.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
 #include "schema/descriptions/description.hpp"
@@ -44,10 +44,27 @@ std::set<std::uint32_t> used_indices(OpenList const& list, std::string_view pref
   return used;
 }
 
+/// What a parameter is, at an item of a completion: at once, or the name by which the client asks for it.
+struct Documentation {
+  std::string const& uri;
+  Language language;
+  bool is_asked_for;
+
+  void add(Json& item, schema::Parameter const& row) const {
+    auto const what = schema::description_of(row).what.in(language);
+    if (what.empty()) return;
+    if (is_asked_for) {
+      item["data"] = {{"document", uri}, {"parameter", row.name}};
+    } else {
+      item["documentation"] = what;
+    }
+  }
+};
+
 class NameItems {
  public:
-  NameItems(OpenList const& list, Language language, std::string_view typed)
-      : list_(list), language_(language), before_(typed.substr(0, typed.rfind('.') + 1)) {}
+  NameItems(OpenList const& list, Documentation const& documentation, std::string_view typed)
+      : list_(list), documentation_(documentation), before_(typed.substr(0, typed.rfind('.') + 1)) {}
 
   /// The segments that can follow what is typed.
   [[nodiscard]] Json items(Json const& range) {
@@ -94,12 +111,11 @@ class NameItems {
     auto const unit = validator::raw_unit_name(row.unit_translatory);
     if (!unit.empty()) detail += (detail.empty() ? "" : ", ") + unit;
     if (!detail.empty()) item["detail"] = std::move(detail);
-    auto const what = schema::description_of(row).what.in(language_);
-    if (!what.empty()) item["documentation"] = what;
+    documentation_.add(item, row);
   }
 
   OpenList const& list_;
-  Language language_;
+  Documentation const& documentation_;
   std::string_view before_;  ///< complete segments, with their dots
   std::map<std::string, Json> items_;
   std::set<std::string> known_arrays_;
@@ -154,7 +170,7 @@ Json value_items(schema::Parameter const& row, Language language, Json const& ra
 
 /// `P-AXIS-00212`: the value of another parameter.
 void add_references(Json& items, schema::Catalogue const& catalogue, std::string_view typed,
-                    Json const& range, Language language) {
+                    Json const& range, Documentation const& documentation) {
   for (auto const& row : catalogue.parameters()) {
     if (row.p_axis == 0) continue;
     auto const label = schema::number_text(row.kind, row.p_axis);
@@ -162,8 +178,8 @@ void add_references(Json& items, schema::Catalogue const& catalogue, std::string
     items.push_back({{"label", label},
                      {"kind", static_cast<int>(ItemKind::reference)},
                      {"detail", row.name},
-                     {"documentation", schema::description_of(row).what.in(language)},
                      {"textEdit", {{"range", range}, {"newText", label}}}});
+    documentation.add(items.back(), row);
   }
 }
 
@@ -209,9 +225,11 @@ Json Server::complete(Json const& params) {
     return range_json(position_of(text, first, encoding_), position_of(text, end, encoding_));
   };
   auto const& list = list_of(asked);
+  Documentation const documentation{
+      .uri = asked.uri, .language = surroundings_.language, .is_asked_for = documents_lazily_};
   auto const blank = typed.find_first_of(" \t");
   if (blank == std::string_view::npos) {
-    return NameItems(list, surroundings_.language, typed).items(range_from(begin + typed.rfind('.') + 1));
+    return NameItems(list, documentation, typed).items(range_from(begin + typed.rfind('.') + 1));
   }
   auto const value = std::min(typed.find_first_not_of(" \t", blank), typed.size());
   if (typed.find_first_of(" \t", value) != std::string_view::npos) return items;
@@ -223,8 +241,29 @@ Json Server::complete(Json const& params) {
   items = value_items(*found.row, surroundings_.language, range);
   auto const prefix = typed.substr(value);
   // Nobody looks for a number among all of them before he begins to write one.
-  if (prefix.size() >= 2) add_references(items, list.catalogue(), prefix, range, surroundings_.language);
+  if (prefix.size() >= 2) add_references(items, list.catalogue(), prefix, range, documentation);
   return items;
+}
+
+// The page that a hover shows; an item without a parameter is complete already.
+Json Server::resolve_completion(Json const& params) {
+  auto item = params;
+  if (!params.is_object() || !params.contains("data")) return item;
+  auto const& data = params["data"];
+  auto const& asked = documents_.at(data.at("document").get<std::string>());
+  auto const& catalogue = list_of(asked).catalogue();
+  auto const name = data.at("parameter").get<std::string>();
+  auto const& rows = catalogue.parameters();
+  auto const row =
+      std::find_if(rows.begin(), rows.end(), [&name](auto const& known) { return known.name == name; });
+  if (row == rows.end()) return item;
+  if (markdown_in_completion_) {
+    item["documentation"] = {{"kind", "markdown"},
+                             {"value", surroundings_.explain(catalogue, *row, surroundings_.language)}};
+  } else {
+    item["documentation"] = schema::description_of(*row).what.in(surroundings_.language);
+  }
+  return item;
 }
 
 }  // namespace axisc::editor

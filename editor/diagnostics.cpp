@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -61,21 +63,28 @@ Json Server::diagnostic(Finding const& finding, Places const& places) const {
 Json Server::diagnostics(MachineReading& reading, Document const& document) const {
   Places const places(reading.sources(), reading.files(), encoding_);
   Json found = Json::array();
+  // Most findings are in the file of the one before.
+  std::optional<std::string> file;
+  bool is_here = false;
   for (auto const& finding : reading.findings()) {
-    if (reading.files().document(std::string(file_of(finding, reading.sources()))) != &document) continue;
-    found.push_back(diagnostic(finding, places));
+    if (auto const name = file_of(finding, reading.sources()); file != name) {
+      file = name;
+      is_here = reading.files().document(*file) == &document;
+    }
+    if (is_here) found.push_back(diagnostic(finding, places));
   }
   return found;
 }
 
 std::vector<std::string> Server::publish() {
   std::vector<std::string> messages;
-  auto const add = [&messages](Json params) {
-    Json const message = {
-        {"jsonrpc", "2.0"}, {"method", "textDocument/publishDiagnostics"}, {"params", std::move(params)}};
-    messages.push_back(dump(message));
+  auto const add = [&messages](Json const& uri, std::string const& shown,
+                               std::optional<std::int64_t> version) {
+    messages.push_back(
+        R"({"jsonrpc":"2.0","method":"textDocument/publishDiagnostics","params":{"diagnostics":)" + shown +
+        R"(,"uri":)" + dump(uri) + (version ? R"(,"version":)" + std::to_string(*version) : "") + "}}");
   };
-  for (auto const& uri : std::exchange(closed_, {})) add({{"uri", uri}, {"diagnostics", Json::array()}});
+  for (auto const& uri : std::exchange(closed_, {})) add(uri, "[]", std::nullopt);
   if (changed_.empty()) return messages;
   std::set<std::string> machines;
   auto const changed = std::exchange(changed_, {});
@@ -84,11 +93,11 @@ std::vector<std::string> Server::publish() {
     auto& reading = reading_of(machine);
     for (auto const& [uri, document] : documents_) {
       if (machine_of(document) != machine) continue;
-      Json params = {{"uri", uri}, {"diagnostics", diagnostics(reading, document)}};
-      auto const text = dump(params);
-      if (std::exchange(published_[uri], text) == text && !changed.contains(uri)) continue;
-      if (document.version) params["version"] = *document.version;
-      add(std::move(params));
+      auto shown = dump(diagnostics(reading, document));
+      auto& before = published_[uri];
+      bool const is_news = before != shown || changed.contains(uri);
+      before = std::move(shown);
+      if (is_news) add(uri, before, document.version);
     }
   }
   return messages;

@@ -87,7 +87,9 @@ Json Server::code_actions(Json const& params) {
     }
   }
   if (wants(params, "refactor.rewrite")) {
-    add_value_action(actions, asked, offset_of(asked.text, begin, encoding_));
+    auto const offset = offset_of(asked.text, begin, encoding_);
+    add_value_action(actions, asked, offset);
+    add_unit_action(actions, asked, offset);
   }
   if (wants(params, "source.fixAll.axisc")) {
     auto edits = fix_all(asked);

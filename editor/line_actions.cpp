@@ -3,8 +3,12 @@
 #include "editor/places.hpp"
 #include "editor/server.hpp"
 #include "schema/value.hpp"
+#include "validator/views/units_text.hpp"
+#include "validator/views/written_unit.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +16,8 @@ namespace axisc::editor::says {
 
 constexpr Sentence allow{"Allow {code} on this line", "{code} in dieser Zeile zulassen"};
 constexpr Sentence explain{"Explain {code}", "{code} erklären"};
+constexpr Sentence convert{"Convert {written} to {number}, in {unit}",
+                           "{written} in {number} umrechnen, in {unit}"};
 constexpr Sentence name_value{"Write \"{word}\" as a comment", "\"{word}\" als Kommentar dazuschreiben"};
 
 }  // namespace axisc::editor::says
@@ -77,6 +83,65 @@ void Server::add_finding_actions(Json& actions, Finding const& finding, Json con
        {"diagnostics", Json::array({shown})},
        {"command",
         {{"title", say(says::explain)}, {"command", "axisc.explain"}, {"arguments", {document.uri, code}}}}});
+}
+
+namespace {
+
+/// A value with a unit after it: "20 ms", "42.5Hz", "0,1 kHz".
+struct Measured {
+  std::string text;  ///< as it is written
+  double number = 0;
+  std::string unit;
+};
+
+std::optional<Measured> measured(OpenList const& list, grammar::Assignment const& line) {
+  bool const has_text = line.trailer_kind == grammar::TrailerKind::text;
+  auto text =
+      list.text().utf8({.begin = line.value.begin, .end = has_text ? line.trailer.end : line.value.end});
+  auto const size = std::min(text.find_first_not_of("+-.,0123456789"), text.size());
+  auto digits = text.substr(0, size);
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  auto const number = schema::read_real(digits);
+  auto const begin = text.find_first_not_of(" \t", size);
+  if (number.status != schema::NumberStatus::good || begin == std::string::npos) return std::nullopt;
+  auto const end = std::min(text.find_first_of(" \t(", begin), text.size());
+  auto unit = text.substr(begin, end - begin);
+  if (!validator::is_unit(unit)) return std::nullopt;
+  text.resize(end);
+  return Measured{.text = std::move(text), .number = number.number, .unit = std::move(unit)};
+}
+
+}  // namespace
+
+/// The number that the control reads for a value that was written with its unit, which stays as a comment.
+void Server::add_unit_action(Json& actions, Document const& document, std::size_t offset) {
+  if (!is_list(document.path)) return;
+  auto const& list = list_of(document);
+  auto const* const line = list.line_at(offset);
+  if (line == nullptr) return;
+  auto const found = list.find(list.slice(line->name));
+  auto const value = measured(list, *line);
+  if (found.row == nullptr || !value || !schema::is_number(found.row->type)) return;
+  // A list alone may be one for axes of both types.
+  for (auto const unit : {found.row->unit_translatory, found.row->unit_rotary}) {
+    auto const ratio = validator::unit_ratio(value->unit, unit);
+    if (!ratio) continue;
+    bool const is_right =
+        *ratio == 1 && schema::read_real(list.slice(line->value)).status == schema::NumberStatus::good;
+    auto const number =
+        validator::converted_number(value->number, *ratio, schema::is_integer(found.row->type));
+    if (is_right || number.empty()) return;
+    auto const at = position_of(document.text, line->value.begin, encoding_);
+    Json const edit = {{"range", range_json(at, at)}, {"newText", number + " ( "}};
+    actions.push_back({{"title", render({.sentence = says::convert,
+                                         .arguments = {{"written", value->text},
+                                                       {"number", number},
+                                                       {"unit", validator::raw_unit_name(unit)}}},
+                                        surroundings_.language)},
+                       {"kind", "refactor.rewrite"},
+                       {"edit", {{"changes", {{document.uri, Json::array({edit})}}}}}});
+    return;
+  }
 }
 
 /// The word of a number of an enumeration, where the line has no comment yet.

@@ -2,8 +2,9 @@
 #include "configuration/machine_file.hpp"
 #include "configuration/start_up_list.hpp"
 #include "diagnostics/ascii.hpp"
+#include "editor/meaning/named_axes.hpp"
+#include "editor/meaning/parameter_number.hpp"
 #include "editor/open_list.hpp"
-#include "editor/parameter_number.hpp"
 #include "editor/places.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
@@ -103,6 +104,9 @@ Json Server::define(Json const& params) {
   SourceSet sources;
   for (auto const& named : named_files(files, sources, asked)) {
     if (is_on(named.place.span)) return {{"uri", files.uri(named.path)}, {"range", range_json({}, {})}};
+  }
+  if (auto const list = list_of_named_axis(reading_of(asked), asked, offset)) {
+    return {{"uri", files.uri(*list)}, {"range", range_json({}, {})}};
   }
   return is_list(asked.path) ? lines_setting(asked, offset, LinesOf::list) : Json::array();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "configuration/files.hpp"
+#include "diagnostics/message.hpp"
 
 #include <functional>
 #include <optional>
@@ -22,6 +23,7 @@ struct PageSubject {
   std::string machine;              ///< the input
   std::optional<std::string> axis;  ///< of the document
   std::vector<std::string> words;   ///< that the client adds
+  Language language = Language::english;
 };
 
 /// Why there is no page, in the user's language.
@@ -37,7 +39,7 @@ struct Command {
 
 struct Pages {
   std::vector<Command> commands;
-  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named; empty after errors.
+  /// "delay 12.4 ms, 0.35 mm at a corner at 60000 mm/min" of the axis, of each where none is named, or why there is no figure.
   std::function<std::string(PageSubject const&)> cascade;
 };
 

@@ -4,6 +4,7 @@
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
 #include "editor/buffers.hpp"
+#include "editor/client_settings.hpp"
 #include "editor/machine_context.hpp"
 #include "editor/machine_reading.hpp"
 #include "editor/pages.hpp"
@@ -15,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +30,11 @@ struct Surroundings {
   configuration::Files& disk;
   OptionsOf options;
   /// A parameter's page as Markdown, as `explain` prints it.
-  std::function<std::string(schema::Catalogue const&, schema::Parameter const&)> explain;
+  std::function<std::string(schema::Catalogue const&, schema::Parameter const&, Language)> explain;
   Pages pages;
   Language language = Language::english;
+  /// Takes the settings of the client into `options`; the language from then on. Null where none count.
+  std::function<Language(ClientSettings const&)> configure = nullptr;
 };
 
 enum class LinesOf : std::uint8_t { list, machine };
@@ -40,6 +44,9 @@ enum class Phase : std::uint8_t { before_initialize, running, shut_down, ended }
 /// A message that the client shows to the user.
 [[nodiscard]] std::string error_message(std::string_view sentence);
 
+/// The id of the request for the client's settings.
+inline constexpr std::string_view settings_request = "axisc.settings";
+
 class Places;
 
 class Server {
@@ -48,6 +55,8 @@ class Server {
 
   /// The answers to one message, without frames. Never throws for a bad message.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
+  /// The same for messages that arrived together: a request that a later one cancels is refused.
+  [[nodiscard]] std::vector<std::string> receive(std::span<std::string const> messages);
   /// Diagnostics of the documents that changes since the last call affect: several changes that arrived together are
   /// checked once.
   [[nodiscard]] std::vector<std::string> publish();
@@ -57,8 +66,10 @@ class Server {
 
  private:
   using Json = nlohmann::json;
-  struct Method;
-  static Method const* find(std::string_view name);
+  using Handler = Json (Server::*)(Json const& params);
+  /// Of a method; null for unknown ones.
+  static Handler find(std::string_view name);
+  [[nodiscard]] std::vector<std::string> take(Json const& message);
 
   Json initialize(Json const& params);
   Json shut_down(Json const& params);
@@ -67,6 +78,8 @@ class Server {
   Json open(Json const& params);
   Json change(Json const& params);
   Json close(Json const& params);
+  Json begin_conversation(Json const& params);
+  Json configure(Json const& params);
   Json check_all(Json const& params);
   Json pull(Json const& params);
   Json format(Json const& params);
@@ -74,8 +87,12 @@ class Server {
   Json code_actions(Json const& params);
   Json hover(Json const& params);
   Json complete(Json const& params);
+  Json resolve_completion(Json const& params);
   Json define(Json const& params);
   Json refer(Json const& params);
+  Json prepare_hierarchy(Json const& params);
+  Json supertypes(Json const& params);
+  Json subtypes(Json const& params);
   Json rename(Json const& params);
   Json links(Json const& params);
   Json symbols(Json const& params);
@@ -88,6 +105,12 @@ class Server {
   Json execute(Json const& params);
 
   [[nodiscard]] static Json token_legend();
+  /// What the server is able to do for this client.
+  [[nodiscard]] Json capabilities(std::string const& encoding) const;
+  /// The client's answer with its settings, or null.
+  void take_settings(Json const& answer);
+  void apply(ClientSettings const& settings);
+  void ask_for_settings();
   /// The name of the axis that an open list makes.
   [[nodiscard]] std::optional<std::string> axis_of(Document const& document);
   /// The lines that set what stands at a position; of the whole machine, or those that decide it for the list.
@@ -108,6 +131,7 @@ class Server {
   /// Allowing a finding on its line, and its page.
   void add_finding_actions(Json& actions, Finding const& finding, Json const& shown,
                            Document const& document);
+  void add_unit_action(Json& actions, Document const& document, std::size_t offset);
   void add_value_action(Json& actions, Document const& document, std::size_t offset);
   /// As `fmt` writes it.
   [[nodiscard]] std::string aligned(Document const& document) const;
@@ -119,6 +143,13 @@ class Server {
   bool was_shut_down_ = false;
   PositionEncoding encoding_ = PositionEncoding::utf16;
   bool markdown_ = true;  ///< the client shows Markdown in hovers
+  bool markdown_in_completion_ = false;
+  bool documents_lazily_ = false;  ///< the client asks for the documentation of the completion that it shows
+  bool gives_settings_ = false;    ///< the client answers workspace/configuration
+  bool registers_settings_ = false;  ///< the client says when they change, if it is asked to
+  bool takes_pushed_ = false;        ///< the client shows diagnostics that it is told
+  ClientSettings settings_;
+  std::vector<std::string> due_;  ///< requests to the client, sent with the next answer
   Documents documents_;
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
   /// By the machine's input; emptied with every change.

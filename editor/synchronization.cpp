@@ -6,6 +6,7 @@
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -32,11 +33,12 @@ bool may_be_machine(Document const& document) {
 Json Server::open(Json const& params) {
   auto const& item = params.at("textDocument");
   auto const uri = item.at("uri").get<std::string>();
-  auto& opened = documents_[uri];
-  opened = {.uri = uri,
-            .path = validator::key_of(path_of(uri)),
-            .text = item.at("text").get<std::string>(),
-            .version = version_of(item)};
+  // Complete, or not at all.
+  Document document{.uri = uri,
+                    .path = validator::key_of(path_of(uri)),
+                    .text = item.at("text").get<std::string>(),
+                    .version = version_of(item)};
+  auto& opened = documents_[uri] = std::move(document);
   closed_.erase(uri);
   machines_.erase(uri);
   readings_.clear();

@@ -70,6 +70,8 @@ class File {
   [[nodiscard]] bool is_open() const { return handle_ != none; }
   [[nodiscard]] Result<FileStatus> status() const;
 
+  /// A read would not wait: bytes are there, or the end. False where that is not known.
+  [[nodiscard]] bool is_ready() const;
   /// Bytes that were read; 0 at the end.
   [[nodiscard]] Result<std::size_t> read(std::span<char> buffer) const;
   [[nodiscard]] Result<std::size_t> read_at(std::uint64_t offset, std::span<char> buffer) const;

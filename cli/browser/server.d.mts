@@ -8,4 +8,4 @@ export interface Program {
   _axisc_server_take(message: number): number;
 }
 export function begin(program: Program, words: string[]): boolean;
-export function take(program: Program, message: unknown): unknown[];
+export function take(program: Program, ...messages: unknown[]): unknown[];

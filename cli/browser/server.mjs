@@ -17,7 +17,7 @@ export function begin(program, words) {
   return withText(program, JSON.stringify(words), (address) => program._axisc_server_begin(address)) === 0;
 }
 
-/** The messages that the server sends because of one message. */
-export function take(program, message) {
-  return withText(program, JSON.stringify(message), (address) => JSON.parse(program.UTF8ToString(program._axisc_server_take(address))));
+/** The messages that the server sends because of messages that arrived together: requests that later ones cancel are refused. */
+export function take(program, ...messages) {
+  return withText(program, JSON.stringify(messages.map((message) => JSON.stringify(message))), (address) => JSON.parse(program.UTF8ToString(program._axisc_server_take(address))));
 }

@@ -48,10 +48,10 @@ int axisc_server_begin(char const* arguments_json) {
   }
 }
 
-char const* axisc_server_take(char const* message_json) {
+char const* axisc_server_take(char const* messages_json) {
   answer = "[]";
   if (session == nullptr || session->has_ended()) return answer.c_str();
-  auto messages = session->take(message_json);
+  auto messages = session->take(nlohmann::json::parse(messages_json).get<std::vector<std::string>>());
   if (!session->has_ended()) {
     for (auto& message : session->publish()) messages.push_back(std::move(message));
   }

@@ -1,4 +1,4 @@
-// The language server for JavaScript, message by message: the WebAssembly exports these functions. One server at a time.
+// The language server for JavaScript, array by array of messages: the WebAssembly exports these functions. One server at a time.
 #pragma once
 
 extern "C" {
@@ -7,7 +7,7 @@ extern "C" {
 /// wrong is on standard error.
 int axisc_server_begin(char const* arguments_json);
 
-/// Takes one message, without a frame; the messages to send, an array, with the diagnostics of what has changed. Valid
-/// until the next call.
-char const* axisc_server_take(char const* message_json);
+/// Takes messages that arrived together, an array of their texts, without frames; the messages to send, an array, with the diagnostics of
+/// what has changed. Valid until the next call.
+char const* axisc_server_take(char const* messages_json);
 }

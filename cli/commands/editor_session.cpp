@@ -4,26 +4,63 @@
 #include "cli/commands/lsp_pages.hpp"
 #include "cli/failure.hpp"
 #include "cli/formats/explain_formats.hpp"
+#include "cli/options/check_options.hpp"
 
 #include <utility>
+
+namespace axisc::cli::says {
+
+constexpr Sentence unknown_language{"\"{value}\" is not a language of axisc: auto, en or de",
+                                    "\"{value}\" ist keine Sprache von axisc: auto, en oder de"};
+
+}  // namespace axisc::cli::says
 
 namespace axisc::cli {
 
 EditorSession::EditorSession(validator::CheckOptions asked, Language language)
-    : asked_(std::move(asked)),
+    : started_(asked),
+      asked_(std::move(asked)),
+      own_language_(language),
       language_(language),
       options_([this](std::string const& path) { return options_of(path); }),
       server_({.disk = disk_,
                .options = options_,
-               .explain =
-                   [language](schema::Catalogue const& catalogue, schema::Parameter const& parameter) {
-                     return explain_parameter(catalogue, parameter, language);
-                   },
-               .pages = editor_pages(options_, language),
-               .language = language}) {}
+               .explain = [](schema::Catalogue const& catalogue, schema::Parameter const& parameter,
+                             Language shown) { return explain_parameter(catalogue, parameter, shown); },
+               .pages = editor_pages(options_),
+               .language = language,
+               .configure = [this](editor::ClientSettings const& settings) { return configure(settings); }}) {
+}
 
-std::vector<std::string> EditorSession::take(std::string_view message) {
-  return with_failure(server_.receive(message));
+Language EditorSession::configure(editor::ClientSettings const& settings) {
+  asked_ = started_;
+  bool const is_language = settings.language == "de" || settings.language == "en";
+  language_ = !is_language ? own_language_ : settings.language == "de" ? Language::german : Language::english;
+  auto const take = [this](std::string_view name, std::string const& value, auto CheckingOptions::*option,
+                           auto validator::CheckOptions::*member) {
+    if (value.empty()) return;
+    CheckingOptions given;
+    given.*option = value;
+    try {
+      asked_.*member = check_options(given).*member;
+    } catch (Failure const& mistake) {
+      mistakes_.push_back(std::string(name) + ": " + mistake.sentence(language_));
+    }
+  };
+  using Options = validator::CheckOptions;
+  take("axisc.cycleTime", settings.cycle_time, &CheckingOptions::cycle_time, &Options::cycle_time);
+  take("axisc.build", settings.build, &CheckingOptions::build, &Options::build);
+  take("axisc.kind", settings.kind, &CheckingOptions::kind, &Options::kind);
+  if (!is_language && !settings.language.empty() && settings.language != "auto") {
+    mistakes_.push_back(
+        "axisc.language: " +
+        render({.sentence = says::unknown_language, .arguments = {{"value", settings.language}}}, language_));
+  }
+  return language_;
+}
+
+std::vector<std::string> EditorSession::take(std::span<std::string const> messages) {
+  return with_failure(server_.receive(messages));
 }
 
 std::vector<std::string> EditorSession::publish() {
@@ -49,6 +86,7 @@ std::vector<std::string> EditorSession::with_failure(std::vector<std::string> me
     messages.push_back(editor::error_message(failure_));
   }
   failure_.clear();
+  for (auto const& mistake : std::exchange(mistakes_, {})) messages.push_back(editor::error_message(mistake));
   return messages;
 }
 

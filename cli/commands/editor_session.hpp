@@ -9,8 +9,8 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace axisc::cli {
@@ -24,8 +24,8 @@ class EditorSession {
   EditorSession& operator=(EditorSession const&) = delete;
   ~EditorSession() = default;
 
-  /// The answers to one message, without frames.
-  [[nodiscard]] std::vector<std::string> take(std::string_view message);
+  /// The answers to messages that arrived together, without frames.
+  [[nodiscard]] std::vector<std::string> take(std::span<std::string const> messages);
   /// Diagnostics of what has changed since the last call.
   [[nodiscard]] std::vector<std::string> publish();
   [[nodiscard]] bool has_ended() const { return server_.has_ended(); }
@@ -33,14 +33,18 @@ class EditorSession {
 
  private:
   [[nodiscard]] validator::CheckOptions options_of(std::string const& path);
+  [[nodiscard]] Language configure(editor::ClientSettings const& settings);
   [[nodiscard]] std::vector<std::string> with_failure(std::vector<std::string> messages);
 
-  validator::CheckOptions asked_;
+  validator::CheckOptions started_;  ///< of the command line
+  validator::CheckOptions asked_;    ///< with the client's settings, which override them
+  Language own_language_;
   Language language_;
   DiskFiles disk_;
   std::optional<SettingsFinder> settings_;  ///< the options of a check refer to them
   std::string failure_;                     ///< of the settings
   std::set<std::string> told_;
+  std::vector<std::string> mistakes_;  ///< of the client's settings
   editor::OptionsOf options_;
   editor::Server server_;
 };

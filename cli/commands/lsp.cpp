@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -55,16 +56,20 @@ ExitStatus lsp(Invocation const& invocation) {
   };
   constexpr std::size_t block = 65536;
   std::array<char, block> buffer{};
+  constexpr std::size_t most_waiting = 1000;
   editor::FrameReader frames;
-  while (!session->has_ended() && !frames.is_broken()) {
+  std::vector<std::string> waiting;
+  for (bool has_input = true; has_input && !session->has_ended() && !frames.is_broken();) {
     auto const got = input->read(buffer);
     auto const* const size = std::get_if<std::size_t>(&got);
-    if (size == nullptr || *size == 0) break;
-    frames.add({buffer.data(), *size});
-    while (auto const message = frames.next()) {
-      send(session->take(*message));
-      if (session->has_ended()) break;
-    }
+    has_input = size != nullptr && *size > 0;
+    if (has_input) frames.add({buffer.data(), *size});
+    while (auto message = frames.next()) waiting.push_back(std::move(*message));
+    // What the client has said meanwhile counts: of several changes only the last is checked, and requests may be
+    // cancelled already.
+    bool const can_wait = has_input && !frames.is_broken() && waiting.size() < most_waiting;
+    if (can_wait && input->is_ready()) continue;
+    send(session->take(std::exchange(waiting, {})));
     if (!session->has_ended()) send(session->publish());
     invocation.streams.out.flush();
   }

@@ -30,7 +30,16 @@ constexpr Sentence unknown_picture_kind{"no picture \"{kind}\": response, step, 
 constexpr Sentence unknown_rule{"no rule \"{code}\"", "keine Regel \"{code}\""};
 constexpr Sentence cascade_line{"delay {delay} ms, {deviation} mm at a corner at {feed} mm/min",
                                 "Verzögerung {delay} ms, {deviation} mm an einer Ecke bei {feed} mm/min"};
-constexpr Sentence cascade_delay{"delay {delay} ms", "Verzögerung {delay} ms"};
+constexpr Sentence cascade_not_straight{
+    "delay {delay} ms; no corner deviation in mm: the axis is not translatory",
+    "Verzögerung {delay} ms; keine Eckenabweichung in mm: die Achse ist nicht translatorisch"};
+constexpr Sentence cascade_no_feed{"delay {delay} ms; no corner deviation: the axis has no feed limit",
+                                   "Verzögerung {delay} ms; keine Eckenabweichung: die Achse hat keine "
+                                   "Vorschubgrenze"};
+constexpr Sentence no_figures{"no figures: {machine} has errors, they are among the problems",
+                              "keine Werte: {machine} hat Fehler, sie stehen unter den Problemen"};
+constexpr Sentence no_channel{"no figures: the axis is in no channel of {machine}",
+                              "keine Werte: die Achse ist in keinem Kanal von {machine}"};
 
 }  // namespace axisc::cli::says
 
@@ -47,8 +56,8 @@ constexpr double quarter_turn = 1.5707963267948966;
 
 class PagesOfMachine {
  public:
-  PagesOfMachine(PageSubject const& subject, editor::OptionsOf const& options, Language language)
-      : subject_(subject), language_(language) {
+  PagesOfMachine(PageSubject const& subject, editor::OptionsOf const& options)
+      : subject_(subject), language_(subject.language) {
     auto asked = options(subject.machine);
     asked.machine = true;
     result_ = validator::check(subject.files, subject.machine, asked, sources_,
@@ -78,10 +87,10 @@ class PagesOfMachine {
     return {.title = figure.title, .html = pictures::page(figure, language_)};
   }
 
-  /// Nothing after errors, and where no channel has the axis. Of a default list each axis by its name.
+  /// Of a default list each axis by its name. The reason where there is no figure.
   [[nodiscard]] std::string cascade() {
     std::string text;
-    if (!image_) return text;
+    if (!image_) return say(says::no_figures);
     auto const& machine = *result_.machine;
     for (std::size_t i = 0; i < machine.groups.size(); ++i) {
       auto const& axes = machine.groups[i].axes;
@@ -95,7 +104,7 @@ class PagesOfMachine {
         text += cascade_text((*answers)[k], axis);
       }
     }
-    return text;
+    return text.empty() ? say(says::no_channel) : text;
   }
 
  private:
@@ -141,8 +150,10 @@ class PagesOfMachine {
     std::vector<Argument> arguments{
         {"delay", format_rounded(answer.delay * cycle_time.microseconds() / 1000, shown_digits)}};
     double const feed = axis.velocity_limit * mm_per_min_of_um_per_s;
-    bool const has_feed = feed > 0 && axis.type == machine::AxisType::translatory;
-    if (!has_feed) return render({.sentence = says::cascade_delay, .arguments = arguments}, language_);
+    if (axis.type != machine::AxisType::translatory) {
+      return render({.sentence = says::cascade_not_straight, .arguments = arguments}, language_);
+    }
+    if (feed <= 0) return render({.sentence = says::cascade_no_feed, .arguments = arguments}, language_);
     std::array const both = {answer, answer};
     auto const corner = motion::predict_corner(both, path_velocity(feed, cycle_time), quarter_turn);
     arguments.push_back({"deviation", format_rounded(corner.deviation / motion::units_per_mm, shown_digits)});
@@ -168,7 +179,8 @@ Page text_page(std::string const& title, std::string_view text, Language languag
                   "</h1>\n<pre>" + pictures::escaped(text) + "</pre></body>\n</html>\n"};
 }
 
-Page machine_page(PageSubject const& subject, editor::OptionsOf const& options, Language language) {
+Page machine_page(PageSubject const& subject, editor::OptionsOf const& options) {
+  auto const language = subject.language;
   SourceSet sources;
   auto const loaded = validator::load(subject.files, subject.machine, options(subject.machine), sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&loaded)) {
@@ -180,7 +192,8 @@ Page machine_page(PageSubject const& subject, editor::OptionsOf const& options, 
   return text_page(title, text, language);
 }
 
-Page explanation_page(PageSubject const& subject, Language language) {
+Page explanation_page(PageSubject const& subject) {
+  auto const language = subject.language;
   auto const word = subject.words.empty() ? std::string() : subject.words.front();
   auto const code = find_code(word);
   auto const* const rule = code ? validator::find_rule(*code) : nullptr;
@@ -202,32 +215,32 @@ auto said(Language language, Make make) {
 
 }  // namespace
 
-editor::Pages editor_pages(editor::OptionsOf const& options, Language language) {
+editor::Pages editor_pages(editor::OptionsOf const& options) {
   editor::Pages pages;
   pages.commands = {
       {.name = "axisc.report",
        .page =
-           [&options, language](PageSubject const& subject) {
-             return said(language, [&] { return PagesOfMachine(subject, options, language).report(); });
+           [&options](PageSubject const& subject) {
+             return said(subject.language, [&] { return PagesOfMachine(subject, options).report(); });
            }},
       {.name = "axisc.plot",
        .page =
-           [&options, language](PageSubject const& subject) {
+           [&options](PageSubject const& subject) {
              auto const kind = subject.words.empty() ? std::string("response") : subject.words.front();
-             return said(language, [&] { return PagesOfMachine(subject, options, language).plot(kind); });
+             return said(subject.language, [&] { return PagesOfMachine(subject, options).plot(kind); });
            }},
       {.name = "axisc.machine",
        .page =
-           [&options, language](PageSubject const& subject) {
-             return said(language, [&] { return machine_page(subject, options, language); });
+           [&options](PageSubject const& subject) {
+             return said(subject.language, [&] { return machine_page(subject, options); });
            }},
       {.name = "axisc.explain",
-       .page = [language](PageSubject const& subject) { return explanation_page(subject, language); }}};
-  pages.cascade = [&options, language](PageSubject const& subject) -> std::string {
+       .page = [](PageSubject const& subject) { return explanation_page(subject); }}};
+  pages.cascade = [&options](PageSubject const& subject) -> std::string {
     try {
-      return PagesOfMachine(subject, options, language).cascade();
-    } catch (Failure const&) {
-      return {};  // the findings say why
+      return PagesOfMachine(subject, options).cascade();
+    } catch (Failure const& failure) {
+      return failure.sentence(subject.language);
     }
   };
   return pages;

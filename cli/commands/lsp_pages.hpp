@@ -7,6 +7,6 @@
 namespace axisc::cli {
 
 /// `axisc.report`, `axisc.plot KIND`, `axisc.machine` and `axisc.explain CODE`, and the line above a cascade. `options` outlives them.
-[[nodiscard]] editor::Pages editor_pages(editor::OptionsOf const& options, Language language);
+[[nodiscard]] editor::Pages editor_pages(editor::OptionsOf const& options);
 
 }  // namespace axisc::cli

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -150,6 +151,11 @@ Result<FileStatus> File::status() const {
   struct stat facts {};
   if (::fstat(descriptor(handle_), &facts) != 0) return last_error();
   return status_from(facts);
+}
+
+bool File::is_ready() const {
+  pollfd asked{.fd = descriptor(handle_), .events = POLLIN, .revents = 0};
+  return ::poll(&asked, 1, 0) > 0;
 }
 
 Result<std::size_t> File::read(std::span<char> buffer) const {

@@ -189,6 +189,11 @@ Result<FileStatus> File::status() const {
   return status_from(handle_of(handle_));
 }
 
+bool File::is_ready() const {
+  DWORD waiting = 0;
+  return ::PeekNamedPipe(handle_of(handle_), nullptr, 0, nullptr, &waiting, nullptr) != 0 && waiting > 0;
+}
+
 Result<std::size_t> File::read(std::span<char> buffer) const {
   return read_some(handle_of(handle_), buffer, nullptr);
 }

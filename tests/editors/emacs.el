@@ -104,6 +104,13 @@
               "the layout is that of fmt")
   (delete-file copy))
 
+;; Settings apply at once.
+(test-open "manual/axis-pt1.lis")
+(test-wait (lambda () (flymake-start) (test-shown)) "a list alone has no cycle time")
+(setq-default eglot-workspace-configuration '((:axisc . (:cycleTime "1ms"))))
+(eglot-signal-didChangeConfiguration (eglot-current-server))
+(test-wait (lambda () (flymake-start) (not (test-shown))) "the cycle time of the settings counts")
+
 (dolist (buffer (buffer-list))
   (with-current-buffer buffer (set-buffer-modified-p nil)))
 (eglot-shutdown (eglot-current-server))

@@ -110,6 +110,14 @@ local function run()
   open('controller/listen/hochlauf.lis')
   check(ask('definition', named, character).uri:find('achsmds3.lis', 1, true), 'the name of a file leads to it')
   check(#ask('documentSymbol', 0, 0) > 3, 'symbols')
+
+  -- Settings apply at once.
+  open('manual/axis-pt1.lis')
+  wait(function() return #vim.diagnostic.get(0) == 1 end, 'a list alone has no cycle time')
+  local client = vim.lsp.buf_get_clients()[1] or select(2, next(vim.lsp.buf_get_clients()))
+  client.config.settings = {axisc = {cycleTime = '1ms'}}
+  client.notify('workspace/didChangeConfiguration', {settings = client.config.settings})
+  wait(function() return #vim.diagnostic.get(0) == 0 end, 'the cycle time of the settings counts')
 end
 
 local good, message = pcall(run)

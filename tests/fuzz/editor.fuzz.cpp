@@ -4,7 +4,10 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -17,15 +20,18 @@ void read_frames(std::string_view bytes) {
   axisc::editor::Server server(
       {.disk = files,
        .options = [](std::string const&) { return axisc::validator::CheckOptions{}; },
-       .explain = [](auto const&, auto const& row) { return std::string(row.name); },
-       .pages = {}});
+       .explain = [](auto const&, auto const& row, auto) { return std::string(row.name); },
+       .pages = {},
+       .configure = [](axisc::editor::ClientSettings const&) { return axisc::Language::german; }});
   std::size_t const piece = static_cast<unsigned char>(bytes.front()) + 1U;
   bytes.remove_prefix(1);
   axisc::editor::FrameReader frames;
   while (!bytes.empty() && !frames.is_broken()) {
     frames.add(bytes.substr(0, piece));
     bytes.remove_prefix(std::min(piece, bytes.size()));
-    while (auto const message = frames.next()) (void)server.receive(*message);
+    std::vector<std::string> waiting;
+    while (auto message = frames.next()) waiting.push_back(std::move(*message));
+    (void)server.receive(waiting);
     (void)server.publish();
   }
 }
@@ -35,6 +41,26 @@ void receive(std::string_view message) {
   EditorClient client("filter[0].order 2\n");
   (void)client.receive(message);
   (void)client.shown();
+}
+
+/// What looks at the text around a place: each must be answered, whatever the text is.
+void ask(EditorClient& client) {
+  Json const at = {{"line", 0}, {"character", 3}};
+  Json const position = {{"position", at}};
+  for (auto const* const method : {"textDocument/hover", "textDocument/completion", "textDocument/definition",
+                                   "textDocument/references", "textDocument/documentSymbol"}) {
+    if (!client.ask(method, position).contains("result")) std::abort();
+  }
+  Json const whole = {{"start", {{"line", 0}, {"character", 0}}},
+                      {"end", {{"line", 9999}, {"character", 0}}}};
+  auto const actions = client.ask("textDocument/codeAction", {{"range", whole}, {"context", Json::object()}});
+  if (!actions.contains("result")) std::abort();
+  auto const items = client.ask("textDocument/prepareTypeHierarchy", position).at("result");
+  for (auto const& item : items) {
+    for (auto const* const method : {"typeHierarchy/supertypes", "typeHierarchy/subtypes"}) {
+      if (!client.ask(method, {{"item", item}}).at("result").is_array()) std::abort();
+    }
+  }
 }
 
 /// Three bytes an edit: where, how much is replaced, by what.
@@ -52,6 +78,7 @@ void edit(std::string_view bytes) {
   }
   EditorClient fresh(client.text());
   if (client.shown() != fresh.shown()) std::abort();
+  ask(client);
 }
 
 }  // namespace

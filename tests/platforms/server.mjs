@@ -91,6 +91,14 @@ assert.deepEqual(take(program, { jsonrpc: "2.0", id: 1, method: "initialize", pa
 assert.ok(!begin(program, ["--cycle-time", "soon"]));
 assert.match(err.join("\n"), /^axisc: error.*soon/);
 
+// Messages that arrived together.
+assert.ok(begin(program, words), err.join("\n"));
+take(program, { jsonrpc: "2.0", id: 1, method: "initialize", params: { capabilities: {} } });
+const symbols = (id) => ({ jsonrpc: "2.0", id, method: "workspace/symbol", params: { query: "" } });
+const together = take(program, symbols(2), symbols(3), { jsonrpc: "2.0", method: "$/cancelRequest", params: { id: 2 } });
+assert.deepEqual(together.map(({ id, error }) => [id, error?.code]), [[2, -32800], [3, undefined]]);
+assert.equal(take(program, { jsonrpc: "2.0", id: "\ud800", method: "no/such" })[0].error.code, -32700, "half a character");
+
 const lists = [...below(samples)].filter((path) => /\.lis$/i.test(path));
 let [answers, diagnostics] = [0, 0];
 for (const list of lists) {

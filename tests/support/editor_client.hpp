@@ -89,7 +89,7 @@ class EditorClient {
   axisc::editor::Server server_{
       {.disk = files_,
        .options = [](std::string const&) { return axisc::validator::CheckOptions{}; },
-       .explain = [](auto const&, auto const& row) { return std::string(row.name); },
+       .explain = [](auto const&, auto const& row, auto) { return std::string(row.name); },
        .pages = {}}};
   std::string text_;
   int version_ = 0;

@@ -1,10 +1,12 @@
 #include "validator/views/written_unit.hpp"
 
 #include "diagnostics/ascii.hpp"
+#include "diagnostics/format_number.hpp"
 #include "schema/value.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
@@ -119,6 +121,16 @@ std::optional<double> unit_ratio(std::string_view word, std::string_view unit) {
   UnitRow const* const wanted = find_unit(unit);
   if (written == nullptr || wanted == nullptr || written->quantity != wanted->quantity) return std::nullopt;
   return written->factor / (wanted->factor * factor);
+}
+
+std::string converted_number(double number, double ratio, bool is_integer) {
+  double value = number * ratio;
+  double const whole = std::round(value);
+  constexpr double rounding = 1e-12;
+  constexpr int digits = 15;
+  bool const is_whole = std::abs(value - whole) <= rounding * std::abs(whole);
+  if (is_whole) value = whole;
+  return is_whole || !is_integer ? format_rounded(value, digits) : std::string();
 }
 
 }  // namespace axisc::validator

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace axisc::validator {
@@ -12,5 +13,8 @@ namespace axisc::validator {
 /// How many of `unit`, a unit of the catalogue ("0.1 um"), one of `word` is: 1000 for "kHz" and "Hz". None if the one
 /// is not the other's.
 [[nodiscard]] std::optional<double> unit_ratio(std::string_view word, std::string_view unit);
+
+/// `number` times `ratio` in digits; empty where that has decimals and `is_integer` allows none.
+[[nodiscard]] std::string converted_number(double number, double ratio, bool is_integer);
 
 }  // namespace axisc::validator

@@ -1,13 +1,21 @@
 -- Starts `axisc lsp` for axis lists and machine files, once for all of them.
 --   vim.g.axisc_command   what is started, {'axisc', 'lsp'}
 --   vim.g.axisc_patterns  for which files, {'*.lis', 'machine.json'}
+--   vim.g.axisc_settings  cycleTime, build, kind and language, {cycleTime = '1ms'}
 local client
 
 local function start()
   if client and not vim.lsp.client_is_stopped(client) then
     return client
   end
-  client = vim.lsp.start_client({name = 'axisc', cmd = vim.g.axisc_command or {'axisc', 'lsp'}, root_dir = vim.fn.getcwd()})
+  local settings = vim.g.axisc_settings or vim.empty_dict()
+  client = vim.lsp.start_client({
+    name = 'axisc',
+    cmd = vim.g.axisc_command or {'axisc', 'lsp'},
+    root_dir = vim.fn.getcwd(),
+    init_options = {axisc = settings},
+    settings = {axisc = settings},
+  })
   return client
 end
 

@@ -3,6 +3,7 @@ import * as vscode from 'vscode';
 import type { LanguageClientOptions, Middleware } from 'vscode-languageclient';
 import { isPage } from './page';
 import { show } from './preview';
+import { serverSettings } from './settings';
 
 /** Lists by the control vendor's extension or by this one, NC programs, and the files that make a machine of lists. */
 export const languages = ['isg-list', 'axis-list', 'isg-cnc'];
@@ -30,6 +31,7 @@ export function clientOptions(schemes: string[]): LanguageClientOptions {
       { scheme, pattern: programs },
     ]),
     synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher(`**/*.{${endings.join(',')}}`) },
+    initializationOptions: serverSettings,
     middleware: middleware(),
   };
 }

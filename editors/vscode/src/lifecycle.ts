@@ -1,4 +1,4 @@
-// The client, from the start of the editor to its end: begun again when settings change.
+// The client, from the start of the editor to its end: begun again when another program is named. The server takes all other settings as they change.
 import * as vscode from 'vscode';
 import type { BaseLanguageClient } from 'vscode-languageclient';
 import { offerCommands, registerCommands } from './commands';
@@ -29,7 +29,7 @@ export async function run(context: vscode.ExtensionContext, begin: Begin): Promi
     registerCommands(() => client),
     vscode.commands.registerCommand('axisc.restart', restart),
     vscode.workspace.onDidChangeConfiguration(async (event) => {
-      if (event.affectsConfiguration('axisc')) await restart();
+      if (event.affectsConfiguration('axisc.path')) await restart();
     }),
   );
   await restart();

@@ -1,18 +1,13 @@
 import * as vscode from 'vscode';
 
-/** A setting, and the option of the program that it becomes. */
-const options: Record<string, string> = { cycleTime: '--cycle-time', build: '--build', kind: '--kind' };
-
-/** The language of findings: that of the editor where the settings name none. */
-function language(settings: vscode.WorkspaceConfiguration): string {
-  const chosen = settings.get<string>('language', 'auto');
-  if (chosen !== 'auto') return chosen;
-  return vscode.env.language.startsWith('de') ? 'de' : 'en';
+/** What the program is started with: the language of the editor, for settings that name none. */
+export function serverArguments(): string[] {
+  return ['lsp', '--lang', vscode.env.language.startsWith('de') ? 'de' : 'en'];
 }
 
-/** What the program is started with. Settings that are empty are left out: then axisc.json and the lists decide. */
-export function serverArguments(): string[] {
+/** The settings at the start, so that the first findings are right. The server asks for them again when they change. */
+export function serverSettings(): Record<string, string> {
   const settings = vscode.workspace.getConfiguration('axisc');
-  const given = Object.entries(options).map(([name, option]) => [option, settings.get<string>(name, '').trim()]);
-  return ['lsp', '--lang', language(settings), ...given.filter(([, value]) => value !== '').flat()];
+  const names = ['language', 'cycleTime', 'build', 'kind'];
+  return Object.fromEntries(names.map((name) => [name, settings.get<string>(name, '')]));
 }

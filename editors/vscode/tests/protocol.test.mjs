@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import test from 'node:test';
 import { CancellationTokenSource } from 'vscode-languageserver-protocol/node';
@@ -87,6 +88,50 @@ test('a cancelled request is answered, and so is the next one', wait, async () =
     assert.ok(answer.status === 'fulfilled' || answer.reason.code === -32800, answer.reason?.message);
   }
   assert.ok(await server.ask('textDocument/hover', uriOf(mill), { position }));
+  assert.equal(await server.end(), 0);
+});
+
+test('settings are asked for, and apply when they change', wait, async () => {
+  const server = await start({ workspace: { configuration: true, didChangeConfiguration: { dynamicRegistration: true } } });
+  const settings = { cycleTime: '' };
+  const asked = [];
+  server.connection.onRequest('client/registerCapability', ({ registrations }) => {
+    asked.push(...registrations.map(({ method, registerOptions }) => `${method} ${registerOptions.section}`));
+    return null;
+  });
+  server.connection.onRequest('workspace/configuration', ({ items }) => items.map(({ section }) => (section === 'axisc' ? settings : null)));
+  const file = 'manual/axis-pt1.lis';
+  const codes = async () => (await server.ask('textDocument/diagnostic', uriOf(file))).items.map(({ code }) => code).join();
+  const becomes = async (wanted) => {
+    while ((await codes()) !== wanted) await new Promise((wake) => setTimeout(wake, 10));
+  };
+  await server.openSample(file);
+  await becomes('AX9006');
+  for (const [time, wanted] of [
+    ['100ms', 'AX3004'],
+    ['1ms', ''],
+    ['', 'AX9006'],
+  ]) {
+    settings.cycleTime = time;
+    await server.connection.sendNotification('workspace/didChangeConfiguration', { settings: null });
+    await becomes(wanted);
+  }
+  assert.deepEqual(asked, ['workspace/didChangeConfiguration axisc']);
+  assert.equal(await server.end(), 0);
+});
+
+test('a value leads to all places that set it', wait, async () => {
+  const server = await start();
+  await server.openSample('mill/x.lis');
+  const text = await readFile(path.join(samples, 'mill/x.lis'), 'utf8');
+  const line = text.split('\n').findIndex((each) => each.startsWith('kopf.achs_nr '));
+  const uri = uriOf('mill/x.lis');
+  const [item] = await server.ask('textDocument/prepareTypeHierarchy', uri, { position: { line, character: 3 } });
+  assert.equal(item.selectionRange.start.line, line);
+  const above = await server.connection.sendRequest('typeHierarchy/supertypes', { item });
+  assert.equal(path.basename(above[0].uri), 'default.lis');
+  const below = await server.connection.sendRequest('typeHierarchy/subtypes', { item: above[0] });
+  assert.ok(below.some((each) => each.uri === uri && each.selectionRange.start.line === line));
   assert.equal(await server.end(), 0);
 });
 

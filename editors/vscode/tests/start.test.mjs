@@ -15,7 +15,7 @@ const here = path.dirname(fileURLToPath(import.meta.url));
 const require = createRequire(import.meta.url);
 const resolve = Module._resolveFilename;
 Module._resolveFilename = (name, ...more) => (name === 'vscode' ? path.join(here, 'stub.cjs') : resolve(name, ...more));
-const { test: editor } = require('vscode');
+const { test: editor, env: environment } = require('vscode');
 
 test('the extension starts, restarts and ends the server', { timeout: 60000 }, async (t) => {
   const folder = await mkdtemp(path.join(os.tmpdir(), 'axisc-'));
@@ -38,18 +38,24 @@ test('the extension starts, restarts and ends the server', { timeout: 60000 }, a
   settings.path = '';
   const before = process.env.PATH;
   process.env.PATH = '/nowhere';
-  await editor.change();
+  await editor.change('path');
   process.env.PATH = before;
   assert.match(recorded.errors[1], /not on the PATH/);
 
   settings.path = wrapper;
-  await editor.change();
+  await editor.change('path');
   assert.deepEqual(recorded.errors.slice(2), []);
   assert.deepEqual(await logged(), ['lsp --lang en']);
-  Object.assign(settings, { language: 'de', cycleTime: ' 2ms', build: 'V3.1.3075.04', kind: 'axis' });
-  await editor.change();
-  const second = 'lsp --lang de --cycle-time 2ms --build V3.1.3075.04 --kind axis';
-  assert.deepEqual((await logged()).filter((line) => line.startsWith('lsp')), ['lsp --lang en', second]);
+  // Settings reach the server that runs, another program is started.
+  Object.assign(settings, { language: 'de', cycleTime: 'soon', build: 'V3.1.3075.04', kind: 'axis' });
+  const told = recorded.errors.length;
+  await editor.change('cycleTime');
+  while (recorded.errors.length === told) await new Promise((wake) => setTimeout(wake, 20));
+  assert.match(recorded.errors[told], /^axisc\.cycleTime: "soon" ist keine gültige Zykluszeit/);
+  assert.deepEqual((await logged()).filter((line) => line.startsWith('lsp')), ['lsp --lang en']);
+  environment.language = 'de';
+  await editor.change('path');
+  assert.deepEqual((await logged()).filter((line) => line.startsWith('lsp')), ['lsp --lang en', 'lsp --lang de']);
   await extension.deactivate();
   while ((await logged()).filter((line) => line.startsWith('status')).length < 2) {
     await new Promise((wake) => setTimeout(wake, 20));

@@ -55,7 +55,7 @@ vscode.workspace = Object.assign(anything('workspace'), {
   textDocuments: [],
   notebookDocuments: [],
   createFileSystemWatcher: () => ({ ...disposable, onDidCreate() {}, onDidChange() {}, onDidDelete() {} }),
-  getConfiguration: () => ({ get: (name, usual) => settings[name] ?? usual }),
+  getConfiguration: (section) => ({ get: (name, usual) => (section === undefined ? settings : settings[name]) ?? usual }),
   onDidChangeConfiguration(listener) {
     listeners.push(listener);
     return disposable;
@@ -84,5 +84,11 @@ vscode.languages = Object.assign(anything('languages'), {
   createDiagnosticCollection: () => ({ set() {}, delete() {}, clear() {}, dispose() {} }),
 });
 
-vscode.test = { settings, recorded, change: () => Promise.all(listeners.map((listener) => listener({ affectsConfiguration: () => true }))) };
+/** Some setting below `axisc` has changed. */
+const change = (name) => {
+  const changed = `axisc.${name}`;
+  const affectsConfiguration = (section) => changed === section || changed.startsWith(`${section}.`);
+  return Promise.all(listeners.map((listener) => listener({ affectsConfiguration })));
+};
+vscode.test = { settings, recorded, change };
 module.exports = vscode;

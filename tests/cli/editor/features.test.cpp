@@ -164,6 +164,35 @@ TEST_CASE("a lens above a cascade says what it costs") {
   CHECK(asked("textDocument/codeLens", folder / "y.lis", "kopf.achs_nr 2\n").empty());
 }
 
+TEST_CASE("a lens says why there is no figure") {
+  auto const title = [](std::string const& machine, std::string const& text) {
+    TemporaryFolder const folder;
+    folder.write("machine.json", machine);
+    folder.write("x.lis", text);
+    folder.write("y.lis", "kopf.achs_nr 2\n");
+    auto const path = folder / "x.lis";
+    auto const lens = asked("textDocument/codeLens", path, text)[0];
+    return Conversation()
+        .open(path, text)
+        .ask("codeLens/resolve", path, lens)
+        .results()[0]["command"]["title"]
+        .get<std::string>();
+  };
+  std::string const machine = R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]})";
+  std::string const filter =
+      "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].order 2\nfilter[0].fg_f0 ";
+  CHECK(title(machine, filter + "17,5x\n").starts_with("no figures: machine.json has errors"));
+  CHECK(title(machine, "kenngr.achs_typ 2\n" + filter + "17\ngetriebe[0].dynamik.vb_max 500000\n")
+            .ends_with("; no corner deviation in mm: the axis is not translatory"));
+  CHECK(
+      title(
+          R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}, {"name": "Y", "list": "y.lis"}],
+                  "groups": [{"name": "K", "axes": ["Y"]}]})",
+          filter + "17\n") == "no figures: the axis is in no channel of machine.json");
+  CHECK(title(R"({"axes": [{"name": "X", "list": "x.lis"}]})", filter + "17\n").find("cycle time") !=
+        std::string::npos);
+}
+
 TEST_CASE("commands give pages of what is in the editor") {
   auto const& folder = machine_folder();
   auto const path = folder / "x.lis";
@@ -305,6 +334,73 @@ TEST_CASE("a finding's page and a number's word are actions") {
                           {{"command", "axisc.explain"}, {"arguments", {"file:///x.lis", "AX2001"}}});
   CHECK(page["title"] == "AX2001");
   CHECK(page["html"].get<std::string>().find("AX2001") != std::string::npos);
+}
+
+TEST_CASE("a value with its unit is converted to the unit of the list") {
+  auto const converted = [](std::string const& text) {
+    Json const at = {{"line", 0}, {"character", 0}};
+    auto const actions =
+        asked("textDocument/codeAction", "/x.lis", text,
+              {{"range", {{"start", at}, {"end", at}}}, {"context", {{"only", {"refactor.rewrite"}}}}});
+    if (actions.empty()) return std::string();
+    auto const edit = actions[0]["edit"]["changes"]["file:///x.lis"][0];
+    auto const begin = edit["range"]["start"]["character"].get<std::size_t>();
+    return text.substr(0, begin) + edit["newText"].get<std::string>() + text.substr(begin);
+  };
+  CHECK(converted("filter[0].time_constant 20 ms\n") == "filter[0].time_constant 20000 ( 20 ms\n");
+  CHECK(converted("filter[0].time_constant 20ms\n") == "filter[0].time_constant 20000 ( 20ms\n");
+  CHECK(converted("filter[0].time_constant 0,5 ms ( so\n") == "filter[0].time_constant 500 ( 0,5 ms ( so\n");
+  CHECK(converted("filter[0].fg_f0 42.5Hz\n") == "filter[0].fg_f0 42.5 ( 42.5Hz\n");
+  CHECK(converted("filter[0].fg_f0 0.1 kHz\n") == "filter[0].fg_f0 100 ( 0.1 kHz\n");
+  CHECK(converted("getriebe[0].dynamik.vb_max 500 mm/s\n") ==
+        "getriebe[0].dynamik.vb_max 500000 ( 500 mm/s\n");
+  // In the list's unit, of another quantity, not whole, no unit, no number.
+  for (auto const* const text :
+       {"filter[0].fg_f0 42.5 Hz\n", "filter[0].time_constant 20 Hz\n", "filter[0].time_constant 0.0001 ms\n",
+        "filter[0].fg_f0 42.5\n", "filter[0].fg_f0 42.5 Hallo\n", "filter[0].type 20 ms\n",
+        "unknown 20 ms\n"}) {
+    INFO(text);
+    CHECK(converted(text).empty());
+  }
+}
+
+TEST_CASE("completions say what they mean when they are asked") {
+  Json const able = {{"textDocument",
+                      {{"completion",
+                        {{"completionItem",
+                          {{"resolveSupport", {{"properties", {"documentation"}}}},
+                           {"documentationFormat", {"markdown", "plaintext"}}}}}}}}};
+  auto const item = [](Json const& items, std::string const& label) {
+    auto const found = std::find_if(items.begin(), items.end(),
+                                    [&label](Json const& each) { return each["label"] == label; });
+    REQUIRE(found != items.end());
+    return *found;
+  };
+  std::string const text = "filter[0].o\nfilter[0].order P-AXIS-0001\n";
+  auto const lists = Conversation("utf-8", able)
+                         .open("/x.lis", text)
+                         .ask_at("textDocument/completion", "/x.lis", 0, 11)
+                         .ask_at("textDocument/completion", "/x.lis", 1, 27)
+                         .results();
+  auto const order = item(lists[0], "order");
+  auto const number = item(lists[1], "P-AXIS-00016");
+  CHECK_FALSE(order.contains("documentation"));
+  CHECK_FALSE(number.contains("documentation"));
+  auto const resolved = Conversation("utf-8", able)
+                            .open("/x.lis", text)
+                            .ask("completionItem/resolve", "/x.lis", order)
+                            .ask("completionItem/resolve", "/x.lis", number)
+                            .ask("completionItem/resolve", "/x.lis", {{"label", "LOWPASS"}})
+                            .results();
+  CHECK(resolved[0]["documentation"]["kind"] == "markdown");
+  CHECK(resolved[0]["documentation"]["value"].get<std::string>().starts_with("# filter[].order "));
+  CHECK(resolved[0]["textEdit"] == order["textEdit"]);
+  CHECK(resolved[1]["documentation"]["value"].get<std::string>().starts_with("# kopf.achs_nr "));
+  CHECK_FALSE(resolved[2].contains("documentation"));
+  // Who cannot ask is told at once.
+  auto const plain =
+      Conversation().open("/x.lis", text).ask_at("textDocument/completion", "/x.lis", 0, 11).results()[0];
+  CHECK(item(plain, "order")["documentation"].is_string());
 }
 
 TEST_CASE("pointing at #FILTER shows the kernels that result") {

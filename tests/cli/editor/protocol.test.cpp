@@ -128,6 +128,16 @@ TEST_CASE("an edit at no position changes nothing") {
   }
 }
 
+TEST_CASE("a document without text is not open") {
+  auto const results =
+      Conversation()
+          .notify("textDocument/didOpen", {{"textDocument", {{"uri", "file:///x.lis"}, {"version", 1}}}})
+          .change("/x.lis", "kopx.achs_nr 1\n")
+          .ask("textDocument/diagnostic", "/x.lis")
+          .results();
+  CHECK(results[0]["error"]["code"] == -32602);
+}
+
 TEST_CASE("a carriage return alone ends a line of the protocol") {
   auto const results = Conversation("utf-16")
                            .open("/x.lis", "kopf.achs_nr 1\rkopf.achs_nr 2\nkopx.achs_nr 1\n")

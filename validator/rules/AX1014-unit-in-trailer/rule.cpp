@@ -1,13 +1,11 @@
 #include "validator/engine/rule.hpp"
 
-#include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/sentences.hpp"
 #include "validator/views/units_text.hpp"
 #include "validator/views/written_unit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace axisc::validator::says {
@@ -51,16 +49,6 @@ std::optional<WrittenUnit> other_unit(Line const& line) {
   return WrittenUnit{.unit = reading.row->unit_translatory, .ratio = std::nullopt};
 }
 
-/// The number in the unit of the parameter; empty where that has decimals and the parameter takes none.
-std::string converted(Reading const& reading, double ratio) {
-  double value = reading.value.number * ratio;
-  double const whole = std::round(value);
-  constexpr double rounding = 1e-12;
-  bool const is_whole = std::abs(value - whole) <= rounding * std::abs(whole);
-  if (is_whole) value = whole;
-  return is_whole || !schema::is_integer(reading.row->type) ? format_rounded(value, 15) : std::string();
-}
-
 void describe(Finding& finding, Line const& line) {
   WrittenUnit const unit = *other_unit(line);
   Span const value = line.assignment().value;
@@ -70,7 +58,9 @@ void describe(Finding& finding, Line const& line) {
               {{"parameter", line.name()}, {"unit", raw_unit_name(unit.unit)}, {"written", line.text(word)}});
   set_reaction(finding, says::reaction, {}, line.text(value));
   add_physical(finding, *line.reading().row, machine::AxisType::translatory, line.reading().value.number);
-  std::string const number = unit.ratio ? converted(line.reading(), *unit.ratio) : std::string();
+  std::string const number = unit.ratio ? converted_number(line.reading().value.number, *unit.ratio,
+                                                           schema::is_integer(line.reading().row->type))
+                                        : std::string();
   if (number.empty()) return;
   // What was meant stays readable, as a comment.
   finding.fix = replace_by(line.place({.begin = value.begin, .end = value.begin}), number + " ( ",

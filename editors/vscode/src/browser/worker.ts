@@ -24,20 +24,48 @@ function keep({ path, bytes }: FileState): void {
   }
 }
 
-function answer(message: { id?: number | string }): void {
+interface Message {
+  id?: number | string;
+}
+
+/** Answers messages that arrived together: the server checks only the last of several changes. */
+function answer(messages: Message[]): void {
   if (hasBegun) {
-    for (const sent of take(program, message)) postMessage(sent);
-  } else if (message.id !== undefined) {
-    // The settings are at fault: what the program says of them is shown by the client.
-    postMessage({ jsonrpc: '2.0', id: message.id, error: { code: invalidParams, message: said.join('\n') } });
+    for (const sent of take(program, ...messages)) postMessage(sent);
+    return;
+  }
+  for (const { id } of messages) {
+    // The program was not started rightly: what it says of that is shown by the client.
+    if (id !== undefined) postMessage({ jsonrpc: '2.0', id, error: { code: invalidParams, message: said.join('\n') } });
   }
 }
 
-/** Messages are taken in order, the first ones when the program is there. */
-let last: Promise<void> = Promise.resolve();
+const waiting: unknown[] = [];
+let isTaking = false;
+
+/** In the order of arrival, the first messages when the program is there. */
+async function takeAll(): Promise<void> {
+  isTaking = true;
+  while (waiting.length > 0) {
+    // Whatever has been sent already arrives first.
+    await new Promise((wake) => setTimeout(wake, 0));
+    let messages: Message[] = [];
+    for (const data of waiting.splice(0)) {
+      if (!isTold(data)) {
+        messages.push(data as Message);
+        continue;
+      }
+      if (messages.length > 0) answer(messages);
+      messages = [];
+      if (data.kind === 'begin') await beginWith(data);
+      else keep(data);
+    }
+    if (messages.length > 0) answer(messages);
+  }
+  isTaking = false;
+}
+
 addEventListener('message', ({ data }: MessageEvent<unknown>) => {
-  last = last.then(() => {
-    if (!isTold(data)) return answer(data as { id?: number });
-    return data.kind === 'begin' ? beginWith(data) : keep(data);
-  });
+  waiting.push(data);
+  if (!isTaking) void takeAll();
 });

@@ -1,4 +1,4 @@
-#include "editor/filter_figures.hpp"
+#include "editor/meaning/filter_figures.hpp"
 
 #include "design/filter_analysis.hpp"
 #include "diagnostics/format_number.hpp"

@@ -1,4 +1,4 @@
-#include "editor/parameter_number.hpp"
+#include "editor/meaning/parameter_number.hpp"
 
 #include "diagnostics/ascii.hpp"
 

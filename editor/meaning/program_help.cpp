@@ -1,4 +1,4 @@
-#include "editor/program_help.hpp"
+#include "editor/meaning/program_help.hpp"
 
 #include "design/kernel_design.hpp"
 #include "diagnostics/ascii.hpp"

@@ -1,0 +1,79 @@
+#include "editor/client_settings.hpp"
+
+#include "editor/server.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::editor {
+
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr std::string_view section_name = "axisc";
+
+std::string text_of(Json const& section, char const* name) {
+  auto const found = section.find(name);
+  if (found == section.end() || !found->is_string()) return {};
+  auto const& text = found->get_ref<std::string const&>();
+  auto const begin = text.find_first_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+std::string request(Json const& id, std::string_view method, Json params) {
+  return Json{{"jsonrpc", "2.0"}, {"id", id}, {"method", method}, {"params", std::move(params)}}.dump();
+}
+
+}  // namespace
+
+ClientSettings settings_of_section(Json const& section) {
+  if (!section.is_object()) return {};
+  return {.cycle_time = text_of(section, "cycleTime"),
+          .build = text_of(section, "build"),
+          .kind = text_of(section, "kind"),
+          .language = text_of(section, "language")};
+}
+
+std::optional<ClientSettings> client_settings(Json const& all) {
+  if (!all.is_object() || !all.contains(section_name)) return std::nullopt;
+  return settings_of_section(all[std::string(section_name)]);
+}
+
+Json Server::begin_conversation(Json const& /*params*/) {
+  if (registers_settings_) {
+    Json const registration = {{"id", settings_request},
+                               {"method", "workspace/didChangeConfiguration"},
+                               {"registerOptions", {{"section", section_name}}}};
+    due_.push_back(request("axisc.registration", "client/registerCapability",
+                           {{"registrations", Json::array({registration})}}));
+  }
+  ask_for_settings();
+  return nullptr;
+}
+
+void Server::ask_for_settings() {
+  if (!gives_settings_) return;
+  due_.push_back(request(settings_request, "workspace/configuration",
+                         {{"items", Json::array({{{"section", section_name}}})}}));
+}
+
+// Who answers questions about settings may tell something else, or nothing.
+Json Server::configure(Json const& params) {
+  ask_for_settings();
+  auto const told = params.is_object() ? client_settings(params.value("settings", Json())) : std::nullopt;
+  if (told && !gives_settings_) apply(*told);
+  return check_all(params);
+}
+
+void Server::take_settings(Json const& answer) {
+  apply(answer.is_array() && !answer.empty() ? settings_of_section(answer[0]) : ClientSettings{});
+}
+
+void Server::apply(ClientSettings const& settings) {
+  if (settings == settings_ || !surroundings_.configure) return;
+  settings_ = settings;
+  surroundings_.language = surroundings_.configure(settings);
+  check_all(nullptr);
+}
+
+}  // namespace axisc::editor

@@ -1,0 +1,141 @@
+#include "editor/server.hpp"
+
+#include <array>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace axisc::editor {
+
+namespace {
+
+using Json = nlohmann::json;
+
+enum class ErrorCode : int {
+  parse_error = -32700,
+  invalid_request = -32600,
+  method_not_found = -32601,
+  invalid_params = -32602,
+  internal_error = -32603,
+  request_failed = -32803,
+  request_cancelled = -32800,
+  not_initialized = -32002,
+};
+
+std::string dump(Json const& message) {
+  return message.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string error(Json const& id, ErrorCode code, std::string_view reason) {
+  return dump(
+      {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", reason}}}});
+}
+
+/// Where the requests of these ids are cancelled for the last time.
+std::map<std::string, std::size_t> cancellations(std::vector<Json> const& messages) {
+  static Json::json_pointer const id("/params/id");
+  std::map<std::string, std::size_t> found;
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    auto const& message = messages[i];
+    if (!message.is_object() || message.value("method", Json()) != "$/cancelRequest") continue;
+    if (message.contains(id)) found[dump(message[id])] = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string error_message(std::string_view sentence) {
+  constexpr int error = 1;
+  return dump({{"jsonrpc", "2.0"},
+               {"method", "window/showMessage"},
+               {"params", {{"type", error}, {"message", sentence}}}});
+}
+
+std::vector<std::string> Server::receive(std::string_view message) {
+  std::array const one = {std::string(message)};
+  return receive(one);
+}
+
+std::vector<std::string> Server::receive(std::span<std::string const> messages) {
+  std::vector<Json> parsed;
+  parsed.reserve(messages.size());
+  for (auto const& message : messages) parsed.push_back(Json::parse(message, nullptr, false));
+  std::vector<std::string> answers;
+  auto const cancelled = cancellations(parsed);
+  auto const is_cancelled = [&](std::size_t at) {
+    auto const& request = parsed[at];
+    if (cancelled.empty() || !request.is_object() || !request.contains("id")) return false;
+    auto const found = cancelled.find(dump(request["id"]));
+    return request.contains("method") && found != cancelled.end() && found->second > at;
+  };
+  for (std::size_t i = 0; i < parsed.size() && !has_ended(); ++i) {
+    if (is_cancelled(i)) {
+      answers.push_back(error(parsed[i]["id"], ErrorCode::request_cancelled, "cancelled"));
+      continue;
+    }
+    for (auto& answer : take(parsed[i])) answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
+std::vector<std::string> Server::take(Json const& message) {
+  if (message.is_discarded()) return {error(nullptr, ErrorCode::parse_error, "not JSON")};
+  if (!message.is_object()) return {error(nullptr, ErrorCode::invalid_request, "not a message")};
+  // An answer of the client.
+  if (!message.contains("method") && (message.contains("result") || message.contains("error"))) {
+    if (message.contains("result") && message.value("id", Json()) == settings_request) {
+      take_settings(message["result"]);
+    }
+    return {};
+  }
+  bool const is_request = message.contains("id");
+  auto const id = is_request ? message["id"] : Json();
+  if (id.is_structured()) {
+    return {error(nullptr, ErrorCode::invalid_request, "the id is not a number or text")};
+  }
+  if (!message.contains("method") || !message["method"].is_string()) {
+    return {error(id, ErrorCode::invalid_request, "no method")};
+  }
+  auto const name = message["method"].get<std::string>();
+  auto const refuse = [&](ErrorCode code, std::string_view reason) {
+    return is_request ? std::vector{error(id, code, reason)} : std::vector<std::string>();
+  };
+  if (phase_ == Phase::before_initialize && name != "initialize" && name != "exit") {
+    return refuse(ErrorCode::not_initialized, "initialize comes first");
+  }
+  bool const is_again = phase_ != Phase::before_initialize && name == "initialize";
+  if (is_again || (phase_ == Phase::shut_down && name != "exit")) {
+    return refuse(ErrorCode::invalid_request, name + " is not possible now");
+  }
+  auto const handler = find(name);
+  if (handler == nullptr) return refuse(ErrorCode::method_not_found, "unknown method " + name);
+  try {
+    auto const result = (this->*handler)(message.contains("params") ? message["params"] : Json());
+    // What is due is said before the farewell.
+    auto messages = std::exchange(due_, {});
+    if (phase_ == Phase::shut_down) {
+      for (auto& due : publish()) messages.push_back(std::move(due));
+    }
+    // Around the result, which may be large: no copy of it is made.
+    if (is_request) {
+      messages.push_back(R"({"id":)" + dump(id) + R"(,"jsonrpc":"2.0","result":)" + dump(result) + "}");
+    }
+    return messages;
+  } catch (Json::exception const& exception) {
+    return refuse(ErrorCode::invalid_params, exception.what());
+  } catch (NoPage const& reason) {
+    return refuse(ErrorCode::request_failed, reason.what());
+  } catch (std::invalid_argument const& reason) {
+    return refuse(ErrorCode::invalid_params, reason.what());
+  } catch (std::out_of_range const&) {
+    return refuse(ErrorCode::invalid_params, "the document is not open");
+  } catch (std::exception const& exception) {
+    return refuse(ErrorCode::internal_error, exception.what());
+  }
+}
+
+}  // namespace axisc::editor
