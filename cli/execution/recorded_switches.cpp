@@ -3,6 +3,7 @@
 #include "cli/failure.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace axisc::cli::says {
 
@@ -18,6 +19,15 @@ constexpr Sentence still_changing{
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
+
+namespace {
+
+/// No recording has more cycles than a size can count.
+std::size_t to_size(std::uint64_t cycle) {
+  return static_cast<std::size_t>(std::min<std::uint64_t>(cycle, std::numeric_limits<std::size_t>::max()));
+}
+
+}  // namespace
 
 std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> const& commands,
                                                       image::ImageContents const& image, std::size_t axis,
@@ -41,7 +51,8 @@ std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> 
     auto const& group = image.groups[*slot->group];
     auto const wanted = command.command.filter_switch;
     if (wanted != machine::FilterSwitch::unchanged) on = wanted == machine::FilterSwitch::on;
-    comparison::KernelSwitch one{.cycle = command.cycle, .kernel = {}, .fade_cycles = group.off_fade_cycles};
+    comparison::KernelSwitch one{
+        .cycle = to_size(command.cycle), .kernel = {}, .fade_cycles = group.off_fade_cycles};
     if (on) {
       auto const& bank = bank_of(command, group, image, path);
       auto const member = std::find(group.members.begin(), group.members.end(), axis) - group.members.begin();
