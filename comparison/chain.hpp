@@ -50,7 +50,8 @@ class Runner {
 
   static void run_sections(Link const& link, Memory& memory, std::span<double> signal);
   void run_taps(Link const& link, Memory& memory, std::span<double> signal);
-  void apply(std::vector<double> const& taps, double origin, std::size_t from, std::span<double> sums) const;
+  void apply(std::vector<double> const& taps, double origin, std::size_t from,
+             std::span<double> signal) const;
 
   Chain chain_;
   std::vector<Memory> memories_;

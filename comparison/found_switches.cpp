@@ -90,8 +90,9 @@ Blocks blocks_of(Recording const& recording, Configured const& configured, std::
   // Logarithms: a block in which the filter changes over is explained by neither, and must not outweigh the others.
   std::array<double, lags> sums{};
   for (auto const& one : all) {
-    for (std::size_t i = 0; i < lags; ++i)
+    for (std::size_t i = 0; i < lags; ++i) {
       sums.at(i) += std::log(expected + std::min(one.at(i)[0], one.at(i)[1]));
+    }
   }
   auto const best = static_cast<std::size_t>(std::min_element(sums.begin(), sums.end()) - sums.begin());
   Blocks found{.lag = static_cast<int>(best) - longest_lag, .squares = {}};

@@ -60,7 +60,7 @@ std::vector<comparison::KernelSwitch> kernel_switches(std::vector<TimedCommand> 
       if (kernel) one.kernel = image.kernels[*kernel].specification;
       one.fade_cycles = bank.fade_cycles;
     }
-    switches.push_back(std::move(one));
+    switches.push_back(one);
   }
   return switches;
 }

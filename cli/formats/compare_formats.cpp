@@ -170,8 +170,9 @@ std::string compare_json(ShownComparison const& shown, Language language) {
   auto const& result = shown.result;
   std::string switches;
   for (auto const& one : shown.found_switches) {
-    switches += (switches.empty() ? "" : ", ") + ("{\"cycle\": " + std::to_string(one.cycle)) +
-                ", \"command\": \"" + (one.kernel ? "#FILTER ON" : "#FILTER OFF") + "\"}";
+    if (!switches.empty()) switches += ", ";
+    switches += R"({"cycle": )" + std::to_string(one.cycle) + R"(, "command": )" +
+                json_string(one.kernel ? "#FILTER ON" : "#FILTER OFF") + "}";
   }
   std::string fitting;
   for (auto const& one : result.fitting) {
