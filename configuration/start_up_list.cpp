@@ -93,20 +93,17 @@ void read_line(ListedValue& listed, StartUpList& list) {
 constexpr std::array<std::string_view, 6> own_names = {"achs_mds[",  "sda_mds[",         "zahl_mds",
                                                        "rtconf_lis", "default_achs_mds", "kanal_anzahl"};
 
-bool begins_with_own_name(std::string_view line) {
-  auto const trimmed = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+bool is_initial(char byte) {
   return std::any_of(own_names.begin(), own_names.end(),
-                     [trimmed](std::string_view name) { return trimmed.substr(0, name.size()) == name; });
+                     [byte](std::string_view name) { return name.front() == byte; });
 }
 
-/// A carriage return alone ends a line too.
-bool any_part_begins_with_own_name(std::string_view line) {
-  for (;;) {
-    if (begins_with_own_name(line)) return true;
-    auto const end = line.find('\r');
-    if (end == std::string_view::npos) return false;
-    line.remove_prefix(end + 1);
-  }
+bool begins_with_own_name(std::string_view line) {
+  while (!line.empty() && ascii::is_blank(line.front())) line.remove_prefix(1);
+  // As in most lines.
+  if (line.empty() || !is_initial(line.front())) return false;
+  return std::any_of(own_names.begin(), own_names.end(),
+                     [line](std::string_view name) { return line.substr(0, name.size()) == name; });
 }
 
 }  // namespace
@@ -136,10 +133,16 @@ std::vector<LocatedText const*> named_lists(StartUpList const& list) {
 }
 
 bool looks_like_start_up_list(std::string_view bytes) {
-  while (!bytes.empty()) {
-    auto const line = bytes.substr(0, bytes.find('\n'));
-    if (any_part_begins_with_own_name(line)) return true;
-    bytes.remove_prefix(std::min(line.size() + 1, bytes.size()));
+  // A carriage return alone ends a line too; each is looked for once, since most lists have either none or one a line.
+  auto feed = bytes.find('\n');
+  auto carriage_return = bytes.find('\r');
+  for (std::size_t begin = 0; begin < bytes.size();) {
+    if (begins_with_own_name(bytes.substr(begin))) return true;
+    if (feed < begin) feed = bytes.find('\n', begin);
+    if (carriage_return < begin) carriage_return = bytes.find('\r', begin);
+    auto const end = std::min(feed, carriage_return);
+    if (end == std::string_view::npos) return false;
+    begin = end + 1;
   }
   return false;
 }
