@@ -164,7 +164,7 @@ axisrt_status axisrt_shadow_step(axisrt* prepared) {
   if (prepared == nullptr || prepared->change->predecessor == nullptr || prepared->change->begun != 0) {
     return AXISRT_BAD_ARGUMENT;
   }
-  in_joining_arithmetic([&] { shadow(*prepared); });
+  in_cycle_arithmetic([&] { shadow(*prepared); });
   return AXISRT_OK;
 }
 

@@ -85,20 +85,21 @@ struct ControlWord {
 #endif
 
 /// Changes the word where one of its bits, but for those that do not matter and the flags, is not the wanted one. Afterwards the
-/// caller's word comes back, with the flags of `Left` added that were raised meanwhile. Reading the word waits for all computations
-/// before it: where they raise no flags but those of `Left`, as `Raised` says, it is not read again.
-enum class Raised { any_flag, only_what_is_left };
-template <ControlWord::Word Indifferent, ControlWord::Word Left, Raised Flags = Raised::any_flag>
+/// caller's word comes back, with the flags of `Left` added that were raised meanwhile.
+template <ControlWord::Word Indifferent, ControlWord::Word Left>
 class Arithmetic {
  public:
   Arithmetic() : callers_(ControlWord::read()), changed_(!is_wanted(callers_)) {
     if (changed_) ControlWord::write(ControlWord::wanted);
   }
   ~Arithmetic() {
-    if (changed_ || (Flags == Raised::any_flag && has_other_flags())) ControlWord::write(callers_);
+    if (changed_ || has_other_flags()) ControlWord::write(callers_);
   }
   Arithmetic(Arithmetic const&) = delete;
   Arithmetic& operator=(Arithmetic const&) = delete;
+
+  /// Nothing needs to be changed. Reading the word waits for all computations before it.
+  [[nodiscard]] static bool is_in_force() { return is_wanted(ControlWord::read()); }
 
  private:
   static bool is_wanted(ControlWord::Word word) {
@@ -109,12 +110,8 @@ class Arithmetic {
   bool changed_;
 };
 
-/// That of a cycle. Nearly every computation is inexact: that flag stays as the cycle leaves it. No other is raised: bad setpoints are
-/// sorted out as integers, no number is subnormal, and none gets too large (lanes/sections_def.hpp).
-using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact, Raised::only_what_is_left>;
-
-/// That of a cycle which joins what filters give, and whose products may be subnormal.
-using JoiningArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
+/// That of a cycle, where nearly every computation is inexact: that flag stays as the cycle leaves it.
+using CycleArithmetic = Arithmetic<ControlWord::subnormal, ControlWord::inexact>;
 
 /// That of all other calls, which may meet subnormal numbers.
 using PlainArithmetic = Arithmetic<0, 0>;
@@ -133,8 +130,8 @@ auto in_plain_arithmetic(Work const& work) {
 }
 
 template <class Work>
-auto in_joining_arithmetic(Work const& work) {
-  [[maybe_unused]] JoiningArithmetic const arithmetic;
+auto in_cycle_arithmetic(Work const& work) {
+  [[maybe_unused]] CycleArithmetic const arithmetic;
   return apart(work);
 }
 

@@ -8,7 +8,7 @@ namespace axisc::runtime {
 namespace {
 
 /// Both runtimes get the same setpoints: y = y_before + w (y_new - y_before) where the axis was reset.
-uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt::*port, Call const& call) {
+uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt::*port, Call call) {
   Change const& change = *runtime.change;
   before.instructions->step((before.*port).port, call.in, change.shadow, nullptr);
   uint64_t const worst = runtime.instructions->step((runtime.*port).port, call.in, call.out, call.status);
@@ -26,20 +26,28 @@ bool has_company(axisrt const& runtime) {
   return runtime.recorder != nullptr || runtime.change->begun != 0;
 }
 
-AXISRT_INLINE axisrt_status execute(axisrt const& runtime, Port const& port, Call const& call) {
-  CycleArithmetic const arithmetic;
+AXISRT_APART axisrt_status execute_in_own_arithmetic(axisrt const& runtime, Port const& port, Call call) {
+  return in_cycle_arithmetic([&] {
+    return static_cast<axisrt_status>(runtime.instructions->step(port, call.in, call.out, call.status));
+  });
+}
+
+/// Filters alone raise no flag but the one that stays: bad setpoints are sorted out as integers, no number is subnormal, and none gets
+/// too large (lanes/sections_def.hpp). So the control word needs to be read only once.
+AXISRT_INLINE axisrt_status execute(axisrt const& runtime, Port const& port, Call call) {
+  if (!CycleArithmetic::is_in_force()) return execute_in_own_arithmetic(runtime, port, call);
   return static_cast<axisrt_status>(runtime.instructions->step(port, call.in, call.out, call.status));
 }
 
-axisrt_status execute_in_change(axisrt const& runtime, LinePort axisrt::*port, Call const& call) {
+axisrt_status execute_in_change(axisrt const& runtime, LinePort axisrt::*port, Call call) {
   axisrt const* const before = changes_from(runtime);
   if (before == nullptr) return execute(runtime, (runtime.*port).port, call);
-  JoiningArithmetic const arithmetic;
-  return static_cast<axisrt_status>(step_both(runtime, *before, port, call));
+  return static_cast<axisrt_status>(
+      in_cycle_arithmetic([&] { return step_both(runtime, *before, port, call); }));
 }
 
-axisrt_status step_in_company(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind,
-                              Call const& call) {
+AXISRT_APART axisrt_status step_in_company(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind,
+                                           Call call) {
   if (runtime.recorder == nullptr) return execute_in_change(runtime, port, call);
   EntrySizes const& sizes = runtime.recorder->sizes;
   Entry entry(runtime.recorder, kind, 0, kind == axrd_step ? sizes.step : sizes.step_interface);
@@ -51,7 +59,7 @@ axisrt_status step_in_company(axisrt const& runtime, LinePort axisrt::*port, uin
   return worst;
 }
 
-axisrt_status step_setpoints_in_company(axisrt const& runtime, Call const& call) {
+AXISRT_APART axisrt_status step_setpoints_in_company(axisrt const& runtime, Call call) {
   bool const changes = changes_from(runtime) != nullptr;
   if (changes) advance(*runtime.change);
   axisrt_status const worst = step_in_company(runtime, &axisrt::setpoint, axrd_step, call);

@@ -72,7 +72,7 @@ struct Outputs {
 };
 
 axisrt_status step_controls(axisrt const& runtime, axisrt_velocities const& in, Outputs const& out) {
-  JoiningArithmetic const arithmetic;
+  CycleArithmetic const arithmetic;
   if (axisrt const* const before = changes_from(runtime)) step_before(*before, in, runtime.change->shadow);
   step_stages(runtime, in);
   Mask worst = AXISRT_OK;

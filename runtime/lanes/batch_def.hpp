@@ -228,29 +228,35 @@ AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const&
   (FirstMembers<Groups>{});
 }
 
+/// Half of the lanes, in registers.
+template <uint32_t First, uint32_t Width, uint32_t... Member>
+AXISRT_INLINE Happened<Width / 2> half_of(Happened<Width> const& happened, Members<Member...> /*lanes*/) {
+  return __builtin_shufflevector(happened, happened, (First + Member)...);
+}
+
 /// The worst status as a number.
 template <uint32_t Width>
 AXISRT_INLINE uint64_t worst_of(Happened<Width> const& happened) {
   if constexpr (Width > 2) {
-    struct Halves {
-      Happened<Width / 2> lower, upper;
-    };
-    auto const halves = AXISRT_BIT_CAST(Halves, happened);
-    return worst_of<Width / 2>(halves.lower | halves.upper);
+    FirstMembers<Width / 2> const lanes{};
+    return worst_of<Width / 2>(half_of<0, Width>(happened, lanes) |
+                               half_of<Width / 2, Width>(happened, lanes));
   } else {
     return lane_of(happened, 0) | lane_of(happened, Width - 1);
   }
 }
 
-/// Slots from group `first` on.
+/// Slots from group `first` on. Pointers one by one, as registers hold them.
 template <uint32_t Width, bool AllReset>
-AXISRT_APART uint64_t step_slots(Batch const& batch, uint32_t first, Call const& call) {
+AXISRT_APART uint64_t step_slots(Batch const& batch, uint32_t first, double const* in, double* out,
+                                 uint8_t* status) {
+  Call const call{in, out, status};
   Happened<Width> happened{};
   for (uint32_t group = first; group < batch.group_count; ++group) {
     Place<Width> place(batch, group);
-    Signal<Width> const in = place.template begin<AllReset>(call, happened);
-    Signal<Width> const out = run_slot<Width>(batch.operations[0].slots[group], place.states(), in);
-    place.template end<AllReset>(call, out, happened);
+    Signal<Width> const signal = place.template begin<AllReset>(call, happened);
+    Signal<Width> const filtered = run_slot<Width>(batch.operations[0].slots[group], place.states(), signal);
+    place.template end<AllReset>(call, filtered, happened);
   }
   return worst_of<Width>(happened);
 }
@@ -259,8 +265,9 @@ AXISRT_APART uint64_t step_slots(Batch const& batch, uint32_t first, Call const&
 template <uint32_t Width, bool AllReset>
 AXISRT_INLINE uint32_t step_ramps(Batch const& batch, Call const& call, Happened<Width>& happened) {
   SlotGroup* const slots = batch.operations[0].slots;
+  uint32_t const groups = batch.group_count;
   uint32_t group = 0;
-  for (; group < batch.group_count && slots[group].mode == SlotMode::ramp; ++group) {
+  for (; group < groups && slots[group].mode == SlotMode::ramp; ++group) {
     Place<Width> place(batch, group);
     Signal<Width> const in = place.template begin<AllReset>(call, happened);
     place.template end<AllReset>(call, run_ramp_slot<Width>(slots[group], place.states(), in), happened);
@@ -277,7 +284,7 @@ AXISRT_APART uint64_t step_groups(Batch const& batch, double const* in, double* 
   if constexpr (Kind == ChainKind::slot) {
     group = step_ramps<Width, AllReset>(batch, call, happened);
     if (group < batch.group_count) {
-      return worst_of<Width>(happened) | step_slots<Width, AllReset>(batch, group, call);
+      return worst_of<Width>(happened) | step_slots<Width, AllReset>(batch, group, in, out, status);
     }
   } else if constexpr (sections_of(Kind) > 0) {
     for (; group + 2 <= batch.group_count; group += 2) {

@@ -20,16 +20,22 @@
 // NOLINTBEGIN(bugprone-implicit-widening-of-multiplication-result)
 namespace axisc::runtime::AXISRT_LEVEL {
 
-/// The increment of `age` cycles before the present one.
+/// Where the present cycle's increment is in the history.
+AXISRT_INLINE uint32_t place_in_history(SlotGroup const& slot) {
+  return slot.block * block_cycles + slot.phase;
+}
+
+/// The increment of `age` cycles before the present one, whose place is given.
 template <uint32_t Width>
-AXISRT_INLINE double const* increment_of_age(SlotGroup const& slot, double const* history, uint32_t age) {
+AXISRT_INLINE double const* increment_of_age(SlotGroup const& slot, double const* history, uint32_t present,
+                                             uint32_t age) {
   uint32_t const length = slot.block_count * block_cycles;
-  uint32_t const present = slot.block * block_cycles + slot.phase;
   return history + (present >= age ? present - age : present + length - age) * Width;
 }
 
 template <uint32_t Width>
-AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* history, Real<Width> d) {
+AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* history, uint32_t present,
+                                   Real<Width> d) {
   Kernel const& kernel = *slot.common;
   uint32_t const length = kernel.tail_count;
   auto c = load_real<Width>(sums);
@@ -37,7 +43,7 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
   auto g = load_real<Width>(sums + 2 * Width);
   auto q = load_real<Width>(sums + 3 * Width);
   g -= q;
-  q -= load_real<Width>(increment_of_age<Width>(slot, history, length));
+  q -= load_real<Width>(increment_of_age<Width>(slot, history, present, length));
   c = (c - p) + kernel.length * d;
   p += d;
   Real<Width> const removed = rounded<Width>(kernel.ramp * (c + g));
@@ -60,10 +66,11 @@ AXISRT_INLINE Real<Width> run_ramp(SlotGroup& slot, double* sums, double const* 
 template <uint32_t Width>
 AXISRT_APART void begin_ramp(SlotGroup& slot, double* sums, double const* history) {
   uint32_t const length = slot.common->tail_count;
+  uint32_t const present = place_in_history(slot);
   Real<Width> g{};
   Real<Width> q{};
   for (uint32_t j = 0; j < length; ++j) {
-    auto const d = load_real<Width>(increment_of_age<Width>(slot, history, j));
+    auto const d = load_real<Width>(increment_of_age<Width>(slot, history, present, j));
     g += static_cast<double>(length - j) * d;
     q += d;
   }

@@ -102,7 +102,8 @@ AXISRT_APART void apply_kernels(SlotGroup& slot, double* parts, double* removed)
 template <uint32_t Width>
 AXISRT_INLINE Real<Width> removed_in_cycle(SlotGroup& slot, double* parts, Real<Width> d) {
   if (slot.mode == SlotMode::ramp) {
-    return run_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width, d);
+    return run_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width,
+                           place_in_history(slot), d);
   }
   double removed[Width];
   apply_kernels<Width>(slot, parts, removed);
@@ -154,9 +155,8 @@ AXISRT_INLINE void advance(SlotGroup& slot, double* parts) {
 }
 
 template <uint32_t Width>
-AXISRT_INLINE void remember(SlotGroup const& slot, double* parts, Real<Width> d) {
-  uint32_t const place = slot.block * block_cycles + slot.phase;
-  store<Width>(parts + (SlotParts::history + place) * Width, d);
+AXISRT_INLINE void remember(uint32_t present, double* parts, Real<Width> d) {
+  store<Width>(parts + (SlotParts::history + present) * Width, d);
 }
 
 template <uint32_t Width>
@@ -170,7 +170,7 @@ AXISRT_INLINE Signal<Width> without(Real<Width> what, double* parts, Signal<Widt
 /// One cycle.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
-  remember<Width>(slot, parts, in.d);
+  remember<Width>(place_in_history(slot), parts, in.d);
   Signal<Width> const out = without<Width>(removed_in_cycle<Width>(slot, parts, in.d), parts, in);
   advance<Width>(slot, parts);
   return out;
@@ -179,9 +179,10 @@ AXISRT_INLINE Signal<Width> run_slot(SlotGroup& slot, double* parts, Signal<Widt
 /// One cycle in SlotMode::ramp, without a call of anything.
 template <uint32_t Width>
 AXISRT_INLINE Signal<Width> run_ramp_slot(SlotGroup& slot, double* parts, Signal<Width> const& in) {
-  remember<Width>(slot, parts, in.d);
-  Real<Width> const removed =
-      run_ramp<Width>(slot, parts + SlotParts::ramp * Width, parts + SlotParts::history * Width, in.d);
+  uint32_t const present = place_in_history(slot);
+  remember<Width>(present, parts, in.d);
+  Real<Width> const removed = run_ramp<Width>(slot, parts + SlotParts::ramp * Width,
+                                              parts + SlotParts::history * Width, present, in.d);
   Signal<Width> const out = without<Width>(removed, parts, in);
   next_place(slot);
   return out;
