@@ -231,7 +231,7 @@ AXISRT_INLINE void step_sections(Batch const& batch, uint32_t first, Call const&
 /// Half of the lanes, in registers.
 template <uint32_t First, uint32_t Width, uint32_t... Member>
 AXISRT_INLINE Happened<Width / 2> half_of(Happened<Width> const& happened, Members<Member...> /*lanes*/) {
-  return __builtin_shufflevector(happened, happened, (First + Member)...);
+  return AXISRT_LANES_OF(happened, (First + Member)...);
 }
 
 /// The worst status as a number.
