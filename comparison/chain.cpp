@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace axisc::comparison {
 
@@ -143,6 +144,13 @@ std::size_t settling_cycles(Chain const& chain) {
     }
   }
   return cycles;
+}
+
+double noise_gain(Chain const& chain) {
+  std::vector<double> impulse(settling_cycles(chain) + 2, 0.0);
+  impulse[1] = 1;
+  auto const answer = respond(chain, impulse);
+  return std::sqrt(std::inner_product(answer.begin(), answer.end(), answer.begin(), 0.0));
 }
 
 }  // namespace axisc::comparison

@@ -70,4 +70,7 @@ class Runner {
 /// Cycles after which a state that is not known has less than a millionth of its effect; at most 20000.
 [[nodiscard]] std::size_t settling_cycles(Chain const& chain);
 
+/// How many times as large errors of the input are behind the chain: their rms, where one is independent of the other.
+[[nodiscard]] double noise_gain(Chain const& chain);
+
 }  // namespace axisc::comparison

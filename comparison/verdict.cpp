@@ -48,10 +48,23 @@ Recording busiest_part(Recording const& whole, std::size_t settling) {
   return taken;
 }
 
+/// What rounding of the two columns explains.
 struct Allowance {
-  double rms = 0, step = 0, noise = 0;
-  [[nodiscard]] bool holds(Residual const& residual) const {
-    return residual.rms <= rms_margin * rms + noise && residual.largest <= steps_margin * step + 10 * noise;
+  double input = 0, output = 0;  ///< their resolutions
+  double noise = 0;
+  [[nodiscard]] double rms(double gain = 1) const {
+    return std::hypot(gain * input, output) / std::sqrt(12.0);
+  }
+  [[nodiscard]] bool holds(Residual const& residual, double gain = 1) const {
+    return residual.rms <= rms_margin * rms(gain) + noise &&
+           residual.largest <= steps_margin * std::max(gain * input, output) + 10 * noise;
+  }
+  /// A chain that enhances high frequencies enhances what was rounded off its input.
+  [[nodiscard]] bool holds(Explained const& explained) const {
+    constexpr double largest_gain = 10;
+    if (holds(explained.residual)) return true;
+    if (!holds(explained.residual, largest_gain)) return false;
+    return holds(explained.residual, std::clamp(noise_gain(explained.reading.chain), 1.0, largest_gain));
   }
 };
 
@@ -90,7 +103,7 @@ std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& 
 void explain(Comparison& comparison, std::vector<Explained> const& found, Allowance const& allowance) {
   std::vector<Explained> plausible;
   for (auto const& one : found) {
-    if (one.reading.departures.empty() || !allowance.holds(one.residual)) continue;
+    if (one.reading.departures.empty() || !allowance.holds(one)) continue;
     double const best = plausible.empty() ? one.residual.rms : plausible.front().residual.rms;
     if (one.residual.rms <= believed_gain * best + allowance.noise) plausible.push_back(one);
   }
@@ -122,11 +135,10 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
   comparison.lost = recording.gaps.size();
   comparison.input_resolution = resolution(recording.input, recording.gaps);
   comparison.output_resolution = resolution(recording.output, recording.gaps);
-  Allowance allowance;
-  allowance.rms = std::hypot(comparison.input_resolution, comparison.output_resolution) / std::sqrt(12.0);
-  allowance.step = std::max(comparison.input_resolution, comparison.output_resolution);
-  allowance.noise = numeric_noise * std::max(largest_magnitude(recording.output), 1e-3);
-  comparison.allowed_rms = allowance.rms;
+  Allowance const allowance{.input = comparison.input_resolution,
+                            .output = comparison.output_resolution,
+                            .noise = numeric_noise * std::max(largest_magnitude(recording.output), 1e-3)};
+  comparison.allowed_rms = allowance.rms();
 
   auto const settling = settling_cycles(all.front().chain);
   auto const mask =
@@ -134,7 +146,7 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
   comparison.compared = static_cast<std::size_t>(std::count(mask.begin(), mask.end(), true));
   if (comparison.compared < fewest_cycles) return comparison;
   comparison.listed = residual_of(all.front().chain, recording, mask);
-  bool const is_same = allowance.holds(comparison.listed);
+  bool const is_same = allowance.holds(Explained{all.front(), comparison.listed});
   if (is_same) {
     comparison.verdict = comparison.listed.delay_cycles == 0 ? Verdict::same : Verdict::delayed;
   } else {

@@ -74,7 +74,10 @@ void declare(CommandLine& command_line, CompareOptions& options) {
   command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
   command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
   command_line.choice("--unit",
-                      {{"0.1um", RecordedUnit::tenths}, {"um", RecordedUnit::um}, {"mm", RecordedUnit::mm}},
+                      {{"0.1um", RecordedUnit::tenths},
+                       {"um", RecordedUnit::um},
+                       {"mm", RecordedUnit::mm},
+                       {"incr", RecordedUnit::increments}},
                       options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
@@ -119,6 +122,7 @@ ExitStatus compare(Invocation const& invocation) {
                               .thousandths = recorded.thousandths,
                               .is_rotary = recorded.is_rotary,
                               .jumps = recorded.jumps,
+                              .telling = recorded.telling,
                               .found_switches = std::move(recorded.found_switches),
                               .result = std::move(recorded.result)};
   invocation.streams.out.write(options.format == Format::json ? compare_json(shown, invocation.language)

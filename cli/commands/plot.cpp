@@ -150,7 +150,10 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.value("--in", "COLUMN", options.columns.input, says::option_setpoint_column);
   command_line.value("--out", "COLUMN", options.columns.output, says::option_filtered_column);
   command_line.choice("--unit",
-                      {{"0.1um", RecordedUnit::tenths}, {"um", RecordedUnit::um}, {"mm", RecordedUnit::mm}},
+                      {{"0.1um", RecordedUnit::tenths},
+                       {"um", RecordedUnit::um},
+                       {"mm", RecordedUnit::mm},
+                       {"incr", RecordedUnit::increments}},
                       options.unit, says::option_recorded_unit);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_at);
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},

@@ -6,6 +6,7 @@
 #include "comparison/found_switches.hpp"
 #include "comparison/residual.hpp"
 #include "comparison/turns.hpp"
+#include "machine/machine.hpp"
 
 namespace axisc::cli::says {
 
@@ -18,7 +19,7 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::uint32_t rotary = 2;
+constexpr auto translatory = static_cast<std::uint32_t>(machine::AxisType::translatory);
 
 comparison::Configured configured(image::ImageContents const& image, std::size_t axis) {
   auto const& contents = image.axes[axis];
@@ -29,19 +30,6 @@ comparison::Configured configured(image::ImageContents const& image, std::size_t
     chain.kernel_on = contents.slot->on_at_start;
   }
   return chain;
-}
-
-/// Whole numbers are those of CNC objects.
-RecordedUnit recognised(RecordedUnit unit, comparison::Recording const& recording) {
-  if (unit != RecordedUnit::recognised) return unit;
-  bool const is_whole = comparison::resolution(recording.input, recording.gaps) == 1 &&
-                        comparison::resolution(recording.output, recording.gaps) == 1;
-  return is_whole ? RecordedUnit::tenths : RecordedUnit::mm;
-}
-
-double thousandths(RecordedUnit unit) {
-  if (unit == RecordedUnit::um) return 1;
-  return unit == RecordedUnit::tenths ? 0.1 : 1000;
 }
 
 bool agrees(comparison::Comparison const& result) {
@@ -78,6 +66,20 @@ void explain_by_switches(RecordedAxis& found, comparison::Configured chain,
   found.found_switches = std::move(chain.switches);
 }
 
+/// Of what fits; what the lists say is among it where it is the same.
+std::optional<comparison::Motion> telling_motion(RecordedAxis const& found, design::CycleTime cycle_time) {
+  std::vector<comparison::Reading> fitting;
+  if (agrees(found.result)) fitting.push_back(found.readings.front());
+  for (auto const& one : found.result.fitting) fitting.push_back(one.reading);
+  constexpr double per_mm = 1000;
+  constexpr double seconds_per_minute = 60;
+  double const cycles_per_minute = seconds_per_minute / cycle_time.seconds();
+  return comparison::telling_motion(
+      fitting, found.result,
+      {.velocity = telling_feed * per_mm / cycles_per_minute / found.thousandths,
+       .step = telling_step * per_mm / found.thousandths});
+}
+
 }  // namespace
 
 std::size_t recorded_axis(image::ImageContents const& image, std::optional<std::string> const& name,
@@ -96,14 +98,16 @@ RecordedAxis compare_axis(image::ImageContents const& image, std::size_t axis, s
   RecordedAxis found{.columns = read_recorded_columns(path, open_source(path), columns, image.cycle_time),
                      .readings = comparison::readings(chain),
                      .result = {},
-                     .is_rotary = image.axes[axis].type == rotary};
-  found.thousandths = thousandths(recognised(unit, found.columns.recording));
-  constexpr double turn = 360'000;
-  if (found.is_rotary) found.jumps = comparison::unwind(found.columns.recording, turn / found.thousandths);
+                     .is_rotary = image.axes[axis].type != translatory};
+  found.thousandths = thousandths_of(unit, image.axes[axis], found.columns.recording);
+  if (auto const range = modulo_range(image.axes[axis])) {
+    found.jumps = comparison::unwind(found.columns.recording, *range / found.thousandths);
+  }
   found.result = comparison::compare(found.columns.recording, found.readings);
   if (chain.switches.empty() && fits_nothing(found.result)) {
     explain_by_switches(found, std::move(chain), change_over(image, axis));
   }
+  found.telling = telling_motion(found, image.cycle_time);
   return found;
 }
 

@@ -1,13 +1,17 @@
 // An axis' setpoint chain beside what a scope recorded of it.
 #pragma once
 
+#include "cli/execution/recorded_units.hpp"
 #include "cli/files/recorded_columns.hpp"
+#include "comparison/telling_motion.hpp"
 #include "comparison/verdict.hpp"
 #include "image/image_contents.hpp"
 
 namespace axisc::cli {
 
-enum class RecordedUnit : std::uint8_t { recognised, tenths, um, mm };
+/// Motions that are proposed: in mm or degrees.
+inline constexpr double telling_step = 1;
+inline constexpr double telling_feed = 6000;  ///< per minute
 
 struct RecordedAxis {
   RecordedColumns columns;
@@ -16,7 +20,9 @@ struct RecordedAxis {
   double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
   bool is_rotary = false;
   std::vector<comparison::KernelSwitch> found_switches{};  ///< that nobody named, without which nothing fits
-  std::size_t jumps = 0;  ///< by full turns, which a modulo axis makes; they are taken out
+  std::size_t jumps = 0;  ///< by a modulo range, most often a full turn; they are taken out
+  /// What would tell the readings apart that fit, where there are several.
+  std::optional<comparison::Motion> telling{};
   [[nodiscard]] std::string unit() const { return is_rotary ? "0.001°" : "µm"; }
 };
 

@@ -1,5 +1,6 @@
 #include "cli/formats/compare_formats.hpp"
 
+#include "cli/execution/recorded_axis.hpp"
 #include "cli/report/json_text.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/terminal.hpp"
@@ -14,8 +15,8 @@ constexpr Sentence compared{
     "Achse {axis}, {input} neben {output}: {compared} von {cycles} Zyklen zählen (verloren {lost}, "
     "wiederholt "
     "{repeated})"};
-constexpr Sentence turns_taken_out{"jumps by a full turn, taken out: {jumps}",
-                                   "Sprünge um eine volle Umdrehung, herausgerechnet: {jumps}"};
+constexpr Sentence jumps_taken_out{"jumps by the modulo range, taken out: {jumps}",
+                                   "Sprünge um den Modulobereich, herausgerechnet: {jumps}"};
 constexpr Sentence found_on{"found: #FILTER ON at cycle {cycle}", "gefunden: #FILTER ON in Zyklus {cycle}"};
 constexpr Sentence found_off{"found: #FILTER OFF at cycle {cycle}",
                              "gefunden: #FILTER OFF in Zyklus {cycle}"};
@@ -40,12 +41,24 @@ constexpr Sentence explained_by{
 constexpr Sentence next_one{"the next: {reading}; rms {rms} {unit}",
                             "das nächste: {reading}; Effektivwert {rms} {unit}"};
 constexpr Sentence fits_nothing{"no known reading fits", "keine bekannte Lesart passt"};
-constexpr Sentence fits_several{
-    "the recording does not tell these readings apart; record a step of 1 mm or a jump of the velocity:",
-    "die Aufzeichnung unterscheidet diese Lesarten nicht; einen Sprung um 1 mm oder einen "
-    "Geschwindigkeitssprung aufzeichnen:"};
+constexpr Sentence fits_several{"the recording does not tell these readings apart:",
+                                "die Aufzeichnung unterscheidet diese Lesarten nicht:"};
 constexpr Sentence fits_too{"this motion does not tell it from these readings:",
                             "diese Bewegung unterscheidet es nicht von diesen Lesarten:"};
+constexpr Sentence velocity_jump_tells{
+    "to tell them apart, record a jump of the velocity to {feed} {unit}/min, without #SLOPE, and back",
+    "um sie zu unterscheiden, einen Geschwindigkeitssprung auf {feed} {unit}/min aufzeichnen, ohne #SLOPE, "
+    "und zurück"};
+constexpr Sentence step_tells{
+    "to tell them apart, record a step of the position by {step} {unit}; a jump of the velocity to {feed} "
+    "{unit}/min is not enough",
+    "um sie zu unterscheiden, einen Positionssprung um {step} {unit} aufzeichnen; ein "
+    "Geschwindigkeitssprung auf {feed} {unit}/min reicht nicht"};
+constexpr Sentence nothing_tells{
+    "they compute the same within this resolution, even behind a step of {step} {unit}: it does not matter "
+    "which one the control has",
+    "sie rechnen innerhalb dieser Auflösung dasselbe, sogar nach einem Sprung um {step} {unit}: welche die "
+    "Steuerung hat, spielt keine Rolle"};
 constexpr Sentence as_listed{"what axisc computes", "was axisc rechnet"};
 
 }  // namespace axisc::cli::says
@@ -87,7 +100,7 @@ class Writer {
                           {"cycles", std::to_string(shown_.cycles)},
                           {"lost", std::to_string(result.lost)},
                           {"repeated", std::to_string(shown_.repeated)}});
-    if (shown_.jumps > 0) line(says::turns_taken_out, {{"jumps", std::to_string(shown_.jumps)}});
+    if (shown_.jumps > 0) line(says::jumps_taken_out, {{"jumps", std::to_string(shown_.jumps)}});
     for (auto const& one : shown_.found_switches) {
       line(one.kernel ? says::found_on : says::found_off, {{"cycle", std::to_string(one.cycle)}});
     }
@@ -105,6 +118,7 @@ class Writer {
     }
     for (auto const& one : result.fitting) explained(says::explained_by, one);
     if (result.verdict == Verdict::different && result.next) explained(says::next_one, *result.next);
+    if (shown_.telling) motion(*shown_.telling);
     return text_;
   }
 
@@ -132,6 +146,13 @@ class Writer {
         break;
     }
   }
+  void motion(comparison::Motion telling) {
+    constexpr std::array<SentenceRef, 3> sentences{says::velocity_jump_tells, says::step_tells,
+                                                   says::nothing_tells};
+    line(sentences.at(static_cast<std::size_t>(telling)), {{"feed", format_rounded(telling_feed, digits + 1)},
+                                                           {"step", format_rounded(telling_step, digits)},
+                                                           {"unit", shown_.is_rotary ? "°" : "mm"}});
+  }
   void explained(SentenceRef sentence, comparison::Explained const& one) {
     line(sentence, {{"reading", words(one.reading, language_)},
                     {"rms", length(one.residual.rms)},
@@ -143,6 +164,11 @@ class Writer {
   Language language_;
   std::string text_;
 };
+
+std::string_view word(std::optional<comparison::Motion> telling) {
+  constexpr std::array<std::string_view, 3> names{R"("velocity-jump")", R"("step")", R"("none")"};
+  return telling ? names.at(static_cast<std::size_t>(*telling)) : "null";
+}
 
 std::string json_residual(comparison::Residual const& residual, double thousandths) {
   return "\"delay_cycles\": " + json_number(residual.delay_cycles) +
@@ -192,7 +218,7 @@ std::string compare_json(ShownComparison const& shown, Language language) {
          ",\n  \"listed\": {" + json_residual(result.listed, shown.thousandths) + "},\n  \"fitting\": [" +
          fitting + (fitting.empty() ? "" : "\n  ") +
          "],\n  \"next\": " + (result.next ? json_explained(*result.next, shown, language) : "null") +
-         "\n}\n";
+         ",\n  \"telling_motion\": " + std::string(word(shown.telling)) + "\n}\n";
 }
 
 std::string design_settings(design::Readings const& readings) {

@@ -1,6 +1,7 @@
 // What `axisc compare` prints.
 #pragma once
 
+#include "comparison/telling_motion.hpp"
 #include "comparison/verdict.hpp"
 #include "diagnostics/message.hpp"
 
@@ -14,7 +15,8 @@ struct ShownComparison {
   std::size_t cycles = 0, repeated = 0;
   double thousandths = 1;  ///< µm (or 0.001°) in a unit of the recording
   bool is_rotary = false;
-  std::size_t jumps = 0;                                 ///< by full turns, which were taken out
+  std::size_t jumps = 0;                                 ///< by a modulo range, which were taken out
+  std::optional<comparison::Motion> telling;             ///< what would tell the fitting readings apart
   std::vector<comparison::KernelSwitch> found_switches;  ///< that nobody named
   comparison::Comparison result;
 };
