@@ -76,7 +76,8 @@ bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
   auto const a = respond(one, step);
   auto const b = respond(other, step);
   auto const agree = [&](std::size_t later_a, std::size_t later_b) {
-    for (std::size_t n = jump; n + jump < length; ++n) {
+    // From the rest on: what came before the later answer must be rest, too.
+    for (std::size_t n = 0; n + jump < length; ++n) {
       if (std::abs(a[n + later_a] - b[n + later_b]) > indistinguishable) return false;
     }
     return true;

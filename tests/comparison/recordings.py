@@ -24,6 +24,7 @@ KERNEL_READINGS = ["listed", "taps-n", "taps-n-plus-1", "half-width-rounded-down
 GAUSS_READINGS = ["gaussian-width-1", "gaussian-width-2", "gaussian-width-3"]
 SINC_READINGS = ["sinc-hann", "sinc-blackman", "sinc-no-window"]
 SHARE_READINGS = ["share-undelayed", "share-ignored"]
+CYCLE_READINGS = {"cycle-time-double": 2, "cycle-time-half": 0.5, "cycle-time-fourfold": 4, "cycle-time-quarter": 0.25}
 
 
 def exponential(matrix):
@@ -169,6 +170,8 @@ def machine(rng):
         k = chosen["kernel"]
         known = KERNEL_READINGS + {1: [], 2: GAUSS_READINGS, 3: SINC_READINGS}[k["type"]]
         readings["kernel"] = str(rng.choice(known + (SHARE_READINGS if k["share"] < 100 else [])))
+    if rng.random() < 0.1:
+        readings = {"filter": "listed", "kernel": "listed", "cycle": str(rng.choice(list(CYCLE_READINGS)))}
     return chosen, readings
 
 
@@ -188,13 +191,14 @@ def list_text(chosen):
 def computed(chosen, readings, setpoints):
     """None where the reading is unstable."""
     values = setpoints - setpoints[0]
+    cycle = T * CYCLE_READINGS.get(readings.get("cycle"), 1)
     if chosen["filter"]:
-        made = standard_filter(chosen["filter"], readings["filter"])
+        made = standard_filter(chosen["filter"], readings["filter"], cycle)
         if made is None:
             return None
         values = filtered(*made, values)
     if chosen["kernel"]:
-        values = filtered(kernel(chosen["kernel"], readings["kernel"]), [1], values)
+        values = filtered(kernel(chosen["kernel"], readings["kernel"], cycle), [1], values)
     return values + setpoints[0]
 
 
@@ -222,27 +226,25 @@ def same_but_delayed(one, other):
     return any(np.abs(one[max(0, d):n + min(0, d)] - other[max(0, -d):n - max(0, d)]).max() < 1e-5 for d in range(-8, 9))
 
 
-def jump_answer(chosen, filter_reading, kernel_reading):
-    return computed(chosen, {"filter": filter_reading, "kernel": kernel_reading}, np.r_[np.zeros(20), np.ones(2500)])
+def jump_answer(chosen, readings):
+    return computed(chosen, readings, np.r_[np.zeros(20), np.ones(2500)])
 
 
 def right(chosen, readings, named):
     """Whether what is named computes what was made, but for whole cycles."""
-    known = set(FILTER_READINGS + KERNEL_READINGS + GAUSS_READINGS + SINC_READINGS + SHARE_READINGS)
-    if not set(named) <= known or len(named) > 2:
-        return False
-    filters = [n for n in named if n in FILTER_READINGS] or ["listed"]
-    kernels = [n for n in named if n not in FILTER_READINGS] or ["listed"]
-    if len(filters) > 1 or len(kernels) > 1:
-        return False
-    if chosen["filter"] is None and filters != ["listed"] or chosen["kernel"] is None and kernels != ["listed"]:
-        return False
-    made, told = jump_answer(chosen, **names(readings)), jump_answer(chosen, filters[0], kernels[0])
-    return told is not None and same_but_delayed(made, told)
-
-
-def names(readings):
-    return {"filter_reading": readings["filter"], "kernel_reading": readings["kernel"]}
+    if len(named) == 1 and named[0] in CYCLE_READINGS:
+        told = {"filter": "listed", "kernel": "listed", "cycle": named[0]}
+    else:
+        known = set(FILTER_READINGS + KERNEL_READINGS + GAUSS_READINGS + SINC_READINGS + SHARE_READINGS)
+        filters = [n for n in named if n in FILTER_READINGS]
+        kernels = [n for n in named if n not in FILTER_READINGS]
+        if not set(named) <= known or len(filters) > 1 or len(kernels) > 1:
+            return False
+        if chosen["filter"] is None and filters or chosen["kernel"] is None and kernels:
+            return False
+        told = {"filter": (filters or ["listed"])[0], "kernel": (kernels or ["listed"])[0]}
+    answer = jump_answer(chosen, told)
+    return answer is not None and same_but_delayed(jump_answer(chosen, readings), answer)
 
 
 STORED = [
@@ -292,17 +294,17 @@ def can_tell(chosen, readings, setpoints, answer):
     """Whether the answer differs from that of every other reading, at any offset, by more than rounding hides. What the lists
     say may be off by parts of a cycle, others by whole ones."""
     hidden = 0.5
-    others = [(f, readings["kernel"]) for f in FILTER_READINGS if chosen["filter"]]
+    others = [{"filter": f, "kernel": readings["kernel"]} for f in FILTER_READINGS if chosen["filter"]]
     if chosen["kernel"]:
         k = chosen["kernel"]
         known = KERNEL_READINGS + {1: [], 2: GAUSS_READINGS, 3: SINC_READINGS}[k["type"]]
-        others += [(readings["filter"], r) for r in known + (SHARE_READINGS if k["share"] < 100 else [])]
-    others.append(("listed", "listed"))
-    for other_filter, other_kernel in dict.fromkeys(others):
-        named = [n for n in (other_filter, other_kernel) if n != "listed"]
+        others += [{"filter": readings["filter"], "kernel": r} for r in known + (SHARE_READINGS if k["share"] < 100 else [])]
+    listed = {"filter": "listed", "kernel": "listed"}
+    for reading in others + [listed] + [{**listed, "cycle": c} for c in CYCLE_READINGS]:
+        named = [n for n in reading.values() if n != "listed"]
         if right(chosen, readings, named):
             continue
-        other = computed(chosen, {"filter": other_filter, "kernel": other_kernel}, setpoints)
+        other = computed(chosen, reading, setpoints)
         if other is not None and rms_where_it_moves(answer, other, np.arange(-3, 4), not named) <= hidden:
             return False
     return True

@@ -81,6 +81,20 @@ TEST_CASE("a control that computes what axisc does is the same but for the offse
   CHECK(comparison.input_resolution == 1);
 }
 
+TEST_CASE("a filter that is nearly a delay does not hide that filters are off") {
+  // The forward Euler method puts its three poles at 0.055: an answer that rises within two cycles, three cycles late.
+  auto configured = lowpass(3, 76.7);
+  configured.filters.front().prototype = design::Prototype::critical_damping;
+  auto const all = readings(configured);
+  auto const has = [&](std::string_view id) {
+    return std::any_of(all.begin(), all.end(), [id](Reading const& reading) {
+      return reading.departures.size() == 1 && reading.departures.front().id == id;
+    });
+  };
+  CHECK(has("forward-euler"));
+  CHECK(has("filters-off"));
+}
+
 TEST_CASE("an axis at rest tells nothing") {
   Recording const rest{.input = Signal(std::vector<double>(500, 7.0)),
                        .output = Signal(std::vector<double>(500, 7.0)),
