@@ -3,7 +3,7 @@ import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
 import { brotliCompressSync } from 'node:zlib';
-import { afterCheck, begin, choose, chooseFolder, end, opened, pageFolder, resident, samples, wait } from './support.mjs';
+import { afterCheck, begin, chooseFolder, chooseLongList, end, opened, pageFolder, resident, samples, wait } from './support.mjs';
 
 let folder;
 
@@ -24,14 +24,7 @@ test('figures', { timeout: 300000 }, async () => {
     await one.context().close();
   }
   const page = await opened();
-  const list = (await readFile(path.join(samples, 'mill/default.lis'), 'utf8')).trimEnd();
-  const lines = 1000 - list.split('\n').length;
-  const long = `${list}\n${Array.from({ length: lines }, (_, i) => `# P-AXIS-00067 ${i}\n`).join('')}`;
-  await writeFile(path.join(folder, 'long.lis'), long);
-  await choose(page, path.join(folder, 'long.lis'));
-  await page.click('.cm-content');
-  await page.keyboard.press('Control+End');
-  await page.keyboard.insertText('# ');
+  await chooseLongList(page, folder);
   const memory = () => page.evaluate(() => (globalThis.gc?.(), performance.memory.usedJSHeapSize / 1e6));
   const latencies = [];
   let before = 0;
@@ -45,6 +38,7 @@ test('figures', { timeout: 300000 }, async () => {
   const [atEnd, occupiedAtEnd] = [await memory(), await resident()];
   const typed = median(latencies.slice(0, 100));
   const machine = path.join(folder, 'sixteen');
+  const list = await readFile(path.join(samples, 'mill/default.lis'), 'utf8');
   await mkdir(machine);
   const axes = Array.from({ length: 16 }, (_, i) => ({ name: `A${i}`, list: `a${i}.lis` }));
   await writeFile(path.join(machine, 'machine.json'), JSON.stringify({ machine: 'sixteen', cycle_time_us: 1000, axes }));

@@ -2,7 +2,7 @@
 //   AXISC, PAGE: the native program and the folder of the page; AXISC_PICTURES: where pictures of the page are written
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
-import { mkdir, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { createRequire } from 'node:module';
 import os from 'node:os';
@@ -102,6 +102,18 @@ export async function filesBelow(whole) {
 
 export const choose = (one, files) => afterCheck(one, () => one.setInputFiles('#files', files));
 export const chooseFolder = (one, whole) => afterCheck(one, () => one.setInputFiles('#folder', whole));
+
+/** A list of 1,000 lines, with the cursor in a comment at its end. */
+export async function chooseLongList(one, folder) {
+  const list = (await readFile(path.join(samples, 'mill/default.lis'), 'utf8')).trimEnd();
+  const lines = 1000 - list.split('\n').length;
+  const file = path.join(folder, 'long.lis');
+  await writeFile(file, `${list}\n${Array.from({ length: lines }, (_, i) => `# P-AXIS-00067 ${i}\n`).join('')}`);
+  await choose(one, file);
+  await one.click('.cm-content');
+  await one.keyboard.press('Control+End');
+  await one.keyboard.insertText('# ');
+}
 
 export async function picture(one, name) {
   if (!process.env.AXISC_PICTURES) return;

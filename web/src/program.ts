@@ -1,4 +1,4 @@
-// The program in its worker. Every run has a new instance of the WebAssembly, with the files that the page holds.
+// The program in its worker, with the files that the page holds.
 export interface Outcome {
   status: number;
   out: string;
@@ -11,21 +11,33 @@ export interface Outcome {
 
 export interface Run {
   words: string[];
-  /** Standard input. */
-  input?: string;
   /** Paths that are read after the run. */
   wanted?: string[];
+}
+
+/** What the language server is asked about a list. */
+export interface Question {
+  /** Options of the server: language and cycle time. */
+  words: string[];
+  path: string;
+  text: string;
+  /** Without its `textDocument/`. */
+  method: string;
+  /** Parameters besides the list. */
+  more: object;
 }
 
 /** From the page to the worker. */
 export type Request =
   | { kind: 'files'; set: [string, Uint8Array][]; removed: string[] }
-  | { kind: 'run'; id: number; words: string[]; input: string; wanted: string[] };
+  | { kind: 'run'; id: number; words: string[]; wanted: string[] }
+  | { kind: 'ask'; id: number; question: Question };
 
 /** And back. */
 export type Answer =
   | { kind: 'ready' }
   | { kind: 'done'; id: number; status: number; out: Uint8Array; err: Uint8Array; written: [string, Uint8Array][]; time: number }
+  | { kind: 'told'; id: number; result: unknown }
   | { kind: 'failed'; id: number | null; reason: string };
 
 /** The worker, as src/start.ts leaves it. */
@@ -34,8 +46,10 @@ export interface Started {
   early: MessageEvent<Answer>[];
 }
 
+type Settled = Exclude<Answer, { kind: 'ready' | 'failed' }>;
+
 interface Waiting {
-  resolve: (outcome: Outcome) => void;
+  resolve: (answer: Settled) => void;
   reject: (reason: Error) => void;
 }
 
@@ -77,14 +91,7 @@ export class Program {
       waiting?.reject(new Error(answer.reason));
       return;
     }
-    const decoder = new TextDecoder();
-    waiting?.resolve({
-      status: answer.status,
-      out: decoder.decode(answer.out),
-      err: decoder.decode(answer.err),
-      written: new Map(answer.written),
-      time: answer.time,
-    });
+    waiting?.resolve(answer);
   }
 
   private send(request: Request): void {
@@ -109,12 +116,27 @@ export class Program {
     this.send({ kind: 'files', set: [...this.files], removed: [] });
   }
 
-  run({ words, input = '', wanted = [] }: Run): Promise<Outcome> {
+  async run({ words, wanted = [] }: Run): Promise<Outcome> {
+    const answer = await this.request((id) => ({ kind: 'run', id, words, wanted }));
+    if (answer.kind !== 'done') throw new Error(answer.kind);
+    const decoder = new TextDecoder();
+    const { status, out, err, written, time } = answer;
+    return { status, out: decoder.decode(out), err: decoder.decode(err), written: new Map(written), time };
+  }
+
+  /** What the language server says; null where it has nothing to say. */
+  async ask(question: Question): Promise<unknown> {
+    const answer = await this.request((id) => ({ kind: 'ask', id, question }));
+    if (answer.kind !== 'told') throw new Error(answer.kind);
+    return answer.result;
+  }
+
+  private request(made: (id: number) => Request): Promise<Settled> {
     if (this.waiting.size === 0) this.begun = performance.now();
     const id = ++this.last;
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.send({ kind: 'run', id, words, input, wanted });
+      this.send(made(id));
     });
   }
 }

@@ -1,4 +1,4 @@
-// The language server of the program. A request is a run of its own: the list as it is in the editor, the request, the end.
+// What the language server of the program says about the list in the editor.
 import type { Program } from './program';
 
 export interface Position {
@@ -33,28 +33,6 @@ export interface Asked {
   words: string[];
 }
 
-interface Message {
-  id?: number;
-  result?: unknown;
-  error?: { message: string };
-}
-
-const folder = 'file:///work';
-const addressOf = (path: string): string => `${folder}/${path.split('/').map(encodeURIComponent).join('/')}`;
-
-function framed(message: object): string {
-  const text = JSON.stringify({ jsonrpc: '2.0', ...message });
-  return `Content-Length: ${new TextEncoder().encode(text).length}\r\n\r\n${text}`;
-}
-
-/** Line ends of JSON are escaped: a header is what has some. */
-function messagesIn(output: string): Message[] {
-  return output
-    .split(/Content-Length: \d+\r\n\r\n/)
-    .filter((text) => text !== '')
-    .map((text) => JSON.parse(text) as Message);
-}
-
 export class Server {
   constructor(
     private readonly program: Program,
@@ -64,20 +42,7 @@ export class Server {
   private async request<Result>(method: string, more: object): Promise<Result | null> {
     const asked = this.asked();
     if (!asked) return null;
-    const uri = addressOf(asked.path);
-    const capabilities = { textDocument: { hover: { contentFormat: ['markdown'] }, completion: { completionItem: {} } } };
-    const input = [
-      { id: 1, method: 'initialize', params: { capabilities, rootUri: folder } },
-      { method: 'initialized', params: {} },
-      { method: 'textDocument/didOpen', params: { textDocument: { uri, languageId: 'axis-list', version: 1, text: asked.text } } },
-      { id: 2, method: `textDocument/${method}`, params: { textDocument: { uri }, ...more } },
-      { id: 3, method: 'shutdown' },
-      { method: 'exit' },
-    ];
-    const outcome = await this.program.run({ words: ['lsp', ...asked.words], input: input.map(framed).join('') });
-    const reply = messagesIn(outcome.out).find((message) => message.id === 2);
-    if (reply === undefined || reply.error) throw new Error(reply?.error?.message ?? outcome.err);
-    return reply.result as Result | null;
+    return (await this.program.ask({ ...asked, method, more })) as Result | null;
   }
 
   /** Markdown; empty where there is nothing to say. */

@@ -1,58 +1,48 @@
-// Runs the program: one compiled module, an instance for each run, a file system in memory for each instance.
+// Runs the program: one instance of its module does all that is asked, as long as it stays small.
+import { Conversation } from './conversation';
+import { Instance } from './instance';
 import type { Answer, Request } from './program';
-import { Stream, create, type Instance } from './instance';
 
 declare function importScripts(...scripts: string[]): void;
 
-const folder = '/work';
+/** What an instance may keep: a large file is no burden on what follows. */
+const largest = 64 * 1024 * 1024;
 const files = new Map<string, Uint8Array>();
 
 function answer(message: Answer): void {
   (self as unknown as { postMessage(message: Answer): void }).postMessage(message);
 }
 
-const whole = (path: string): string => (path.startsWith('/') ? path : `${folder}/${path}`);
 const reason = (failure: unknown): string => (failure instanceof Error ? failure.message : String(failure));
 
-/** Instances of the module; the next one is made while nobody waits for it. */
-class Instances {
-  private next: Promise<Instance> | null = null;
+class Service {
+  private readonly changed = new Set<string>();
+  private readonly conversation: Conversation;
 
-  constructor(private readonly compiled: WebAssembly.Module) {}
-
-  take(): Promise<Instance> {
-    const taken = this.next ?? create(this.compiled);
-    this.next = null;
-    return taken;
+  constructor(readonly instance: Instance) {
+    this.conversation = new Conversation(instance);
   }
 
-  prepare(): void {
-    this.next ??= create(this.compiled);
+  do(request: Exclude<Request, { kind: 'files' }>): Answer {
+    const start = performance.now();
+    for (const path of this.instance.update(files)) this.changed.add(path);
+    if (request.kind === 'run') {
+      const done = this.instance.run(request.words, request.wanted);
+      return { kind: 'done', id: request.id, ...done, time: performance.now() - start };
+    }
+    const result = this.conversation.ask(request.question, this.changed);
+    this.changed.clear();
+    return { kind: 'told', id: request.id, result };
   }
-}
-
-function run({ program, streams }: Instance, { words, input, wanted }: Extract<Request, { kind: 'run' }>) {
-  streams.in = new Stream(new TextEncoder().encode(input));
-  program.FS.mkdirTree(folder);
-  for (const [path, bytes] of files) {
-    program.FS.mkdirTree(whole(path).slice(0, whole(path).lastIndexOf('/')));
-    program.FS.writeFile(whole(path), bytes);
-  }
-  program.FS.chdir(folder);
-  const status = program.callMain(words) ?? streams.status;
-  const written: [string, Uint8Array][] = [];
-  for (const path of wanted) {
-    if (program.FS.analyzePath(whole(path)).exists) written.push([path, program.FS.readFile(whole(path))]);
-  }
-  return { status, out: streams.out.written(), err: streams.err.written(), written };
 }
 
 /** What to do about a request, once the module is compiled. */
 async function begin(): Promise<(request: Request) => Promise<void>> {
-  const compiled = WebAssembly.compileStreaming(fetch('axisc.wasm'));
+  const streamed = WebAssembly.compileStreaming(fetch('axisc.wasm'));
   importScripts('axisc.js');
-  const instances = new Instances(await compiled);
-  instances.prepare();
+  const compiled = await streamed;
+  const create = async (): Promise<Service> => new Service(await Instance.create(compiled));
+  let service = create();
   answer({ kind: 'ready' });
   return async (request) => {
     if (request.kind === 'files') {
@@ -60,14 +50,15 @@ async function begin(): Promise<(request: Request) => Promise<void>> {
       for (const [path, bytes] of request.set) files.set(path, bytes);
       return;
     }
-    const start = performance.now();
     try {
-      const done = run(await instances.take(), request);
-      answer({ kind: 'done', id: request.id, ...done, time: performance.now() - start });
+      const standing = await service;
+      answer(standing.do(request));
+      if (standing.instance.size > largest) service = create();
     } catch (failure) {
+      // Nobody knows what a run that failed has left behind.
       answer({ kind: 'failed', id: request.id, reason: reason(failure) });
+      service = create();
     }
-    instances.prepare();
   };
 }
 

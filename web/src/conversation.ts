@@ -1,0 +1,60 @@
+// The language server of an instance: one for all requests, which is told what has changed since the last one.
+import { begin, take } from '../../cli/browser/server.mjs';
+import { folder, whole, type Instance } from './instance';
+import type { Question } from './program';
+
+interface Message {
+  id?: number;
+  result?: unknown;
+  error?: { message: string };
+}
+
+const addressOf = (path: string): string => `file://${whole(path).split('/').map(encodeURIComponent).join('/')}`;
+const capabilities = { textDocument: { hover: { contentFormat: ['markdown'] }, completion: { completionItem: {} } } };
+const anyChange = 2;
+
+export class Conversation {
+  private words = '';
+  private open: { uri: string; text: string } | null = null;
+  private version = 0;
+  private last = 0;
+
+  constructor(private readonly instance: Instance) {}
+
+  /** `changed`: the files that are others than at the last question. */
+  ask({ words, path, text, method, more }: Question, changed: Iterable<string>): unknown {
+    const messages = [...this.start(words), ...this.changes(changed), ...this.turn(addressOf(path), text)];
+    const id = ++this.last;
+    messages.push({ id, method: `textDocument/${method}`, params: { textDocument: { uri: addressOf(path) }, ...more } });
+    const sent = take(this.instance.program, ...messages.map((message) => ({ jsonrpc: '2.0', ...message }))) as Message[];
+    const reply = sent.find((message) => message.id === id);
+    if (reply === undefined || reply.error) throw new Error(reply?.error?.message ?? this.instance.complaint);
+    return reply.result;
+  }
+
+  /** A server with other options is another server. */
+  private start(words: string[]): object[] {
+    if (words.join(' ') === this.words) return [];
+    if (!begin(this.instance.program, words)) throw new Error(this.instance.complaint);
+    this.words = words.join(' ');
+    this.open = null;
+    const params = { capabilities, rootUri: `file://${folder}` };
+    return [{ id: ++this.last, method: 'initialize', params }, { method: 'initialized', params: {} }];
+  }
+
+  private changes(changed: Iterable<string>): object[] {
+    const changes = [...changed].map((path) => ({ uri: addressOf(path), type: anyChange }));
+    return changes.length === 0 ? [] : [{ method: 'workspace/didChangeWatchedFiles', params: { changes } }];
+  }
+
+  /** Turns to a list: opens it, or says what it is now. */
+  private turn(uri: string, text: string): object[] {
+    const before = this.open;
+    if (before?.uri === uri && before.text === text) return [];
+    this.open = { uri, text };
+    const version = ++this.version;
+    if (before?.uri === uri) return [{ method: 'textDocument/didChange', params: { textDocument: { uri, version }, contentChanges: [{ text }] } }];
+    const closed = before ? [{ method: 'textDocument/didClose', params: { textDocument: { uri: before.uri } } }] : [];
+    return [...closed, { method: 'textDocument/didOpen', params: { textDocument: { uri, languageId: 'axis-list', version, text } } }];
+  }
+}
