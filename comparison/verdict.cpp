@@ -55,6 +55,10 @@ struct Allowance {
   [[nodiscard]] double rms(double gain = 1) const {
     return std::hypot(gain * input, output) / std::sqrt(12.0);
   }
+  /// What a recording can measure: less is luck, as of a slow motion, where rounding of both columns is alike.
+  [[nodiscard]] double measurable(Residual const& residual) const {
+    return std::max(residual.rms, output / std::sqrt(12.0));
+  }
   [[nodiscard]] bool holds(Residual const& residual, double gain = 1) const {
     return residual.rms <= rms_margin * rms(gain) + noise &&
            residual.largest <= steps_margin * std::max(gain * input, output) + 10 * noise;
@@ -78,6 +82,16 @@ bool is_same_reading(Reading const& one, Reading const& other) {
                     [](Departure const& a, Departure const& b) { return a.id == b.id; });
 }
 
+/// Departs in all that the other one departs in.
+bool goes_further(Explained const& one, Explained const& other) {
+  auto const& more = one.reading.departures;
+  auto const& fewer = other.reading.departures;
+  return std::all_of(fewer.begin(), fewer.end(), [&](Departure const& departure) {
+    return std::any_of(more.begin(), more.end(),
+                       [&](Departure const& its) { return its.id == departure.id; });
+  });
+}
+
 std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& all,
                              double output_resolution) {
   std::vector<Explained> found;
@@ -98,22 +112,23 @@ std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& 
   return found;
 }
 
-/// Of the readings that fit, those with fewest departures, unless one with more is better than they are; then all of those
-/// that are about as good. What does not belong to them is next. `found` by rising rms.
+/// Of the readings that fit, those with fewest departures and those that only add to the best of these, unless one with more is
+/// better than they are; then all of those that are about as good. What does not belong to them is next. `found` by rising rms.
 void explain(Comparison& comparison, std::vector<Explained> const& found, Allowance const& allowance) {
   std::vector<Explained> plausible;
   for (auto const& one : found) {
     if (one.reading.departures.empty() || !allowance.holds(one)) continue;
-    double const best = plausible.empty() ? one.residual.rms : plausible.front().residual.rms;
+    double const best = allowance.measurable(plausible.empty() ? one.residual : plausible.front().residual);
     if (one.residual.rms <= believed_gain * best + allowance.noise) plausible.push_back(one);
   }
   if (!plausible.empty()) {
-    double const best = plausible.front().residual.rms;
+    double const best = allowance.measurable(plausible.front().residual);
     auto const simplest = *std::min_element(plausible.begin(), plausible.end(), has_fewer_departures);
-    auto const limit = clearly_worse * simplest.residual.rms + allowance.noise;
+    auto const limit = clearly_worse * allowance.measurable(simplest.residual) + allowance.noise;
     if (simplest.residual.rms <= clearly_worse * best + allowance.noise) {
       std::erase_if(plausible, [&](Explained const& one) {
-        return has_fewer_departures(simplest, one) || one.residual.rms > limit;
+        bool const is_far_fetched = has_fewer_departures(simplest, one) && !goes_further(one, simplest);
+        return is_far_fetched || one.residual.rms > limit;
       });
     }
   }
@@ -157,12 +172,12 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
   explain(comparison, tried(busiest_part(recording, longest), all, comparison.output_resolution), allowance);
   if (!is_same) return comparison;
   if (!comparison.fitting.empty() &&
-      comparison.fitting.front().residual.rms * believed_gain < comparison.listed.rms) {
+      allowance.measurable(comparison.fitting.front().residual) * believed_gain < comparison.listed.rms) {
     comparison.verdict = Verdict::different;
     return comparison;
   }
   std::erase_if(comparison.fitting, [&](Explained const& one) {
-    return one.residual.rms > clearly_worse * comparison.listed.rms + allowance.noise;
+    return one.residual.rms > clearly_worse * allowance.measurable(comparison.listed) + allowance.noise;
   });
   return comparison;
 }
