@@ -11,6 +11,7 @@ const samples = {
   typing: ['mistakes/typing.lis', ''],
   unsuitable: ['mistakes/unsuitable.lis', ''],
   mill: ['mill', 'mill'],
+  rack: ['motion/rack', 'rack'],
   controller: ['controller', 'controller'],
   'controller-project': ['controller-project', 'controller-project'],
 };

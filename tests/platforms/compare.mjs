@@ -6,6 +6,7 @@ import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { below } from "./below.mjs";
 import { load } from "./webassembly.mjs";
+import { equalAsNumbers } from "./equal_as_numbers.mjs";
 
 const [native, program, samples] = process.argv.slice(2);
 const run = program.endsWith(".exe") ? underWine : load(program);
@@ -37,21 +38,6 @@ for (const path of paths) {
     exact.push(["machine", path]);
     asNumbers.push([0, ["contour", "--format", "json", path]], [1, ["report", path, "-o", "-"]]);
   }
-}
-
-const number = /-?\d+\.?\d*(?:e[-+]?\d+)?/g;
-const close = (a, b, rounding) => Math.abs(a - b) <= Math.max(1e-9 * Math.abs(a), rounding ? 0.0101 : 1e-12) + (rounding ? 1e-3 * Math.abs(a) : 0);
-
-/// The texts are equal but for numbers, and those nearly so. Figures of reports have four digits, pictures two decimals.
-function equalAsNumbers(a, b, rounding) {
-  if (a === b) return true;
-  const left = a.match(number) ?? [];
-  const right = b.match(number) ?? [];
-  return (
-    a.replace(number, "#") === b.replace(number, "#") &&
-    left.length === right.length &&
-    left.every((text, i) => text === right[i] || close(Number(text), Number(right[i]), rounding))
-  );
 }
 
 let failed = 0;

@@ -1,10 +1,9 @@
 // What the page shows is what the native program says, and nothing leaves it.
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
 import { cp, mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import test, { after, before } from 'node:test';
-import { afterCheck, begin, choose, chooseFolder, cycle, end, expected, filesBelow, listed, native, opened, picture, require, samples, strangers, violations, wait } from './support.mjs';
+import { afterCheck, begin, choose, chooseFolder, cycle, drawn, end, expected, filesBelow, listed, opened, picture, require, run, samples, saved, strangers, violations, wait } from './support.mjs';
 
 let folder;
 let page;
@@ -45,9 +44,9 @@ test('what is downloaded after "fix all" is what --fix writes, byte for byte', w
     await cp(path.join(samples, 'mistakes', name), copy);
     await choose(page, copy);
     await afterCheck(page, () => page.click('#fix-all'));
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#download')]);
-    spawnSync(native, ['lint', '--fix', '--cycle-time', '1ms', name], { cwd: folder });
-    assert.deepEqual(await readFile(await download.path()), await readFile(copy), name);
+    const bytes = await saved(page, '#download');
+    run(['lint', '--fix', ...cycle, name], folder);
+    assert.deepEqual(bytes, await readFile(copy), name);
   }
 });
 
@@ -56,18 +55,17 @@ test('a quick fix changes its bytes alone; line ends and windows-1252 stay', wai
   await writeFile(list, Buffer.from('kenngr.achs_typ 1 # Längsachse\r\nkopf.achs_nr 01\r\n', 'latin1'));
   await choose(page, list);
   await afterCheck(page, () => page.click('#finding-list li:has-text("AX1006") .fix'));
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#download')]);
-  const bytes = await readFile(await download.path());
+  const bytes = await saved(page, '#download');
   assert.equal(bytes.toString('latin1'), 'kenngr.achs_typ 1 # Längsachse\r\nkopf.achs_nr 1\r\n');
 });
 
 test('an image compiled in the page is the native one', wait, async () => {
   await chooseFolder(page, path.join(samples, 'controller'));
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#compile')]);
+  const bytes = await saved(page, '#compile');
   const image = path.join(folder, 'native.axim');
-  const run = spawnSync(native, ['compile', '--quiet', '-o', image, 'controller'], { cwd: samples });
-  assert.equal(run.status, 0, String(run.stderr));
-  assert.deepEqual(await readFile(await download.path()), await readFile(image));
+  const { status, stderr } = run(['compile', '--quiet', '-o', image, 'controller'], samples);
+  assert.equal(status, 0, String(stderr));
+  assert.deepEqual(bytes, await readFile(image));
 });
 
 test('machine, pictures with zoom, before and after, report', wait, async () => {
@@ -76,11 +74,7 @@ test('machine, pictures with zoom, before and after, report', wait, async () => 
   await page.waitForFunction(() => document.getElementById('machine-text').textContent.includes('X'));
   await page.click('#tab-pictures');
   for (const kind of ['response', 'step', 'delay', 'corner', 'circle']) {
-    await page.selectOption('#kind', kind);
-    await page.waitForFunction((alt) => {
-      const image = document.querySelector('.frame img');
-      return image.alt === alt && image.complete && image.naturalWidth > 0;
-    }, await page.$eval('#kind', (menu) => menu.selectedOptions[0].textContent));
+    await drawn(page, kind);
   }
   await page.focus('.frame');
   await page.keyboard.press('+');
@@ -91,8 +85,7 @@ test('machine, pictures with zoom, before and after, report', wait, async () => 
   await page.click('#tab-report');
   const frame = page.frameLocator('#report-page');
   await frame.locator('h1').first().waitFor();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-report')]);
-  assert.match(await readFile(await download.path(), 'utf8'), /^<!doctype html>/i);
+  assert.match(String(await saved(page, '#save-report')), /^<!doctype html>/i);
   await page.click('#tab-findings');
 });
 

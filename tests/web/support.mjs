@@ -86,7 +86,7 @@ export const listed = (one) =>
   );
 
 export function expected(words, cwd, language = 'en') {
-  const { stdout } = spawnSync(native, ['lint', '--lang', language, ...words, '--format', 'json'], { cwd, env: { ...process.env, LANG: 'C.UTF-8' }, maxBuffer: 1 << 28 });
+  const { stdout } = run(['lint', '--lang', language, ...words, '--format', 'json'], cwd);
   return JSON.parse(stdout).diagnostics.map((finding) => ({
     severity: finding.severity,
     code: finding.code,
@@ -120,6 +120,15 @@ export async function picture(one, name) {
   await mkdir(process.env.AXISC_PICTURES, { recursive: true });
   await new Promise((wake) => setTimeout(wake, 400));
   await one.screenshot({ path: path.join(process.env.AXISC_PICTURES, `${name}.png`) });
+}
+
+/** Chooses a kind of picture, and waits for it. */
+export async function drawn(one, kind) {
+  await one.selectOption('#kind', kind);
+  await one.waitForFunction((alt) => {
+    const image = document.querySelector('.frame img');
+    return image.alt === alt && image.complete && image.naturalWidth > 0;
+  }, await one.$eval('#kind', (menu) => menu.selectedOptions[0].textContent));
 }
 
 /** What a click on `selector` saves. */

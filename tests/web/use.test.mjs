@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { equalAsNumbers } from '../platforms/equal_as_numbers.mjs';
 import test, { after, before } from 'node:test';
-import { afterCheck, begin, choose, chooseFolder, cycle, end, expected, filesBelow, listed, opened, picture, require, run, samples, saved, strangers, violations, wait } from './support.mjs';
+import { afterCheck, begin, choose, chooseFolder, cycle, drawn, end, expected, filesBelow, listed, opened, picture, require, root, run, samples, saved, strangers, violations, wait } from './support.mjs';
 
 const { unzipSync } = require('fflate');
 const notch = `kopf.achs_nr 1
@@ -43,6 +44,10 @@ test('a repaired folder is what --fix writes, and is saved as one file', wait, a
   }
   assert.deepEqual(files.map(([name]) => name).sort(), changed.sort());
   assert.ok(changed.length > 1);
+  for (const name of changed) {
+    await page.click(`#file-list button[title="${name}"]`);
+    assert.deepEqual(await saved(page, '#download'), await readFile(path.join(folder, name)), name);
+  }
 });
 
 test('a fix in a file that is not shown opens it', wait, async () => {
@@ -52,6 +57,22 @@ test('a fix in a file that is not shown opens it', wait, async () => {
   assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mistakes/typing.lis');
   const before = await readFile(path.join(samples, 'mistakes/typing.lis'), 'latin1');
   assert.equal((await saved(page, '#download')).toString('latin1'), before.replace(/ 01(?=\s)/, ' 1'));
+});
+
+test('a fix in another list than its finding changes that list', wait, async () => {
+  const rules = path.join(root, 'validator/rules');
+  const machine = path.join(rules, 'AX4011-group-delay-mismatch/fail');
+  const report = JSON.parse(String(run(['lint', '--format', 'json', 'fail'], path.dirname(machine)).stdout));
+  const { file, fix } = report.diagnostics.find((finding) => finding.fix?.edits.some((edit) => edit.file !== finding.file));
+  const [{ file: repaired, line, column, end_line: endLine, end_column: endColumn, text }] = fix.edits;
+  assert.equal(line, endLine);
+  const lines = (await readFile(path.join(path.dirname(machine), repaired), 'latin1')).split('\n');
+  lines[line - 1] = lines[line - 1].slice(0, column - 1) + text + lines[line - 1].slice(endColumn - 1);
+  await chooseFolder(page, machine);
+  await afterCheck(page, () => page.click(`#finding-list li:has-text("${file}") .fix`));
+  assert.equal(await page.$eval('#file-name', (name) => name.textContent), repaired);
+  assert.equal((await saved(page, '#download')).toString('latin1'), lines.join('\n'));
+  assert.equal(await page.isVisible('#download-all'), false);
 });
 
 test('an aligned list is what fmt writes; undo brings the old one back', wait, async () => {
@@ -142,9 +163,9 @@ test('the machine leads to its files; an edit is compared with what was opened',
   assert.equal(await page.$eval('#file-name', (name) => name.textContent), 'mill/x.lis');
   await page.waitForFunction(() => document.getElementById('contour-text').textContent.includes('µm'));
   await page.click('#tab-pictures');
-  const drawn = () => page.$eval('.frame img', (image) => image.src);
+  const source = () => page.$eval('.frame img', (image) => image.src);
   await page.waitForFunction(() => document.querySelector('.frame img').naturalWidth > 0);
-  const alone = await drawn();
+  const alone = await source();
   await page.click('.cm-content');
   await page.keyboard.press('Control+End');
   await afterCheck(page, () => page.keyboard.insertText('filter[0].guete 5\n'));
@@ -153,8 +174,36 @@ test('the machine leads to its files; an edit is compared with what was opened',
   const svg = String(await saved(page, '#save-picture'));
   assert.match(svg, /<svg[^]*before/);
   await page.uncheck('#before');
-  await page.selectOption('#kind', 'path');
-  await page.waitForFunction(() => document.querySelector('.frame img').alt === 'Path of a program');
+  await drawn(page, 'path');
+  assert.equal(await page.isVisible('#before'), false);
+  await page.click('#tab-findings');
+});
+
+test('an axis with its plant is drawn as plot draws it, from a folder and from single files', wait, async () => {
+  const rack = path.join(samples, 'motion/rack');
+  const plot = (...words) => String(run(['plot', '--lang', 'en', '--kind', 'plant', '--format', 'svg', '-o', '-', ...words], path.dirname(rack)).stdout);
+  await chooseFolder(page, rack);
+  await page.click('#tab-pictures');
+  await drawn(page, 'plant');
+  await picture(page, 'plant');
+  const shows = async (wanted) => {
+    while (!equalAsNumbers(String(await saved(page, '#save-picture')), wanted, true)) await new Promise((wake) => setTimeout(wake, 100));
+  };
+  await shows(plot('--plant', 'rack/plant.json', '--move', 'X:100', 'rack'));
+  await page.fill('#travel', '800');
+  await page.fill('#feed', '31800');
+  await page.press('#feed', 'Enter');
+  await shows(plot('--plant', 'rack/plant.json', '--move', 'X:800:31800', 'rack'));
+  await page.fill('#travel', '8,0,0');
+  await page.press('#travel', 'Enter');
+  await page.waitForSelector('#picture-trouble:visible');
+  await page.fill('#travel', '100');
+  const single = (await filesBelow(rack)).filter((file) => /\.(lis|json)$/.test(file));
+  await choose(page, single);
+  assert.deepEqual(await listed(page), expected(['machine.json', 'x.lis'], rack));
+  await drawn(page, 'plant');
+  assert.equal(await page.inputValue('#plant'), 'plant.json');
+  await drawn(page, 'response');
   await page.click('#tab-findings');
 });
 

@@ -35,7 +35,7 @@ export class Actions {
 
   /** As `lint --fix` writes the files. */
   async fixAll(): Promise<void> {
-    const { changed } = await this.written(this.page.checking('--fix'), this.page.workspace.paths);
+    const { changed } = await this.written(this.page.commands.checking('--fix'), this.page.workspace.paths);
     this.page.tell(changed.length === 0 ? say('nothingToFix') : say('fixed', { files: changed.map(nameOf).join(', ') }));
   }
 
@@ -60,16 +60,16 @@ export class Actions {
 
   async compile(): Promise<void> {
     const image = '/image.axim';
-    const outcome = await this.page.program.run({ words: this.page.words('compile', '--quiet', '-o', image), wanted: [image] });
+    const outcome = await this.page.program.run({ words: this.page.commands.words('compile', '--quiet', '-o', image), wanted: [image] });
     const bytes = outcome.written.get(image);
-    if (bytes) save(`${nameOf(this.page.machine).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
+    if (bytes) save(`${nameOf(this.page.commands.machine).replace(/\.\w+$/, '') || 'machine'}.axim`, bytes);
     else this.page.said(outcome.err);
   }
 
   async share(): Promise<void> {
-    const { decoded, shown, cycleTime } = this.page;
+    const { decoded, shown, commands } = this.page;
     if (!decoded) return;
-    const fragment = await toFragment({ name: nameOf(shown), cycleTime, text: decoded.text });
+    const fragment = await toFragment({ name: nameOf(shown), cycleTime: commands.cycleTime, text: decoded.text });
     if (fragment === null) {
       this.page.tell(say('tooLong'));
       return;

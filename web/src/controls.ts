@@ -1,7 +1,6 @@
 // Buttons, menus, drop, language and theme.
 import { byId, element } from './elements';
 import { chosen, dropped, sample, type Incoming } from './incoming';
-import { kinds } from './outputs';
 import type { Page } from './page';
 import { say, setLanguage, type Key, type Language } from './texts';
 
@@ -9,6 +8,7 @@ const samples: [string, string][] = [
   ['typing', 'mistakes/typing.lis'],
   ['unsuitable', 'mistakes/unsuitable.lis'],
   ['mill', 'mill'],
+  ['rack', 'rack'],
   ['controller', 'controller'],
   ['controller-project', 'controller-project'],
 ];
@@ -100,9 +100,6 @@ export class Controls {
       element('option', { value: '' }, say('samples')),
       ...samples.map(([value, text]) => element('option', { value }, text)),
     );
-    const kind = byId<HTMLSelectElement>('kind');
-    const chosenKind = kind.value || 'response';
-    kind.replaceChildren(...kinds.map((value) => element('option', { value }, say(value))));
-    kind.value = chosenKind;
+    this.page.speak();
   }
 }

@@ -3,32 +3,29 @@ import { button, byId, element, save } from './elements';
 import type { Finding } from './findings';
 import type { Page } from './page';
 import { markdown } from './markdown';
-import { Picture } from './picture';
+import { Pictures } from './pictures';
 import { Interrupted } from './program';
 import { say } from './texts';
 
 const panels = ['findings', 'machine', 'pictures', 'report'] as const;
 export type Panel = (typeof panels)[number];
-export const kinds = ['response', 'step', 'delay', 'corner', 'circle', 'path'] as const;
 
 export class Outputs {
   private panel: Panel = 'findings';
-  private readonly picture = new Picture(byId('picture'));
-  private svg = '';
+  private readonly pictures: Pictures;
   private html = '';
   private round = 0;
   private reportUrl: string | null = null;
 
   constructor(private readonly page: Page) {
+    this.pictures = new Pictures(page, () => this.refresh());
     for (const panel of panels) {
       const tab = byId(`tab-${panel}`);
       tab.addEventListener('click', () => this.choose(panel));
       tab.addEventListener('keydown', (event) => this.key(event, panel));
     }
-    byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
     byId('save-report').addEventListener('click', () => save('report.html', this.html, 'text/html'));
     byId('close-page').addEventListener('click', () => byId<HTMLDialogElement>('page').close());
-    for (const id of ['kind', 'axis', 'program', 'before']) byId(id).addEventListener('change', () => this.refresh());
     this.choose('findings');
   }
 
@@ -51,13 +48,13 @@ export class Outputs {
   }
 
   speak(): void {
-    this.picture.speak();
+    this.pictures.speak();
   }
 
   refresh(): void {
     const round = ++this.round;
     const isLast = (): boolean => round === this.round;
-    const compute = { findings: null, machine: () => this.machine(isLast), pictures: () => this.draw(isLast), report: () => this.report(isLast) };
+    const compute = { findings: null, machine: () => this.machine(isLast), pictures: () => this.pictures.draw(isLast), report: () => this.report(isLast) };
     compute[this.panel]?.().catch((failure: unknown) => {
       if (!(failure instanceof Interrupted)) this.page.tell(say('failed', { reason: String(failure) }));
     });
@@ -88,8 +85,8 @@ export class Outputs {
   }
 
   private async machine(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.words('machine') });
-    const contour = outcome.status === 0 ? await this.page.program.run({ words: this.page.words('contour') }) : null;
+    const outcome = await this.page.program.run({ words: this.page.commands.words('machine') });
+    const contour = outcome.status === 0 ? await this.page.program.run({ words: this.page.commands.words('contour') }) : null;
     if (!isLast()) return;
     byId('machine-text').replaceChildren(...this.linked(outcome.out || outcome.err));
     byId('contour').hidden = contour === null || contour.out === '';
@@ -105,55 +102,8 @@ export class Outputs {
     });
   }
 
-  private async axes(): Promise<string[]> {
-    const outcome = await this.page.program.run({
-      words: this.page.words('machine', '--format', 'json'),
-    });
-    try {
-      const machine = JSON.parse(outcome.out) as { axes?: { name: string }[] };
-      return (machine.axes ?? []).map((axis) => axis.name);
-    } catch {
-      return [];
-    }
-  }
-
-  private async draw(isLast: () => boolean): Promise<void> {
-    const names = await this.axes();
-    const axis = byId<HTMLSelectElement>('axis');
-    const wanted = axis.value;
-    axis.replaceChildren(element('option', { value: '' }, say('everyAxis')), ...names.map((name) => element('option', { value: name }, name)));
-    if (names.includes(wanted)) axis.value = wanted;
-    const kind = byId<HTMLSelectElement>('kind').value;
-    const isOfAxes = kind === 'response' || kind === 'step' || kind === 'delay';
-    axis.disabled = !isOfAxes;
-    const more = !isOfAxes || axis.value === '' ? [] : ['--axis', axis.value];
-    const program = this.followed(kind);
-    if (program !== '') more.push('--program', program);
-    if (byId<HTMLInputElement>('before').checked) more.push('--before', `/before/${this.page.machine.replace(/^\.\//, '')}`);
-    const outcome = await this.page.program.run({ words: this.page.words('plot', '--kind', kind, '--format', 'svg', '-o', '-', ...more) });
-    if (!isLast()) return;
-    this.svg = outcome.out;
-    const trouble = byId('picture-trouble');
-    trouble.hidden = this.svg !== '';
-    trouble.textContent = outcome.err.trim();
-    byId<HTMLButtonElement>('save-picture').disabled = this.svg === '';
-    if (this.svg === '') this.picture.clear();
-    else this.picture.show(this.svg, say(kind as (typeof kinds)[number]));
-  }
-
-  /** The NC program of a path; empty for other kinds. */
-  private followed(kind: string): string {
-    const menu = byId<HTMLSelectElement>('program');
-    const programs = this.page.workspace.paths.filter((path) => /\.nc$/i.test(path));
-    const wanted = menu.value;
-    menu.replaceChildren(...programs.map((path) => element('option', { value: path }, path)));
-    if (programs.includes(wanted)) menu.value = wanted;
-    byId('program-line').hidden = kind !== 'path';
-    return kind === 'path' ? menu.value : '';
-  }
-
   private async report(isLast: () => boolean): Promise<void> {
-    const outcome = await this.page.program.run({ words: this.page.words('report', '-o', '-') });
+    const outcome = await this.page.program.run({ words: this.page.commands.words('report', '-o', '-') });
     if (!isLast()) return;
     this.html = outcome.out;
     const trouble = byId('report-trouble');

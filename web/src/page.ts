@@ -1,9 +1,11 @@
 // What is open, and what the program says of it.
 import { Checks, reasonOf } from './checks';
+import { Commands } from './commands';
 import { Editor } from './editor';
 import { byId } from './elements';
 import type { Decoded } from './encoding';
 import { countsOf, findingsIn, showFindings, type Finding } from './findings';
+import { firstFiles } from './first';
 import type { Incoming } from './incoming';
 import { fromFragment } from './link';
 import { Outputs } from './outputs';
@@ -12,21 +14,9 @@ import { Server } from './server';
 import { currentLanguage, say } from './texts';
 import { Workspace } from './workspace';
 
-const first = `kopf.achs_nr                   1
-kopf.log_achs_name             X
-kenngr.achs_typ                1
-filter[0].enable               1
-filter[0].type                 LOWPASS
-filter[0].prototype            BUTTERWORTH
-filter[0].order                2
-filter[0].fg_f0                42,5
-filter_fir.enable              1
-filter_fir.type                1
-filter_fir.order               20
-`;
-
 export class Page {
   readonly program: Program;
+  readonly commands = new Commands(this);
   workspace = new Workspace();
   shown = '';
   decoded: Decoded | null = null;
@@ -41,7 +31,7 @@ export class Page {
 
   constructor(started: Started) {
     this.program = new Program(started);
-    const server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text, words: this.settings(this.shown) });
+    const server = new Server(this.program, () => this.decoded && { path: this.shown, text: this.decoded.text, words: this.commands.settings(this.shown) });
     const events = { changed: (text: string) => this.edited(text), fix: (finding: Finding) => this.fix(finding) };
     this.editor = new Editor(byId('editor'), events, server);
     this.outputs = new Outputs(this);
@@ -51,35 +41,8 @@ export class Page {
     this.tell(say('loading'));
     const shared = await fromFragment(location.hash);
     if (shared) byId<HTMLInputElement>('cycle-time').value = shared.cycleTime;
-    this.open([shared ? [shared.name, new TextEncoder().encode(shared.text)] : ['x.lis', new TextEncoder().encode(first)]]);
+    this.open(firstFiles(shared));
     await this.program.ready.catch((failure: unknown) => this.tell(say('failed', { reason: reasonOf(failure) })));
-  }
-
-  get cycleTime(): string {
-    return byId<HTMLInputElement>('cycle-time').value.trim();
-  }
-
-  /** Language, and the cycle time where no file says it. */
-  private settings(input: string): string[] {
-    const isSaid = input === '' ? this.workspace.descriptions.length > 0 : this.workspace.machineOf(input) !== input;
-    const isList = input === '' || /\.(lis|xml|nc)$/i.test(input);
-    return ['--lang', currentLanguage(), ...(isList && !isSaid && this.cycleTime !== '' ? ['--cycle-time', this.cycleTime] : [])];
-  }
-
-  /** The words of `lint`, about everything that is open. */
-  checking(...more: string[]): string[] {
-    return ['lint', ...this.settings(''), ...more, ...this.workspace.checked];
-  }
-
-  /** What commands about one machine are called with. */
-  get machine(): string {
-    return this.workspace.machineOf(this.shown);
-  }
-
-  /** The words of a command about the machine, or about the list that is shown. */
-  words(command: string, ...more: string[]): string[] {
-    const isList = this.machine.replace(/^\.\//, '') === this.shown;
-    return [command, ...this.settings(isList ? this.shown : this.machine), ...more, this.machine];
   }
 
   open(files: Incoming): void {
@@ -137,7 +100,7 @@ export class Page {
 
   private async checkOnce(): Promise<Outcome | null> {
     const workspace = this.workspace;
-    const outcome = await this.program.run({ words: this.checking('--format', 'json') });
+    const outcome = await this.program.run({ words: this.commands.checking('--format', 'json') });
     if (workspace !== this.workspace) return null;
     this.findings = outcome.out.startsWith('{') ? findingsIn(outcome.out) : [];
     const worst = this.findings.find((finding) => finding.severity === 'error') ?? this.findings[0];
@@ -164,7 +127,7 @@ export class Page {
   }
 
   private render(): void {
-    byId('file-name').textContent = this.shown;
+    byId('file-name').textContent = byId('file-name').title = this.shown;
     byId('download').textContent = say('download', { file: this.shown.slice(this.shown.lastIndexOf('/') + 1) });
     byId('hidden-text').textContent = say('notShown', { file: this.shown });
     const changed = this.workspace.changed.length;
@@ -203,6 +166,11 @@ export class Page {
     if (!written.has(this.shown)) return;
     this.decoded = this.workspace.text(this.shown);
     this.editor.replace(this.decoded?.text ?? '');
+  }
+
+  /** In another language. */
+  speak(): void {
+    this.outputs.speak();
   }
 
   /** After a change of language or cycle time. */

@@ -10,7 +10,7 @@ export interface WorkFile {
 }
 
 export const largestShown = 4 * 1024 * 1024;
-const description = /(^|\/)(hochlauf[^/]*\.(lis|xml)|(?!axisc\.json$|plant\.json$)[^/]*\.json|[^/]*\.(tsproj|xti))$/i;
+const description = /(^|\/)(hochlauf[^/]*\.(lis|xml)|(?!axisc\.json$)[^/]*\.json|[^/]*\.(tsproj|xti))$/i;
 
 /** A name that is no option of the program, and no file of options. */
 const named = (path: string): string => (/^[-@]/.test(path) ? `./${path}` : path);
@@ -34,13 +34,21 @@ export class Workspace {
 
   /** Files that describe a machine, cycle time included. */
   get descriptions(): string[] {
-    return this.paths.filter((path) => description.test(path));
+    const plants = this.plants;
+    return this.paths.filter((path) => description.test(path) && !plants.includes(path));
+  }
+
+  /** Files that describe drives and mechanics, whatever their names. */
+  get plants(): string[] {
+    return this.paths.filter((path) => /\.json$/i.test(path) && /"plants"\s*:/.test(this.text(path)?.text ?? ''));
   }
 
   /** What `lint` is called with: the folder, or each file. */
   get checked(): string[] {
     if (this.root !== '') return [named(this.root)];
-    const known = this.paths.filter((path) => /\.(lis|nc|json|xml|tsproj|xti)$/i.test(path));
+    // Plants and settings are read by the commands that need them.
+    const others = [...this.plants, 'axisc.json'];
+    const known = this.paths.filter((path) => /\.(lis|nc|json|xml|tsproj|xti)$/i.test(path) && !others.includes(path));
     return (known.length > 0 ? known : this.paths).map(named);
   }
 

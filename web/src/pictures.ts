@@ -1,0 +1,104 @@
+// The panel of pictures: which one, of what, and the picture itself.
+import { byId, element, save } from './elements';
+import type { Page } from './page';
+import { Picture } from './picture';
+import { say } from './texts';
+
+/** What a kind is drawn of, beside the machine, as `axisc plot` wants it. */
+interface Kind {
+  of: 'axes' | 'contour' | 'program' | 'plant';
+}
+
+export const kinds = {
+  response: { of: 'axes' },
+  step: { of: 'axes' },
+  delay: { of: 'axes' },
+  corner: { of: 'contour' },
+  circle: { of: 'contour' },
+  path: { of: 'program' },
+  plant: { of: 'plant' },
+} as const satisfies Record<string, Kind>;
+type KindName = keyof typeof kinds;
+
+/** Puts choices into a menu; the one that was chosen stays, where it is still there. */
+function fill(menu: HTMLSelectElement, choices: readonly (readonly [string, string])[]): void {
+  const wanted = menu.value;
+  menu.replaceChildren(...choices.map(([value, text]) => element('option', { value }, text)));
+  if (choices.some(([value]) => value === wanted)) menu.value = wanted;
+}
+
+const same = (name: string): [string, string] => [name, name];
+
+export class Pictures {
+  private readonly picture = new Picture(byId('picture'));
+  private readonly kind = byId<HTMLSelectElement>('kind');
+  private readonly axis = byId<HTMLSelectElement>('axis');
+  private readonly program = byId<HTMLSelectElement>('program');
+  private readonly plant = byId<HTMLSelectElement>('plant');
+  private readonly before = byId<HTMLInputElement>('before');
+  private svg = '';
+
+  constructor(
+    private readonly page: Page,
+    refresh: () => void,
+  ) {
+    byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
+    for (const id of ['kind', 'axis', 'program', 'plant', 'travel', 'feed', 'before']) byId(id).addEventListener('change', refresh);
+  }
+
+  speak(): void {
+    this.picture.speak();
+    fill(this.kind, (Object.keys(kinds) as KindName[]).map((name) => [name, say(name)] as const));
+  }
+
+  async draw(isLast: () => boolean): Promise<void> {
+    const axes = await this.axes();
+    if (!isLast()) return;
+    const name = this.kind.value as KindName;
+    const { of } = kinds[name];
+    this.offer(of, axes);
+    const words = ['--kind', name, '--format', 'svg', '-o', '-', ...this.wordsOf(of)];
+    const outcome = await this.page.program.run({ words: this.page.commands.words('plot', ...words) });
+    if (!isLast()) return;
+    this.svg = outcome.out;
+    const trouble = byId('picture-trouble');
+    trouble.hidden = this.svg !== '';
+    trouble.textContent = outcome.err.trim();
+    byId<HTMLButtonElement>('save-picture').disabled = this.svg === '';
+    if (this.svg === '') this.picture.clear();
+    else this.picture.show(this.svg, say(name));
+  }
+
+  private async axes(): Promise<string[]> {
+    const outcome = await this.page.program.run({ words: this.page.commands.words('machine', '--format', 'json') });
+    if (!outcome.out.startsWith('{')) return [];
+    return ((JSON.parse(outcome.out) as { axes?: { name: string }[] }).axes ?? []).map((axis) => axis.name);
+  }
+
+  /** The choices that a kind has. */
+  private offer(of: Kind['of'], axes: readonly string[]): void {
+    const { plants, paths } = this.page.workspace;
+    // One axis moves with its plant, all may lie over one another.
+    fill(this.axis, [...(of === 'plant' ? [] : [['', say('everyAxis')] as const]), ...axes.map(same)]);
+    fill(this.program, paths.filter((path) => /\.nc$/i.test(path)).map(same));
+    fill(this.plant, plants.map(same));
+    byId('axis-line').hidden = of === 'contour' || of === 'program';
+    byId('program-line').hidden = of !== 'program';
+    for (const id of ['plant-line', 'travel-line', 'feed-line']) byId(id).hidden = of !== 'plant';
+    byId('before-line').hidden = of === 'program' || of === 'plant';
+  }
+
+  private wordsOf(of: Kind['of']): string[] {
+    const named = (option: string, value: string): string[] => (value === '' ? [] : [option, value]);
+    const before = this.before.checked ? ['--before', `/before/${this.page.commands.machine.replace(/^\.\//, '')}`] : [];
+    if (of === 'program') return named('--program', this.program.value);
+    if (of === 'plant') return [...named('--plant', this.plant.value), ...named('--move', this.move)];
+    return of === 'axes' ? [...named('--axis', this.axis.value), ...before] : before;
+  }
+
+  /** There and back, as fast as the axis may without a feed rate. */
+  private get move(): string {
+    const [travel, feed] = ['travel', 'feed'].map((id) => byId<HTMLInputElement>(id).value.trim());
+    return [this.axis.value, travel, feed].filter((part) => part !== '').join(':');
+  }
+}
