@@ -1,7 +1,7 @@
 // The path velocity at which an axis error becomes as large as a tolerance.
 #pragma once
 
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 // Setpoints are those that the interpolator will give: the path's times count from its beginning, whole ones are NC cycles.
 #pragma once
 
-#include "motion/contour_meter.hpp"
+#include "motion/contour/contour_meter.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/segment.hpp"
 #include "motion/velocity_profile.hpp"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "axisrt.h"
-#include "motion/contour_meter.hpp"
+#include "motion/contour/contour_meter.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/interpolator.hpp"
 #include "motion/look_ahead.hpp"

@@ -1,6 +1,6 @@
 #include "motion/tolerance.hpp"
 
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #include "cli/plots/contour_cases.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 #include "pictures/clipping.hpp"
 #include "pictures/projection.hpp"
 

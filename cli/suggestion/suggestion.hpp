@@ -5,7 +5,7 @@
 #include "cli/suggestion/chain_edits.hpp"
 #include "cli/suggestion/measured_resonances.hpp"
 #include "machine/machine.hpp"
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 #include "tuning/suggestion/choice.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Against the closed formulas of the filter mathematics, with kernels written down here once more.
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 
 #include "channels.hpp"
 #include "motion/feed_limits.hpp"

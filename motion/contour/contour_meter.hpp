@@ -5,6 +5,7 @@
 #pragma once
 
 #include "motion/chain_answer.hpp"
+#include "motion/contour/filtered_path.hpp"
 #include "motion/point.hpp"
 
 #include <cstdint>
@@ -48,7 +49,7 @@ class MeasuredSink {
 
 class ContourMeter {
  public:
-  ContourMeter(std::size_t axes, MeasuredSink& sink) : axes_(axes), sink_(sink) {}
+  ContourMeter(std::size_t axes, MeasuredSink& sink) : sink_(sink), path_(axes) {}
 
   /// Chains of the axes from now on; the path stands at `position`, and has for long.
   void begin(std::span<ChainAnswer const> answers, Point const& position);
@@ -66,9 +67,7 @@ class ContourMeter {
   static constexpr double longest_reach = 400;
 
  private:
-  struct Passed {
-    Point filtered{};
-    double way = 0;  ///< along the filtered path
+  struct Setpoint {
     Point nominal{};
     std::uint64_t straight = 0;  ///< setpoints on one straight line up to this one
     Point direction{};
@@ -76,13 +75,12 @@ class ContourMeter {
 
   void measure(ContourPoint const& point);
   [[nodiscard]] std::optional<double> lag_of(ContourPoint const& point) const;
-  [[nodiscard]] Passed const& at(std::uint64_t cycle) const { return passed_[cycle & mask_]; }
+  [[nodiscard]] Setpoint const& at(std::uint64_t cycle) const { return setpoints_[cycle & mask_]; }
 
-  std::size_t axes_;
   MeasuredSink& sink_;
   std::uint64_t cycles_ = 0;  ///< setpoints so far
-  std::uint64_t first_ = 0;   ///< cycle of the oldest one that may be looked at
-  std::vector<Passed> passed_;
+  FilteredPath path_;
+  std::vector<Setpoint> setpoints_;  ///< as many as the path keeps
   std::uint64_t mask_ = 0;
   std::int64_t middle_ = 0;             ///< cycles from a point to where it is likely to be nearest
   std::int64_t from_ = 0, to_ = 1;      ///< surroundings of a point in the filtered path, in cycles behind it

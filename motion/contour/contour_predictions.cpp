@@ -1,6 +1,6 @@
-#include "motion/contour_predictions.hpp"
+#include "motion/contour/contour_predictions.hpp"
 
-#include "motion/nearest_point.hpp"
+#include "motion/contour/nearest_point.hpp"
 
 #include <algorithm>
 #include <cmath>
