@@ -44,13 +44,20 @@ let failed = 0;
 let figures = 0;
 async function compare(words, rounding) {
   const wanted = spawnSync(native, words, { cwd: samples, env: { LANG: "C.UTF-8" }, maxBuffer: 1 << 28 });
-  const got = await run(words, { folder: samples });
-  const same =
-    rounding === undefined ? wanted.stdout.equals(got.out) : equalAsNumbers(wanted.stdout.toString(), got.out.toString(), rounding);
-  figures += rounding !== undefined && !wanted.stdout.equals(got.out);
-  if (same && wanted.stderr.equals(got.err) && wanted.status === got.status) return;
-  failed += 1;
-  console.error(`differs: axisc ${words.join(" ")} (${wanted.status}, ${got.status})\n${got.err.toString().slice(0, 400)}`);
+  let got;
+  const differs = async () => {
+    got = await run(words, { folder: samples });
+    const same =
+      rounding === undefined ? wanted.stdout.equals(got.out) : equalAsNumbers(wanted.stdout.toString(), got.out.toString(), rounding);
+    return !same || !wanted.stderr.equals(got.err) || wanted.status !== got.status;
+  };
+  // Wine fails to start or to end one program in some ten thousand, even one that only prints a line.
+  if ((await differs()) && (run !== underWine || (await differs()))) {
+    failed += 1;
+    console.error(`differs: axisc ${words.join(" ")} (${wanted.status}, ${got.status})\n${got.err.toString().slice(0, 400)}`);
+  } else {
+    figures += rounding !== undefined && !wanted.stdout.equals(got.out);
+  }
 }
 
 for (const words of exact) await compare(words);
