@@ -32,6 +32,7 @@ std::string Buffers::uri(std::string const& path) const {
 std::variant<std::string, configuration::FileError> Buffers::read(std::string const& path) {
   auto const* const open = document(path);
   if (open == nullptr) return disk_.read(path);
+  read_.insert(open);
   return open->text;
 }
 
@@ -39,6 +40,7 @@ std::optional<configuration::FileError> Buffers::read_pieces(std::string const& 
                                                              configuration::PieceReceiver const& receive) {
   auto const* const open = document(path);
   if (open == nullptr) return disk_.read_pieces(path, receive);
+  read_.insert(open);
   receive(open->text);
   return std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,8 @@ class Buffers final : public configuration::Files {
   [[nodiscard]] Document const* document(std::string const& path) const;
   /// That of the open document, as the client writes it, else one of the path.
   [[nodiscard]] std::string uri(std::string const& path) const;
+  /// Its text was given out.
+  [[nodiscard]] bool has_read(Document const& document) const { return read_.contains(&document); }
 
   [[nodiscard]] std::variant<std::string, configuration::FileError> read(std::string const& path) override;
   [[nodiscard]] std::optional<configuration::FileError> read_pieces(
@@ -42,6 +45,7 @@ class Buffers final : public configuration::Files {
   configuration::Files& disk_;
   std::map<std::string, Document const*> by_path_;
   std::multimap<std::string, Document const*> by_name_;  ///< the last part of the path
+  std::set<Document const*> read_;
 };
 
 }  // namespace axisc::editor

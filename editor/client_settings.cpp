@@ -2,6 +2,8 @@
 
 #include "editor/server.hpp"
 
+#include <array>
+
 #include <nlohmann/json.hpp>
 
 namespace axisc::editor {
@@ -11,6 +13,10 @@ using Json = nlohmann::json;
 namespace {
 
 constexpr std::string_view section_name = "axisc";
+
+/// Everything that machines are made of. Braces and brackets of patterns are not understood by every client.
+constexpr std::array read_files = {"**/*.lis", "**/*.LIS", "**/*.json",   "**/*.nc",
+                                   "**/*.NC",  "**/*.xml", "**/*.tsproj", "**/*.xti"};
 
 std::string text_of(Json const& section, char const* name) {
   auto const found = section.find(name);
@@ -31,7 +37,8 @@ ClientSettings settings_of_section(Json const& section) {
   return {.cycle_time = text_of(section, "cycleTime"),
           .build = text_of(section, "build"),
           .kind = text_of(section, "kind"),
-          .language = text_of(section, "language")};
+          .language = text_of(section, "language"),
+          .finding_page = text_of(section, "findingPage")};
 }
 
 std::optional<ClientSettings> client_settings(Json const& all) {
@@ -40,15 +47,28 @@ std::optional<ClientSettings> client_settings(Json const& all) {
 }
 
 Json Server::begin_conversation(Json const& /*params*/) {
-  if (registers_settings_) {
-    Json const registration = {{"id", settings_request},
-                               {"method", "workspace/didChangeConfiguration"},
-                               {"registerOptions", {{"section", section_name}}}};
-    due_.push_back(request("axisc.registration", "client/registerCapability",
-                           {{"registrations", Json::array({registration})}}));
-  }
+  ask_for_notifications();
   ask_for_settings();
   return nullptr;
+}
+
+void Server::ask_for_notifications() {
+  auto registrations = Json::array();
+  if (registers_settings_) {
+    registrations.push_back({{"id", settings_request},
+                             {"method", "workspace/didChangeConfiguration"},
+                             {"registerOptions", {{"section", section_name}}}});
+  }
+  if (watches_files_) {
+    auto watchers = Json::array();
+    for (auto const* pattern : read_files) watchers.push_back({{"globPattern", pattern}});
+    registrations.push_back({{"id", "axisc.files"},
+                             {"method", "workspace/didChangeWatchedFiles"},
+                             {"registerOptions", {{"watchers", std::move(watchers)}}}});
+  }
+  if (registrations.empty()) return;
+  due_.push_back(request("axisc.registration", "client/registerCapability",
+                         {{"registrations", std::move(registrations)}}));
 }
 
 void Server::ask_for_settings() {

@@ -14,6 +14,8 @@ struct ClientSettings {
   std::string build;
   std::string kind;
   std::string language;  ///< "de", "en", or "auto" for the program's own
+  /// Where editors lead from the code of a finding: a URI with {code} for it.
+  std::string finding_page;
 
   friend bool operator==(ClientSettings const&, ClientSettings const&) = default;
 };

@@ -15,10 +15,13 @@ namespace axisc::editor {
 namespace {
 
 constexpr int unnecessary = 1;
+constexpr int deprecated = 2;
 
 /// What these findings point at has no effect.
 constexpr std::array without_effect = {Code{1007}, Code{1008}, Code{1013},
                                        Code{1016}, Code{2006}, Code{3009}};
+/// The manual recommends something else.
+constexpr Code superseded{4007};
 
 Json fix_data(Fix const& fix, Places const& places, Language language) {
   Json edits = Json::array();
@@ -30,6 +33,12 @@ Json fix_data(Fix const& fix, Places const& places, Language language) {
   return {{"title", render(fix.title, language)},
           {"safe", fix.safety == FixSafety::safe},
           {"edits", std::move(edits)}};
+}
+
+std::string page_of(std::string page, std::string const& code) {
+  constexpr std::string_view place = "{code}";
+  if (auto const at = page.find(place); at != std::string::npos) page.replace(at, place.size(), code);
+  return page;
 }
 
 std::string dump(Json const& message) {
@@ -49,8 +58,13 @@ Json Server::diagnostic(Finding const& finding, Places const& places) const {
                      {"severity", static_cast<int>(finding.severity) + 1},
                      {"message", std::move(message)},
                      {"range", finding.place ? places.range(*finding.place) : range_json({}, {})}};
+  if (!settings_.finding_page.empty()) {
+    diagnostic["codeDescription"] = {{"href", page_of(settings_.finding_page, diagnostic["code"])}};
+  }
   if (std::find(without_effect.begin(), without_effect.end(), finding.code) != without_effect.end()) {
     diagnostic["tags"] = {unnecessary};
+  } else if (finding.code == superseded) {
+    diagnostic["tags"] = {deprecated};
   }
   for (auto const& related : finding.related) {
     diagnostic["relatedInformation"].push_back(

@@ -17,7 +17,8 @@ namespace axisc::editor {
 
 class MachineReading {
  public:
-  /// `path` is the machine's input (machine_of). All arguments outlive the reading; no document changes meanwhile.
+  /// `path` is the machine's input (machine_of). All arguments outlive the reading; no document that it depends on
+  /// changes meanwhile, and none is opened or closed.
   MachineReading(Documents const& documents, configuration::Files& disk, std::string path,
                  OptionsOf const& options);
   MachineReading(MachineReading const&) = delete;
@@ -30,6 +31,10 @@ class MachineReading {
   /// In output order. What concerns no file is in the machine's.
   [[nodiscard]] std::vector<Finding> const& findings();
   [[nodiscard]] OpenList const& list(Document const& document);
+  /// What was read depends on the text of the document.
+  [[nodiscard]] bool depends_on(Document const& document) const {
+    return files_.has_read(document) || lists_.contains(&document);
+  }
 
  private:
   Buffers files_;

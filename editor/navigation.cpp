@@ -119,7 +119,7 @@ Json Server::refer(Json const& params) {
 }
 
 // A row of the table holds a member. NOLINTNEXTLINE(readability-make-member-function-const)
-Json Server::rename(Json const& /*params*/) {
+Json Server::refuse_renaming(Json const& /*params*/) {
   throw NoPage(render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
 }
 

@@ -39,7 +39,8 @@ Server::Handler Server::find(std::string_view name) {
       Method{"typeHierarchy/subtypes", &Server::subtypes},
       Method{"textDocument/definition", &Server::define},
       Method{"textDocument/references", &Server::refer},
-      Method{"textDocument/rename", &Server::rename},
+      Method{"textDocument/prepareRename", &Server::refuse_renaming},
+      Method{"textDocument/rename", &Server::refuse_renaming},
       Method{"workspace/symbol", &Server::workspace_symbols},
       Method{"textDocument/foldingRange", &Server::fold},
       Method{"textDocument/inlayHint", &Server::hints},
@@ -78,6 +79,7 @@ Json Server::initialize(Json const& params) {
   };
   gives_settings_ = is_set("/capabilities/workspace/configuration");
   registers_settings_ = is_set("/capabilities/workspace/didChangeConfiguration/dynamicRegistration");
+  watches_files_ = is_set("/capabilities/workspace/didChangeWatchedFiles/dynamicRegistration");
   auto const lists = [&params](char const* pointer, std::string_view word) {
     auto const at =
         Json::json_pointer(std::string("/capabilities/textDocument/completion/completionItem/") + pointer);
@@ -108,6 +110,7 @@ Json Server::capabilities(std::string const& encoding) const {
       {"completionProvider", {{"triggerCharacters", {".", "#", "["}}, {"resolveProvider", true}}},
       {"definitionProvider", true},
       {"referencesProvider", true},
+      {"renameProvider", {{"prepareProvider", true}}},
       {"typeHierarchyProvider", true},
       {"foldingRangeProvider", true},
       {"inlayHintProvider", true},

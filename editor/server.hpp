@@ -93,7 +93,7 @@ class Server {
   Json prepare_hierarchy(Json const& params);
   Json supertypes(Json const& params);
   Json subtypes(Json const& params);
-  Json rename(Json const& params);
+  Json refuse_renaming(Json const& params);
   Json links(Json const& params);
   Json symbols(Json const& params);
   Json workspace_symbols(Json const& params);
@@ -111,6 +111,7 @@ class Server {
   void take_settings(Json const& answer);
   void apply(ClientSettings const& settings);
   void ask_for_settings();
+  void ask_for_notifications();
   /// The name of the axis that an open list makes.
   [[nodiscard]] std::optional<std::string> axis_of(Document const& document);
   /// The lines that set what stands at a position; of the whole machine, or those that decide it for the list.
@@ -147,12 +148,13 @@ class Server {
   bool documents_lazily_ = false;  ///< the client asks for the documentation of the completion that it shows
   bool gives_settings_ = false;    ///< the client answers workspace/configuration
   bool registers_settings_ = false;  ///< the client says when they change, if it is asked to
+  bool watches_files_ = false;       ///< the client says when files change on the disk, if it is asked to
   bool takes_pushed_ = false;        ///< the client shows diagnostics that it is told
   ClientSettings settings_;
   std::vector<std::string> due_;  ///< requests to the client, sent with the next answer
   Documents documents_;
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
-  /// By the machine's input; emptied with every change.
+  /// By the machine's input; one goes with a change of a document that it depends on, all with a document.
   std::map<std::string, std::unique_ptr<MachineReading>> readings_;
   std::set<std::string> changed_;  ///< URIs of open documents whose machines are to be checked
   std::set<std::string> closed_;

@@ -62,7 +62,7 @@ Json Server::change(Json const& params) {
     text.replace(begin, std::max(begin, end) - begin, inserted);
   }
   bool const was_machine = may_be_machine(changed);
-  readings_.clear();
+  std::erase_if(readings_, [&changed](auto const& reading) { return reading.second->depends_on(changed); });
   changed.text = std::move(text);
   changed.version = version_of(params.at("textDocument"));
   if (was_machine || may_be_machine(changed)) return check_all(params);

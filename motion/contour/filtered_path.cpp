@@ -66,7 +66,8 @@ struct FilteredPath::Search {
     double const e = away(end);
     for (std::uint64_t stretch = 1; begin != end; stretch *= 2) {
       if (d + e - std::abs(path.passed(end).way - path.passed(begin).way) > 2 * within) return;
-      auto const next = begin < end ? std::min(end, begin + stretch) : std::max(end + stretch, begin) - stretch;
+      auto const next =
+          begin < end ? std::min(end, begin + stretch) : std::max(end + stretch, begin) - stretch;
       double const n = away(next);
       if (begin < end) {
         look_between(begin, d, next, n);

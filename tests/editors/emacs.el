@@ -104,6 +104,22 @@
               "the layout is that of fmt")
   (delete-file copy))
 
+;; What is not open counts as soon as the disk has it: eglot watches for the server, below the folder of the first file.
+(test-open "mistakes/controller/listen/sda_mds1.lis")
+(flymake-start)
+(test-wait #'test-shown "findings in the machine")
+(let* ((machine (expand-file-name "mistakes/controller/listen/hochlauf.lis" test-folder))
+       (elsewhere (make-temp-file "axisc"))
+       (within (sort (test-shown) #'<))
+       (becomes (lambda (condition what)
+                  (test-wait (lambda () (read-event nil nil 0.02) (flymake-start) (funcall condition)) what))))
+  (copy-file machine elsewhere t)
+  (delete-file machine)
+  (funcall becomes (lambda () (not (equal (sort (test-shown) #'<) within))) "the list stands alone without its machine")
+  (copy-file elsewhere machine)
+  (funcall becomes (lambda () (equal (sort (test-shown) #'<) within)) "the machine counts again")
+  (delete-file elsewhere))
+
 ;; Settings apply at once.
 (test-open "manual/axis-pt1.lis")
 (test-wait (lambda () (flymake-start) (test-shown)) "a list alone has no cycle time")

@@ -1,5 +1,4 @@
 // What every form of the client has in common, however it reaches the server.
-import * as vscode from 'vscode';
 import type { LanguageClientOptions, Middleware } from 'vscode-languageclient';
 import { isPage } from './page';
 import { show } from './preview';
@@ -30,7 +29,6 @@ export function clientOptions(schemes: string[]): LanguageClientOptions {
       { scheme, pattern: machineFiles },
       { scheme, pattern: programs },
     ]),
-    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher(`**/*.{${endings.join(',')}}`) },
     initializationOptions: serverSettings,
     middleware: middleware(),
   };

@@ -28,13 +28,15 @@ function offered(client: BaseLanguageClient): string[] {
 }
 
 export function registerCommands(client: () => BaseLanguageClient | undefined): vscode.Disposable {
-  const command = (name: string, run: (client: BaseLanguageClient) => Promise<void>) =>
-    vscode.commands.registerCommand(name, async () => {
+  const command = (name: string, run: (client: BaseLanguageClient, word: string) => Promise<void>) =>
+    vscode.commands.registerCommand(name, async (word: unknown) => {
       const running = client();
-      if (running !== undefined) await run(running);
+      if (running !== undefined) await run(running, String(word));
     });
   return vscode.Disposable.from(
     command('axisc.showReport', (running) => call(running, 'axisc.report')),
+    // From the code of a finding.
+    command('axisc.showFinding', (running, code) => call(running, 'axisc.explain', code)),
     command('axisc.showMachine', (running) => call(running, 'axisc.machine')),
     command('axisc.showPlot', async (running) => {
       const kind = await vscode.window.showQuickPick(kinds, { placeHolder: vscode.l10n.t('What to draw') });

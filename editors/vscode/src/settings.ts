@@ -8,6 +8,6 @@ export function serverArguments(): string[] {
 /** The settings at the start, so that the first findings are right. The server asks for them again when they change. */
 export function serverSettings(): Record<string, string> {
   const settings = vscode.workspace.getConfiguration('axisc');
-  const names = ['language', 'cycleTime', 'build', 'kind'];
+  const names = ['language', 'cycleTime', 'build', 'kind', 'findingPage'];
   return Object.fromEntries(names.map((name) => [name, settings.get<string>(name, '')]));
 }

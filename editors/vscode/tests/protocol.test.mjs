@@ -4,10 +4,12 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
+import { cp, mkdtemp, readFile, rm } from 'node:fs/promises';
+import os from 'node:os';
 import path from 'node:path';
 import test from 'node:test';
-import { CancellationTokenSource } from 'vscode-languageserver-protocol/node';
+import { pathToFileURL } from 'node:url';
+import { CancellationTokenSource, FileChangeType } from 'vscode-languageserver-protocol/node';
 import { findings, program, samples, start, uriOf } from './server.mjs';
 
 const wait = { timeout: 60000 };
@@ -89,6 +91,32 @@ test('a cancelled request is answered, and so is the next one', wait, async () =
   }
   assert.ok(await server.ask('textDocument/hover', uriOf(mill), { position }));
   assert.equal(await server.end(), 0);
+});
+
+test('files that change on the disk are asked for, and count', wait, async () => {
+  const server = await start({ workspace: { didChangeWatchedFiles: { dynamicRegistration: true } } });
+  const watched = new Promise((wake) => {
+    server.connection.onRequest('client/registerCapability', ({ registrations }) => {
+      wake(registrations.flatMap(({ registerOptions }) => registerOptions.watchers ?? []).map(({ globPattern }) => globPattern));
+      return null;
+    });
+  });
+  assert.ok((await watched).includes('**/*.lis'));
+  const folder = await mkdtemp(path.join(os.tmpdir(), 'axisc-'));
+  await cp(path.join(samples, 'mill'), folder, { recursive: true });
+  const uri = pathToFileURL(path.join(folder, 'x.lis')).href;
+  const list = await readFile(path.join(folder, 'x.lis'), 'latin1');
+  await server.open(uri, list);
+  const codes = async () => (await server.ask('textDocument/diagnostic', uri)).items.map(({ code }) => code);
+  assert.ok(!(await codes()).includes('AX9006'));
+  // Without its machine, nothing tells the list's cycle time.
+  await rm(path.join(folder, 'machine.json'));
+  await server.connection.sendNotification('workspace/didChangeWatchedFiles', {
+    changes: [{ uri: pathToFileURL(path.join(folder, 'machine.json')).href, type: FileChangeType.Deleted }],
+  });
+  assert.ok((await codes()).includes('AX9006'));
+  assert.equal(await server.end(), 0);
+  await rm(folder, { recursive: true });
 });
 
 test('settings are asked for, and apply when they change', wait, async () => {

@@ -119,6 +119,40 @@ TEST_CASE("who answers questions about settings is asked for them") {
   CHECK(asked(talk(hello() + message("initialized", Json::object()))).empty());
 }
 
+TEST_CASE("who watches files is asked for all that a machine is made of") {
+  auto const able = hello(nullptr, {{"didChangeWatchedFiles", {{"dynamicRegistration", true}}}});
+  Texts patterns;
+  for (auto const& each : talk(able + message("initialized", Json::object()))) {
+    if (each.value("method", "") != "client/registerCapability") continue;
+    for (auto const& registration : each["params"]["registrations"]) {
+      CHECK(registration["method"] == "workspace/didChangeWatchedFiles");
+      for (auto const& watcher : registration["registerOptions"]["watchers"]) {
+        patterns.push_back(watcher["globPattern"]);
+      }
+    }
+  }
+  std::sort(patterns.begin(), patterns.end());
+  CHECK(patterns == Texts{"**/*.LIS", "**/*.NC", "**/*.json", "**/*.lis", "**/*.nc", "**/*.tsproj",
+                          "**/*.xml", "**/*.xti"});
+}
+
+TEST_CASE("codes lead to the pages that a setting names") {
+  auto const pages = [](Json const& settings) {
+    Texts found;
+    for (auto const& each : talk(hello(settings) + opened())) {
+      if (each.value("method", "") != "textDocument/publishDiagnostics") continue;
+      for (auto const& finding : each["params"]["diagnostics"]) {
+        found.push_back(finding.contains("codeDescription") ? finding["codeDescription"]["href"] : "none");
+      }
+    }
+    return found;
+  };
+  CHECK(pages({{"findingPage", "https://rules.example/all#{code}"}}) ==
+        Texts{"https://rules.example/all#AX9006"});
+  CHECK(pages({{"findingPage", "https://rules.example"}}) == Texts{"https://rules.example"});
+  CHECK(pages({{"findingPage", ""}}) == Texts{"none"});
+}
+
 TEST_CASE("a setting decides the language from then on") {
   auto const at = framed(
       Json{{"jsonrpc", "2.0"},

@@ -132,6 +132,10 @@ TEST_CASE("names cannot be renamed, and the server says why") {
                             {{"position", {{"line", 0}, {"character", 1}}}, {"newName", "a"}});
   CHECK(answer["error"]["code"] == -32803);
   CHECK(answer["error"]["message"].get<std::string>().find("belong to the control") != std::string::npos);
+  // Before the user has typed another name.
+  auto const prepared = asked("textDocument/prepareRename", "/x.lis", "filter[0].order 2\n",
+                              {{"position", {{"line", 0}, {"character", 1}}}});
+  CHECK(prepared["error"] == answer["error"]);
 }
 
 TEST_CASE("a range is formatted as the whole list would be") {

@@ -131,6 +131,19 @@ test('names are completed', wait, async () => {
   await saved('mill/default.lis', (now) => !now.split('\n')[line + 1]?.startsWith('filter[0].prototype'));
 });
 
+test('the code of a finding leads to its page', wait, async () => {
+  await bridge.open('mistakes/typing.lis', await lineOf('mistakes/typing.lis', '17,5'), 35);
+  await page.waitForSelector('.squiggly-error');
+  await press('Control+k', 'Control+i');
+  const code = page.locator('.monaco-hover:not(.hidden) a.code-link', { hasText: 'AX1005' });
+  await code.waitFor();
+  await picture('code');
+  await code.click();
+  const shown = page.frameLocator('iframe.webview.ready').last().frameLocator('#active-frame');
+  await shown.locator('h1', { hasText: 'AX1005' }).waitFor();
+  await picture('page');
+});
+
 test('a fix is offered and applied', wait, async () => {
   const line = await lineOf('mistakes/typing.lis', '17,5');
   await bridge.open('mistakes/typing.lis', line, 35);
