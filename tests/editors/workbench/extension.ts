@@ -54,7 +54,10 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       ...clientOptions(['memfs']),
       uriConverters: {
         code2Protocol: (uri) => vscode.Uri.file(root + uri.path.slice(mounted.length)).toString(),
-        protocol2Code: (text) => vscode.Uri.from({ scheme: 'memfs', path: mounted + vscode.Uri.parse(text).path.slice(root.length) }),
+        protocol2Code: (text) => {
+          const uri = vscode.Uri.parse(text);
+          return uri.scheme === 'file' ? vscode.Uri.from({ scheme: 'memfs', path: mounted + uri.path.slice(root.length) }) : uri;
+        },
       },
     },
   );
