@@ -4,6 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+namespace axisc::motion::says {
+
+constexpr Sentence arc_no_center{"a circle needs its centre (I, J, K) or its radius (R)",
+                                 "ein Kreis braucht seinen Mittelpunkt (I, J, K) oder seinen Radius (R)"};
+constexpr Sentence arc_both{"a circle has either a centre (I, J, K) or a radius (R)",
+                            "ein Kreis hat entweder einen Mittelpunkt (I, J, K) oder einen Radius (R)"};
+constexpr Sentence arc_no_radius{"the centre of this circle is where it begins",
+                                 "der Mittelpunkt dieses Kreises ist sein Anfang"};
+constexpr Sentence arc_too_small{"the radius is too small: the circle does not reach its end",
+                                 "der Radius ist zu klein: der Kreis erreicht sein Ende nicht"};
+constexpr Sentence arc_full_by_radius{
+    "a full circle needs its centre (I, J, K): R does not say where it lies",
+    "ein Vollkreis braucht seinen Mittelpunkt (I, J, K): R sagt nicht, wo er liegt"};
+constexpr Sentence arc_misses_end{
+    "the end of this circle is more than 5 µm off: beginning and end have different radii",
+    "das Ende dieses Kreises liegt mehr als 5 µm daneben: Anfang und Ende haben verschiedene Radien"};
+
+}  // namespace axisc::motion::says
+
 namespace axisc::motion {
 namespace {
 
@@ -57,6 +76,24 @@ std::variant<Place, ArcMistake> center_of(ArcWords const& words, Place begin, Pl
 }
 
 }  // namespace
+
+SentenceRef sentence_of(ArcMistake mistake) {
+  switch (mistake) {
+    case ArcMistake::no_center:
+      return says::arc_no_center;
+    case ArcMistake::both:
+      return says::arc_both;
+    case ArcMistake::no_radius:
+      return says::arc_no_radius;
+    case ArcMistake::too_small:
+      return says::arc_too_small;
+    case ArcMistake::full_by_radius:
+      return says::arc_full_by_radius;
+    case ArcMistake::misses_end:
+      return says::arc_misses_end;
+  }
+  return says::arc_no_center;
+}
 
 std::variant<Arc, ArcMistake> arc_of(ArcWords const& words, Point const& begin, Point const& end) {
   Place const from{.x = begin[words.first], .y = begin[words.second]};

@@ -1,8 +1,10 @@
 // Circles as programs write them: G02 and G03 with I, J, K or R in the plane of G17, G18 or G19.
 #pragma once
 
+#include "diagnostics/sentence.hpp"
 #include "motion/segment.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <variant>
 
@@ -25,6 +27,8 @@ enum class ArcMistake : std::uint8_t {
   full_by_radius,  ///< R says nothing of where a full circle lies
   misses_end,      ///< the end lies off the circle about the centre
 };
+
+[[nodiscard]] SentenceRef sentence_of(ArcMistake mistake);
 
 /// The end may miss the circle by so much, as rounded programs do: position units, 5 µm. The centre is then moved to where
 /// both are equally far away.

@@ -9,7 +9,7 @@
 #include "motion/group_runtime.hpp"
 #include "motion/interpolator.hpp"
 #include "motion/look_ahead.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/path_listener.hpp"
 
 #include <cstdint>
 #include <deque>

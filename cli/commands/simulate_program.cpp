@@ -7,7 +7,7 @@
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
 #include "diagnostics/writers/writers.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/program/interpreter.hpp"
 #include "motion/simulation.hpp"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "cli/files/image_file.hpp"
 #include "machine/machine.hpp"
 #include "motion/group_runtime.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/program/interpreter.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // within the velocities of the axes, with figures that are numbers.
 #include "codegen/image_writer.hpp"
 #include "grammar/line_splitter.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/program/interpreter.hpp"
 #include "motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
 

@@ -4,7 +4,7 @@
 #include "machine/machine.hpp"
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/program/interpreter.hpp"
 #include "motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
 

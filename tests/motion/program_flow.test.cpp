@@ -1,5 +1,5 @@
 #include "channels.hpp"
-#include "motion/program_interpreter.hpp"
+#include "motion/program/interpreter.hpp"
 #include "support/catch.hpp"
 
 #include <sstream>

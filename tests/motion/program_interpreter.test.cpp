@@ -1,6 +1,5 @@
-#include "motion/program_interpreter.hpp"
-
 #include "channels.hpp"
+#include "motion/program/interpreter.hpp"
 #include "support/catch.hpp"
 
 #include <sstream>

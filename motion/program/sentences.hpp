@@ -5,6 +5,10 @@
 
 namespace axisc::motion::says {
 
+extern Sentence const not_simulated;
 extern Sentence const cannot_simulate;
+extern Sentence const cannot_simulate_here;
+extern Sentence const cannot_simulate_open;
+extern Sentence const cannot_simulate_depth;
 
 }  // namespace axisc::motion::says

@@ -1,0 +1,16 @@
+#include "motion/program/sentences.hpp"
+
+namespace axisc::motion::says {
+
+constinit Sentence const not_simulated{"the simulation ignores `{word}`", "die Simulation übergeht `{word}`"};
+constinit Sentence const cannot_simulate{
+    "`{word}` cannot be simulated: it would change the path or the filters",
+    "`{word}` ist nicht simulierbar: es würde die Bahn oder die Filter ändern"};
+constinit Sentence const cannot_simulate_here{"`{word}` cannot be simulated here",
+                                              "`{word}` ist hier nicht simulierbar"};
+constinit Sentence const cannot_simulate_open{"`{word}` is not closed", "`{word}` wird nicht geschlossen"};
+constinit Sentence const cannot_simulate_depth{
+    "`{word}`: loops and subprograms are nested too deeply",
+    "`{word}`: Schleifen und Unterprogramme sind zu tief verschachtelt"};
+
+}  // namespace axisc::motion::says
