@@ -8,6 +8,7 @@
 #include "cli/formats/machine_formats.hpp"
 #include "cli/options/finding_codes.hpp"
 #include "cli/plots/plots.hpp"
+#include "cli/report_page/html.hpp"
 #include "cli/report_page/report_page.hpp"
 #include "diagnostics/format_number.hpp"
 #include "pictures/page.hpp"
@@ -170,13 +171,13 @@ class PagesOfMachine {
   std::optional<image::RuntimeHost> host_;
 };
 
-Page text_page(std::string const& title, std::string_view text, Language language) {
+/// `body` is HTML.
+Page page_of(std::string const& title, std::string const& body, Language language) {
   return {.title = title,
           .html = "<!doctype html>\n<html lang=\"" + std::string(language == Language::german ? "de" : "en") +
                   "\">\n<head><meta charset=\"utf-8\"><title>" + pictures::escaped(title) +
                   "</title>\n<style>" + pictures::page_style() +
-                  "pre {white-space: pre-wrap}</style></head>\n<body><h1>" + pictures::escaped(title) +
-                  "</h1>\n<pre>" + pictures::escaped(text) + "</pre></body>\n</html>\n"};
+                  "pre {white-space: pre-wrap}</style></head>\n<body>" + body + "</body>\n</html>\n"};
 }
 
 Page machine_page(PageSubject const& subject, editor::OptionsOf const& options) {
@@ -189,7 +190,7 @@ Page machine_page(PageSubject const& subject, editor::OptionsOf const& options) 
   auto const name = std::string(validator::file_name(subject.machine));
   auto const title = render({.sentence = says::title_machine, .arguments = {{"machine", name}}}, language);
   auto const text = machine_text(std::get<validator::LoadedMachine>(loaded), sources, language);
-  return text_page(title, text, language);
+  return page_of(title, text_of("h1", title) + "\n" + text_of("pre", text), language);
 }
 
 Page explanation_page(PageSubject const& subject) {
@@ -200,7 +201,7 @@ Page explanation_page(PageSubject const& subject) {
   if (rule == nullptr) {
     throw editor::NoPage(render({.sentence = says::unknown_rule, .arguments = {{"code", word}}}, language));
   }
-  return text_page(code_text(rule->code), explain_rule(*rule, 1, language), language);
+  return page_of(code_text(rule->code), html_of_markdown(explain_rule(*rule, 1, language), 0), language);
 }
 
 /// What is wrong with an input is told to the client.

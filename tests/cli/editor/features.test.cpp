@@ -337,7 +337,11 @@ TEST_CASE("a finding's page and a number's word are actions") {
   auto const page = asked("workspace/executeCommand", "/x.lis", "",
                           {{"command", "axisc.explain"}, {"arguments", {"file:///x.lis", "AX2001"}}});
   CHECK(page["title"] == "AX2001");
-  CHECK(page["html"].get<std::string>().find("AX2001") != std::string::npos);
+  auto const html = page["html"].get<std::string>();
+  CHECK(html.find("<h1>") != std::string::npos);
+  CHECK(html.find("AX2001") != std::string::npos);
+  // As a page, not as the source of one.
+  CHECK(html.find("**") == std::string::npos);
 }
 
 TEST_CASE("a value with its unit is converted to the unit of the list") {
