@@ -38,7 +38,7 @@ std::uint32_t novib_box(Hertz frequency, CycleTime cycle_time) {
 KernelDesign design_kernel(KernelSpecification const& specification, CycleTime cycle_time) {
   namespace multiprecision = boost::multiprecision;
   using Exact = multiprecision::number<multiprecision::cpp_bin_float<50>, multiprecision::et_off>;
-  return design_kernel_in<Exact>(specification, as_read(cycle_time, specification.cycle_time));
+  return design_kernel_in<Exact>(specification, cycle_time);
 }
 
 bool passes_unchanged(KernelSpecification const& specification) {

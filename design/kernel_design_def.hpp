@@ -108,7 +108,7 @@ template <typename Number>
   bool const is_symmetrical = taps % 2 == 1 && reading != KernelReading::share_undelayed;
   if (is_symmetrical) design.half_width = taps / 2;
   design.delay_cycles = is_symmetrical ? taps / 2 : taps - 1;
-  auto const half = half_kernel<Number>(specification, cycle_time, taps);
+  auto const half = half_kernel<Number>(specification, as_read(cycle_time, specification.cycle_time), taps);
   if (taps % 2 == 0) {
     store_even(half, share, design);
   } else if (is_symmetrical) {

@@ -31,6 +31,20 @@ Configured lowpass(std::uint32_t order, double frequency) {
           .kernel = {}};
 }
 
+Configured other(design::FilterType type, design::Prototype prototype, std::uint32_t order,
+                 double quality = 1) {
+  return {.cycle_time = cycle_time,
+          .filters =
+              {{.type = type, .prototype = prototype, .order = order, .frequency = {30}, .quality = quality}},
+          .kernel = {}};
+}
+
+Configured novib(double frequency) {
+  return {.cycle_time = cycle_time,
+          .filters = {},
+          .kernel = design::KernelSpecification{.type = design::KernelType::novib, .frequency = {frequency}}};
+}
+
 Configured kernel(design::KernelType type, std::uint32_t order, double share = 100) {
   return {.cycle_time = cycle_time,
           .filters = {},
@@ -50,20 +64,29 @@ std::vector<double> outputs(std::string const& text) {
   return read(text).recording.output.values();
 }
 
+using design::FilterType;
 using design::KernelType;
+using design::Prototype;
 
 TEST_CASE("the control's reading of the parameters is named") {
   struct Row {
     std::string name;
     Configured configured;
   };
-  for (auto const& row : {Row{"no-prewarping", lowpass(3, 60)}, Row{"backward-euler", lowpass(2, 20)},
-                          Row{"forward-euler", lowpass(2, 20)}, Row{"matched-poles", lowpass(4, 50)},
-                          Row{"taps-n-plus-1", kernel(KernelType::moving_average, 41)},
-                          Row{"order-is-half-width", kernel(KernelType::moving_average, 24)},
-                          Row{"gaussian-width-3", kernel(KernelType::gaussian, 40)},
-                          Row{"sinc-blackman", kernel(KernelType::windowed_sinc, 40)},
-                          Row{"share-undelayed", kernel(KernelType::moving_average, 40, 70)}}) {
+  for (auto const& row :
+       {Row{"no-prewarping", lowpass(3, 60)}, Row{"backward-euler", lowpass(2, 20)},
+        Row{"forward-euler", lowpass(2, 20)}, Row{"matched-poles", lowpass(4, 50)},
+        Row{"taps-n-plus-1", kernel(KernelType::moving_average, 41)},
+        Row{"order-is-half-width", kernel(KernelType::moving_average, 24)},
+        Row{"gaussian-width-3", kernel(KernelType::gaussian, 40)},
+        Row{"sinc-blackman", kernel(KernelType::windowed_sinc, 40)},
+        Row{"share-undelayed", kernel(KernelType::moving_average, 40, 70)},
+        Row{"quality-of-poles", other(FilterType::bandstop, Prototype::critical_damping, 2, 1.5)},
+        Row{"analogue-quality", other(FilterType::bandstop, Prototype::butterworth, 2)},
+        Row{"matched", other(FilterType::bandstop, Prototype::butterworth, 1)},
+        Row{"bessel-delay", other(FilterType::lowpass, Prototype::bessel, 3)},
+        Row{"allpass-phase", other(FilterType::allpass, Prototype::bessel, 3)},
+        Row{"novib-one-box", novib(20)}}) {
     INFO(row.name);
     auto const comparison = compare(stored(row.name), readings(row.configured));
     CHECK(comparison.verdict == Verdict::different);

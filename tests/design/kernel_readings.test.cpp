@@ -148,3 +148,20 @@ TEST_CASE("zeros of a moving average of four taps lie at a quarter and half of t
   CHECK(zeros[0].value == Approx(250));
   CHECK(zeros[1].value == Approx(500));
 }
+
+TEST_CASE("kernels for another cycle time are those of a control with that cycle time") {
+  for (auto wanted : {kernel_of(KernelType::moving_average, 40), kernel_of(KernelType::windowed_sinc, 41),
+                      gaussian_of(30, 0.8), novib_of(28.4, 60), novib_of(120)}) {
+    for (auto const reading : {KernelReading::documented, KernelReading::novib_one_box}) {
+      wanted.reading = reading;
+      wanted.cycle_time = CycleReading::documented;
+      auto const slower = design_kernel(wanted, CycleTime{2'000'000});
+      wanted.cycle_time = CycleReading::twice;
+      auto const read = design_kernel(wanted, one_millisecond);
+      INFO(int(wanted.type) << " at " << wanted.frequency.value << " Hz");
+      CHECK(read.taps == slower.taps);
+      CHECK(read.tail_sums == slower.tail_sums);
+      CHECK(read.group_delay_cycles == slower.group_delay_cycles);
+    }
+  }
+}
