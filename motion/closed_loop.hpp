@@ -31,6 +31,9 @@ struct LoopCycle {
   double setpoint = 0;           ///< position units
   double load_position = 0;      ///< position units
   double load_acceleration = 0;  ///< m/s²
+  double set_velocity = 0;       ///< µm/s, v_set
+  double motor_velocity = 0;     ///< µm/s
+  double load_velocity = 0;      ///< µm/s
   double additive_velocity = 0;  ///< µm/s
 };
 
