@@ -107,6 +107,15 @@ LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move, Plan
   return record;
 }
 
+std::vector<double> load_accelerations(LoopRecord const& record, MovePhase phase, bool back) {
+  std::vector<double> found;
+  for (auto const& cycle : record.cycles) {
+    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
+  }
+  if (phase == MovePhase::rest) found.resize(found.size() / 3);
+  return found;
+}
+
 bool diverges(LoopRecord const& record, double cycle_seconds) {
   if (record.lost) return true;
   auto const rest = static_cast<std::size_t>(rest_seconds / cycle_seconds);

@@ -49,6 +49,10 @@ inline constexpr double rest_seconds = 1.5;
 [[nodiscard]] LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move,
                                        PlantParameters const& plant, bool with_function);
 
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
+/// braking.
+[[nodiscard]] std::vector<double> load_accelerations(LoopRecord const& record, MovePhase phase, bool back);
+
 /// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
 [[nodiscard]] bool diverges(LoopRecord const& record, double cycle_seconds);
 

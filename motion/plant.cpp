@@ -29,8 +29,7 @@ Plant::Plant(PlantParameters const& parameters, double cycle) : p_(parameters) {
 
 Plant::State Plant::derivative(State const& state, double velocity) const {
   auto const& [xm, vm, xl, vl, xs, vs, integral] = state;
-  double const delta =
-      has_teeth_ ? p_.transmission_error * std::sin(two_pi * xm / p_.tooth_pitch) : 0;
+  double const delta = has_teeth_ ? p_.transmission_error * std::sin(two_pi * xm / p_.tooth_pitch) : 0;
   double const coupling = p_.stiffness * (xm - xl + delta) + p_.damping * (vm - vl);
   double const structure = structure_stiffness_ * (xs - xl) + structure_viscosity_ * (vs - vl);
   double const error = velocity - vm;

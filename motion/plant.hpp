@@ -61,7 +61,8 @@ class Plant {
   /// What a cycle makes of the state and of the two commands that reach the drive within it.
   struct CycleMap {
     std::array<State, states> columns{};
-    State before{}, behind{};  ///< the dead time ends within the cycle: commands before and behind this moment
+    State before{},
+        behind{};  ///< the dead time ends within the cycle: commands before and behind this moment
   };
   [[nodiscard]] State derivative(State const& state, double velocity) const;
   [[nodiscard]] State substep(State const& state, double velocity) const;
@@ -71,10 +72,11 @@ class Plant {
   double proportional_ = 0;  ///< K_p
   double structure_stiffness_ = 0, structure_viscosity_ = 0;
   std::size_t substeps_ = 1;
-  double h_ = 0;                 ///< duration of a substep
+  double h_ = 0;  ///< duration of a substep
   bool has_teeth_ = false;
-  CycleMap map_;                 ///< without teeth
-  std::deque<double> commands_;  ///< that have not reached the drive yet, one per substep, without teeth one per cycle
+  CycleMap map_;  ///< without teeth
+  std::deque<double>
+      commands_;  ///< that have not reached the drive yet, one per substep, without teeth one per cycle
   State state_{};
 };
 

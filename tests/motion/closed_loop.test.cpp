@@ -108,8 +108,7 @@ TEST_CASE("a plant without teeth moves as one whose teeth are perfect but for no
       CHECK(linear.motion().load_position == Approx(integrated.motion().load_position).margin(1e-12));
       CHECK(linear.motion().structure_velocity ==
             Approx(integrated.motion().structure_velocity).margin(1e-10));
-      CHECK(linear.motion().load_acceleration ==
-            Approx(integrated.motion().load_acceleration).margin(1e-8));
+      CHECK(linear.motion().load_acceleration == Approx(integrated.motion().load_acceleration).margin(1e-8));
     }
   }
 }
