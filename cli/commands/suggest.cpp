@@ -87,6 +87,8 @@ constexpr Sentence apply_needs_plant{"--apply 4 is Improved Position Control: it
                                      "--apply 4 ist die optimierte Lageregelung: dafür --plant angeben"};
 constexpr Sentence nothing_to_apply{"there is no suggestion {number} to write",
                                     "es gibt keinen Vorschlag {number}, der geschrieben werden könnte"};
+constexpr Sentence nothing_to_draw{"there is nothing to draw: no filters are suggested",
+                                   "es gibt nichts zu zeichnen: es werden keine Filter vorgeschlagen"};
 constexpr Sentence not_editable{"{file} cannot be edited: write the lines into it by hand",
                                 "{file} kann nicht bearbeitet werden: die Zeilen von Hand eintragen"};
 constexpr Sentence not_named{
@@ -371,6 +373,7 @@ ExitStatus suggest(Invocation const& invocation) {
   if (auto const* const none = std::get_if<NoSuggestion>(&answer)) {
     say_nothing_helps(*none, wishes, !damping || !damping->damping(), invocation);
     if (!damping) return ExitStatus::findings;
+    if (options.picture.path) throw Failure({.sentence = says::nothing_to_draw, .arguments = {}});
     out.write(wants_json ? suggest_json(subject, *none, *damping, task)
                          : damping_text(*damping, subject, task, invocation.language));
     if (!damping->damping()) return ExitStatus::findings;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace axisc::tuning {
 namespace {
@@ -55,7 +54,8 @@ AnswerAt LoopAnswer::at(double frequency) const {
   AnswerAt answer{};
   std::complex<double> motor_position = 0;
   // Horner's scheme: Σ x[n] z^-n.
-  for (auto const& motion : std::views::reverse(motions_)) {
+  for (std::size_t n = motions_.size(); n-- > 0;) {
+    auto const& motion = motions_[n];
     answer.motor = answer.motor * turn + motion.motor_velocity;
     answer.direct = answer.direct * turn + motion.load_velocity;
     answer.load = answer.load * turn + motion.load_position;

@@ -73,6 +73,7 @@ TEST_CASE("suggest writes Improved Position Control that damps what simulate sho
     CHECK(oscillation["amplitude_with_m_per_s2"].get<double>() <
           0.75 * oscillation["amplitude_without_m_per_s2"].get<double>());
   }
+  CHECK(suggest(there, "11Hz", {"-o", "x.svg"}).err.find("nothing to draw") != std::string::npos);
   auto const again = suggest(there, "53Hz,11Hz", {"--apply", "4"});
   CHECK(again.err.find("nothing to write") != std::string::npos);
 }
