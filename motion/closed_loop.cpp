@@ -94,6 +94,9 @@ LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move, Plan
     axis.step(v + (with_function ? additive / um_per_m : 0));
     cycle.load_position = motion.load_position * units_per_m;
     cycle.load_acceleration = motion.load_acceleration;
+    cycle.set_velocity = v_set[move.axis];
+    cycle.motor_velocity = v_motor[move.axis];
+    cycle.load_velocity = v_direct[move.axis];
     cycle.additive_velocity = additive;
     if (axis.lost()) {
       record.lost = true;
@@ -102,6 +105,15 @@ LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move, Plan
     }
   }
   return record;
+}
+
+std::vector<double> load_accelerations(LoopRecord const& record, MovePhase phase, bool back) {
+  std::vector<double> found;
+  for (auto const& cycle : record.cycles) {
+    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
+  }
+  if (phase == MovePhase::rest) found.resize(found.size() / 3);
+  return found;
 }
 
 bool diverges(LoopRecord const& record, double cycle_seconds) {

@@ -31,6 +31,9 @@ struct LoopCycle {
   double setpoint = 0;           ///< position units
   double load_position = 0;      ///< position units
   double load_acceleration = 0;  ///< m/s²
+  double set_velocity = 0;       ///< µm/s, v_set
+  double motor_velocity = 0;     ///< µm/s
+  double load_velocity = 0;      ///< µm/s
   double additive_velocity = 0;  ///< µm/s
 };
 
@@ -45,6 +48,10 @@ inline constexpr double rest_seconds = 1.5;
 /// `with_function`: the additive velocity acts; else it is only calculated. The runtime is reset first.
 [[nodiscard]] LoopRecord simulate_loop(image::RuntimeHost& runtime, AxisMove const& move,
                                        PlantParameters const& plant, bool with_function);
+
+/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
+/// braking.
+[[nodiscard]] std::vector<double> load_accelerations(LoopRecord const& record, MovePhase phase, bool back);
 
 /// The oscillation outlives the motion: behind it the load's acceleration does not die down, or the plant was lost.
 [[nodiscard]] bool diverges(LoopRecord const& record, double cycle_seconds);

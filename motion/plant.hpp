@@ -49,7 +49,7 @@ class Plant {
   /// At rest at 0. `cycle` in s: commands come once per cycle.
   Plant(PlantParameters const& parameters, double cycle);
 
-  /// One NC cycle with this commanded velocity.
+  /// One NC cycle with this commanded velocity. Without teeth the plant is linear, and a cycle costs one product with a matrix.
   void step(double velocity);
   [[nodiscard]] PlantMotion motion() const;
   /// Positions beyond any machine: the loop has become unstable.
@@ -58,14 +58,25 @@ class Plant {
  private:
   static constexpr std::size_t states = 7;  ///< x_M, v_M, x_L, v_L, x_S, v_S, ∫
   using State = std::array<double, states>;
+  /// What a cycle makes of the state and of the two commands that reach the drive within it.
+  struct CycleMap {
+    std::array<State, states> columns{};
+    State before{},
+        behind{};  ///< the dead time ends within the cycle: commands before and behind this moment
+  };
   [[nodiscard]] State derivative(State const& state, double velocity) const;
+  [[nodiscard]] State substep(State const& state, double velocity) const;
+  [[nodiscard]] CycleMap cycle_map(std::size_t substeps_before) const;
 
   PlantParameters p_;
   double proportional_ = 0;  ///< K_p
   double structure_stiffness_ = 0, structure_viscosity_ = 0;
   std::size_t substeps_ = 1;
-  double h_ = 0;                 ///< duration of a substep
-  std::deque<double> commands_;  ///< that have not reached the drive yet, one per substep
+  double h_ = 0;  ///< duration of a substep
+  bool has_teeth_ = false;
+  CycleMap map_;  ///< without teeth
+  std::deque<double>
+      commands_;  ///< that have not reached the drive yet, one per substep, without teeth one per cycle
   State state_{};
 };
 

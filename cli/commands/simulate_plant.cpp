@@ -64,11 +64,11 @@ void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& wit
     // Ways there and back are alike; the worse one counts.
     PhaseOscillation worst{.phase = phase, .without = {}, .with = {}};
     for (bool const back : {false, true}) {
-      auto const record = load_accelerations(without, phase, back);
+      auto const record = motion::load_accelerations(without, phase, back);
       auto const found = motion::dominant_oscillation(record, T, lowest, highest);
       if (!(found.amplitude > worst.without.amplitude)) continue;
       worst.without = found;
-      auto const same = load_accelerations(with, phase, back);
+      auto const same = motion::load_accelerations(with, phase, back);
       worst.with = same.size() == record.size()
                        ? std::optional(motion::amplitude_at(same, T, found.frequency))
                        : std::nullopt;
@@ -78,15 +78,6 @@ void find_oscillations(ClosedLoopFigures& figures, motion::LoopRecord const& wit
 }
 
 }  // namespace
-
-std::vector<double> load_accelerations(motion::LoopRecord const& record, motion::MovePhase phase, bool back) {
-  std::vector<double> found;
-  for (auto const& cycle : record.cycles) {
-    if (cycle.phase == phase && cycle.back == back) found.push_back(cycle.load_acceleration);
-  }
-  if (phase == motion::MovePhase::rest) found.resize(found.size() / 3);
-  return found;
-}
 
 std::pair<double, double> oscillation_band(double cycle_seconds) {
   return {4, std::min(200.0, 0.4 / cycle_seconds)};

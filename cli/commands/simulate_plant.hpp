@@ -34,11 +34,6 @@ struct PlantRun {
 [[nodiscard]] PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked,
                                  bool searches_kv);
 
-/// The load's acceleration in one phase, there or back. For a rest only the first third counts: the oscillation left by
-/// braking.
-[[nodiscard]] std::vector<double> load_accelerations(motion::LoopRecord const& record,
-                                                     motion::MovePhase phase, bool back);
-
 /// The band of frequencies in which oscillations are looked for, in Hz.
 [[nodiscard]] std::pair<double, double> oscillation_band(double cycle_seconds);
 

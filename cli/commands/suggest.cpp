@@ -14,6 +14,7 @@
 #include "cli/options/quantities.hpp"
 #include "cli/plots/picture_output.hpp"
 #include "cli/sentences.hpp"
+#include "cli/suggestion/damping_formats.hpp"
 #include "cli/suggestion/measured_resonances.hpp"
 #include "cli/suggestion/resonance_words.hpp"
 #include "cli/suggestion/suggest_figure.hpp"
@@ -28,20 +29,25 @@ namespace axisc::cli::says {
 constexpr Sentence purpose{
     R"(Suggests filters for an axis whose mechanics swing at a known frequency. Every setting that the control has is
 compared by the runtime's own answer: three remain, each with what it does to vibration, delay and contour beside
-the present setting, the lines for every axis of the channel and the #FILTER command.)",
+the present setting, the lines for every axis of the channel and the #FILTER command. With --plant the settings of
+Improved Position Control are compared as well, in the simulated position loop of the axis: suggestion 4.)",
     R"(Schlägt Filter für eine Achse vor, deren Mechanik bei einer bekannten Frequenz schwingt. Jede Einstellung, die
 die Steuerung kennt, wird an der Antwort der Laufzeit selbst gemessen: drei bleiben, jede mit Schwingung, Verzögerung
-und Kontur neben der jetzigen Einstellung, den Zeilen für jede Achse des Kanals und dem #FILTER-Befehl.)"};
+und Kontur neben der jetzigen Einstellung, den Zeilen für jede Achse des Kanals und dem #FILTER-Befehl. Mit --plant
+werden auch die Einstellungen der optimierten Lageregelung verglichen, im simulierten Lageregelkreis der Achse:
+Vorschlag 4.)"};
 constexpr Sentence examples{R"(Examples:
   axisc suggest machine.json --axis X --resonance 48Hz
   axisc suggest machine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
   axisc suggest machine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest machine.json --axis X --measured torque-velocity.csv)",
+  axisc suggest machine.json --axis X --measured torque-velocity.csv
+  axisc suggest machine.json --axis X --resonance 53Hz,11Hz --plant plant.json)",
                             R"(Beispiele:
   axisc suggest maschine.json --axis X --resonance 48Hz
   axisc suggest maschine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
   axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv)"};
+  axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv
+  axisc suggest maschine.json --axis X --resonance 53Hz,11Hz --plant strecke.json)"};
 constexpr Sentence option_axis{"the axis that swings", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
@@ -56,6 +62,9 @@ constexpr Sentence option_out{"column of its output (velocity, or position)",
 constexpr Sentence one_source{"name either --resonance or --measured",
                               "entweder --resonance oder --measured angeben"};
 constexpr Sentence of_measured{"--in and --out belong to --measured", "--in und --out gehören zu --measured"};
+constexpr Sentence option_plant{
+    "drive and mechanics of the axis (JSON): compare Improved Position Control too",
+    "Antrieb und Mechanik der Achse (JSON): auch die optimierte Lageregelung vergleichen"};
 constexpr Sentence option_tolerance{"allowed axis error in mm, on the circle and as AX_DEV (default: 0.01)",
                                     "erlaubter Achsfehler in mm, auf dem Kreis und als AX_DEV (Standardwert: "
                                     "0.01)"};
@@ -70,10 +79,16 @@ constexpr Sentence option_picture{
     "also draw the settings: FILE.svg, FILE.html; - draws an SVG instead of the text",
     "die Einstellungen auch zeichnen: DATEI.svg, DATEI.html; - zeichnet ein SVG statt "
     "des Texts"};
-constexpr Sentence option_apply{"write suggestion 1, 2 or 3 into the lists",
-                                "Vorschlag 1, 2 oder 3 in die Listen schreiben"};
-constexpr Sentence bad_apply{"--apply needs 1, 2 or 3, not \"{value}\"",
-                             "--apply braucht 1, 2 oder 3, nicht \"{value}\""};
+constexpr Sentence option_apply{"write suggestion 1, 2, 3 or, with --plant, 4 into the lists",
+                                "Vorschlag 1, 2, 3 oder, mit --plant, 4 in die Listen schreiben"};
+constexpr Sentence bad_apply{"--apply needs 1, 2, 3 or 4, not \"{value}\"",
+                             "--apply braucht 1, 2, 3 oder 4, nicht \"{value}\""};
+constexpr Sentence apply_needs_plant{"--apply 4 is Improved Position Control: it needs --plant",
+                                     "--apply 4 ist die optimierte Lageregelung: dafür --plant angeben"};
+constexpr Sentence nothing_to_apply{"there is no suggestion {number} to write",
+                                    "es gibt keinen Vorschlag {number}, der geschrieben werden könnte"};
+constexpr Sentence nothing_to_draw{"there is nothing to draw: no filters are suggested",
+                                   "es gibt nichts zu zeichnen: es werden keine Filter vorgeschlagen"};
 constexpr Sentence not_editable{"{file} cannot be edited: write the lines into it by hand",
                                 "{file} kann nicht bearbeitet werden: die Zeilen von Hand eintragen"};
 constexpr Sentence not_named{
@@ -123,8 +138,8 @@ namespace {
 enum class Format : std::uint8_t { text, json };
 
 struct SuggestOptions {
-  std::optional<std::string> machine, axis, resonance, measured, in, out, tolerance, feed, radius, cycle_time,
-      apply;
+  std::optional<std::string> machine, axis, resonance, measured, in, out, plant, tolerance, feed, radius,
+      cycle_time, apply;
   PictureTarget picture;
   std::optional<tuning::Goal> goal;
   Format format = Format::text;
@@ -138,6 +153,7 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
   command_line.value("--measured", "FILE.csv", options.measured, says::option_measured);
   command_line.value("--in", "COLUMN", options.in, says::option_in);
   command_line.value("--out", "COLUMN", options.out, says::option_out);
+  command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
   command_line.value("--tolerance", "MM", options.tolerance, says::option_tolerance);
   command_line.value("--feed", "MM_PER_MIN", options.feed, says::option_feed);
   command_line.value("--radius", "MM", options.radius, says::option_radius);
@@ -214,35 +230,42 @@ tuning::Task task_of(SuggestOptions const& options, Wishes const& wishes, Sugges
           .readings = subject.loaded.readings};
 }
 
-void say_nothing_helps(NoSuggestion const& none, Wishes const& wishes, Invocation const& invocation) {
+/// A warning where something else helps.
+void say_nothing_helps(NoSuggestion const& none, Wishes const& wishes, bool is_error,
+                       Invocation const& invocation) {
   bool const keeps = none.keeps > 0;
   constexpr double percent = 100;
-  invocation.streams.err.write(
-      Failure({.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
-               .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
-                             {"tolerance", format_exact(wishes.tolerance_mm)},
-                             {"radius", format_exact(wishes.radius_mm)},
-                             {"feed", format_rounded(wishes.feed, 6)},
-                             {"left", format_rounded(none.least_vibration * percent, 3)}}})
-          .line(invocation.language));
+  Message const message{.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
+                        .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
+                                      {"tolerance", format_exact(wishes.tolerance_mm)},
+                                      {"radius", format_exact(wishes.radius_mm)},
+                                      {"feed", format_rounded(wishes.feed, 6)},
+                                      {"left", format_rounded(none.least_vibration * percent, 3)}}};
+  invocation.streams.err.write(is_error ? Failure(message).line(invocation.language)
+                                        : warning_line(message, invocation.language));
 }
 
-/// Index of the alternative that --apply names.
-std::optional<std::size_t> applied(std::optional<std::string> const& word) {
+/// Number of the suggestion that --apply names.
+std::optional<std::size_t> applied(std::optional<std::string> const& word, bool has_plant) {
   if (!word) return std::nullopt;
   auto const number = parse_count(*word);
-  if (number && *number >= 1 && *number <= tuning::senses) return *number - 1;
-  throw Failure({.sentence = says::bad_apply, .arguments = {{"value", *word}}});
+  if (!number || *number < 1 || *number > damping_number) {
+    throw Failure({.sentence = says::bad_apply, .arguments = {{"value", *word}}});
+  }
+  if (*number == damping_number && !has_plant) {
+    throw Failure({.sentence = says::apply_needs_plant, .arguments = {}});
+  }
+  return *number;
 }
 
 /// Every list or none: what was written is taken back where a later one cannot be.
-void apply(Alternative const& alternative, std::size_t number, std::string const& named,
-           Invocation const& invocation) {
-  auto const& [original, edited, refused] = alternative.edits;
+void apply(ListEdits const& edits, std::vector<std::string> const& findings, std::size_t number,
+           std::string const& named, Invocation const& invocation) {
+  auto const& [original, edited, refused] = edits;
   if (refused) throw Failure({.sentence = says::not_editable, .arguments = {{"file", *refused}}});
-  if (!alternative.findings.empty()) {
+  if (!findings.empty()) {
     std::string codes;
-    for (auto const& code : alternative.findings) codes += (codes.empty() ? "" : ", ") + code;
+    for (auto const& code : findings) codes += (codes.empty() ? "" : ", ") + code;
     throw Failure({.sentence = says::has_findings,
                    .arguments = {{"number", std::to_string(number)}, {"codes", codes}}});
   }
@@ -284,7 +307,7 @@ ExitStatus suggest(Invocation const& invocation) {
   if (!options.measured && (options.in || options.out)) {
     throw Failure({.sentence = says::of_measured, .arguments = {}});
   }
-  auto const chosen = applied(options.apply);
+  auto const chosen = applied(options.apply, options.plant.has_value());
   options.picture.check();
   Wishes const wishes{.tolerance_mm = positive("--tolerance", options.tolerance, 0.01),
                       .feed = positive("--feed", options.feed, 4000),
@@ -306,6 +329,7 @@ ExitStatus suggest(Invocation const& invocation) {
   if (options.picture.path) {
     auto inputs = checked->files;
     if (options.measured) inputs.push_back(*options.measured);
+    if (options.plant) inputs.push_back(*options.plant);
     refuse_overwriting({*options.picture.path}, inputs);
   }
   auto const axis = axis_named(machine, *options.axis);
@@ -333,24 +357,52 @@ ExitStatus suggest(Invocation const& invocation) {
   } else {
     resonances = read_resonances(*options.resonance, machine.cycle_time);
   }
-  auto answer = suggestion_for(subject, task_of(options, wishes, subject, std::move(resonances), invocation));
+  auto const task = task_of(options, wishes, subject, std::move(resonances), invocation);
+  std::optional<DampingAnswer> damping;
+  if (options.plant) damping = damping_for(subject, task, *options.plant);
+  auto& out = invocation.streams.out;
+  bool const wants_json = options.format == Format::json;
+  auto const apply_damping = [&]() {
+    if (!damping->damping()) {
+      throw Failure({.sentence = says::nothing_to_apply, .arguments = {{"number", std::to_string(*chosen)}}});
+    }
+    apply(damping->edits, damping->findings, *chosen, *options.machine, invocation);
+  };
+
+  auto answer = suggestion_for(subject, task);
   if (auto const* const none = std::get_if<NoSuggestion>(&answer)) {
-    say_nothing_helps(*none, wishes, invocation);
-    return ExitStatus::findings;
+    say_nothing_helps(*none, wishes, !damping || !damping->damping(), invocation);
+    if (!damping) return ExitStatus::findings;
+    if (options.picture.path) throw Failure({.sentence = says::nothing_to_draw, .arguments = {}});
+    out.write(wants_json ? suggest_json(subject, *none, *damping, task)
+                         : damping_text(*damping, subject, task, invocation.language));
+    if (!damping->damping()) return ExitStatus::findings;
+    if (!chosen) return ExitStatus::success;
+    out.flush();
+    if (*chosen != damping_number) {
+      throw Failure({.sentence = says::nothing_to_apply, .arguments = {{"number", std::to_string(*chosen)}}});
+    }
+    apply_damping();
+    return ExitStatus::success;
   }
   auto& suggestion = std::get<Suggestion>(answer);
   if (options.measured) suggestion.measured = std::move(measured);
   if (options.picture.path != "-") {
-    invocation.streams.out.write(options.format == Format::json
-                                     ? suggest_json(suggestion)
-                                     : suggest_text(suggestion, invocation.language));
+    out.write(wants_json ? suggest_json(suggestion, damping ? &*damping : nullptr)
+                         : suggest_text(suggestion, invocation.language));
+    if (damping && !wants_json) out.write("\n" + damping_text(*damping, subject, task, invocation.language));
   }
   if (options.picture.path) {
     write_picture(suggest_figure(suggestion, invocation.language), options.picture, invocation);
   }
   if (!chosen) return ExitStatus::success;
-  invocation.streams.out.flush();
-  apply(suggestion.alternatives[*chosen], *chosen + 1, *options.machine, invocation);
+  out.flush();
+  if (*chosen == damping_number) {
+    apply_damping();
+  } else {
+    auto const& alternative = suggestion.alternatives[*chosen - 1];
+    apply(alternative.edits, alternative.findings, *chosen, *options.machine, invocation);
+  }
   return ExitStatus::success;
 }
 

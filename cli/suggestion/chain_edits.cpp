@@ -144,17 +144,17 @@ AxisLines lines_of(validator::LoadedMachine const& machine, std::size_t axis, tu
   return found;
 }
 
-ListEdits edit_lists(validator::LoadedMachine const& machine, std::vector<std::size_t> const& axes,
-                     SourceSet const& sources, tuning::Chain const& chain, machine::KernelFamily family) {
+ListEdits edit_lists(validator::LoadedMachine const& machine, LinesByAxis const& lines,
+                     SourceSet const& sources) {
   ListEdits edits;
   FixBatch batch(sources);
   std::deque<Fix> fixes;
   std::set<std::size_t> written;
-  for (auto const axis : axes) {
+  for (auto const& [axis, wanted] : lines) {
     auto const list = machine.axes[axis].list;
     if (!written.insert(list).second) continue;
     auto const& source = sources[machine.lists[list].list.source];
-    fixes.push_back(fix_of(machine, axis, sources, lines_of(machine, axis, chain, family).lines));
+    fixes.push_back(fix_of(machine, axis, sources, wanted));
     if (fixes.back().edits.empty()) continue;
     if (source.is_translation() || !batch.add(fixes.back())) {
       return {.original = {}, .edited = {}, .refused = source.name()};
@@ -165,6 +165,13 @@ ListEdits edit_lists(validator::LoadedMachine const& machine, std::vector<std::s
     edits.edited.insert_or_assign(sources[source.source].name(), std::move(source.bytes));
   }
   return edits;
+}
+
+ListEdits edit_lists(validator::LoadedMachine const& machine, std::vector<std::size_t> const& axes,
+                     SourceSet const& sources, tuning::Chain const& chain, machine::KernelFamily family) {
+  LinesByAxis lines;
+  for (auto const axis : axes) lines.emplace_back(axis, lines_of(machine, axis, chain, family).lines);
+  return edit_lists(machine, lines, sources);
 }
 
 }  // namespace axisc::cli

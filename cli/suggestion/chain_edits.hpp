@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axisc::cli {
@@ -30,6 +31,12 @@ struct ListEdits {
   std::optional<std::string>
       refused;  ///< a list that cannot be edited in its notation; then nothing is edited
 };
+
+/// The lines of some axes, by index.
+using LinesByAxis = std::vector<std::pair<std::size_t, std::vector<tuning::ListLine>>>;
+
+[[nodiscard]] ListEdits edit_lists(validator::LoadedMachine const& machine, LinesByAxis const& lines,
+                                   SourceSet const& sources);
 
 [[nodiscard]] ListEdits edit_lists(validator::LoadedMachine const& machine,
                                    std::vector<std::size_t> const& axes, SourceSet const& sources,

@@ -1,4 +1,5 @@
 #include "cli/report/json_text.hpp"
+#include "cli/suggestion/damping_formats.hpp"
 #include "cli/suggestion/suggest_formats.hpp"
 #include "motion/point.hpp"
 
@@ -50,18 +51,34 @@ ordered_json alternative_json(Suggestion const& suggestion, std::size_t index) {
   json.update(setting_json(suggestion, alternative.setting));
   json["command"] = alternative.command ? ordered_json(*alternative.command) : ordered_json(nullptr);
   json["findings"] = alternative.findings;
-  json["axes"] = ordered_json::array();
-  for (auto const& axis : alternative.axes) {
-    ordered_json lines = ordered_json::array();
-    for (auto const& [name, value] : axis.lines) lines.push_back({{"name", name}, {"value", value}});
-    json["axes"].push_back({{"axis", axis.axis}, {"list", axis.list}, {"lines", std::move(lines)}});
-  }
+  json["axes"] = axes_json(alternative.axes);
   return json;
 }
 
 }  // namespace
 
-std::string suggest_json(Suggestion const& suggestion) {
+ordered_json axes_json(std::vector<AxisLines> const& axes) {
+  ordered_json json = ordered_json::array();
+  for (auto const& axis : axes) {
+    ordered_json lines = ordered_json::array();
+    for (auto const& [name, value] : axis.lines) lines.push_back({{"name", name}, {"value", value}});
+    json.push_back({{"axis", axis.axis}, {"list", axis.list}, {"lines", std::move(lines)}});
+  }
+  return json;
+}
+
+std::string suggest_json(SuggestionSubject const& subject, NoSuggestion const& none,
+                         DampingAnswer const& damping, tuning::Task const& task) {
+  auto const& machine = subject.machine;
+  return json_document({{"version", 1},
+                        {"axis", machine.axes[subject.axis].name},
+                        {"group", machine.groups[subject.group].name},
+                        {"settings_compared", none.looked_at},
+                        {"alternatives", ordered_json::array()},
+                        {"position_control", damping_json(damping, task)}});
+}
+
+std::string suggest_json(Suggestion const& suggestion, DampingAnswer const* damping) {
   ordered_json json{{"version", 1},
                     {"axis", suggestion.axis},
                     {"group", suggestion.group},
@@ -94,6 +111,7 @@ std::string suggest_json(Suggestion const& suggestion) {
   for (std::size_t i = 0; i < tuning::senses; ++i) {
     json["alternatives"].push_back(alternative_json(suggestion, i));
   }
+  if (damping != nullptr) json["position_control"] = damping_json(*damping, suggestion.task);
   return json_document(json);
 }
 

@@ -79,14 +79,6 @@ std::string say(Language language, SentenceRef text, std::vector<Argument> argum
   return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
-std::string resonances_text(tuning::Task const& task) {
-  std::string text;
-  for (auto const& resonance : task.resonances) {
-    text += (text.empty() ? "" : ", ") + format_rounded(resonance.frequency, 4) + " Hz";
-  }
-  return text;
-}
-
 std::string micrometres(double units) {
   return fmt::format("{:.2f}", units / motion::units_per_um);
 }
@@ -153,26 +145,6 @@ class Table {
   Rows rows_;
 };
 
-/// Axes that get the same lines stand together.
-std::string fragments_text(std::vector<AxisLines> const& axes) {
-  std::string text;
-  std::vector<bool> told(axes.size());
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    if (told[i]) continue;
-    std::string names;
-    for (std::size_t k = i; k < axes.size(); ++k) {
-      if (axes[k].lines != axes[i].lines) continue;
-      told[k] = true;
-      names += (names.empty() ? "" : ", ") + axes[k].axis + " (" + axes[k].list + ")";
-    }
-    text += "  " + names + ":\n";
-    std::size_t width = 0;
-    for (auto const& line : axes[i].lines) width = std::max(width, line.name.size());
-    for (auto const& line : axes[i].lines) text += "    " + padded(line.name, width + 4) + line.value + "\n";
-  }
-  return text;
-}
-
 std::string alternative_text(Suggestion const& suggestion, std::size_t index, Language language) {
   auto const& alternative = suggestion.alternatives[index];
   auto const sense = static_cast<tuning::Sense>(index);
@@ -198,6 +170,33 @@ std::string alternative_text(Suggestion const& suggestion, std::size_t index, La
 }
 
 }  // namespace
+
+std::string resonances_text(tuning::Task const& task) {
+  std::string text;
+  for (auto const& resonance : task.resonances) {
+    text += (text.empty() ? "" : ", ") + format_rounded(resonance.frequency, 4) + " Hz";
+  }
+  return text;
+}
+
+std::string fragments_text(std::vector<AxisLines> const& axes) {
+  std::string text;
+  std::vector<bool> told(axes.size());
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (told[i]) continue;
+    std::string names;
+    for (std::size_t k = i; k < axes.size(); ++k) {
+      if (axes[k].lines != axes[i].lines) continue;
+      told[k] = true;
+      names += (names.empty() ? "" : ", ") + axes[k].axis + " (" + axes[k].list + ")";
+    }
+    text += "  " + names + ":\n";
+    std::size_t width = 0;
+    for (auto const& line : axes[i].lines) width = std::max(width, line.name.size());
+    for (auto const& line : axes[i].lines) text += "    " + padded(line.name, width + 4) + line.value + "\n";
+  }
+  return text;
+}
 
 std::string sense_name(tuning::Sense sense, Language language) {
   switch (sense) {

@@ -2,15 +2,12 @@
 
 #include "cli/execution/group_chains.hpp"
 #include "cli/files/path_machine.hpp"
-#include "diagnostics/fingerprint.hpp"
+#include "cli/suggestion/new_findings.hpp"
 #include "motion/feed_limits.hpp"
-#include "validator/check.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 
 namespace axisc::cli {
 
@@ -25,20 +22,6 @@ Chain chain_of(machine::AxisConfiguration const& axis) {
   for (auto const& filter : axis.filters) chain.filters.push_back(filter.specification);
   if (axis.kernel) chain.kernel = axis.kernel->specification;
   return chain;
-}
-
-/// The group's axes, then gantry slaves that follow one of them.
-std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject) {
-  auto const& machine = subject.machine;
-  auto axes = machine.groups[subject.group].axes;
-  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-    auto const& master = machine.axes[i].gantry_master;
-    auto const contains = [&](std::size_t axis) {
-      return std::find(axes.begin(), axes.end(), axis) != axes.end();
-    };
-    if (master && contains(*master) && !contains(i)) axes.push_back(i);
-  }
-  return axes;
 }
 
 machine::Machine with_chain(machine::Machine machine, std::vector<std::size_t> const& axes,
@@ -83,28 +66,20 @@ double programmed_tolerance(tuning::Task const& task, machine::Machine const& ma
   return machine.inch ? std::floor(mm / mm_per_inch * millionths) / millionths : mm;
 }
 
-using Counts = std::map<Identity, std::size_t>;
-
-Counts findings_of(SuggestionSubject const& subject, EditedBytes const& edited) {
-  EditedFiles files(edited, false);
-  SourceSet sources;
-  Counts counts;
-  static_cast<void>(
-      validator::check(files, subject.path, options_for(subject.job, subject.path), sources,
-                       [&](Finding const& finding) { ++counts[identity_of(finding, sources)]; }));
-  return counts;
-}
-
-std::vector<std::string> new_findings(Counts const& before, Counts const& after) {
-  std::set<std::string> codes;
-  for (auto const& [identity, count] : after) {
-    auto const known = before.find(identity);
-    if (known == before.end() || known->second < count) codes.insert(code_text(identity.code));
-  }
-  return {codes.begin(), codes.end()};
-}
-
 }  // namespace
+
+std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject) {
+  auto const& machine = subject.machine;
+  auto axes = machine.groups[subject.group].axes;
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    auto const& master = machine.axes[i].gantry_master;
+    auto const contains = [&](std::size_t axis) {
+      return std::find(axes.begin(), axes.end(), axis) != axes.end();
+    };
+    if (master && contains(*master) && !contains(i)) axes.push_back(i);
+  }
+  return axes;
+}
 
 std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& subject, tuning::Task task) {
   auto const enumeration = tuning::enumerate(task);
@@ -134,7 +109,7 @@ std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& s
     found.present = Setting{.chain = present, .figures = tuning::Judge(task).figures(response)};
     predict(*found.present, machine, subject, task);
   }
-  auto const before = findings_of(subject, {});
+  NewFindings const findings(subject.path, subject.job);
   for (std::size_t i = 0; i < tuning::senses; ++i) {
     auto const& [chain, figures, is_clean] = choice->chosen[i];
     auto& alternative = found.alternatives[i];
@@ -145,7 +120,7 @@ std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& s
     }
     alternative.edits = edit_lists(subject.loaded, axes, subject.sources, chain, task.family);
     if (!alternative.edits.refused) {
-      alternative.findings = new_findings(before, findings_of(subject, alternative.edits.edited));
+      alternative.findings = findings.of(alternative.edits.edited);
     }
     alternative.command = tuning::filter_command(chain, task.family, programmed_tolerance(task, machine));
   }

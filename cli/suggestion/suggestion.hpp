@@ -58,6 +58,9 @@ struct SuggestionSubject {
   std::size_t axis = 0;
 };
 
+/// The group's axes, then gantry slaves that follow one of them.
+[[nodiscard]] std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject);
+
 /// None where nothing the control has helps: then `looked_at` and `keeps` say how many settings there are, and how many keep the
 /// tolerance on the circle.
 struct NoSuggestion {

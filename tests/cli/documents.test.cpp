@@ -89,6 +89,7 @@ TEST_CASE("the page about a controller's folder shows the machine of the sample"
 TEST_CASE("the page about suggestions shows what its commands print") {
   TemporaryFolder const folder;
   fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/resonance", folder / "try");
+  fs::copy(std::string(AXISC_SOURCE_DIR) + "/samples/motion/rack", folder / "try/rack");
   check_golden("docs/suggest.md", executed(read_source_file("docs/suggest.md"), folder / "try"));
 }
 

@@ -87,6 +87,32 @@ TEST_CASE("the dead time passes before a command is felt") {
   CHECK(plant.motion().motor_velocity > 0);
 }
 
+TEST_CASE("a plant without teeth moves as one whose teeth are perfect but for nothing") {
+  auto parameters = two_masses();
+  parameters.structure_mass = 300;
+  parameters.structure_frequency = 12;
+  parameters.structure_damping = 0.02;
+  parameters.velocity_reset_time = 0.02;
+  for (double const dead_time : {0.0, 0.00025, 0.001, 0.0023125}) {
+    INFO(dead_time);
+    parameters.dead_time = dead_time;
+    auto toothed = parameters;
+    toothed.tooth_pitch = 0.01;
+    toothed.transmission_error = 1e-18;
+    Plant linear(parameters, 0.001);
+    Plant integrated(toothed, 0.001);
+    for (int n = 0; n < 500; ++n) {
+      double const velocity = n < 200 ? std::sin(0.05 * n) : 0;
+      linear.step(velocity);
+      integrated.step(velocity);
+      CHECK(linear.motion().load_position == Approx(integrated.motion().load_position).margin(1e-12));
+      CHECK(linear.motion().structure_velocity ==
+            Approx(integrated.motion().structure_velocity).margin(1e-10));
+      CHECK(linear.motion().load_acceleration == Approx(integrated.motion().load_acceleration).margin(1e-8));
+    }
+  }
+}
+
 TEST_CASE("the load ends where the setpoint does") {
   auto host = runtime(0.01, 40);
   auto const record = simulate_loop(host, move_of(100), two_masses(), false);

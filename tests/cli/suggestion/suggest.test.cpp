@@ -139,7 +139,7 @@ TEST_CASE(
 TEST_CASE("suggest refuses what it cannot answer") {
   TemporaryFolder const folder;
   auto const there = sample(folder);
-  CHECK(suggest(there, {"--apply", "4"}).status == 2);
+  CHECK(suggest(there, {"--apply", "5"}).status == 2);
   CHECK(suggest(there, {"--feed", "0"}).status == 2);
   CHECK(run_axisc({"suggest", "machine.json", "--axis", "Q", "--resonance", "48Hz"}, there).status == 2);
   for (std::string const bad : {"", "48Hz,", "500Hz", "x", "48:1", "48:0", "1,2,3,4", "0.5"}) {

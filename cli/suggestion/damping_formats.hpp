@@ -1,0 +1,20 @@
+// Output formats of what `axisc suggest --plant` says about Improved Position Control.
+#pragma once
+
+#include "cli/suggestion/damping.hpp"
+#include "diagnostics/message.hpp"
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace axisc::cli {
+
+/// What follows the filters.
+[[nodiscard]] std::string damping_text(DampingAnswer const& answer, SuggestionSubject const& subject,
+                                       tuning::Task const& task, Language language);
+
+/// The value of `position_control`.
+[[nodiscard]] nlohmann::ordered_json damping_json(DampingAnswer const& answer, tuning::Task const& task);
+
+}  // namespace axisc::cli
