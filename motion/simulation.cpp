@@ -89,8 +89,11 @@ void Simulation::stop(double cycles) {
 void Simulation::rest(double cycles) {
   look_ahead_.stop();
   last_.velocity = 0;
-  for (auto const& answer : answers_) cycles = std::max(cycles, answer.delay + answer.reach);
+  if (!settled_) {
+    for (auto const& answer : answers_) cycles = std::max(cycles, answer.delay + answer.reach);
+  }
   for (double n = 0; n < cycles && !failure_; n += 1) step(last_);
+  settled_ = true;
 }
 
 /// The path stops, and the filters settle.
@@ -141,6 +144,7 @@ void Simulation::close_blocks_before(std::uint64_t index) {
 void Simulation::sample(Point const& setpoint, double velocity, PathBlock const& block) {
   if (failure_) return;
   open_block(block);
+  settled_ = false;
   last_.nominal = setpoint;
   last_.velocity = velocity;
   last_.block = block.index;

@@ -101,6 +101,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   Interpolator interpolator_;
   LookAhead look_ahead_;
   ContourPoint last_{};  ///< the setpoint that was given last
+  bool settled_ = true;  ///< the filters have come to rest there
   double tolerance_ = 0;
   double acceleration_factor_ = 1;
   PassSummary pass_;

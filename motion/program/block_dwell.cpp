@@ -5,9 +5,6 @@ namespace axisc::motion::says {
 constexpr Sentence cannot_simulate_dwell{
     "G04 needs a time in seconds, up to a day: `G04 X1.5`",
     "G04 braucht eine Zeit in Sekunden, höchstens einen Tag: `G04 X1.5`"};
-constexpr Sentence cannot_simulate_beside_dwell{
-    "`{word}` cannot be simulated here: a dwell (G04) needs a block of its own",
-    "`{word}` ist hier nicht simulierbar: eine Verweilzeit (G04) braucht einen eigenen Satz"};
 
 }  // namespace axisc::motion::says
 

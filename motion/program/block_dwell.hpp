@@ -19,7 +19,6 @@ class BlockDwell {
   [[nodiscard]] bool has_time() const { return seconds_.has_value(); }
   /// A second number is refused.
   void take(Token const& token, double seconds);
-  void forget() { word_.reset(); }
   /// Behind the last word: the path stops for so long. A G04 without a number is refused.
   void finish();
 

@@ -25,6 +25,8 @@ class BlockMotion {
   void take_arc_word(Token const& token, char letter, double value);
   /// F, in the program's unit.
   void take_feed(Token const& token, double value);
+  /// Words since the last move() say where to.
+  [[nodiscard]] bool moves() const { return moves_; }
   /// What the words so far ask for goes to the listener.
   void move();
 

@@ -105,17 +105,15 @@ std::size_t BlockWords::take_assignment(std::size_t at) {
   if (name == "LL" || name == "L") return take_call(at);
   std::string_view const behind = at + 1 < tokens.size() ? block_.text(tokens[at + 1]) : std::string_view();
   bool const is_word = state_.channel.axis(name) || is_one_of("FIJKRS", name);
-  bool const is_variable =
-      name.starts_with("V.P.") || (name.size() > 1 && name.front() == 'P' && whole_number(name.substr(1)));
   bool const is_assignment = behind == "=" && at + 2 < tokens.size();
-  if (!(is_assignment && (is_word || is_variable)) && !(behind == "[" && is_word)) {
+  if (!(is_assignment && (is_word || is_variable(name))) && !(behind == "[" && is_word)) {
     refuse(token);
     return tokens.size();
   }
   std::uint32_t place = tokens[is_assignment ? at + 2 : at + 1].span.begin;
   auto const value = state_.variables.value_at(place, block_, token, state_.problems);
   if (!value) return tokens.size();
-  if (is_variable) {
+  if (is_variable(name)) {
     state_.variables[name] = *value;
   } else {
     take_value(token, name, *value);
@@ -128,10 +126,11 @@ std::size_t BlockWords::take_call(std::size_t at) {
   Token const& token = block_.tokens[at];
   if (block_.text(token) == "L") {
     refuse(token, says::cannot_simulate_file);
+  } else if (dwell_.is_open() || outcome_.returns) {
+    refuse(token, says::cannot_simulate_here);
   } else {
     motion_.move();
     if (!state_.problems.refused()) outcome_.call = at;
-    dwell_.forget();
   }
   return block_.tokens.size();
 }
@@ -157,7 +156,7 @@ void BlockWords::take_g(Token const& token, std::string_view digits) {
     case FunctionMeaning::nothing:
       return;
     case FunctionMeaning::dwell:
-      return dwell_.begin(token);
+      return motion_.moves() ? refuse(token, says::cannot_simulate_beside_dwell) : dwell_.begin(token);
     case FunctionMeaning::exact_stop:
       return motion_.set_exact_stop();
     case FunctionMeaning::ignored:

@@ -60,9 +60,9 @@ void ProgramFlow::execute(NcBlock const& block) {
 
 void ProgramFlow::take_control(NcBlock const& block) {
   auto const word = block.control();
-  if (word == "$BREAK" && depth_ > 0) {
+  if (word == "$BREAK" && loops_ > 0) {
     leaves_ = Leaves::loop;
-  } else if (word == "$CONTINUE" && depth_ > 0) {
+  } else if (word == "$CONTINUE" && loops_ > 0) {
     leaves_ = Leaves::round;
   } else {
     refuse(block, says::cannot_simulate_here);
@@ -80,7 +80,9 @@ void ProgramFlow::call(NcBlock const& block, std::size_t at) {
   if (subprogram == nullptr) return state_.problems.refuse(block, word, says::cannot_simulate_call);
   if (depth_ >= deepest) return state_.problems.refuse(block, word, says::cannot_simulate_depth);
   ++calls_;
+  auto const loops = std::exchange(loops_, 0);
   run(*subprogram);
+  loops_ = loops;
   --calls_;
   leaves_ = Leaves::nothing;
 }
@@ -118,7 +120,9 @@ void ProgramFlow::run_loop(KeptBlocks loop) {
   while (goes_on()) {
     count_repeated(opening);
     if (!goes_on() || !rounds.begins()) return;
+    ++loops_;
     run(loop.subspan(1, loop.size() - 2));
+    --loops_;
     if (leaves_ == Leaves::subprogram || !goes_on()) return;
     if (std::exchange(leaves_, Leaves::nothing) == Leaves::loop) return;
     if (!rounds.goes_on()) return;

@@ -48,6 +48,7 @@ class ProgramFlow {
   Leaves leaves_ = Leaves::nothing;
   int depth_ = 0;  ///< of loops and subprograms that are executed
   int calls_ = 0;  ///< subprograms that are executed
+  int loops_ = 0;  ///< that are executed in the innermost of them
   std::uint64_t repeated_ = 0;
 };
 

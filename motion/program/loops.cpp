@@ -70,9 +70,8 @@ bool LoopRounds::count(std::size_t at) {
     if (!opening_.lines.substr(place - opening_.offset).starts_with(',')) break;
     ++place;
   }
-  bool const is_variable = name.starts_with("V.P.") || name.front() == 'P';
   auto const [first, last, step] = numbers;
-  if (!is_variable || given < 2 || tokens.back().span.begin >= place || step == 0) {
+  if (!is_variable(name) || given < 2 || tokens.back().span.begin >= place || step == 0) {
     problems_.refuse(opening_, word, says::cannot_simulate_here);
     return false;
   }

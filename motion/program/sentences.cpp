@@ -8,6 +8,9 @@ constinit Sentence const cannot_simulate{
     "`{word}` ist nicht simulierbar: es würde die Bahn oder die Filter ändern"};
 constinit Sentence const cannot_simulate_here{"`{word}` cannot be simulated here",
                                               "`{word}` ist hier nicht simulierbar"};
+constinit Sentence const cannot_simulate_beside_dwell{
+    "`{word}` cannot be simulated here: a dwell (G04) needs a block of its own",
+    "`{word}` ist hier nicht simulierbar: eine Verweilzeit (G04) braucht einen eigenen Satz"};
 constinit Sentence const cannot_simulate_open{"`{word}` is not closed", "`{word}` wird nicht geschlossen"};
 constinit Sentence const cannot_simulate_depth{
     "`{word}`: loops and subprograms are nested too deeply",

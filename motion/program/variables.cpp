@@ -1,8 +1,7 @@
 #include "motion/program/variables.hpp"
 
 #include "grammar/expression.hpp"
-
-#include <string_view>
+#include "motion/program/numbers.hpp"
 
 namespace axisc::motion::says {
 
@@ -15,6 +14,11 @@ constexpr Sentence cannot_simulate_expression{
 }  // namespace axisc::motion::says
 
 namespace axisc::motion {
+
+bool is_variable(std::string_view name) {
+  if (name.starts_with("V.P.")) return true;
+  return name.starts_with('P') && whole_number(name.substr(1)).has_value();
+}
 
 std::optional<double> ProgramVariables::value_at(std::uint32_t& place, NcBlock const& block,
                                                  Token const& token, ProgramProblems& problems) const {

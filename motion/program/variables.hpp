@@ -8,8 +8,12 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace axisc::motion {
+
+/// P1, V.P.NAME.
+[[nodiscard]] bool is_variable(std::string_view name);
 
 class ProgramVariables {
  public:

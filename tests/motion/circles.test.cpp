@@ -179,6 +179,19 @@ TEST_CASE("a dwell lasts as long as it says") {
   CHECK(run(0, "G01 X10 F6000\nG04 F0.5\nX20\n").passes.at(0).cycles == found.passes[0].cycles);
 }
 
+TEST_CASE("filters settle once where the path stops") {
+  // 10 mm at 100 mm/s and 10 m/s²: 110 cycles; 41 taps have settled 40 cycles later. A dwell begins with the stop of its own,
+  // or when an exact stop is over.
+  auto const cycles = [](std::string const& program) { return run(40, program).passes.at(0).cycles; };
+  CHECK(cycles("G01 X10 F6000\n") == 110 + 40);
+  CHECK(cycles("G60 G01 X10 F6000\n") == 110 + 40);
+  CHECK(cycles("G09 G01 X10 F6000\nG09\n") == 110 + 40);
+  CHECK(cycles("G01 X10 F6000\nG04 X0.01\n") == 110 + 40);
+  CHECK(cycles("G01 X10 F6000\nG04 X0.5\n") == 110 + 500);
+  CHECK(cycles("G09 G01 X10 F6000\nG04 X0.5\n") == 110 + 40 + 500);
+  CHECK(cycles("G09 G01 X10 F6000\nG04 X0.01\n") == 110 + 40 + 10);
+}
+
 TEST_CASE("an exact stop leaves no deviation at a corner") {
   std::string const end = "\nY10\n";
   CHECK(run(40, "G01 X10 F6000" + end).passes.at(0).deviation > 100);

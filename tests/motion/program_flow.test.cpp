@@ -72,6 +72,11 @@ TEST_CASE("a subprogram runs wherever it is called") {
   CHECK(follow("L OTHER.nc\n").problems == Problems{"1:1 L"});
   // A file may be a subprogram as a whole.
   CHECK(places("X1\nM17\nX2\n") == places("X1\nM30\n"));
+  // One mistake gives one message.
+  CHECK(follow("X1 LL NONE\n").problems == Problems{"1:1 X1"});
+  // What would be lost beside a call.
+  CHECK(follow("%L A\nM17\n%MAIN\nG04 X1 LL A\n").problems == Problems{"4:8 LL"});
+  CHECK(follow("%L A\nM17\n%L B\nM17 LL A\n%MAIN\nLL B\n").problems == Problems{"4:5 LL"});
   CHECK(follow("%L A\nLL A\nM17\n%MAIN\nLL A\n").problems == Problems{"2:1 LL"});
 }
 
@@ -86,6 +91,10 @@ TEST_CASE("loops repeat their blocks") {
                "4\n$BREAK\n$ENDIF\nX=P1\n$ENDFOR\nX9\n") == Places{1, 3, 9});
   CHECK(places("%L A\n$FOR P1 = 1, 5\n$IF P1 == 3\nM17\n$ENDIF\nX=P1\n$ENDFOR\nM17\n%MAIN\nLL A\nX9\n") ==
         Places{1, 2, 9});
+  // $BREAK leaves loops, not subprograms.
+  CHECK(follow("%L A\n$BREAK\nM17\n%MAIN\nLL A\n").problems == Problems{"2:1 $BREAK"});
+  CHECK(follow("%L A\n$CONTINUE\nM17\n%MAIN\n$FOR P1 = 1, 2\nLL A\n$ENDFOR\n").problems ==
+        Problems{"2:1 $CONTINUE"});
   CHECK(places("$FOR P1 = 1, 2\n#FILTER OFF\nX=P1\n$ENDFOR\n") == Places{-1, 1, -1, 2});
 }
 
@@ -111,6 +120,7 @@ TEST_CASE("what cannot be decided or does not end is refused with its place") {
   CHECK(follow("$IF 1\n").problems == Problems{"1:1 $IF"});
   CHECK(follow("$FOR P1=1,3\n$ENDWHILE\n").problems == Problems{"1:1 $FOR"});
   CHECK(follow("$WHILE 1\n$ENDWHILE\n").problems == Problems{"1:1 $WHILE"});
+  CHECK(follow("$FOR PX=1,3\n$ENDFOR\n").problems == Problems{"1:1 $FOR"});
   CHECK(follow("$FOR P1=1,3\nG54\n$ENDFOR\n").problems == Problems{"2:1 G54"});
   CHECK(follow("P1=" + std::string(100, '[') + "1" + std::string(100, ']') + "\n").problems.size() == 1);
 }

@@ -125,6 +125,7 @@ TEST_CASE("a word that could only count by leaving out another one is refused") 
   CHECK(interpret("G02 F60 X1 I1 I0.5\n").problems == Lines{"1:15 AX9008 I0.5"});
   CHECK(interpret("G02 F60 X1 R1 R2\n").problems == Lines{"1:15 AX9008 R2"});
   CHECK(interpret("G04 X1 X2\n").problems == Lines{"1:8 AX9008 X2"});
+  CHECK(interpret("G01 F60 X1 G04 X2\n").problems == Lines{"1:12 AX9008 G04"});
   CHECK(interpret("G01 F60 X1\nX2\nG02 X3 R1\nX4 R1\n").problems.empty());
   CHECK(interpret("G00 G01 F60 X1\n").problems == Lines{"1:5 AX9008 G01"});
   CHECK(interpret("G90 G01 F60 X1 G91\n").problems == Lines{"1:16 AX9008 G91"});

@@ -1,0 +1,22 @@
+%REFUSED (each of these blocks would change the path or the filters in a way that is not simulated)
+N10 G41 D1
+N20 G42 D1
+N30 G54
+N40 G55
+N50 G56
+N60 G57
+N70 G58
+N80 G59
+N90 G92 X5
+N100 G159
+N110 #CS ON [0,0,0,0,0,45]
+N120 #ACS ON
+N130 #TRAFO ON
+N140 #HSC ON
+N150 #SLOPE [TYPE=HSC]
+N160 #VIB GUARD ON
+N170 L OTHER.nc
+N180 $GOTO N10
+N190 P1=V.A.ABS.X
+N200 G00 G01 X1
+N210 M30

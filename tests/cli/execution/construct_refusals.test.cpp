@@ -1,0 +1,44 @@
+// Which constructs of NC programs a simulation ignores, and which it refuses.
+#include "constructs.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace axisc::test;
+
+namespace {
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string_view::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("constructs: comments, skipped blocks and words without meaning for the path") {
+  auto const found = simulated_construct("ignored.nc");
+  check_times(found, {{"N20", rest_to_rest(10)}, {"N40", rest_to_rest(10)}, {"N50", rest_to_rest(10)}});
+  auto const warned = run_construct("ignored.nc", {}).err;
+  CHECK(count(warned, "warning[AX9007]") == 4);
+  for (std::string const word : {"such as `S8000`", "`G08`", "`A90`", "`#CONTOUR`"}) {
+    CHECK(count(warned, word) == 1);
+  }
+}
+
+TEST_CASE("constructs: what would change the path is refused by name") {
+  auto const outcome = run_construct("refused.nc", {});
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.empty());
+  std::vector<std::string> const words = {"`G41`",        "`G42`",  "`G54`",    "`G55`",  "`G56`",
+                                          "`G57`",        "`G58`",  "`G59`",    "`G92`",  "`G159`",
+                                          "`#CS`",        "`#ACS`", "`#TRAFO`", "`#HSC`", "`#SLOPE`",
+                                          "`#VIB GUARD`", "`L`",    "`$GOTO`",  "`G01`"};
+  for (auto const& word : words) CHECK(count(outcome.err, "error[AX9008]: " + word) == 1);
+  // Each block once, in its line; N190 P1=V.A.ABS.X is refused as something that cannot be computed.
+  CHECK(count(outcome.err, "error[AX9008]") == words.size() + 1);
+  for (int line = 2; line <= 21; ++line) {
+    CHECK(count(outcome.err, "refused.nc:" + std::to_string(line) + ":") == 1);
+  }
+}
