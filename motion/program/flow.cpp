@@ -73,7 +73,7 @@ void ProgramFlow::take_control(NcBlock const& block) {
 void ProgramFlow::call(NcBlock const& block, std::size_t at) {
   std::string_view name;
   if (at + 1 < block.tokens.size()) {
-    name = block.text({.begin = block.tokens[at + 1].span.begin, .end = block.tokens.back().span.end});
+    name = block.text(Span{.begin = block.tokens[at + 1].span.begin, .end = block.tokens.back().span.end});
   }
   Token const& word = block.tokens[at];
   auto const* const subprogram = subprograms_.find(name);
