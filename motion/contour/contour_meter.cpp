@@ -23,7 +23,7 @@ void ContourMeter::begin(std::span<ChainAnswer const> answers, Point const& posi
   delay_ = whole ? std::optional(static_cast<std::uint64_t>(earliest)) : std::nullopt;
   reach = std::min(reach, longest_reach);
   reach_ = static_cast<std::uint64_t>(reach);
-  middle_ = static_cast<std::int64_t>((earliest + latest) / 2);
+  ahead_ = static_cast<std::int64_t>((earliest + latest) / 2);
   from_ = static_cast<std::int64_t>(std::floor(earliest) - reach) - 1;
   to_ = static_cast<std::int64_t>(std::ceil(latest) + reach) + 1;
   auto const needed = static_cast<std::uint64_t>(to_ - std::min<std::int64_t>(from_, 0)) + reach_ + 4;
@@ -78,13 +78,14 @@ void ContourMeter::measure(ContourPoint const& point) {
   auto const newest = static_cast<std::int64_t>(cycles_) - 1;
   auto const last = std::min(cycle + to_, newest);
   auto const first = std::min(std::max(cycle + from_, static_cast<std::int64_t>(path_.oldest())), last);
-  auto const likely = std::clamp(cycle + middle_, first, last);
-  auto const nearest = path_.nearest(point.nominal, static_cast<std::uint64_t>(first),
-                                     static_cast<std::uint64_t>(likely), static_cast<std::uint64_t>(last));
+  auto const likely = std::clamp(cycle + ahead_, first, last);
+  auto const found = path_.nearest(point.nominal, static_cast<std::uint64_t>(first),
+                                   static_cast<std::uint64_t>(likely), static_cast<std::uint64_t>(last));
+  ahead_ = static_cast<std::int64_t>(found.cycle) - cycle;
   MeasuredPoint measured{.point = point,
                          .filtered = path_.at(point.cycle),
-                         .axis_error = nearest.away,
-                         .deviation = nearest.distance(),
+                         .axis_error = found.point.away,
+                         .deviation = found.point.distance(),
                          .lag = point.is_corner ? std::nullopt : lag_of(point)};
   for (auto& error : measured.axis_error) error = std::abs(error);
   sink_.measured(measured);

@@ -82,7 +82,7 @@ class ContourMeter {
   FilteredPath path_;
   std::vector<Setpoint> setpoints_;  ///< as many as the path keeps
   std::uint64_t mask_ = 0;
-  std::int64_t middle_ = 0;             ///< cycles from a point to where it is likely to be nearest
+  std::int64_t ahead_ = 0;              ///< cycles from a point to where the path is likely to be nearest
   std::int64_t from_ = 0, to_ = 1;      ///< surroundings of a point in the filtered path, in cycles behind it
   bool alike_delays_ = true;            ///< the chains do nothing but delay all axes alike
   std::optional<std::uint64_t> delay_;  ///< the same whole number in all axes

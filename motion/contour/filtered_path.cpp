@@ -41,6 +41,7 @@ struct FilteredPath::Search {
   FilteredPath const& path;
   Point const& point;
   NearestPoint found{};
+  std::uint64_t found_behind = 0;
   double within = 0;  ///< distance of what was found, with room for rounding
 
   [[nodiscard]] double away(std::uint64_t cycle) const {
@@ -49,7 +50,9 @@ struct FilteredPath::Search {
   void look_at(std::uint64_t a, std::uint64_t b) {
     double const before = found.squared;
     found.consider(point, path.passed(a).point, path.passed(b).point, path.axes_);
-    if (found.squared < before) within = found.distance() + rounding_of_ways;
+    if (found.squared >= before) return;
+    found_behind = a;
+    within = found.distance() + rounding_of_ways;
   }
   /// From cycle `a`, `d` away, to the later cycle `b`, `e` away.
   void look_between(std::uint64_t a, double d, std::uint64_t b, double e) {
@@ -80,15 +83,15 @@ struct FilteredPath::Search {
   }
 };
 
-NearestPoint FilteredPath::nearest(Point const& point, std::uint64_t first, std::uint64_t likely,
-                                   std::uint64_t last) const {
+FilteredPath::Nearest FilteredPath::nearest(Point const& point, std::uint64_t first, std::uint64_t likely,
+                                            std::uint64_t last) const {
   Search search{.path = *this, .point = point};
   likely = std::clamp(likely, first, last);
   auto const behind = std::min(likely + 1, last);
   search.look_at(likely, behind);
   search.look_towards(behind, last);
   search.look_towards(likely, first);
-  return search.found;
+  return {.point = search.found, .cycle = search.found_behind};
 }
 
 }  // namespace axisc::motion

@@ -23,10 +23,15 @@ class FilteredPath {
   [[nodiscard]] std::uint64_t end() const { return end_; }
   [[nodiscard]] Point const& at(std::uint64_t cycle) const { return passed_[cycle & mask_].point; }
 
+  struct Nearest {
+    NearestPoint point;
+    std::uint64_t cycle = 0;  ///< behind which it lies
+  };
+
   /// The nearest point of the path between two cycles. Exact wherever `likely` lies between them, and quick where the
   /// nearest point is close to it: distances are computed for a logarithm of the cycles.
-  [[nodiscard]] NearestPoint nearest(Point const& point, std::uint64_t first, std::uint64_t likely,
-                                     std::uint64_t last) const;
+  [[nodiscard]] Nearest nearest(Point const& point, std::uint64_t first, std::uint64_t likely,
+                                std::uint64_t last) const;
 
  private:
   struct Passed {
