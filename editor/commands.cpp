@@ -35,7 +35,9 @@ Json Server::execute(Json const& params) {
                       .language = surroundings_.language};
   for (std::size_t i = 1; i < arguments.size(); ++i) subject.words.push_back(arguments[i].get<std::string>());
   auto page = found->page(subject);
-  return {{"title", std::move(page.title)}, {"html", std::move(page.html)}};
+  return {{"title", std::move(page.title)},
+          {"html", std::move(page.html)},
+          {"scripts", std::move(page.script_digests)}};
 }
 
 std::optional<std::string> Server::axis_of(Document const& document) {

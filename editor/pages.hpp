@@ -15,6 +15,9 @@ namespace axisc::editor {
 struct Page {
   std::string title;
   std::string html;  ///< a whole document
+  /// Of its inline scripts, as a content security policy names them. They come from the program, not from the document:
+  /// a script that got into it from a list has none.
+  std::vector<std::string> script_digests = {};
 };
 
 /// What a page is about.

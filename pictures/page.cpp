@@ -60,12 +60,18 @@ pre{background:var(--panel);padding:.6rem .8rem;overflow-x:auto;font-size:13px}
 }
 
 std::string zoom_part(Language language) {
+  std::string text = "<footer><details><summary>" +
+                     escaped(render({.sentence = says::zoomed_by, .arguments = {}}, language)) +
+                     "</summary><pre tabindex=\"0\">";
+  text.append(escaped(plotting_licence())).append("</pre></details></footer>\n<script>");
+  return text.append(page_script(language)).append("</script>\n");
+}
+
+std::string page_script(Language language) {
   auto const say = [language](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language);
   };
-  std::string text =
-      "<footer><details><summary>" + escaped(say(says::zoomed_by)) + "</summary><pre tabindex=\"0\">";
-  text.append(escaped(plotting_licence())).append("</pre></details></footer>\n<script>\n");
+  std::string text = "\n";
   text.append(plotting_script()).append("\n").append(zoom_script());
   text += "zoomAll({";
   for (auto const& [key, sentence] : {std::pair("zoom", SentenceRef(says::zoom)),
@@ -77,7 +83,7 @@ std::string zoom_part(Language language) {
                                       {"keys", says::zoom_keys}}) {
     text.append(key).append(": \"").append(say(sentence)).append("\", ");
   }
-  return text + "});\n</script>\n";
+  return text + "});\n";
 }
 
 std::string table_element(Table const& table) {

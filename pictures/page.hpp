@@ -24,4 +24,7 @@ namespace axisc::pictures {
 /// The end of a page's body: what zooms, and its licence.
 [[nodiscard]] std::string zoom_part(Language language);
 
+/// The script in it, from tag to tag. It depends on nothing but the language.
+[[nodiscard]] std::string page_script(Language language);
+
 }  // namespace axisc::pictures

@@ -1,6 +1,7 @@
 #include "cli/commands/lsp_pages.hpp"
 
 #include "cli/checking/compilable.hpp"
+#include "cli/commands/script_digest.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/path_machine.hpp"
@@ -79,13 +80,17 @@ class PagesOfMachine {
       shown.machine = &*result_.machine;
       shown.plots.emplace(plots(std::nullopt));
     }
-    return {.title = say(says::title_report), .html = report_page(shown)};
+    return {.title = say(says::title_report),
+            .html = report_page(shown),
+            .script_digests = {script_digest(pictures::page_script(language_))}};
   }
 
   [[nodiscard]] Page plot(std::string const& kind) {
     require_image();
     auto const figure = figure_of(kind);
-    return {.title = figure.title, .html = pictures::page(figure, language_)};
+    return {.title = figure.title,
+            .html = pictures::page(figure, language_),
+            .script_digests = {script_digest(pictures::page_script(language_))}};
   }
 
   /// Of a default list each axis by its name. The reason where there is no figure.

@@ -16,7 +16,7 @@ function middleware(): Middleware {
     // A page that a command returns is shown, whether the palette or a code lens called it.
     executeCommand: async (command, args, next) => {
       const answer: unknown = await next(command, args);
-      if (isPage(answer)) await show(command, answer);
+      if (isPage(answer)) show(command, answer);
       return answer;
     },
   };

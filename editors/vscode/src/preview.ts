@@ -4,8 +4,8 @@ import { guarded, type Page } from './page';
 const panels = new Map<string, vscode.WebviewPanel>();
 
 /** Shows a page beside the text; each command has one panel. */
-export async function show(command: string, page: Page): Promise<void> {
-  const html = await guarded(page.html);
+export function show(command: string, page: Page): void {
+  const html = guarded(page);
   let panel = panels.get(command);
   if (panel === undefined) {
     panel = vscode.window.createWebviewPanel(

@@ -41,16 +41,25 @@ test('the program is found as a shell finds it', async (t) => {
   assert.equal(find('other', '.com;.exe'), `${path.join(second, 'other')}.exe`);
 });
 
-test('a page runs its own scripts and nothing else', async (t) => {
+test('a page runs the scripts that the server names and nothing else', async (t) => {
   const { module } = await load(t, 'page.ts');
   const script = 'zoom();\n';
-  const html = await module.guarded(`<!doctype html><html lang="en"><head><title>x</title></head><body><script>${script}</script></body></html>`);
-  const digest = createHash('sha256').update(script).digest('base64');
-  assert.match(html, /<head><meta http-equiv="Content-Security-Policy" content="default-src 'none';/);
-  assert.ok(html.includes(`script-src 'sha256-${digest}'"`));
-  assert.ok(!html.includes("script-src 'unsafe-inline'"));
-  assert.ok((await module.guarded('<svg></svg>')).includes("script-src 'none'"));
-  assert.ok((await module.guarded('<svg></svg>')).endsWith('<body><svg></svg></body></html>'));
+  const digest = `sha256-${createHash('sha256').update(script).digest('base64')}`;
+  const page = (scripts) => ({
+    title: 'x',
+    html: `<!doctype html><html lang="en"><head><title>x</title></head><body><script>alert(1)</script><script>${script}</script></body></html>`,
+    scripts,
+  });
+  const policy = (given) => /content="([^"]*)"/.exec(module.guarded(given))[1];
+  assert.match(module.guarded(page([digest])), /<head><meta http-equiv="Content-Security-Policy" content="default-src 'none';/);
+  assert.ok(policy(page([digest])).endsWith(`; script-src '${digest}'`));
+  // What the page contains decides nothing.
+  assert.ok(policy(page(undefined)).endsWith("; script-src 'none'"));
+  for (const other of ["unsafe-inline'", '*', `${digest}' *; img-src '${digest}`, `${digest}\n`, '', 1, null]) {
+    assert.ok(policy(page([other])).endsWith("; script-src 'none'"), String(other));
+  }
+  const picture = module.guarded({ title: 'x', html: '<svg></svg>' });
+  assert.ok(picture.includes("script-src 'none'") && picture.endsWith('<body><svg></svg></body></html>'));
   assert.ok(module.isPage({ title: 'a', html: 'b' }));
-  for (const other of [null, undefined, 1, 'text', {}, { html: 1, title: 'a' }]) assert.ok(!module.isPage(other));
+  for (const other of [null, undefined, 1, 'text', {}, { html: 1, title: 'a' }, { html: 'b', title: 'a', scripts: 'c' }]) assert.ok(!module.isPage(other));
 });

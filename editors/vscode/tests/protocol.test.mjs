@@ -2,6 +2,7 @@
 // parameters, clients that die.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { createHash } from 'node:crypto';
 import { once } from 'node:events';
 import { readFileSync } from 'node:fs';
 import { cp, mkdtemp, readFile, rm } from 'node:fs/promises';
@@ -260,6 +261,9 @@ test('commands answer with pages', wait, async (t) => {
       });
       assert.ok(page.title.length > 0);
       assert.match(page.html, /<(html|svg|pre|table)/);
+      const scripts = [...page.html.matchAll(/<script>([\s\S]*?)<\/script>/g)].map(([, script]) => script);
+      assert.equal(scripts.length, command === 'axisc.machine' ? 0 : 1);
+      assert.deepEqual(page.scripts, scripts.map((script) => `sha256-${createHash('sha256').update(script).digest('base64')}`));
     });
   }
   assert.equal(await server.end(), 0);
