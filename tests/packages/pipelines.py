@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Runs what pre-commit, the action for GitHub and the component for GitLab run: pipelines.py AXISC SOURCES."""
+import hashlib
 import json
 import os
 import re
@@ -36,6 +37,31 @@ def make_archive(folder):
     return archive
 
 
+def digest_of(file):
+    with open(file, "rb") as bytes_of_file:
+        return hashlib.sha256(bytes_of_file.read()).hexdigest()
+
+
+def refusals(folder, archive):
+    """Ways in which an archive is not the one that was meant: the archive, the digest that is given, what is said of it."""
+    alone = f"{folder}/alone.tar.xz"
+    shutil.copy(archive, alone)
+    damaged = f"{folder}/damaged.tar.xz"
+    shutil.copy(archive, damaged)
+    with open(f"{damaged}.sha256", "w", encoding="utf-8") as file:
+        file.write(f"{digest_of(archive)}  {os.path.basename(archive)}\n")
+    with open(damaged, "ab") as file:
+        file.write(b"more")
+    empty = f"{folder}/empty.tar.xz"
+    shutil.copy(archive, empty)
+    with open(f"{empty}.sha256", "w", encoding="utf-8"):
+        pass
+    other = "0" * 64
+    return [(alone, "", "no digest"), (damaged, "", "does not have the SHA-256"), (empty, "", "does not have the SHA-256"),
+            (archive, other, "does not have the SHA-256"), (archive, digest_of(archive)[:63], "does not have the SHA-256"),
+            (archive, f"{other}\n{digest_of(archive)}", "does not have the SHA-256")]
+
+
 def github(folder, archive):
     with open(f"{SOURCES}/action.yml", encoding="utf-8") as file:
         action = yaml.safe_load(file)
@@ -50,9 +76,14 @@ def github(folder, archive):
         return {key: re.sub(r"\$\{\{ ([\w.]+) \}\}", lambda match: values[match[1]], text) for key, text in step["env"].items()}
 
     paths = f"{folder}/path"
+    for refused, digest, why in refusals(folder, archive):
+        shown = shell(install["run"], folder, 1, GITHUB_PATH=paths, **environment(install, archive=refused, sha256=digest))
+        assert why in shown, shown
+        assert not os.path.exists(f"{folder}/axisc") and not os.path.exists(paths), (refused, digest)
+    shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=f"{folder}/alone.tar.xz", sha256=digest_of(archive)))
     shell(install["run"], folder, GITHUB_PATH=paths, **environment(install, archive=archive))
     with open(paths, encoding="utf-8") as file:
-        path = file.read().strip()
+        path = file.read().split()[-1]
     assert os.path.samefile(path, f"{folder}/axisc/bin")
     shown = shell(check["run"], folder, path=path, **environment(check, paths="good.lis\n", options="--cycle-time\n1ms\n"))
     assert "::error" not in shown, shown
@@ -60,7 +91,7 @@ def github(folder, archive):
     assert "::error file=bad.lis,line=1" in shown, shown
     with open(f"{folder}/found.sarif", encoding="utf-8") as file:
         assert json.load(file)["version"] == "2.1.0"
-    print("GitHub: installed, checked")
+    print("GitHub: refused, installed, checked")
 
 
 def gitlab(folder, archive):
@@ -68,16 +99,25 @@ def gitlab(folder, archive):
         text = file.read()
     header, body = yaml.safe_load_all(text)
     inputs = {name: (row or {}).get("default") for name, row in header["spec"]["inputs"].items()}
-    for list_name, status in (("good.lis", 0), ("bad.lis", 1)):
-        given = {**inputs, "archive": archive, "paths": list_name, "options": "--cycle-time 1ms"}
-        filled = re.sub(r"\$\[\[ inputs\.(\w+) \]\]", lambda match: given[match[1]], text.split("---\n")[1])
+
+    def run(status, **given):
+        given = {**inputs, "options": "--cycle-time 1ms", **given}
+        filled = re.sub(r"\$\[\[ inputs\.(\w+) \]\]", lambda match: json.dumps(given[match[1]]) if match[1] == "sha256" else given[match[1]],
+                        text.split("---\n")[1])
         job = yaml.safe_load(filled)["axisc-lint"]
         assert set(job) == set(body["axisc-lint"])
         script = "\n".join(job["script"]).replace("/tmp/axisc", f"{folder}/unpacked")
-        shell(script, folder, status, **job["variables"])
+        return job, shell(script, folder, status, **job["variables"])
+
+    for refused, digest, why in refusals(folder, archive):
+        _, shown = run(1, archive=refused, sha256=digest)
+        assert why in shown, shown
+        assert not os.path.exists(f"{folder}/unpacked"), (refused, digest)
+    for list_name, status in (("good.lis", 0), ("bad.lis", 1)):
+        job, _ = run(status, archive=archive, paths=list_name)
         with open(f"{folder}/{job['artifacts']['reports']['codequality']}", encoding="utf-8") as file:
             assert (len([row for row in json.load(file) if row["severity"] == "major"]) > 0) == (status == 1)
-    print("GitLab: installed, checked")
+    print("GitLab: refused, installed, checked")
 
 
 def pre_commit(folder):
@@ -112,6 +152,8 @@ with tempfile.TemporaryDirectory() as temporary:
         with open(f"{temporary}/{name}", "w", encoding="utf-8") as file:
             file.write(text)
     packed = make_archive(temporary)
+    with open(f"{packed}.sha256", "w", encoding="utf-8") as file:
+        file.write(f"{digest_of(packed)}  {os.path.basename(packed)}\n")
     github(temporary, packed)
     gitlab(temporary, packed)
     pre_commit(temporary)
