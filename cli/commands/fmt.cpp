@@ -26,9 +26,11 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Aligns the values and comments of axis lists. Order, comments, line ends and encoding stay, and what a list
-means never changes. Lines that cannot be read stay untouched.)",
+means never changes. Lines that cannot be read stay untouched. A file is replaced as a whole: other hard links to it
+keep the old text.)",
     R"(Richtet Werte und Kommentare von Achslisten aus. Reihenfolge, Kommentare, Zeilenenden und Zeichencodierung
-bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt.)"};
+bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt. Eine Datei wird als
+Ganzes ersetzt: andere Hardlinks auf sie behalten den alten Text.)"};
 constexpr Sentence examples{R"(Examples:
   axisc fmt x.lis                        aligns the list in place
   axisc fmt machine.json                 the lists of a machine that are in its folder or below
