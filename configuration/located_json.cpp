@@ -17,6 +17,8 @@ constexpr Sentence missing_comma{"a comma is missing before this", "davor fehlt 
 constexpr Sentence bare_word{
     "texts and keys are in double quotes; the only bare words are true, false and null",
     "Texte und SchlÃ¼ssel stehen in doppelten AnfÃ¼hrungszeichen; ohne stehen nur true, false und null"};
+constexpr Sentence too_deep{"JSON is read up to {most} nested brackets",
+                            "JSON wird bis zu {most} ineinandergeschachtelten Klammern gelesen"};
 
 }  // namespace axisc::configuration::says
 
@@ -152,7 +154,9 @@ class TreeBuilder {
   bool open(JsonKind kind) {
     JsonValue const* const value = add(kind);
     if (open_.size() >= deepest_json) {
-      error_ = JsonError{.span = value->span};
+      error_ = JsonError{.span = value->span,
+                         .reason = Message{.sentence = says::too_deep,
+                                           .arguments = {{"most", std::to_string(deepest_json)}}}};
       return false;
     }
     open_.push_back(document_.values.size() - 1);

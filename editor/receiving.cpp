@@ -1,3 +1,5 @@
+#include "configuration/json_nesting.hpp"
+#include "configuration/located_json.hpp"
 #include "editor/server.hpp"
 
 #include <array>
@@ -34,13 +36,33 @@ std::string error(Json const& id, ErrorCode code, std::string_view reason) {
       {{"jsonrpc", "2.0"}, {"id", id}, {"error", {{"code", static_cast<int>(code)}, {"message", reason}}}});
 }
 
+struct Received {
+  Json message;
+  bool is_too_deep = false;  ///< copying or writing the message, which recurses, could exhaust the stack
+};
+
+Received received(std::string_view text) {
+  return {.message = Json::parse(text, nullptr, false),
+          .is_too_deep = configuration::json_nesting(text) > configuration::deepest_json};
+}
+
+std::string refusal_of_deep(Json const& message) {
+  bool const is_request = message.is_object() && message.contains("method") && message.contains("id") &&
+                          !message["id"].is_structured();
+  return error(
+      is_request ? message["id"] : Json(), ErrorCode::invalid_request,
+      "the message is nested deeper than " + std::to_string(configuration::deepest_json) + " levels");
+}
+
 /// Where the requests of these ids are cancelled for the last time.
-std::map<std::string, std::size_t> cancellations(std::vector<Json> const& messages) {
+std::map<std::string, std::size_t> cancellations(std::vector<Received> const& messages) {
   static Json::json_pointer const id("/params/id");
   std::map<std::string, std::size_t> found;
   for (std::size_t i = 0; i < messages.size(); ++i) {
-    auto const& message = messages[i];
-    if (!message.is_object() || message.value("method", Json()) != "$/cancelRequest") continue;
+    auto const& message = messages[i].message;
+    if (messages[i].is_too_deep || !message.is_object() ||
+        message.value("method", Json()) != "$/cancelRequest")
+      continue;
     if (message.contains(id)) found[dump(message[id])] = i;
   }
   return found;
@@ -61,23 +83,28 @@ std::vector<std::string> Server::receive(std::string_view message) {
 }
 
 std::vector<std::string> Server::receive(std::span<std::string const> messages) {
-  std::vector<Json> parsed;
+  std::vector<Received> parsed;
   parsed.reserve(messages.size());
-  for (auto const& message : messages) parsed.push_back(Json::parse(message, nullptr, false));
+  for (auto const& message : messages) parsed.push_back(received(message));
   std::vector<std::string> answers;
   auto const cancelled = cancellations(parsed);
   auto const is_cancelled = [&](std::size_t at) {
-    auto const& request = parsed[at];
+    auto const& request = parsed[at].message;
     if (cancelled.empty() || !request.is_object() || !request.contains("id")) return false;
     auto const found = cancelled.find(dump(request["id"]));
     return request.contains("method") && found != cancelled.end() && found->second > at;
   };
   for (std::size_t i = 0; i < parsed.size() && !has_ended(); ++i) {
-    if (is_cancelled(i)) {
-      answers.push_back(error(parsed[i]["id"], ErrorCode::request_cancelled, "cancelled"));
+    auto const& message = parsed[i].message;
+    if (parsed[i].is_too_deep) {
+      answers.push_back(refusal_of_deep(message));
       continue;
     }
-    for (auto& answer : take(parsed[i])) answers.push_back(std::move(answer));
+    if (is_cancelled(i)) {
+      answers.push_back(error(message["id"], ErrorCode::request_cancelled, "cancelled"));
+      continue;
+    }
+    for (auto& answer : take(message)) answers.push_back(std::move(answer));
   }
   return answers;
 }

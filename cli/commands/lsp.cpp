@@ -1,5 +1,6 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/editor_session.hpp"
+#include "cli/failure.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
@@ -32,6 +33,12 @@ Exit status: 0 ended by the editor, 1 without a shutdown request, 2 input that i
   axisc lsp --cycle-time 2ms --lang en   was in den Einstellungen des Editors steht
 
 Rückgabewert: 0 vom Editor beendet, 1 ohne Anfrage nach dem Herunterfahren, 2 Eingabe, die nicht zum Protokoll gehört.)"};
+constexpr Sentence no_frame{
+    "standard input is not what an editor sends: a message of the language server protocol begins with "
+    "Content-Length: BYTES (at most {most}) and an empty line; let the editor start axisc lsp",
+    "die Standardeingabe ist nicht, was ein Editor schickt: eine Nachricht des Language-Server-Protokolls "
+    "beginnt mit Content-Length: BYTES (höchstens {most}) und einer Leerzeile; axisc lsp vom Editor starten "
+    "lassen"};
 
 }  // namespace axisc::cli::says
 
@@ -73,7 +80,10 @@ ExitStatus lsp(Invocation const& invocation) {
     if (!session->has_ended()) send(session->publish());
     invocation.streams.out.flush();
   }
-  if (frames.is_broken()) return ExitStatus::failure;
+  if (frames.is_broken()) {
+    throw Failure(
+        {.sentence = says::no_frame, .arguments = {{"most", std::to_string(editor::longest_message)}}});
+  }
   return session->ended_properly() ? ExitStatus::success : ExitStatus::findings;
 }
 

@@ -50,6 +50,37 @@ TEST_CASE("the language server refuses what it does not know by the numbers of t
   }
 }
 
+TEST_CASE("a message that is nested too deep is refused, wherever it is deep") {
+  for (std::size_t const levels : {65, 100'000}) {
+    std::string const deep = std::string(levels, '[') + std::string(levels, ']');
+    struct Case {
+      std::string message;
+      Json id;
+    };
+    std::vector<Case> const cases = {
+        {R"({"jsonrpc":"2.0","id":5,"method":"textDocument/hover","params":)" + deep + "}", 5},
+        {R"({"jsonrpc":"2.0","id":"a","method":"unknown","params":)" + deep + "}", "a"},
+        {R"({"jsonrpc":"2.0","id":)" + deep + R"(,"method":"textDocument/hover"})", nullptr},
+        {R"({"jsonrpc":"2.0","method":"$/cancelRequest","params":{"id":)" + deep + "}}", nullptr},
+        {R"({"jsonrpc":"2.0","id":"axisc.settings","result":[)" + deep + "]}", nullptr},
+        {R"({"jsonrpc":"2.0","method":"workspace/didChangeConfiguration","params":{"settings":{"axisc":)" +
+             deep + "}}}",
+         nullptr},
+        {deep, nullptr}};
+    for (auto const& each : cases) {
+      INFO(each.message.substr(0, 80) << " " << levels);
+      auto const refused = only_answer(each.message);
+      CHECK(refused["id"] == each.id);
+      CHECK(refused["error"]["code"] == -32600);
+      CHECK(refused["error"]["message"] == "the message is nested deeper than 64 levels");
+    }
+  }
+  // Brackets in texts nest nothing.
+  std::string const brackets(1000, '[');
+  CHECK(only_answer(R"({"jsonrpc":"2.0","id":5,"method":"unknown","params":["\"\\)" + brackets +
+                    R"("]})")["error"]["code"] == -32601);
+}
+
 TEST_CASE("the language server asks for initialize first") {
   auto const outcome =
       answer(framed(R"({"jsonrpc":"2.0","id":5,"method":"textDocument/diagnostic"})") + hello + farewell);
@@ -76,7 +107,9 @@ TEST_CASE("the exit status tells how a conversation ended") {
   CHECK(answer("").status == 1);
   CHECK(answer(hello + "Content-Length: 100\r\n\r\n{\"jsonrpc\":").status == 1);
   CHECK(answer(hello + "Content-Len").status == 1);
-  CHECK(answer("Content-Length: many\r\n\r\n{}").status == 2);
+  auto const broken = answer("Content-Length: many\r\n\r\n{}");
+  CHECK(broken.status == 2);
+  CHECK(broken.err.find("begins with Content-Length: BYTES (at most 1073741824)") != std::string::npos);
   CHECK(answer("Content-Length: -5\r\n\r\n{}").status == 2);
   CHECK(answer("Content-Length: 99999999999999999999\r\n\r\n{}").status == 2);
   CHECK(answer("Content-Type: x\r\n\r\n{}").status == 2);
