@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -23,6 +24,8 @@ constexpr Sentence project_sections{
     "the list in {element} is split into several CDATA sections and is not read; put it into one",
     "die Liste in {element} ist auf mehrere CDATA-Abschnitte verteilt und wird nicht gelesen; sie in einen "
     "fassen"};
+constexpr Sentence project_long{"{element} has more than {most} bytes and is not read; shorten it",
+                                "{element} hat mehr als {most} Bytes und wird nicht gelesen; kürzen"};
 
 }  // namespace axisc::configuration::says
 
@@ -47,6 +50,7 @@ bool is_of_machine(ListKind kind) {
 constexpr std::uint32_t nanoseconds_per_unit = 100;
 constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
 constexpr std::string_view interpolation_task = "GEO";
+constexpr std::uint32_t longest_text = 1000;  // of a name or a number, in bytes
 
 class ProjectReader {
  public:
@@ -82,7 +86,9 @@ class ProjectReader {
   struct Field {
     std::size_t element;  ///< to which it belongs
     std::string_view name;
-    Span value;
+    Span value;  ///< not empty
+
+    [[nodiscard]] std::pair<std::size_t, std::string_view> key() const { return {element, name}; }
   };
 
   struct Task {
@@ -100,35 +106,46 @@ class ProjectReader {
   /// Attributes, and elements that hold nothing but text.
   void gather_fields() {
     for (XmlAttribute const& attribute : document_.attributes) {
-      fields_.push_back({.element = attribute.element, .name = attribute.name, .value = attribute.value});
+      add_field({.element = attribute.element, .name = attribute.name, .value = attribute.value});
     }
     for (XmlElement const& element : document_.elements) {
       std::optional<Span> value = element.text;
       if (!value && element.cdata_sections.size() == 1) value = element.cdata_sections.front();
-      if (value) fields_.push_back({.element = element.parent, .name = element.name, .value = *value});
+      if (value) add_field({.element = element.parent, .name = element.name, .value = *value});
     }
     std::stable_sort(fields_.begin(), fields_.end(),
-                     [](Field const& a, Field const& b) { return a.element < b.element; });
+                     [](Field const& a, Field const& b) { return a.key() < b.key(); });
   }
 
-  [[nodiscard]] std::optional<LocatedText> field(std::size_t element, std::string_view name) const {
-    auto at = std::lower_bound(fields_.begin(), fields_.end(), element,
-                               [](Field const& each, std::size_t wanted) { return each.element < wanted; });
-    for (; at != fields_.end() && at->element == element; ++at) {
-      if (at->name != name || at->value.empty()) continue;
-      return LocatedText{.text = text_.utf8(at->value), .place = {.source = source_, .span = at->value}};
+  void add_field(Field const& each) {
+    if (!each.value.empty()) fields_.push_back(each);
+  }
+
+  [[nodiscard]] std::optional<LocatedText> field(std::size_t element, std::string_view name) {
+    auto const wanted = std::pair(element, name);
+    auto const at = std::lower_bound(fields_.begin(), fields_.end(), wanted,
+                                     [](Field const& each, auto const& key) { return each.key() < key; });
+    if (at == fields_.end() || at->key() != wanted) return std::nullopt;
+    // Each list beside a name gets a copy.
+    if (at->value.size() > longest_text) {
+      if (too_long_.insert(at->value.begin).second) {
+        refuse({.begin = at->value.begin, .end = at->value.begin},
+               {.sentence = says::project_long,
+                .arguments = {{"element", std::string(name)}, {"most", std::to_string(longest_text)}}});
+      }
+      return std::nullopt;
     }
-    return std::nullopt;
+    return LocatedText{.text = text_.utf8(at->value), .place = {.source = source_, .span = at->value}};
   }
 
   /// Beside the list, or beside the element that holds it.
-  [[nodiscard]] std::optional<LocatedText> beside(std::size_t element, std::string_view name) const {
+  [[nodiscard]] std::optional<LocatedText> beside(std::size_t element, std::string_view name) {
     std::size_t const parent = document_.elements[element].parent;
     auto found = field(parent, name);
     return found ? found : field(document_.elements[parent].parent, name);
   }
 
-  [[nodiscard]] std::optional<ListCount> count_beside(std::size_t element, std::string_view name) const {
+  [[nodiscard]] std::optional<ListCount> count_beside(std::size_t element, std::string_view name) {
     auto const text = beside(element, name);
     auto const number = text ? as_number(*text) : std::nullopt;
     if (!number) return std::nullopt;
@@ -185,7 +202,8 @@ class ProjectReader {
   SourceId source_;
   std::deque<Finding>& findings_;
   XmlDocument document_;
-  std::vector<Field> fields_;  ///< by element
+  std::vector<Field> fields_;         ///< by key(), of equal ones in the order of the file
+  std::set<std::uint32_t> too_long_;  ///< where texts begin that were refused
   std::vector<Task> tasks_;
   Project project_;
 };

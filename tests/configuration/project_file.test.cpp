@@ -72,6 +72,20 @@ TEST_CASE("an object without a name is called as its element, and an empty list 
   CHECK(read.project.lists.front().name.text == "SdaMds");
 }
 
+TEST_CASE("a name that is too long for a name is refused once, wherever it is wanted") {
+  std::string const longest(1000, 'X');
+  auto const lists = "<AchsMds><![CDATA[x 1]]></AchsMds><AchsMds><![CDATA[x 2]]></AchsMds></P>";
+  Read const kept("<P><ItemName>" + longest + "</ItemName>" + lists);
+  CHECK(kept.mistake() == "none");
+  CHECK(kept.project.lists.at(1).name.text == longest);
+  Read const refused("<P>\n<ItemName>" + longest + "X</ItemName>" + lists);
+  CHECK(refused.mistake() == "2:11 ItemName has more than 1000 bytes and is not read; shorten it");
+  CHECK(refused.mistakes.size() == 1);
+  CHECK(refused.project.lists.at(1).name.text == "AchsMds");
+  // Of no list.
+  CHECK(Read("<P><Q><ItemName>" + longest + "X</ItemName></Q>" + lists).mistake() == "none");
+}
+
 TEST_CASE("the cycle time is that of the task that interpolates, or the one on which all agree") {
   auto const cycle = [](std::string const& tasks) {
     Read const read("<P><AchsMds><![CDATA[x 1]]></AchsMds>" + tasks + "</P>");

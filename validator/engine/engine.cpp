@@ -111,27 +111,26 @@ class Engine {
     }
   }
 
-  /// The axis that alone uses a list; empty where several do.
-  [[nodiscard]] std::string_view owner_of(std::size_t list) const {
-    std::string_view owner;
-    bool found = machine_.default_list == list;
+  /// By list the axis that alone uses it; empty where several do.
+  [[nodiscard]] std::vector<std::string_view> owners() const {
+    std::vector<std::string_view> owners(machine_.lists.size());
+    std::vector<bool> used(machine_.lists.size());
+    if (machine_.default_list) used[*machine_.default_list] = true;
     for (LoadedAxis const& axis : machine_.axes) {
-      if (axis.list != list) continue;
-      if (found) return {};
-      found = true;
-      owner = axis.name;
+      owners[axis.list] = used[axis.list] ? std::string_view() : axis.name;
+      used[axis.list] = true;
     }
-    return owner;
+    return owners;
   }
 
   void run_list_checks() {
+    std::vector<std::string_view> const owner_of = owners();
     for (std::size_t i = 0; i < machine_.lists.size(); ++i) {
       LoadedList const& list = machine_.lists[i].list;
       ListContext const& context = list_contexts_.emplace_back(ListContext{list, sources_[list.source]});
-      std::string_view const owner = owner_of(i);
       for (Rule const& rule : rules_with<ListCheck>()) {
         if (!policy_.enabled(rule, list.source)) continue;
-        call(rule, std::get<ListCheck>(rule.check), context, owner, nullptr);
+        call(rule, std::get<ListCheck>(rule.check), context, owner_of[i], nullptr);
       }
     }
   }

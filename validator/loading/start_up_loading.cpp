@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -133,6 +134,7 @@ void Loader::load_compensations(StartUp& start_up) {
 /// Programs use the channel's name. Two axes never get one name.
 void Loader::name_axes(StartUp const& start_up) {
   std::set<std::string> taken;
+  std::map<std::string, std::size_t> numbered;  // by name the first number that may be free
   for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
     LoadedAxis& axis = machine_.axes[i];
     EffectiveValue const& number = axis.merged.values.at("kopf.achs_nr");
@@ -146,9 +148,8 @@ void Loader::name_axes(StartUp const& start_up) {
     }
     if (called != nullptr) name = called->text;
     std::string unique = name;
-    for (std::size_t count = 2; !taken.insert(unique).second; ++count) {
-      unique = name + "_" + std::to_string(count);
-    }
+    std::size_t& count = numbered.try_emplace(name, 2).first->second;
+    for (; !taken.insert(unique).second; ++count) unique = name + "_" + std::to_string(count);
     axis.name = std::move(unique);
   }
 }
