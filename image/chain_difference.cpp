@@ -50,15 +50,32 @@ std::vector<GainChange> compare_gains(ImageContents const& before, std::size_t o
 
 }  // namespace
 
-std::optional<ChainDifference> compare_chains(ImageAxisSide const& before, ImageAxisSide const& after) {
-  auto const& was = before.contents.axes[before.axis];
-  auto const& is = after.contents.axes[after.axis];
-  if (same_filtering(before.contents, was, after.contents, is)) return std::nullopt;
-  return ChainDifference{.before = chain_figures(before.image, before.contents, before.axis),
-                         .after = chain_figures(after.image, after.contents, after.axis),
-                         .gains = compare_gains(before.contents, before.axis, after.contents, after.axis),
-                         .reading_before = readings_of(before.contents, before.axis),
-                         .reading_after = readings_of(after.contents, after.axis)};
+std::vector<std::optional<ChainDifference>> compare_chains(ImageSide const& before, ImageSide const& after,
+                                                           std::span<AxesToCompare const> pairs) {
+  std::vector<std::optional<ChainDifference>> differences(pairs.size());
+  std::vector<std::size_t> differing;
+  std::vector<std::size_t> old_axes;
+  std::vector<std::size_t> new_axes;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    auto const& was = before.contents.axes[pairs[i].before];
+    auto const& is = after.contents.axes[pairs[i].after];
+    if (same_filtering(before.contents, was, after.contents, is)) continue;
+    differing.push_back(i);
+    old_axes.push_back(pairs[i].before);
+    new_axes.push_back(pairs[i].after);
+  }
+  if (differing.empty()) return differences;
+  auto const old_figures = chain_figures(before.image, before.contents, old_axes);
+  auto const new_figures = chain_figures(after.image, after.contents, new_axes);
+  for (std::size_t i = 0; i < differing.size(); ++i) {
+    differences[differing[i]] =
+        ChainDifference{.before = old_figures[i],
+                        .after = new_figures[i],
+                        .gains = compare_gains(before.contents, old_axes[i], after.contents, new_axes[i]),
+                        .reading_before = readings_of(before.contents, old_axes[i]),
+                        .reading_after = readings_of(after.contents, new_axes[i])};
+  }
+  return differences;
 }
 
 }  // namespace axisc::image

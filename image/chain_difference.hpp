@@ -23,14 +23,20 @@ struct ChainDifference {
   design::Readings reading_before, reading_after;
 };
 
-struct ImageAxisSide {
+/// An image that read_image() accepted.
+struct ImageSide {
   std::span<std::byte const> image;
   ImageContents const& contents;
-  std::size_t axis = 0;
 };
 
-/// None where both axes filter their setpoints alike: the same filters and taps at the same NC cycle time.
-[[nodiscard]] std::optional<ChainDifference> compare_chains(ImageAxisSide const& before,
-                                                            ImageAxisSide const& after);
+/// An axis of each side.
+struct AxesToCompare {
+  std::size_t before = 0, after = 0;
+};
+
+/// For each pair, of which no axis is in two; none where both axes filter their setpoints alike: the same filters and taps at
+/// the same NC cycle time. Cost: that of chain_figures() for all axes that differ, at once.
+[[nodiscard]] std::vector<std::optional<ChainDifference>> compare_chains(
+    ImageSide const& before, ImageSide const& after, std::span<AxesToCompare const> pairs);
 
 }  // namespace axisc::image

@@ -28,22 +28,6 @@ ImageKernel const* kernel_at_start(ImageContents const& contents, std::size_t ax
   return &contents.kernels[*slot->kernel];
 }
 
-/// Executes the chain of one axis from rest at 0; `setpoint(n)` from cycle 0 on.
-template <class Setpoint>
-std::vector<double> execute(RuntimeHost& host, std::size_t axis, std::uint64_t cycles, Setpoint setpoint) {
-  std::vector<double> in(host.axis_count(), 0);
-  std::vector<double> out(host.axis_count(), 0);
-  std::vector<double> result;
-  result.reserve(cycles);
-  static_cast<void>(host.reset_all(0));
-  for (std::uint64_t n = 0; n < cycles; ++n) {
-    in[axis] = setpoint(n);
-    static_cast<void>(host.step(in, out));
-    result.push_back(out[axis]);
-  }
-  return result;
-}
-
 /// Distance of the origin from the line between two points.
 double distance_to_origin(double x0, double y0, double x1, double y1) {
   double const dx = x1 - x0;
@@ -55,50 +39,120 @@ double distance_to_origin(double x0, double y0, double x1, double y1) {
 
 /// One axis ends a ramp in the corner while the other begins one. By superposition the ending ramp's answer is the endless
 /// ramp's, n - delay, less the beginning one's, r[n].
-double corner(std::vector<double> const& ramp, double delay) {
-  double nearest = delay;  // long before the corner the path lies on the first line
-  double x_before = -delay;
-  double y_before = 0;
-  for (std::size_t n = 0; n < ramp.size(); ++n) {
-    double const y = ramp[n];
-    double const x = static_cast<double>(n) - delay - y;
-    nearest = std::min(nearest, distance_to_origin(x_before, y_before, x, y));
-    x_before = x;
-    y_before = y;
+class Corner {
+ public:
+  explicit Corner(double delay) : delay_(delay), nearest_(delay), x_before_(-delay) {}
+
+  void take(std::uint64_t n, double ramp) {
+    double const y = ramp;
+    double const x = static_cast<double>(n) - delay_ - y;
+    nearest_ = std::min(nearest_, distance_to_origin(x_before_, y_before_, x, y));
+    x_before_ = x;
+    y_before_ = y;
   }
-  return nearest;
+  [[nodiscard]] double deviation() const { return nearest_; }
+
+ private:
+  double delay_;
+  double nearest_;  ///< long before the corner the path lies on the first line
+  double x_before_;
+  double y_before_ = 0;
+};
+
+/// One axis while the runtime executes.
+struct Followed {
+  std::size_t axis = 0;
+  std::optional<std::uint64_t> bound;  ///< of its settling; none beyond longest_settling
+  std::uint64_t cycles = 0;            ///< after which its answer is known
+  double dc_gain = 1;
+  std::uint64_t settled = 0;
+  double highest = 0;
+  Corner corner;
+};
+
+Followed followed(ImageContents const& contents, std::size_t axis) {
+  auto const chain = designs(contents.axes[axis]);
+  ImageKernel const* const kernel = kernel_at_start(contents, axis);
+  Followed each{.axis = axis,
+                .bound = design::step_figures(chain, longest_settling, settled_within / 10).settling_cycles,
+                .corner = Corner(contents.axes[axis].delay_cycles)};
+  each.cycles =
+      each.bound.value_or(longest_settling) + (kernel != nullptr ? kernel->design.tail_sums.size() : 0) + 1;
+  for (design::FilterDesign const& filter : chain) each.dc_gain *= filter.dc_gain;
+  return each;
+}
+
+/// Executes the chains of the axes at once, from rest at 0; `setpoint(n)` from cycle 0 on, `take(axis, n, answer)` for as
+/// many cycles as the axis wants. The axes come by falling numbers of cycles.
+template <class Setpoint, class Take>
+void execute(RuntimeHost& host, std::vector<Followed*> const& axes, Setpoint setpoint, Take take) {
+  std::vector<double> in(host.axis_count(), 0);
+  std::vector<double> out(host.axis_count(), 0);
+  static_cast<void>(host.reset_all(0));
+  std::size_t left = axes.size();
+  for (std::uint64_t n = 0;; ++n) {
+    while (left > 0 && axes[left - 1]->cycles <= n) --left;
+    if (left == 0) return;
+    for (std::size_t i = 0; i < left; ++i) in[axes[i]->axis] = setpoint(n);
+    static_cast<void>(host.step(in, out));
+    for (std::size_t i = 0; i < left; ++i) take(*axes[i], n, out[axes[i]->axis]);
+  }
+}
+
+ChainFigures figures_of(Followed const& each, double delay) {
+  ChainFigures figures{.delay_cycles = delay,
+                       .settling_cycles = std::nullopt,
+                       .overshoot = 0,
+                       .corner_deviation = std::nullopt};
+  if (each.bound) figures.settling_cycles = each.settled;
+  if (each.dc_gain > 0) figures.overshoot = std::max(0.0, (each.highest - each.dc_gain) / each.dc_gain);
+  if (each.dc_gain == 1) figures.corner_deviation = each.corner.deviation();
+  return figures;
 }
 
 }  // namespace
 
-ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
-                           std::size_t axis) {
-  ChainFigures figures{.delay_cycles = contents.axes[axis].delay_cycles,
-                       .settling_cycles = std::nullopt,
-                       .overshoot = 0,
-                       .corner_deviation = std::nullopt};
+std::vector<ChainFigures> chain_figures(std::span<std::byte const> image, ImageContents const& contents,
+                                        std::span<std::size_t const> axes) {
+  std::vector<ChainFigures> figures;
   auto host = RuntimeHost::create(image);
   auto* const runtime = std::get_if<RuntimeHost>(&host);
-  if (runtime == nullptr) return figures;
-  auto const chain = designs(contents.axes[axis]);
-  ImageKernel const* const kernel = kernel_at_start(contents, axis);
-  auto const bound = design::step_figures(chain, longest_settling, settled_within / 10).settling_cycles;
-  std::uint64_t const cycles =
-      bound.value_or(longest_settling) + (kernel != nullptr ? kernel->design.tail_sums.size() : 0) + 1;
+  if (runtime == nullptr) {
+    for (std::size_t const axis : axes) {
+      figures.push_back({.delay_cycles = contents.axes[axis].delay_cycles,
+                         .settling_cycles = std::nullopt,
+                         .overshoot = 0,
+                         .corner_deviation = std::nullopt});
+    }
+    return figures;
+  }
+  std::vector<Followed> all;
+  all.reserve(axes.size());
+  for (std::size_t const axis : axes) all.push_back(followed(contents, axis));
+  std::vector<Followed*> by_cycles;
+  for (Followed& each : all) by_cycles.push_back(&each);
+  std::stable_sort(by_cycles.begin(), by_cycles.end(),
+                   [](Followed const* a, Followed const* b) { return a->cycles > b->cycles; });
 
-  auto const step = execute(*runtime, axis, cycles, [](std::uint64_t) { return 1.0; });
-  double dc_gain = 1;
-  for (design::FilterDesign const& filter : chain) dc_gain *= filter.dc_gain;
-  std::uint64_t settled = cycles;
-  while (settled > 0 && std::abs(step[settled - 1] - dc_gain) <= settled_within) --settled;
-  if (bound) figures.settling_cycles = settled;
-  double const highest = *std::max_element(step.begin(), step.end());
-  if (dc_gain > 0) figures.overshoot = std::max(0.0, (highest - dc_gain) / dc_gain);
-  if (dc_gain == 1) {
-    auto const ramp = execute(*runtime, axis, cycles, [](std::uint64_t n) { return static_cast<double>(n); });
-    figures.corner_deviation = corner(ramp, figures.delay_cycles);
+  execute(
+      *runtime, by_cycles, [](std::uint64_t) { return 1.0; },
+      [](Followed& each, std::uint64_t n, double answer) {
+        if (!(std::abs(answer - each.dc_gain) <= settled_within)) each.settled = n + 1;
+        each.highest = n == 0 ? answer : std::max(each.highest, answer);
+      });
+  std::erase_if(by_cycles, [](Followed const* each) { return each->dc_gain != 1; });
+  execute(
+      *runtime, by_cycles, [](std::uint64_t n) { return static_cast<double>(n); },
+      [](Followed& each, std::uint64_t n, double answer) { each.corner.take(n, answer); });
+  for (Followed const& each : all) {
+    figures.push_back(figures_of(each, contents.axes[each.axis].delay_cycles));
   }
   return figures;
+}
+
+ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
+                           std::size_t axis) {
+  return chain_figures(image, contents, std::span(&axis, 1)).front();
 }
 
 double chain_magnitude(ImageContents const& contents, std::size_t axis, design::Hertz frequency) {

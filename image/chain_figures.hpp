@@ -26,7 +26,13 @@ struct ChainFigures {
 /// A step that has not settled then is not followed further.
 inline constexpr std::uint64_t longest_settling = std::uint64_t{1} << 18U;
 
-/// Figures of one axis of an image that read_image() accepted. Cost: a few microseconds to some ten milliseconds.
+/// Figures of axes of an image that read_image() accepted, each named once. The runtime executes all of them at once. Cost:
+/// that of creating it, and of as many cycles of all axes of the image as the slowest needs.
+[[nodiscard]] std::vector<ChainFigures> chain_figures(std::span<std::byte const> image,
+                                                      ImageContents const& contents,
+                                                      std::span<std::size_t const> axes);
+
+/// Those of one axis. For several, one call is cheaper: the runtime always executes the whole image.
 [[nodiscard]] ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
                                          std::size_t axis);
 

@@ -122,10 +122,7 @@ ExitStatus inspect(Invocation const& invocation) {
   if (target != Target::none) {
     shown.memory = image::runtime_memory(file.bytes.bytes(), static_cast<std::uint32_t>(target));
   }
-  for (auto const index : shown.axes) {
-    if (as_list) break;
-    shown.figures.push_back(image::chain_figures(file.bytes.bytes(), file.contents, index));
-  }
+  if (!as_list) shown.figures = image::chain_figures(file.bytes.bytes(), file.contents, shown.axes);
   if (as_list) {
     if (file.contents.lists.empty()) {
       throw Failure({.sentence = says::stripped, .arguments = {{"file", *path}}});

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
 
 namespace axisc::cli::says {
 
@@ -62,10 +66,30 @@ bool is_stripped(ComparedMachine const& machine) {
   return machine.axes.front().values == nullptr;
 }
 
-/// The only axis that matches; null where there is none, or more than one.
-ComparedAxis const* only(ComparedMachine const& machine, Matches const& matches) {
-  auto const found = all_of(machine, matches);
-  return found.size() == 1 ? found.front() : nullptr;
+/// Axes by something that only one of them has.
+template <class Key>
+class OnlyOnes {
+ public:
+  void add(Key key, ComparedAxis const& axis) {
+    auto const [known, is_new] = axes_.try_emplace(std::move(key), &axis);
+    if (!is_new) known->second = nullptr;
+  }
+  /// Null where there is none, or more than one.
+  [[nodiscard]] ComparedAxis const* find(Key const& key) const {
+    auto const found = axes_.find(key);
+    return found == axes_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::map<Key, ComparedAxis const*> axes_;
+};
+
+OnlyOnes<std::uint32_t> by_number(ComparedMachine const& machine) {
+  OnlyOnes<std::uint32_t> numbers;
+  for (auto const& axis : machine.axes) {
+    if (axis.number) numbers.add(*axis.number, axis);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -96,23 +120,25 @@ std::vector<AxisPair> pair_axes(ComparedMachine const& before, ComparedMachine c
     for (std::size_t i = 0; i < after.axes.size(); ++i) pairs.emplace_back(&before.axes[i], &after.axes[i]);
     return pairs;
   }
+  auto const old_numbers = by_number(before);
+  auto const new_numbers = by_number(after);
+  std::set<ComparedAxis const*> paired;
   for (auto const& axis : after.axes) {
-    auto const has_number = [&](ComparedAxis const& other) {
-      return axis.number && other.number == axis.number;
-    };
-    bool const is_only_one = only(after, has_number) != nullptr;
-    pairs.emplace_back(is_only_one ? only(before, has_number) : nullptr, &axis);
+    bool const is_only_one = axis.number && new_numbers.find(*axis.number) == &axis;
+    pairs.emplace_back(is_only_one ? old_numbers.find(*axis.number) : nullptr, &axis);
+    if (pairs.back().first != nullptr) paired.insert(pairs.back().first);
   }
-  auto const is_paired = [&](ComparedAxis const& axis) {
-    return std::any_of(pairs.begin(), pairs.end(), [&](AxisPair const& pair) { return pair.first == &axis; });
-  };
+  OnlyOnes<std::string_view> old_names;
+  for (auto const& axis : before.axes) {
+    if (!paired.contains(&axis)) old_names.add(axis.name, axis);
+  }
   for (auto& [was, is] : pairs) {
     if (was != nullptr) continue;
-    auto const& name = is->name;
-    was = only(before, [&](ComparedAxis const& axis) { return axis.name == name && !is_paired(axis); });
+    auto const* const named = old_names.find(is->name);
+    if (named != nullptr && paired.insert(named).second) was = named;
   }
   for (auto const& axis : before.axes) {
-    if (!is_paired(axis)) pairs.emplace_back(&axis, nullptr);
+    if (!paired.contains(&axis)) pairs.emplace_back(&axis, nullptr);
   }
   return pairs;
 }

@@ -1,7 +1,10 @@
 #include "cli/comparison/machine_difference.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <map>
+#include <set>
+#include <string_view>
 
 namespace axisc::cli {
 
@@ -48,6 +51,7 @@ class Comparison {
       if (is == nullptr) difference_.axes_removed.push_back(was);
       if (was != nullptr && is != nullptr) add_axis(*was, *is);
     }
+    add_chains();
     NewNames const names(pairs);
     if (difference_.before.tells_channels && difference_.after.tells_channels) {
       add_channels(names);
@@ -60,6 +64,7 @@ class Comparison {
     are_chosen_ = true;
     difference_.of_one_machine = &difference_.before == &difference_.after;
     add_axis(was, is);
+    add_chains();
     return std::move(difference_);
   }
 
@@ -81,11 +86,24 @@ class Comparison {
     };
     axis.other_type = knows_all() && was.type != is.type && !is_set("kenngr.achs_typ");
     axis.other_drive = knows_all() && was.drive != is.drive && !is_set("kenngr.antr_typ");
+    compared_.push_back(std::move(axis));
+  }
+
+  /// What the differences do to the axes: of all at once, because the runtime executes whole images.
+  void add_chains() {
+    auto const& before = difference_.before;
+    auto const& after = difference_.after;
     if (before.image && after.image) {
-      axis.chain = image::compare_chains({before.image->bytes.bytes(), before.image->contents, was.index},
-                                         {after.image->bytes.bytes(), after.image->contents, is.index});
+      std::vector<image::AxesToCompare> pairs;
+      for (auto const& axis : compared_) pairs.push_back({axis.before->index, axis.after->index});
+      auto chains = image::compare_chains({before.image->bytes.bytes(), before.image->contents},
+                                          {after.image->bytes.bytes(), after.image->contents}, pairs);
+      for (std::size_t i = 0; i < compared_.size(); ++i) compared_[i].chain = std::move(chains[i]);
     }
-    if (!axis.empty() || !axis.parameters.empty()) difference_.axes.push_back(std::move(axis));
+    for (auto& axis : compared_) {
+      if (!axis.empty() || !axis.parameters.empty()) difference_.axes.push_back(std::move(axis));
+    }
+    compared_.clear();
   }
 
   void leave_out(std::vector<ParameterChange>& parameters) {
@@ -112,25 +130,26 @@ class Comparison {
     auto const old_channels = channels_of(difference_.before);
     auto const new_channels = channels_of(difference_.after);
     std::vector<ComparedChannel const*> partners(new_channels.size());
-    auto const is_paired = [&](ComparedChannel const* channel) {
-      return std::find(partners.begin(), partners.end(), channel) != partners.end();
-    };
+    std::set<ComparedChannel const*> paired;
+    std::map<std::string_view, std::deque<ComparedChannel const*>> old_names;
+    for (auto const* const was : old_channels) old_names[was->name].push_back(was);
     for (std::size_t i = 0; i < new_channels.size(); ++i) {
-      auto const found = std::find_if(old_channels.begin(), old_channels.end(), [&](auto const* was) {
-        return was->name == new_channels[i]->name && !is_paired(was);
-      });
-      if (found != old_channels.end()) partners[i] = *found;
+      auto& named = old_names[new_channels[i]->name];
+      if (named.empty()) continue;
+      partners[i] = named.front();
+      named.pop_front();
+      paired.insert(partners[i]);
     }
     // A channel that is renamed keeps its place.
     for (std::size_t i = 0; i < std::min(old_channels.size(), new_channels.size()); ++i) {
-      if (partners[i] == nullptr && !is_paired(old_channels[i])) partners[i] = old_channels[i];
+      if (partners[i] == nullptr && paired.insert(old_channels[i]).second) partners[i] = old_channels[i];
     }
     for (std::size_t i = 0; i < new_channels.size(); ++i) {
       bool const is_same = partners[i] != nullptr && same_channel(*partners[i], *new_channels[i], names);
       if (!is_same) difference_.channels.push_back({.before = partners[i], .after = new_channels[i]});
     }
     for (auto const* const was : old_channels) {
-      if (!is_paired(was)) difference_.channels.push_back({.before = was, .after = nullptr});
+      if (!paired.contains(was)) difference_.channels.push_back({.before = was, .after = nullptr});
     }
   }
 
@@ -142,24 +161,23 @@ class Comparison {
   }
 
   void add_gantries(NewNames const& names) {
-    auto const& old_gantries = difference_.before.gantries;
-    auto const& new_gantries = difference_.after.gantries;
-    auto const same = [&](ComparedGantry const& was, ComparedGantry const& is) {
-      return names.of(was.master) == is.master && names.of(was.slaves) == is.slaves;
-    };
-    for (auto const& was : old_gantries) {
-      bool const kept = std::any_of(new_gantries.begin(), new_gantries.end(),
-                                    [&](ComparedGantry const& is) { return same(was, is); });
-      if (!kept) difference_.gantries_before.push_back(was);
+    // As the new machine calls the axes.
+    using Gantry = std::pair<std::string, std::vector<std::string>>;
+    std::set<Gantry> old_gantries;
+    std::set<Gantry> new_gantries;
+    for (auto const& is : difference_.after.gantries) new_gantries.emplace(is.master, is.slaves);
+    for (auto const& was : difference_.before.gantries) {
+      Gantry renamed(names.of(was.master), names.of(was.slaves));
+      if (!new_gantries.contains(renamed)) difference_.gantries_before.push_back(was);
+      old_gantries.insert(std::move(renamed));
     }
-    for (auto const& is : new_gantries) {
-      bool const kept = std::any_of(old_gantries.begin(), old_gantries.end(),
-                                    [&](ComparedGantry const& was) { return same(was, is); });
-      if (!kept) difference_.gantries_after.push_back(is);
+    for (auto const& is : difference_.after.gantries) {
+      if (!old_gantries.contains({is.master, is.slaves})) difference_.gantries_after.push_back(is);
     }
   }
 
   MachineDifference difference_;
+  std::vector<AxisDifference> compared_;  ///< until their chains are known
   bool all_;
   bool are_chosen_ = false;  ///< the axes are those that the command line names
 };

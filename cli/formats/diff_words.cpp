@@ -4,6 +4,7 @@
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -84,10 +85,16 @@ std::map<SharedKey, std::vector<AxisDifference const*>> axes_by_change(MachineDi
   return axes;
 }
 
-bool differ_alike(DiffSection const& a, DiffSection const& b) {
-  return a.facts.empty() && b.facts.empty() && a.effects == b.effects &&
-         std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
-                    [](DiffParameter const& was, DiffParameter const& is) { return was.line == is.line; });
+/// Axes without facts of their own differ alike where these lines are the same.
+using AlikeKey = std::vector<std::array<std::string, 3>>;
+AlikeKey alike_key(DiffSection const& section) {
+  AlikeKey key;
+  for (auto const& effect : section.effects) key.push_back({effect.what, effect.before, effect.after});
+  key.emplace_back();
+  for (auto const& parameter : section.parameters) {
+    key.push_back({parameter.line.what, parameter.line.before, parameter.line.after});
+  }
+  return key;
 }
 
 /// Places of several axes begin with the axis.
@@ -171,18 +178,22 @@ DiffSection DiffWords::channel(ChannelDifference const& channel) const {
 std::vector<DiffSection> DiffWords::axes() const {
   std::set<ParameterChange const*> told;
   std::vector<DiffSection> sections = shared(told);
-  auto const first = static_cast<std::ptrdiff_t>(sections.size());
+  auto const first = sections.size();
+  std::map<AlikeKey, std::size_t> alike;
   for (auto const& difference : shown_.difference.axes) {
     auto section = axis(difference, told);
     if (section.facts.empty() && section.parameters.empty() && section.effects.empty()) continue;
-    auto const same = std::find_if(sections.begin() + first, sections.end(),
-                                   [&](DiffSection const& other) { return differ_alike(other, section); });
-    if (same == sections.end()) {
+    auto const [same, is_new] = section.facts.empty() ? alike.emplace(alike_key(section), sections.size())
+                                                      : std::pair(alike.end(), true);
+    if (is_new) {
       sections.push_back(std::move(section));
     } else {
-      add_axis(*same, section);
-      same->title = say(says::axes, {{"axes", joined(same->axes)}});
+      add_axis(sections[same->second], section);
     }
+  }
+  for (std::size_t i = first; i < sections.size(); ++i) {
+    if (sections[i].axes.size() > 1)
+      sections[i].title = say(says::axes, {{"axes", joined(sections[i].axes)}});
   }
   return sections;
 }
