@@ -12,9 +12,13 @@ double path_velocity(double feed_mm_per_min, design::CycleTime cycle_time) {
   return feed_mm_per_min / 60 * cycle_time.seconds() * motion::units_per_mm;
 }
 
-GroupChains::GroupChains(machine::Machine machine, std::size_t group,
+GroupChains::GroupChains(machine::Machine const& machine, std::size_t group,
                          std::vector<machine::FilterCommand> commands, std::string path)
-    : machine_(std::move(machine)), index_(group), commands_(std::move(commands)), path_(std::move(path)) {
+    : group_(machine.groups[group]), commands_(std::move(commands)), path_(std::move(path)) {
+  auto part = machine::part_of(machine, group_.axes);
+  auto const own = std::find(part.groups.begin(), part.groups.end(), group);
+  part_.emplace(
+      Part{.machine = std::move(part.machine), .group = static_cast<std::size_t>(own - part.groups.begin())});
   for (auto const& command : commands_) add_set(command.parameters);
 }
 
@@ -24,7 +28,7 @@ GroupChains::GroupChains(ImageFile const& image, machine::MachineGroup group,
 
 ImageFile const& GroupChains::image() {
   if (image_ != nullptr) return *image_;
-  if (!compiled_) compiled_ = image_of(*machine_, path_);
+  if (!compiled_) compiled_ = image_of(part_->machine, path_);
   return *compiled_;
 }
 
@@ -35,7 +39,8 @@ void GroupChains::add_order(std::uint32_t order) {
 }
 
 std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_t> order) {
-  if (!runtime_) runtime_.emplace(group_runtime(image(), group(), path_));
+  auto const& executed = part_ ? part_->machine.groups[part_->group] : group_;
+  if (!runtime_) runtime_.emplace(group_runtime(image(), executed, path_));
   static_cast<void>(runtime_->reset({}));
   for (auto command : commands_) {
     if (order && !command.hsc) command.parameters.order = order;
@@ -44,14 +49,14 @@ std::vector<motion::ChainAnswer> GroupChains::answers(std::optional<std::uint32_
   auto answered = motion::chain_answers(*runtime_);
   if (auto const* const missing = std::get_if<motion::NoAnswer>(&answered)) {
     throw Failure({.sentence = says::blocks_constant,
-                   .arguments = {{"axis", axis_label(image().contents, group().axes[missing->axis])},
-                                 {"group", group().name}}});
+                   .arguments = {{"axis", axis_label(image().contents, executed.axes[missing->axis])},
+                                 {"group", group_.name}}});
   }
   return std::get<std::vector<motion::ChainAnswer>>(std::move(answered));
 }
 
 void GroupChains::add_set(machine::FilterParameters const& parameters) {
-  auto& sets = machine_->groups[index_].filter_sets;
+  auto& sets = part_->machine.groups[part_->group].filter_sets;
   if (parameters.empty() || std::find(sets.begin(), sets.end(), parameters) != sets.end()) return;
   sets.push_back(parameters);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/files/image_file.hpp"
-#include "machine/machine.hpp"
+#include "machine/part.hpp"
 #include "motion/chain_answer.hpp"
 #include "motion/group_runtime.hpp"
 
@@ -18,9 +18,10 @@ namespace axisc::cli {
 
 class GroupChains {
  public:
-  /// A machine that is compiled when the first answer is wanted. `path` is its own, for messages.
-  GroupChains(machine::Machine machine, std::size_t group, std::vector<machine::FilterCommand> commands,
-              std::string path);
+  /// The channel of a machine, which has axes; it is compiled alone, when the first answer is wanted. `path` is the machine's,
+  /// for messages.
+  GroupChains(machine::Machine const& machine, std::size_t group,
+              std::vector<machine::FilterCommand> commands, std::string path);
   /// An image, which has no orders but its own and outlives this. `group` refers to the image's axes.
   GroupChains(ImageFile const& image, machine::MachineGroup group,
               std::vector<machine::FilterCommand> commands, std::string path);
@@ -31,17 +32,21 @@ class GroupChains {
   /// for a group with more axes than a path has.
   [[nodiscard]] std::vector<motion::ChainAnswer> answers(std::optional<std::uint32_t> order);
 
-  [[nodiscard]] machine::MachineGroup const& group() const {
-    return machine_ ? machine_->groups[index_] : group_;
-  }
+  /// Refers to the axes of the machine, or of the image.
+  [[nodiscard]] machine::MachineGroup const& group() const { return group_; }
 
  private:
+  /// The channel's axes, and which of the groups is the channel.
+  struct Part {
+    machine::Machine machine;
+    std::size_t group = 0;
+  };
+
   void add_set(machine::FilterParameters const& parameters);
   [[nodiscard]] ImageFile const& image();
 
-  std::optional<machine::Machine> machine_;
-  std::size_t index_ = 0;  ///< of the machine's group
   machine::MachineGroup group_;
+  std::optional<Part> part_;  ///< none of an image
   std::vector<machine::FilterCommand> commands_;
   std::string path_;
   std::optional<ImageFile> compiled_;

@@ -5,6 +5,7 @@
 #include "image/chain_figures.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace axisc::cli::says {
 
@@ -31,12 +32,12 @@ constexpr int table_digits = 4;
 
 /// Values in the order of the rows; none where there is nothing to say.
 std::vector<std::optional<double>> values_of(PlottedImage const& image, std::size_t axis,
+                                             image::ChainFigures const& chain,
                                              std::vector<double> const& frequencies) {
   auto const& contents = image.contents();
   double const milliseconds = contents.cycle_time.seconds() * 1e3;
   PortResponse const response(contents, image.host, axis, Port::setpoint);
   auto const corner = image::corner_frequency(contents, axis);
-  auto const chain = image::chain_figures(image.file.bytes.bytes(), contents, axis);
   std::vector<std::optional<double>> values = {response.at({0}).group_delay_s * 1e3,
                                                corner ? std::optional(corner->value) : std::nullopt};
   for (double const frequency : frequencies) {
@@ -66,6 +67,15 @@ std::vector<double> frequencies_of(PlotSubject const& subject, std::size_t axis,
   return frequencies;
 }
 
+/// By axis; the runtime executes the image once for all of them.
+std::map<std::size_t, image::ChainFigures> figures_of(PlottedImage const& image,
+                                                      std::vector<std::size_t> const& axes) {
+  auto const figures = image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
+  std::map<std::size_t, image::ChainFigures> by_axis;
+  for (std::size_t i = 0; i < axes.size(); ++i) by_axis.emplace(axes[i], figures[i]);
+  return by_axis;
+}
+
 std::string cell(std::optional<double> const& value) {
   return value ? format_rounded(*value, table_digits) : "-";
 }
@@ -82,6 +92,13 @@ pictures::Table chain_table(PlotSubject const& subject, std::vector<double> cons
   } else {
     table.header.push_back(subject.say(says::table_value));
   }
+  auto const figures = figures_of(subject.now, subject.axes);
+  std::vector<std::size_t> old_axes;
+  for (auto const axis : subject.axes) {
+    if (auto const old = subject.axis_before(axis)) old_axes.push_back(*old);
+  }
+  auto const old_figures =
+      subject.before ? figures_of(*subject.before, old_axes) : std::map<std::size_t, image::ChainFigures>();
   for (auto const axis : subject.axes) {
     auto const frequencies = frequencies_of(subject, axis, marks);
     std::vector<std::string> quantities = {subject.say(says::table_delay), subject.say(says::table_corner)};
@@ -93,9 +110,9 @@ pictures::Table chain_table(PlotSubject const& subject, std::vector<double> cons
                                        SentenceRef(says::table_deviation)}) {
       quantities.push_back(subject.say(quantity));
     }
-    auto const now = values_of(subject.now, axis, frequencies);
+    auto const now = values_of(subject.now, axis, figures.at(axis), frequencies);
     auto const index = subject.axis_before(axis);
-    auto const old = index ? values_of(*subject.before, *index, frequencies)
+    auto const old = index ? values_of(*subject.before, *index, old_figures.at(*index), frequencies)
                            : std::vector<std::optional<double>>(now.size());
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       std::vector<std::string> row{subject.name(axis), quantities[i]};

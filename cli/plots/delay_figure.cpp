@@ -127,6 +127,7 @@ pictures::Table delay_table(PlotSubject const& subject, std::vector<AxisDelay> c
 }  // namespace
 
 pictures::Figure delay_figure(PlotSubject const& subject) {
+  subject.require_drawable();
   auto const delays = delays_of(subject);
   pictures::Figure figure;
   figure.title = subject.say(says::delay_title, {{"axes", subject.names()}});

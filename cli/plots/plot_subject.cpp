@@ -1,8 +1,24 @@
+#include "cli/failure.hpp"
 #include "cli/options/filter_symbols.hpp"
 #include "cli/plots/plots.hpp"
 #include "diagnostics/format_number.hpp"
 
+namespace axisc::cli::says {
+
+constexpr Sentence too_many_drawn{
+    "a picture shows at most {most} axes, not {axes}; choose one with --axis",
+    "ein Bild zeigt höchstens {most} Achsen, nicht {axes}; mit --axis eine auswählen"};
+
+}  // namespace axisc::cli::says
+
 namespace axisc::cli {
+
+void PlotSubject::require_drawable() const {
+  if (axes.size() <= most_drawn_axes) return;
+  throw Failure(
+      {.sentence = says::too_many_drawn,
+       .arguments = {{"most", std::to_string(most_drawn_axes)}, {"axes", std::to_string(axes.size())}}});
+}
 
 std::string PlotSubject::names() const {
   std::string text;
@@ -13,8 +29,9 @@ std::string PlotSubject::names() const {
 std::optional<std::size_t> PlotSubject::axis_before(std::size_t axis) const {
   if (!before) return std::nullopt;
   auto const& old = before->contents();
+  auto const wanted = name(axis);
   for (std::size_t i = 0; i < old.axes.size(); ++i) {
-    if (axis_label(old, i) == name(axis)) return i;
+    if (axis_label(old, i) == wanted) return i;
   }
   return std::nullopt;
 }

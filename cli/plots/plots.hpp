@@ -23,6 +23,9 @@ struct PlottedImage {
   [[nodiscard]] image::ImageContents const& contents() const { return file.contents; }
 };
 
+/// Axes that one picture shows: nobody tells more curves apart.
+inline constexpr std::size_t most_drawn_axes = 100;
+
 /// What the figures of one run have in common.
 struct PlotSubject {
   PlottedImage now;
@@ -38,6 +41,8 @@ struct PlotSubject {
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const {
     return render({.sentence = text, .arguments = std::move(arguments)}, language);
   }
+  /// Failure for more than most_drawn_axes.
+  void require_drawable() const;
   /// The axis of `before` that has the name of an axis of `now`.
   [[nodiscard]] std::optional<std::size_t> axis_before(std::size_t axis) const;
 };

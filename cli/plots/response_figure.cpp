@@ -328,6 +328,7 @@ class ResponseFigure {
 }  // namespace
 
 pictures::Figure response_figure(PlotSubject const& subject, ResponsePlot const& wanted) {
+  subject.require_drawable();
   return ResponseFigure(subject, wanted).make();
 }
 

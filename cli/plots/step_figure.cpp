@@ -70,6 +70,8 @@ class StepFigure {
       }
       add(subject.now, axis, name, pictures::Role::whole, i);
     }
+    find_figures(subject.now);
+    if (subject.before) find_figures(*subject.before);
   }
 
   pictures::Figure make() {
@@ -80,13 +82,12 @@ class StepFigure {
     double longest = 0;
     for (auto const& chain : chains_) longest = std::max(longest, chain.shown_time());
     figure.x = {.quantity = subject_.say(says::time), .unit = "ms", .low = 0, .high = longest};
-    std::vector<Signal> positions;
+    std::vector<Signal> const positions = answers(longest);
     std::vector<Signal> velocities;
     std::vector<Signal> accelerations;
-    for (auto const& chain : chains_) {
-      double const seconds = chain.milliseconds() / 1e3;
-      positions.push_back(answer(chain, longest));
-      velocities.push_back(difference(positions.back(), seconds));
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      double const seconds = chains_[i].milliseconds() / 1e3;
+      velocities.push_back(difference(positions[i], seconds));
       accelerations.push_back(difference(velocities.back(), seconds));
     }
     figure.panels.push_back(panel({says::position, ""}, positions));
@@ -119,7 +120,23 @@ class StepFigure {
                        .name = std::move(name),
                        .role = role,
                        .colour = colour,
-                       .figures = image::chain_figures(image.file.bytes.bytes(), image.contents(), axis)});
+                       .figures = {}});
+  }
+
+  [[nodiscard]] std::vector<std::size_t> chains_of(PlottedImage const& image) const {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < chains_.size(); ++i) {
+      if (&chains_[i].image.host == &image.host) indices.push_back(i);
+    }
+    return indices;
+  }
+
+  void find_figures(PlottedImage const& image) {
+    auto const indices = chains_of(image);
+    std::vector<std::size_t> axes;
+    for (auto const i : indices) axes.push_back(chains_[i].axis);
+    auto const figures = image::chain_figures(image.file.bytes.bytes(), image.contents(), axes);
+    for (std::size_t i = 0; i < indices.size(); ++i) chains_[indices[i]].figures = figures[i];
   }
 
   [[nodiscard]] std::string description() const {
@@ -139,18 +156,26 @@ class StepFigure {
     return text;
   }
 
-  [[nodiscard]] static Signal answer(Chain const& chain, double milliseconds) {
-    image::RuntimeHost& host = chain.image.host;
-    static_cast<void>(host.reset_all(0));
-    std::vector<double> const setpoints(chain.image.contents().axes.size(), 1);
+  /// Of all chains: each image is executed once.
+  [[nodiscard]] std::vector<Signal> answers(double milliseconds) const {
+    std::vector<Signal> signals(chains_.size(), Signal(1, 0.0));
+    execute(subject_.now, milliseconds, signals);
+    if (subject_.before) execute(*subject_.before, milliseconds, signals);
+    return signals;
+  }
+
+  void execute(PlottedImage const& image, double milliseconds, std::vector<Signal>& signals) const {
+    auto const indices = chains_of(image);
+    if (indices.empty()) return;
+    static_cast<void>(image.host.reset_all(0));
+    std::vector<double> const setpoints(image.contents().axes.size(), 1);
     std::vector<double> filtered(setpoints.size());
-    Signal signal(1, 0.0);
-    auto const cycles = static_cast<std::uint64_t>(std::ceil(milliseconds / chain.milliseconds()));
-    for (std::uint64_t cycle = 0; cycle < cycles; ++cycle) {
-      static_cast<void>(host.step(setpoints, filtered));
-      signal.push_back(filtered[chain.axis]);
+    double const cycle = image.contents().cycle_time.seconds() * 1e3;
+    auto const cycles = static_cast<std::uint64_t>(std::ceil(milliseconds / cycle));
+    for (std::uint64_t n = 0; n < cycles; ++n) {
+      static_cast<void>(image.host.step(setpoints, filtered));
+      for (auto const i : indices) signals[i].push_back(filtered[chains_[i].axis]);
     }
-    return signal;
   }
 
   [[nodiscard]] pictures::Panel panel(Quantity const& quantity, std::vector<Signal> const& signals) const {
@@ -182,6 +207,7 @@ class StepFigure {
 }  // namespace
 
 pictures::Figure step_figure(PlotSubject const& subject) {
+  subject.require_drawable();
   return StepFigure(subject).make();
 }
 

@@ -1,11 +1,15 @@
+#include "cli/files/path_machine.hpp"
 #include "cli/formats/inspect_formats.hpp"
 #include "cli/options/filter_symbols.hpp"
 #include "cli/report_page/html.hpp"
 #include "cli/report_page/report_page.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
+#include "machine/part.hpp"
 #include "pictures/page.hpp"
 #include "pictures/svg_text.hpp"
+
+#include <span>
 
 namespace axisc::cli::says {
 
@@ -35,13 +39,35 @@ std::string values_of(ReportSubject const& subject, image::ImageAxis const& axis
                             : details(subject.say(says::values_summary), pictures::table_element(table));
 }
 
+/// One axis, compiled and executed alone: otherwise each axis would cost as much as the machine.
+class AxisAlone {
+ public:
+  AxisAlone(ReportSubject const& subject, std::size_t axis)
+      : file_(image_of(machine::part_of(*subject.machine, std::span(&axis, 1)).machine, subject.input)),
+        host_(start_runtime(subject.input, file_)),
+        plots_{.now = {.file = file_, .host = host_},
+               .before = subject.plots->before,
+               .axes = {0},
+               .language = subject.language} {}
+
+  [[nodiscard]] PlotSubject const& plots() const { return plots_; }
+  [[nodiscard]] image::ChainFigures figures() const {
+    return image::chain_figures(file_.bytes.bytes(), file_.contents, std::size_t{0});
+  }
+
+ private:
+  ImageFile file_;
+  image::RuntimeHost host_;
+  PlotSubject plots_;
+};
+
 /// What `inspect` says of the axis, without the head of the image.
-std::string coefficients_of(ReportSubject const& subject, std::size_t axis) {
-  auto const& plots = *subject.plots;
+std::string coefficients_of(ReportSubject const& subject, std::size_t axis,
+                            image::ChainFigures const& figures) {
   Shown const shown{.file = subject.input,
-                    .image = plots.contents(),
+                    .image = subject.plots->contents(),
                     .axes = {axis},
-                    .figures = {image::chain_figures(plots.now.file.bytes.bytes(), plots.contents(), axis)},
+                    .figures = {figures},
                     .memory = std::nullopt};
   std::string const text = inspect_text(shown, subject.language);
   auto const begin = text.find("\n\n");
@@ -53,26 +79,25 @@ std::string coefficients_of(ReportSubject const& subject, std::size_t axis) {
 }  // namespace
 
 std::string axes_section(ReportSubject const& subject) {
-  if (!subject.plots) return {};
+  if (!subject.plots || subject.machine == nullptr) return {};
   auto const& contents = subject.plots->contents();
   std::string text;
   for (auto const axis : subject.plots->axes) {
     auto const& compiled = contents.axes[axis];
-    PlotSubject alone = *subject.plots;
-    alone.axes = {axis};
     text += heading(3, "axis-" + std::to_string(axis),
-                    subject.say(says::axis_heading, {{"axis", alone.name(axis)}}));
+                    subject.say(says::axis_heading, {{"axis", subject.plots->name(axis)}}));
+    AxisAlone const alone(subject, axis);
     bool const has_filter = !compiled.filters.empty() || compiled.slot.has_value();
-    if (has_filter || alone.axis_before(axis)) {
-      text += pictures::figure_element(response_figure(alone, {}), subject.language);
-      auto step = step_figure(alone);
+    if (has_filter || subject.plots->axis_before(axis)) {
+      text += pictures::figure_element(response_figure(alone.plots(), {}), subject.language);
+      auto step = step_figure(alone.plots());
       step.table = {};
       text += pictures::figure_element(step, subject.language);
     } else {
       text += text_of("p", subject.say(says::no_axis_filter)) + "\n";
     }
     if (has_filter || !compiled.interface_filters.empty() || compiled.control) {
-      text += coefficients_of(subject, axis);
+      text += coefficients_of(subject, axis, alone.figures());
     }
     text += values_of(subject, compiled);
   }

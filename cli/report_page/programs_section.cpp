@@ -5,9 +5,12 @@
 #include "cli/plots/path_figure.hpp"
 #include "cli/report_page/html.hpp"
 #include "cli/report_page/report_page.hpp"
+#include "machine/part.hpp"
 #include "pictures/page.hpp"
 #include "pictures/svg_text.hpp"
 #include "validator/loading/loader.hpp"
+
+#include <algorithm>
 
 namespace axisc::cli::says {
 
@@ -46,9 +49,13 @@ pictures::Table pass_table(ReportSubject const& subject, PathRecorder const& rec
 }
 
 /// What `simulate` says of the program, or why it cannot follow it.
-std::string followed(ReportSubject const& subject, std::size_t group, std::string const& path) {
-  // What the program's commands need is added to the group.
-  auto machine = *subject.machine;
+std::string followed(ReportSubject const& subject, std::size_t channel, std::string const& path) {
+  // The channel alone; what the program's commands need is added to it.
+  auto const& whole = *subject.machine;
+  auto part = machine::part_of(whole, whole.groups[channel].axes);
+  auto& machine = part.machine;
+  auto const own = std::find(part.groups.begin(), part.groups.end(), channel);
+  auto const group = static_cast<std::size_t>(own - part.groups.begin());
   ProgramRequest const request{
       .machine_path = subject.input, .program_path = path, .group = std::nullopt, .output = std::nullopt};
   ProgramLines program(path);

@@ -44,9 +44,9 @@ machine::Machine with_chain(machine::Machine machine, std::vector<std::size_t> c
   return machine;
 }
 
-void predict(Setting& setting, machine::Machine machine, SuggestionSubject const& subject,
+void predict(Setting& setting, machine::Machine const& machine, SuggestionSubject const& subject,
              tuning::Task const& task) {
-  GroupChains chains(std::move(machine), subject.group, filters_on(), subject.path);
+  GroupChains chains(machine, subject.group, filters_on(), subject.path);
   auto const answers = chains.answers(std::nullopt);
   auto const feed_of = [&](std::optional<double> const& velocity) -> std::optional<double> {
     if (!velocity) return std::nullopt;
