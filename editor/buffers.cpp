@@ -7,18 +7,21 @@
 
 namespace axisc::editor {
 
-Buffers::Buffers(Documents const& documents, configuration::Files& disk) : disk_(disk) {
+OpenPaths::OpenPaths(Documents const& documents) {
   for (auto const& [uri, document] : documents) {
-    by_path_[document.path] = &document;
-    by_name_.emplace(validator::file_name(document.path), &document);
+    by_path[document.path] = &document;
+    std::string const name(validator::file_name(document.path));
+    by_name.emplace(name, &document);
+    names_in[document.path.substr(0, document.path.size() - name.size())].push_back(name);
   }
 }
 
 Document const* Buffers::document(std::string const& path) const {
-  auto const found = by_path_.find(validator::key_of(path));
-  if (found != by_path_.end()) return found->second;
+  asked_.add(path);
+  auto const found = open_->by_path.find(validator::key_of(path));
+  if (found != open_->by_path.end()) return found->second;
   // Through a link to one of its folders. A link of another name is taken for a file of its own.
-  auto const [first, last] = by_name_.equal_range(std::string(validator::file_name(path)));
+  auto const [first, last] = open_->by_name.equal_range(std::string(validator::file_name(path)));
   auto const same =
       std::find_if(first, last, [&](auto const& known) { return disk_.is_same(known.second->path, path); });
   return same == last ? nullptr : same->second;
@@ -50,11 +53,13 @@ bool Buffers::is_file(std::string const& path) {
 }
 
 std::vector<std::string> Buffers::names_in(std::string const& folder) {
+  asked_.add_folder(folder);
   auto names = disk_.names_in(folder);
-  auto const parent = validator::key_of(folder);
-  for (auto const& [name, document] : by_name_) {
-    auto const own = document->path.substr(0, document->path.size() - name.size());
-    if (own == parent && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  auto const open = open_->names_in.find(validator::key_of(folder));
+  if (open == open_->names_in.end()) return names;
+  std::set<std::string> known(names.begin(), names.end());
+  for (auto const& name : open->second) {
+    if (known.insert(name).second) names.push_back(name);
   }
   return names;
 }

@@ -27,7 +27,7 @@ Json Server::execute(Json const& params) {
   if (found == commands.end()) throw std::invalid_argument("unknown command " + name);
   auto const& arguments = params.at("arguments");
   auto const& asked = documents_.at(arguments.at(0).get<std::string>());
-  Buffers files(documents_, surroundings_.disk);
+  auto files = buffers();
   PageSubject subject{.files = files,
                       .machine = machine_of(asked),
                       .axis = axis_of(asked),
@@ -69,7 +69,7 @@ Json Server::lenses(Json const& params) {
 Json Server::resolve_lens(Json const& params) {
   auto lens = params;
   auto const& asked = documents_.at(params.at("data").get<std::string>());
-  Buffers files(documents_, surroundings_.disk);
+  auto files = buffers();
   lens["command"] = {{"title", surroundings_.pages.cascade({.files = files,
                                                             .machine = machine_of(asked),
                                                             .axis = axis_of(asked),

@@ -100,13 +100,18 @@ std::vector<std::string> Server::publish() {
   };
   for (auto const& uri : std::exchange(closed_, {})) add(uri, "[]", std::nullopt);
   if (changed_.empty()) return messages;
-  std::set<std::string> machines;
+  std::map<std::string, std::vector<Document const*>> documents_of;
   auto const changed = std::exchange(changed_, {});
-  for (auto const& uri : changed) machines.insert(machine_of(documents_.at(uri)));
-  for (auto const& machine : machines) {
+  for (auto const& uri : changed) documents_of.try_emplace(machine_of(documents_.at(uri)));
+  for (auto const& [uri, document] : documents_) {
+    auto const found = documents_of.find(machine_of(document));
+    if (found != documents_of.end()) found->second.push_back(&document);
+  }
+  for (auto const& [machine, documents] : documents_of) {
     auto& reading = reading_of(machine);
-    for (auto const& [uri, document] : documents_) {
-      if (machine_of(document) != machine) continue;
+    for (auto const* const each : documents) {
+      auto const& document = *each;
+      auto const& uri = document.uri;
       auto shown = dump(diagnostics(reading, document));
       auto& before = published_[uri];
       bool const is_news = before != shown || changed.contains(uri);
@@ -120,7 +125,7 @@ std::vector<std::string> Server::publish() {
 Json Server::pull(Json const& params) {
   auto const& asked = document(params);
   // Who asks may not watch the files of the disk.
-  readings_.clear();
+  forget_readings();
   return {{"kind", "full"}, {"items", diagnostics(reading_of(asked), asked)}};
 }
 

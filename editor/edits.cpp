@@ -108,7 +108,7 @@ Json Server::fix_all(Document const& document) {
   auto documents = documents_;
   auto& fixed = documents.at(document.uri);
   for (int round = 0; round < most_rounds; ++round) {
-    MachineReading reading(documents, surroundings_.disk, machine, surroundings_.options);
+    MachineReading reading({documents, surroundings_.disk}, machine, surroundings_.options);
     FixBatch batch(reading.sources());
     for (auto const& finding : reading.findings()) {
       bool const is_safe = finding.fix && finding.fix->safety == FixSafety::safe;

@@ -40,29 +40,54 @@ bool is_machine(configuration::Files& files, std::string const& path) {
   return found;
 }
 
-bool reads(configuration::Files& files, std::string const& machine, std::string const& path,
-           OptionsOf const& options) {
-  SourceSet sources;
-  auto const loaded = validator::load(files, machine, options(machine), sources);
-  auto const* const found = std::get_if<validator::LoadedMachine>(&loaded);
-  return found != nullptr && std::any_of(found->files.begin(), found->files.end(),
-                                         [&](std::string const& read) { return files.is_same(read, path); });
-}
-
 }  // namespace
 
-std::string machine_of(configuration::Files& files, std::string const& path, OptionsOf const& options) {
+void MachineSearch::note_readers(Readers& readers) const {
+  for (auto const& [folder, machines] : machines_) {
+    for (auto const& machine : machines) readers.add(machine.path, machine.asked);
+  }
+}
+
+bool MachineSearch::Machine::reads(configuration::Files& files, std::string const& wanted) const {
+  if (keys.contains(wanted)) return true;
+  // Through a link to one of its folders. A link of another name is taken for a file of its own.
+  auto const [first, last] = by_name.equal_range(std::string(validator::file_name(wanted)));
+  return std::any_of(first, last, [&](auto const& known) { return files.is_same(known.second, wanted); });
+}
+
+std::vector<MachineSearch::Machine> const& MachineSearch::machines_in(Buffers& files,
+                                                                      std::string const& folder) {
+  auto const [known, is_new] = machines_.try_emplace(folder);
+  if (!is_new) return known->second;
+  auto names = files.names_in(folder);
+  std::sort(names.begin(), names.end());
+  std::stable_partition(names.begin(), names.end(), is_json);
+  for (auto const& name : names) {
+    Machine machine{.path = folder + name, .keys = {}, .by_name = {}, .asked = {}};
+    if (!is_machine(files, machine.path)) continue;
+    Buffers own = files.anew();
+    SourceSet sources;
+    auto const loaded = validator::load(own, machine.path, options_(machine.path), sources);
+    if (auto const* const found = std::get_if<validator::LoadedMachine>(&loaded)) {
+      for (auto const& read : found->files) {
+        machine.keys.insert(validator::key_of(read));
+        machine.by_name.emplace(validator::file_name(read), read);
+      }
+    }
+    machine.asked = own.asked();
+    known->second.push_back(std::move(machine));
+  }
+  return known->second;
+}
+
+std::string MachineSearch::machine_of(Buffers& files, std::string const& path) {
   if (is_machine(files, path)) return path;
   auto folder = path;
   for (int i = 0; i < most_folders && folder.size() > 1; ++i) {
     if (folder.ends_with('/')) folder.pop_back();
     folder.resize(folder.size() - validator::file_name(folder).size());
-    auto names = files.names_in(folder);
-    std::sort(names.begin(), names.end());
-    std::stable_partition(names.begin(), names.end(), is_json);
-    for (auto const& name : names) {
-      auto candidate = folder + name;
-      if (is_machine(files, candidate) && reads(files, candidate, path, options)) return candidate;
+    for (auto const& machine : machines_in(files, folder)) {
+      if (machine.reads(files, path)) return machine.path;
     }
   }
   return path;

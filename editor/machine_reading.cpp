@@ -8,9 +8,8 @@
 
 namespace axisc::editor {
 
-MachineReading::MachineReading(Documents const& documents, configuration::Files& disk, std::string path,
-                               OptionsOf const& options)
-    : files_(documents, disk), path_(std::move(path)), options_(options) {
+MachineReading::MachineReading(Buffers files, std::string path, OptionsOf const& options)
+    : files_(std::move(files)), path_(std::move(path)), options_(options) {
   auto const chosen = options_(path_);
   catalogue_ = chosen.catalogue;
   auto loaded = validator::load(files_, path_, chosen, sources_);

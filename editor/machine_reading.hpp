@@ -17,10 +17,9 @@ namespace axisc::editor {
 
 class MachineReading {
  public:
-  /// `path` is the machine's input (machine_of). All arguments outlive the reading; no document that it depends on
+  /// `path` is the machine's input. What the arguments refer to outlives the reading; no document that it depends on
   /// changes meanwhile, and none is opened or closed.
-  MachineReading(Documents const& documents, configuration::Files& disk, std::string path,
-                 OptionsOf const& options);
+  MachineReading(Buffers files, std::string path, OptionsOf const& options);
   MachineReading(MachineReading const&) = delete;
   MachineReading& operator=(MachineReading const&) = delete;
 

@@ -86,7 +86,7 @@ std::string summary(std::string_view key, std::string_view value) {
 
 Json Server::links(Json const& params) {
   auto const& asked = document(params);
-  Buffers files(documents_, surroundings_.disk);
+  auto files = buffers();
   SourceSet sources;
   auto links = Json::array();
   Places const places(sources, files, encoding_);
@@ -100,7 +100,7 @@ Json Server::define(Json const& params) {
   auto const& asked = document(params);
   auto const offset = offset_of(asked.text, position_in(params.at("position")), encoding_);
   auto const is_on = [offset](Span span) { return span.begin <= offset && offset <= span.end; };
-  Buffers files(documents_, surroundings_.disk);
+  auto files = buffers();
   SourceSet sources;
   for (auto const& named : named_files(files, sources, asked)) {
     if (is_on(named.place.span)) return {{"uri", files.uri(named.path)}, {"range", range_json({}, {})}};

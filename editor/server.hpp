@@ -51,7 +51,10 @@ class Places;
 
 class Server {
  public:
-  explicit Server(Surroundings surroundings) : surroundings_(std::move(surroundings)) {}
+  explicit Server(Surroundings surroundings)
+      : surroundings_(std::move(surroundings)), search_(surroundings_.options) {}
+  Server(Server const&) = delete;
+  Server& operator=(Server const&) = delete;
 
   /// The answers to one message, without frames. Never throws for a bad message.
   [[nodiscard]] std::vector<std::string> receive(std::string_view message);
@@ -117,6 +120,9 @@ class Server {
   /// The lines that set what stands at a position; of the whole machine, or those that decide it for the list.
   [[nodiscard]] Json lines_setting(Document const& asked, std::size_t offset, LinesOf of);
 
+  [[nodiscard]] Buffers buffers();
+  /// All machines are read again when they are wanted; who they looked for stays known.
+  void forget_readings();
   /// The document that a request names; std::out_of_range where it is not open.
   [[nodiscard]] Document& document(Json const& params);
   [[nodiscard]] std::string const& machine_of(Document const& document);
@@ -153,6 +159,9 @@ class Server {
   ClientSettings settings_;
   std::vector<std::string> due_;  ///< requests to the client, sent with the next answer
   Documents documents_;
+  std::shared_ptr<OpenPaths const> open_paths_;  ///< null where documents were opened or closed since
+  MachineSearch search_;
+  Readers readers_;  ///< machines of open documents that are not about to be checked anyway
   std::map<std::string, std::string> machines_;  ///< of open documents, by URI; emptied where they may change
   /// By the machine's input; one goes with a change of a document that it depends on, all with a document.
   std::map<std::string, std::unique_ptr<MachineReading>> readings_;
