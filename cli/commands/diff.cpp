@@ -8,6 +8,7 @@
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
 
+#include <map>
 #include <memory>
 
 namespace axisc::cli::says {
@@ -125,13 +126,14 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
   bool const are_start_up_lists =
       before.loaded && after.loaded && before.loaded->start_up && after.loaded->start_up;
   if (!are_start_up_lists || identities.of(before.loaded->path) == identities.of(after.loaded->path)) return;
+  std::map<std::string, std::string> read_after;
+  for (auto const& is : after.axes) read_after.emplace(identities.of(is.path), is.path);
   for (auto const& was : before.axes) {
-    for (auto const& is : after.axes) {
-      if (identities.of(was.path) != identities.of(is.path)) continue;
-      invocation.streams.err.write(
-          warning_line({.sentence = says::same_list, .arguments = {{"list", is.path}}}, invocation.language));
-      return;
-    }
+    auto const same = read_after.find(identities.of(was.path));
+    if (same == read_after.end()) continue;
+    invocation.streams.err.write(warning_line(
+        {.sentence = says::same_list, .arguments = {{"list", same->second}}}, invocation.language));
+    return;
   }
 }
 

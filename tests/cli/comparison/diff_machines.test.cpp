@@ -338,3 +338,41 @@ TEST_CASE("a stripped image is compared by the order of its axes, without parame
   CHECK(json["axes"][0]["parameters"].empty());
   CHECK(json["axes"][0]["after"]["delay_ms"] == 14);
 }
+
+TEST_CASE("what differs in one axis is told alike among many and alone") {
+  TemporaryFolder const folder;
+  auto const list = [](int order, std::string const& more) {
+    return "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order " + std::to_string(order) + "\n" + more +
+           "Ende\n";
+  };
+  std::string const slow =
+      "filter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].order 2\nfilter[0].fg_f0 5\n";
+  std::string const band =
+      "filter[0].enable 1\nfilter[0].type BANDPASS\nfilter[0].order 2\nfilter[0].fg_f0 50\nfilter[0].guete "
+      "2\n";
+  std::vector<std::string> const before = {list(20, ""), list(11, slow), list(7, band), list(9, "")};
+  std::vector<std::string> const after = {list(21, ""), list(12, slow), list(8, band), list(9, "")};
+  auto const write = [&](std::string const& side, std::vector<std::string> const& lists, std::size_t first,
+                         std::size_t end) {
+    std::string axes;
+    for (std::size_t i = first; i < end; ++i) {
+      auto const name = std::to_string(i);
+      folder.write(side + name + ".lis", lists[i]);
+      axes += (axes.empty() ? "" : ", ") + R"({"name": "A)" + name + R"(", "list": ")" + side + name +
+              R"(.lis"})";
+    }
+    folder.write(side + ".json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [)" + axes + "]}");
+  };
+  auto const there = in_folder(folder.path());
+  write("old", before, 0, 4);
+  write("new", after, 0, 4);
+  auto const all = as_json(there, {"old.json", "new.json"})["axes"];
+  REQUIRE(all.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    write("old", before, i, i + 1);
+    write("new", after, i, i + 1);
+    auto const alone = as_json(there, {"old.json", "new.json"})["axes"];
+    REQUIRE(alone.size() == 1);
+    CHECK(all[i] == alone[0]);
+  }
+}

@@ -138,3 +138,28 @@ TEST_CASE("what contour refuses") {
   folder.write("x.lis", "filter_fir.type 99\nEnde\n");
   CHECK(run_axisc({"contour", "m.json"}, there).status == 1);
 }
+
+TEST_CASE("a channel deviates as in a machine that has no other channel") {
+  TemporaryFolder const folder;
+  auto const there = machine(folder, average(40), "filter_fir.type 2\nfilter_fir.order 20\n");
+  folder.write("z.lis",
+               "filter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].order 2\nfilter[0].fg_f0 30\nEnde\n");
+  auto const axis = [](std::string const& name, std::string const& list) {
+    return R"({"name": ")" + name + R"(", "list": ")" + list + R"("})";
+  };
+  auto const write = [&](std::string const& axes, std::string const& groups) {
+    folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [)" + axes +
+                               R"(], "groups": [)" + groups + "]}");
+  };
+  std::string const mill = R"({"name": "mill", "axes": ["X", "Y"]})";
+  std::string const lathe = R"({"name": "lathe", "axes": ["C", "Z"]})";
+  write(
+      axis("Z", "z.lis") + ", " + axis("Y", "y.lis") + ", " + axis("C", "x.lis") + ", " + axis("X", "x.lis"),
+      lathe + ", " + mill);
+  auto const both_mill = contour(there, {"--group", "mill"});
+  auto const both_lathe = contour(there, {"--group", "lathe", "--order", "10"});
+  write(axis("X", "x.lis") + ", " + axis("Y", "y.lis"), mill);
+  CHECK(contour(there, {"--group", "mill"}) == both_mill);
+  write(axis("C", "x.lis") + ", " + axis("Z", "z.lis"), lathe);
+  CHECK(contour(there, {"--group", "lathe", "--order", "10"}) == both_lathe);
+}

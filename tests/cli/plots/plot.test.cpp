@@ -19,6 +19,7 @@ using namespace axisc::pictures;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 using nlohmann::json;
+using namespace std::string_literals;
 
 namespace {
 
@@ -545,4 +546,26 @@ TEST_CASE("a recording's picture shows the deviation that compare names") {
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
   }
+}
+
+TEST_CASE("a picture of more axes than anybody tells apart is refused") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 20\nEnde\n");
+  auto const there = in_folder(folder.path());
+  auto const write = [&folder](int count) {
+    std::string axes;
+    for (int i = 0; i < count; ++i) {
+      axes += (i == 0 ? "" : ", ") + R"({"name": "A)"s + std::to_string(i) + R"(", "list": "x.lis"})";
+    }
+    folder.write("m.json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [)" + axes + "]}");
+  };
+  write(101);
+  for (std::string const kind : {"response", "step", "delay"}) {
+    auto const outcome = run_axisc({"plot", "m.json", "--kind", kind, "-o", "p.svg"}, there);
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, Contains("a picture shows at most 100 axes, not 101; choose one with --axis"));
+    CHECK(run_axisc({"plot", "m.json", "--kind", kind, "--axis", "A100", "-o", "p.svg"}, there).status == 0);
+  }
+  write(100);
+  CHECK(run_axisc({"plot", "m.json", "--kind", "delay", "-o", "p.svg"}, there).status == 0);
 }
