@@ -15,9 +15,9 @@ struct CompiledFilter {
 };
 
 struct KernelProof {
-  double peak_gain = 1;  ///< Σ|b|
+  double peak_gain = 1;  ///< upper bound of Σ|b|
   double overshoot = 0;  ///< of the step response
-  double tail_gain = 0;  ///< Σ|S|
+  double tail_gain = 0;  ///< upper bound of Σ|S|
 };
 
 struct CompiledKernel {

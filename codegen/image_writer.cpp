@@ -6,11 +6,17 @@
 #include "codegen/kernel_records.hpp"
 #include "codegen/source_digest.hpp"
 
+#include <cmath>
 #include <span>
 #include <vector>
 
 namespace axisc::codegen {
 namespace {
+
+/// Rounded upwards, unless it is exact.
+double product_above(double a, double b) {
+  return a == 1 || b == 1 ? a * b : std::nextafter(a * b, HUGE_VAL);
+}
 
 class ImageBuilder {
  public:
@@ -83,7 +89,7 @@ class ImageBuilder {
     if (!axis.kernel || !axis.kernel->on_at_start) return proof;
     std::uint32_t const kernel = kernels_.index_of(axis.kernel->specification);
     if (kernel == no_kernel) return proof;
-    proof.peak_gain *= kernels_[kernel].proof.peak_gain;
+    proof.peak_gain = product_above(proof.peak_gain, kernels_[kernel].proof.peak_gain);
     proof.delay_cycles += kernels_[kernel].design.group_delay_cycles;
     return proof;
   }

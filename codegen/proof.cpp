@@ -5,23 +5,24 @@
 namespace axisc::codegen {
 namespace {
 
-/// Where the analysis may stop: what then still moves adds less than this to Σ|h|.
+/// Decides nothing: no proof says when a filter has settled.
 constexpr double settled_within = 1e-9;
 
 }  // namespace
 
 FilterProof prove_filter(design::FilterDesign const& filter) {
-  design::StepFigures const step = design::step_figures(std::span(&filter, 1), longest_proof, settled_within);
+  design::StepFigures const step =
+      design::step_figures(std::span(&filter, 1), design::longest_summation, settled_within);
   return {.pole_radius = filter.pole_radius,
           .dc_gain = filter.dc_gain,
           .group_delay = filter.group_delay_cycles,
           .kernel_sum = 1,
-          .peak_gain = step.peak_gain,
+          .peak_gain = step.peak_gain_bound,
           .overshoot = step.overshoot};
 }
 
 ChainProof prove_chain(std::span<design::FilterDesign const> chain) {
-  return {.peak_gain = design::step_figures(chain, longest_proof, settled_within).peak_gain,
+  return {.peak_gain = design::step_figures(chain, design::longest_summation, settled_within).peak_gain_bound,
           .delay_cycles = design::chain_delay_cycles(chain)};
 }
 

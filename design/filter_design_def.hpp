@@ -17,6 +17,14 @@ namespace axisc::design {
   return section.k > 0 && section.b > 0 && section.b < 2 && 4 - section.k - 2 * section.b > 0;
 }
 
+/// Largest |pole| of a section as it is stored, computed like one that is not rounded.
+template <typename Number>
+[[nodiscard]] double stored_pole_radius(IncrementSection const& section) {
+  // Poles that rounding moved onto or across the unit circle count as lying on it.
+  if (!is_stable(section)) return 1;
+  return static_cast<double>(pole_radius(Section<Number>{.k = Number(section.k), .b = Number(section.b)}));
+}
+
 /// Orders the sections by rising pole radius and rounds each coefficient once.
 template <typename Number>
 void store_sections(std::vector<Section<Number>> const& sections, FilterDesign& design) {
@@ -30,14 +38,13 @@ void store_sections(std::vector<Section<Number>> const& sections, FilterDesign& 
                                    .q = static_cast<double>(section.q),
                                    .k = static_cast<double>(section.k),
                                    .b = static_cast<double>(section.b)};
-    // Poles that rounding moved onto or across the unit circle count as lying on it.
     entries.push_back({is_stable(rounded) ? static_cast<double>(pole_radius(section)) : 1.0, rounded});
+    design.pole_radius = std::max(design.pole_radius, stored_pole_radius<Number>(rounded));
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](Entry const& x, Entry const& y) { return x.radius < y.radius; });
   design.realisation = Realisation::sections;
   for (Entry const& entry : entries) design.sections.push_back(entry.section);
-  design.pole_radius = entries.back().radius;
 }
 
 /// dH/d(jω) at ω = 0: the sum of the sections' slopes, or 0 where several sections block the constant part.

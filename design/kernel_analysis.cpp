@@ -243,16 +243,19 @@ std::vector<Hertz> zero_frequencies(KernelDesign const& kernel, CycleTime cycle_
 }
 
 StepFigures step_figures(KernelDesign const& kernel, double tolerance) {
-  StepFigures figures{.peak_gain = 1, .settling_cycles = 0};
+  StepFigures figures{.settling_cycles = 0};
+  double negative = 0;  // taps; Σ b = 1, hence Σ|b| = 1 + 2 Σ of what is negative
   double previous = 1;
   for (std::size_t n = 0; n <= kernel.tail_sums.size(); ++n) {
     double const tail = n < kernel.tail_sums.size() ? kernel.tail_sums[n] : 0;
     figures.overshoot = std::max(figures.overshoot, -tail);
-    figures.peak_gain +=
-        2 * std::max(0.0, tail - previous);  // Σ b = 1, hence Σ|b| = 1 + 2 Σ of what is negative
+    negative += std::max(0.0, tail - previous);
     if (!(std::abs(tail) <= tolerance)) figures.settling_cycles = n + 1;
     previous = tail;
   }
+  constexpr double rounding = 0x1p-44;  // of up to 201 differences, and as many sums
+  figures.peak_gain = 1 + 2 * negative;
+  figures.peak_gain_bound = negative == 0 ? 1 : std::nextafter(1 + 2 * negative * (1 + rounding), HUGE_VAL);
   return figures;
 }
 

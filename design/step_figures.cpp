@@ -1,10 +1,11 @@
 #include "design/filter_analysis.hpp"
+#include "design/gain_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -12,31 +13,40 @@
 namespace axisc::design {
 namespace {
 
+constexpr std::uint64_t cycles_between_checks = 32;
+
 /// What a filter hands on in a cycle: its output and the output's increment.
 struct Signal {
   double value = 0;
   double increment = 0;
 };
 
-/// Bounds of what the states will still do without input.
+/// What the states will still do without input.
 struct Rest {
-  double value = 0;  ///< to the output
-  double path = 0;   ///< to the sum of the output's |increments|
+  double value = 0;  ///< to the output, about
+  double path = 0;   ///< to the sum of the output's |increments|, at most
 };
 
-/// By square root, which rounds alike on every host; hypot, which std::abs uses, does not, and images hold
-/// peak gains.
-double largest_radius(std::pair<std::complex<double>, std::complex<double>> const& poles) {
-  return std::sqrt(std::max(std::norm(poles.first), std::norm(poles.second)));
-}
+/// Adds numbers of one sign with an error of two roundings, however many they are.
+class CarefulSum {
+ public:
+  void add(double x) {
+    double const sum = high_ + x;
+    double const added = sum - high_;
+    low_ += (high_ - (sum - added)) + (x - added);
+    high_ = sum;
+  }
+  [[nodiscard]] double value() const { return high_ + low_; }
+
+ private:
+  double high_ = 0, low_ = 0;
+};
 
 /// The recursion of the increment form:
 ///     de = p d + r;  e += de;  r = de + q d - k e - b de
-/// Left alone it is an oscillator, e' = v, v' = -b v - k (e + v), with the energy v² + k e².
 class SectionState {
  public:
-  explicit SectionState(IncrementSection const& section)
-      : section_(section), reserve_(1 - largest_radius(poles(section))) {}
+  explicit SectionState(IncrementSection const& section) : section_(section) {}
 
   double step(double d) {
     auto const [p, q, k, b] = section_;
@@ -47,15 +57,14 @@ class SectionState {
   }
   [[nodiscard]] double excess() const { return e_; }
 
-  void add_rest(Rest& rest) const {
-    double const energy = r_ * r_ + section_.k * e_ * e_;
-    rest.value += std::sqrt(energy / section_.k);
-    rest.path += std::sqrt(energy) / std::max(reserve_, 1e-12);
+  /// Left alone it is an oscillator, e' = v, v' = -b v - k (e + v), with the energy v² + k e².
+  [[nodiscard]] double rest() const { return std::sqrt((r_ * r_ + section_.k * e_ * e_) / section_.k); }
+  [[nodiscard]] double path(SectionGain const& gain) const {
+    return std::abs(e_) * gain.per_e + std::abs(r_) * gain.per_r;
   }
 
  private:
   IncrementSection section_;
-  double reserve_;  ///< 1 - pole radius
   double e_ = 0;
   double r_ = 0;
 };
@@ -81,15 +90,29 @@ class FilterState {
     return blocks_constant_ ? step_blocking(x) : step_unit(x);
   }
 
-  void add_rest(Rest& rest) const {
-    for (SectionState const& section : sections_) section.add_rest(rest);
-    for (Signal const& delayed : line_) {
-      rest.value += std::abs(delayed.increment);
-      rest.path += std::abs(delayed.increment);
+  [[nodiscard]] double rest() const {
+    double rest = delayed_path();
+    for (SectionState const& section : sections_) rest += section.rest();
+    return rest;
+  }
+
+  /// Σ|increments| that are still to come behind the filter, where `before` are still to come before it.
+  [[nodiscard]] double path_behind(double before, FilterGain const& gain) const {
+    if (realisation_ == Realisation::pass_through) return before;
+    double within = before + delayed_path();
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      within = within * gain.sections[i].passed + sections_[i].path(gain.sections[i]);
     }
+    return share_.filtered * within + share_.direct * before;
   }
 
  private:
+  [[nodiscard]] double delayed_path() const {
+    double path = 0;
+    for (Signal const& delayed : line_) path += std::abs(delayed.increment);
+    return path;
+  }
+
   Signal step_unit(Signal x) {
     double sum = 0, d = x.increment;
     for (SectionState& section : sections_) {
@@ -121,24 +144,59 @@ class FilterState {
   std::size_t next_ = 0;
 };
 
-Rest rest_of(std::vector<FilterState> const& filters) {
-  Rest rest;
-  for (FilterState const& filter : filters) filter.add_rest(rest);
-  return rest;
-}
+/// Bounds of Σ|h|, from a run in double that ends before the states are at rest.
+class PathBound {
+ public:
+  explicit PathBound(std::span<FilterDesign const> chain) {
+    for (FilterDesign const& filter : chain) {
+      FilterGain const& gain = gains_.emplace_back(filter_gain(filter));
+      rounding_ = rounding_ * gain.passed + passed_ * gain.rounding;
+      passed_ *= gain.passed;
+    }
+  }
+
+  /// Before the run began.
+  [[nodiscard]] double rest() const { return passed_; }
+
+  [[nodiscard]] double rest(std::vector<FilterState> const& filters) const {
+    double path = 0;
+    for (std::size_t i = 0; i < filters.size(); ++i) path = filters[i].path_behind(path, gains_[i]);
+    return path;
+  }
+
+  /// Of the sum of a run, and of what was then still to come.
+  [[nodiscard]] double above(double sum, double rest) const {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double of_sum = (cycles_between_checks + 4) * 0x1p-53;
+    double const beyond = rounding_ + rest;
+    if (beyond == 0) return sum;  // sums of 0 and 1
+    double const bound = sum + (beyond * (1 + 0x1p-20) + sum * of_sum);
+    return bound < infinite ? std::nextafter(bound, infinite) : infinite;
+  }
+
+ private:
+  std::vector<FilterGain> gains_;
+  double passed_ = 1;
+  double rounding_ = 0;
+};
 
 /// Rest below which nothing that is reported changes any more.
 constexpr double settled_rest = 1e-13;
 /// Where only one figure counts, as a share of what would change it: later filters may amplify what is left,
 /// by far less than a hundred thousand.
 constexpr double negligible_rest = 1e-5;
-constexpr std::uint64_t cycles_between_checks = 32;
+
+double rest_of(std::vector<FilterState> const& filters) {
+  double rest = 0;
+  for (FilterState const& filter : filters) rest += filter.rest();
+  return rest;
+}
 
 /// Looks at the step response until `is_enough(rest, excess)`, of which the latter is the largest above the
-/// final value so far.
+/// final value so far. Without a `bound` nothing is said of what is left of the path.
 template <typename IsEnough>
 StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance,
-                        IsEnough is_enough) {
+                        PathBound const* bound, IsEnough is_enough) {
   std::vector<FilterState> filters(chain.begin(), chain.end());
   double final_value = 1;
   for (FilterDesign const& filter : chain) final_value *= filter.dc_gain;
@@ -146,18 +204,24 @@ StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longe
   StepFigures figures;
   double highest = 0;
   std::uint64_t& settling = figures.within_from;
-  Rest rest;
+  Rest rest{.value = 1, .path = bound != nullptr ? bound->rest() : 0};
+  CarefulSum path;
+  double path_since_check = 0;
   for (std::uint64_t n = 0; n < longest; ++n) {
     Signal y{1, n == 0 ? 1.0 : 0.0};
     for (FilterState& filter : filters) y = filter.step(y);
-    figures.peak_gain += std::abs(y.increment);
+    path_since_check += std::abs(y.increment);
     highest = std::max(highest, y.value);
     if (!(std::abs(y.value - final_value) <= tolerance)) settling = n + 1;
     if (n % cycles_between_checks == 0 || n + 1 == longest) {
-      rest = rest_of(filters);
+      path.add(path_since_check);
+      path_since_check = 0;
+      rest = {.value = rest_of(filters), .path = bound != nullptr ? bound->rest(filters) : 0};
       if (is_enough(rest, highest - final_value)) break;
     }
   }
+  figures.peak_gain = path.value();
+  if (bound != nullptr) figures.peak_gain_bound = bound->above(figures.peak_gain, rest.path);
   if (final_value > 0) figures.overshoot = std::max(0.0, highest / final_value - 1);
   if (settling < longest && rest.value <= tolerance) figures.settling_cycles = settling;
   return figures;
@@ -166,7 +230,8 @@ StepFigures follow_step(std::span<FilterDesign const> chain, std::uint64_t longe
 }  // namespace
 
 StepFigures step_figures(std::span<FilterDesign const> chain, std::uint64_t longest, double tolerance) {
-  return follow_step(chain, longest, tolerance, [tolerance](Rest const& rest, double /*excess*/) {
+  PathBound const bound(chain);
+  return follow_step(chain, longest, tolerance, &bound, [tolerance](Rest const& rest, double /*excess*/) {
     return rest.value <= std::min(settled_rest, tolerance) && rest.path <= settled_rest;
   });
 }
@@ -175,7 +240,7 @@ double step_overshoot(std::span<FilterDesign const> chain, std::uint64_t longest
   auto const is_enough = [](Rest const& rest, double excess) {
     return rest.value <= std::max(settled_rest, negligible_rest * excess);
   };
-  return follow_step(chain, longest, 0, is_enough).overshoot;
+  return follow_step(chain, longest, 0, nullptr, is_enough).overshoot;
 }
 
 std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain, std::uint64_t longest,
@@ -183,7 +248,7 @@ std::optional<std::uint64_t> settling_cycles(std::span<FilterDesign const> chain
   auto const is_enough = [tolerance](Rest const& rest, double /*excess*/) {
     return rest.value <= negligible_rest * tolerance;
   };
-  std::uint64_t const within_from = follow_step(chain, longest, tolerance, is_enough).within_from;
+  std::uint64_t const within_from = follow_step(chain, longest, tolerance, nullptr, is_enough).within_from;
   return within_from < longest ? std::optional(within_from) : std::nullopt;
 }
 

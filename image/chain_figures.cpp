@@ -28,6 +28,15 @@ ImageKernel const* kernel_at_start(ImageContents const& contents, std::size_t ax
   return &contents.kernels[*slot->kernel];
 }
 
+double summed_gain(std::span<design::FilterDesign const> chain) {
+  return design::step_figures(chain, design::longest_summation, settled_within).peak_gain;
+}
+
+bool is_about(double stated, double gain) {
+  constexpr double noticeable = 1e-6;
+  return stated <= gain * (1 + noticeable);
+}
+
 /// Distance of the origin from the line between two points.
 double distance_to_origin(double x0, double y0, double x1, double y1) {
   double const dx = x1 - x0;
@@ -153,6 +162,18 @@ std::vector<ChainFigures> chain_figures(std::span<std::byte const> image, ImageC
 ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
                            std::size_t axis) {
   return chain_figures(image, contents, std::span(&axis, 1)).front();
+}
+
+bool reaches_peak_gain(ImageContents const& contents, std::size_t axis) {
+  double const stated = contents.axes[axis].peak_gain;
+  if (is_about(stated, 1)) return true;  // what arrives in the end
+  auto const chain = designs(contents.axes[axis]);
+  if (chain.empty()) return true;
+  return kernel_at_start(contents, axis) == nullptr && is_about(stated, summed_gain(chain));
+}
+
+bool reaches_peak_gain(ImageFilter const& filter) {
+  return is_about(filter.peak_gain, summed_gain(std::span(&filter.design, 1)));
 }
 
 double chain_magnitude(ImageContents const& contents, std::size_t axis, design::Hertz frequency) {

@@ -36,6 +36,12 @@ inline constexpr std::uint64_t longest_settling = std::uint64_t{1} << 18U;
 [[nodiscard]] ChainFigures chain_figures(std::span<std::byte const> image, ImageContents const& contents,
                                          std::size_t axis);
 
+/// Whether a setpoint is amplified as much as `peak_gain` says, but for a millionth. If not, that is an upper bound: of a response
+/// too long to be summed up, or of filters beside a kernel, whose gains are multiplied. Cost: until the response has settled, at
+/// most some ten milliseconds.
+[[nodiscard]] bool reaches_peak_gain(ImageContents const& contents, std::size_t axis);
+[[nodiscard]] bool reaches_peak_gain(ImageFilter const& filter);
+
 /// Magnitude of the chain, with the kernel that works from start-up, at one frequency.
 [[nodiscard]] double chain_magnitude(ImageContents const& contents, std::size_t axis,
                                      design::Hertz frequency);

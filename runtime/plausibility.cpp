@@ -1,5 +1,6 @@
 #include "runtime/creation/building.hpp"
 #include "runtime/lane.hpp"
+#include "runtime/limits.hpp"
 
 namespace axisc::runtime {
 namespace {
@@ -35,20 +36,21 @@ double peak_gain(ImageView const& view, axisrt const& runtime, KernelGains const
   auto const number = static_cast<uint32_t>(slot->listed - runtime.kernels);
   if (slot->on_at_start == 0 || number >= view.kernels.count) return at_start * largest;
   double const listed = view.kernels[number][field::kernel::peak_gain];
-  return listed > 0 ? at_start / listed * largest : 0;
+  return at_start / listed * largest;
 }
 
 }  // namespace
 
-/// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades.
+/// (P + 1/4) v: with setpoints within v no output moves farther, a quarter of v is left to fades. On the grid, as all that a
+/// recording holds.
 void limit_increments(ImageView const& view, axisrt const& runtime) {
   KernelGains const gains(view);
   for (uint32_t axis = 0; axis < runtime.axis_count; ++axis) {
     double const v = runtime.axes[axis].velocity_limit;
     double const gain = peak_gain(view, runtime, gains, axis);
-    if (!(v > 0) || !(gain > 0)) continue;
+    if (!(v > 0)) continue;
     Lane(runtime.setpoint, runtime.setpoint.lines[axis]).part(GroupParts::largest_increment) =
-        (gain + 0.25) * v;
+        on_grid((gain + 0.25) * v, grid);
   }
 }
 

@@ -73,6 +73,7 @@ ordered_json filter_json(image::ImageAxis const& axis, image::ImageFilter const&
   json["dc_gain"] = made.dc_gain;
   json["overshoot_percent"] = filter.overshoot * 100;
   json["peak_gain"] = filter.peak_gain;
+  json["peak_gain_is_reached"] = image::reaches_peak_gain(filter);
   json["pole_radius"] = made.pole_radius;
   json["kernel_sum"] = filter.kernel_sum;
   json["self_test_samples"] = filter.self_test_input.size();
@@ -137,6 +138,7 @@ ordered_json axis_json(image::ImageContents const& image, std::size_t index,
                     {"delay_cycles", axis.delay_cycles},
                     {"delay_ms", axis.delay_cycles * image.cycle_time.seconds() * 1e3},
                     {"peak_gain", axis.peak_gain},
+                    {"peak_gain_is_reached", image::reaches_peak_gain(image, index)},
                     {"chain", chain_json(image, index, chain)}};
   json["filters"] = ordered_json::array();
   for (auto const& filter : axis.filters) {

@@ -36,6 +36,7 @@ constexpr Sentence computed_as{"computed as", "gerechnet als"};
 constexpr Sentence chain{"setpoint chain", "Sollwertkette"};
 constexpr Sentence chain_value{"delay {cycles} cycles ({ms} ms), peak gain {gain}",
                                "Verzögerung {cycles} Zyklen ({ms} ms), Spitzenverstärkung {gain}"};
+constexpr Sentence gain_at_most{"at most {gain}", "höchstens {gain}"};
 constexpr Sentence step{"step", "Sprung"};
 constexpr Sentence step_value{"settles within 0.01 % in {time}, overshoots by {overshoot} %",
                               "nach {time} auf 0,01 % eingeschwungen, Überschwingen {overshoot} %"};
@@ -92,6 +93,7 @@ class InspectText : public InspectWriter {
   std::string axis(std::size_t index, image::ChainFigures const& chain) const {
     auto const& axis = image_.axes[index];
     bool const linear = axis.type == 1;
+    bool const reaches_gain = image::reaches_peak_gain(image_, index);
     std::string text = say(says::axis, {{"axis", axis_label(image_, index)},
                                         {"number", std::to_string(axis.number)},
                                         {"type", say(type_text(axis.type))}}) +
@@ -102,7 +104,7 @@ class InspectText : public InspectWriter {
                                      : rounded(axis.position_window / 1e4) + " °");
     text += row(says::chain, say(says::chain_value, {{"cycles", rounded(axis.delay_cycles)},
                                                      {"ms", milliseconds(axis.delay_cycles)},
-                                                     {"gain", rounded(axis.peak_gain)}}));
+                                                     {"gain", gain(axis.peak_gain, reaches_gain)}}));
     if (auto const readings = image::readings_of(image_, index); readings != design::Readings{}) {
       text += row(says::computed_as, image::readings_text(readings));
     }
@@ -113,6 +115,10 @@ class InspectText : public InspectWriter {
   }
 
  private:
+  std::string gain(double peak_gain, bool is_reached) const {
+    return is_reached ? rounded(peak_gain) : say(says::gain_at_most, {{"gain", rounded(peak_gain)}});
+  }
+
   std::string step(image::ChainFigures const& chain) const {
     auto const cycles = chain.settling_cycles.value_or(image::longest_settling);
     return row(says::step, say(chain.settling_cycles ? says::step_value : says::step_unsettled,
@@ -177,7 +183,7 @@ class InspectText : public InspectWriter {
             say(says::inspect_delay_value, {{"cycles", rounded(made.group_delay_cycles)},
                                             {"ms", milliseconds(made.group_delay_cycles)}}),
             rounded(filter.overshoot * 100) + " %",
-            rounded(filter.peak_gain)};
+            gain(filter.peak_gain, image::reaches_peak_gain(filter))};
   }
 
   std::string details(image::ImageAxis const& axis, image::ImageFilter const& filter, bool interface) const {

@@ -232,17 +232,28 @@ filters, the stages' filters, the kernels.
 
 ## Proof records
 
-`pole_radius`, `dc_gain`, `group_delay` and `delay_cycles` of the axis come from the design in extended precision.
-`peak_gain` and `overshoot` come from the step response of the stored coefficients in double, in the same order of
+`dc_gain`, `group_delay` and `delay_cycles` of the axis come from the design in extended precision, `pole_radius` from the stored
+coefficients. `peak_gain` and `overshoot` come from the step response of the stored coefficients in double, in the same order of
 operations on every host, followed until it has settled, for 2^21 cycles at most. With a kernel that works from start-up
 the axis' `peak_gain` is the product of the chain's and the kernel's, its `delay_cycles` the sum.
+
+`peak_gain` is true for the recursion in real numbers on the stored coefficients: it is the sum of |h| over the cycles that were
+followed, a bound of what rounding may have taken from it, and a bound of all that the states can still put out. Where 2^21 cycles
+do not suffice (characteristic frequencies below some millionths of 1/T) the last one counts, and `peak_gain` may be several times
+the largest amplification that a setpoint reaches; `axisc inspect` then says "at most". `overshoot` is that of the cycles followed.
+
+Images of axisc 0.2.0 and before have the sum alone, without the bounds: usually by less than 2e-12 too low, by up to half
+where the filter is so slow. A loader cannot tell them from others, so compile such machines again.
 
 ## What a loader refuses
 
 Each with a status of its own: fewer bytes than a header, another magic, another major version, bytes after
 the image that are not a whole trailer, wrong checksums, sections outside the image, overlapping or unaligned sections, an unknown
 section that is not optional, counts and indices outside their section, numbers that are not finite, sections that may be unstable, delays beyond
-100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s. Slot and member of an axis name
+100 cycles and kernels beyond 200 tail sums, unknown kinds, a cycle time of 0 or above 1 s, and proofs that cannot be true: a
+`pole_radius` outside 0 to 1, a `dc_gain` other than 1 (`direct` where the constant part is blocked), a `kernel_sum` other than 1, a
+`peak_gain` that is not above 0 or is below `dc_gain` by more than a millionth of it (in an axis the product of its filters' `dc_gain`), a negative
+`overshoot` or `tail_gain`. Slot and member of an axis name
 each other, choices fit into their slot's history, a gantry slave's source has stages of its own. Where a key is set, also an
 image without a trailer and one whose signature is wrong. `runtime/include/axisrt.h` names them.
 )";

@@ -31,17 +31,18 @@ typedef enum axisrt_status {
   AXISRT_OK = 0,
 
   /* The image (axisrt_verify, axisrt_memory_size, axisrt_create). */
-  AXISRT_TOO_SHORT = 1,        /* fewer bytes than a header, or than the header's total size */
-  AXISRT_WRONG_MAGIC = 2,      /* does not begin with "AXIM" */
-  AXISRT_WRONG_VERSION = 3,    /* another major version of the format */
-  AXISRT_WRONG_SIZE = 4,       /* bytes after the total size that are not a whole signature */
-  AXISRT_WRONG_CHECKSUM = 5,   /* header or payload was changed */
-  AXISRT_OUT_OF_BOUNDS = 6,    /* an offset, count, index or value out of range; a section missing or twice */
-  AXISRT_OVERLAP = 7,          /* sections overlap or are not aligned to 64 bytes */
-  AXISRT_NOT_FINITE = 8,       /* a stored number is NaN or infinite */
-  AXISRT_UNSTABLE = 9,         /* a section that need not settle, or with |p| or |q| above 64 */
-  AXISRT_KERNEL_TOO_LONG = 10, /* a delay or kernel longer than the format allows */
-  AXISRT_UNKNOWN_KIND = 11,    /* a filter, port, axis type or mandatory section of unknown kind */
+  AXISRT_TOO_SHORT = 1,      /* fewer bytes than a header, or than the header's total size */
+  AXISRT_WRONG_MAGIC = 2,    /* does not begin with "AXIM" */
+  AXISRT_WRONG_VERSION = 3,  /* another major version of the format */
+  AXISRT_WRONG_SIZE = 4,     /* bytes after the total size that are not a whole signature */
+  AXISRT_WRONG_CHECKSUM = 5, /* header or payload was changed */
+  /* An offset, count, index or value out of range; a proof that cannot be true; a section missing or twice. */
+  AXISRT_OUT_OF_BOUNDS = 6,
+  AXISRT_OVERLAP = 7,             /* sections overlap or are not aligned to 64 bytes */
+  AXISRT_NOT_FINITE = 8,          /* a stored number is NaN or infinite */
+  AXISRT_UNSTABLE = 9,            /* a section that need not settle, or with |p| or |q| above 64 */
+  AXISRT_KERNEL_TOO_LONG = 10,    /* a delay or kernel longer than the format allows */
+  AXISRT_UNKNOWN_KIND = 11,       /* a filter, port, axis type or mandatory section of unknown kind */
   AXISRT_INCONSISTENT_CYCLE = 12, /* cycle time zero or beyond 1 s */
   AXISRT_MISALIGNED = 13,         /* image or memory is not aligned to 64 bytes */
 
@@ -190,20 +191,25 @@ axisrt_status axisrt_rebase(axisrt* runtime, uint32_t axis, double offset);
 /* One NC cycle. in[axis]: position setpoint; out[axis]: filtered setpoint, always finite for an axis that was reset. `in`
  * may equal `out`. `status` may be null, else status[axis] receives what happened to that axis. Returns the worst of
  * them, or AXISRT_BAD_ARGUMENT for a null pointer.
- * Error against the exact filter, for characteristic frequencies from 1e-4/T to 0.4/T and whatever the setpoints are: at most
+ * Typical error against the exact filter, for characteristic frequencies from 1e-4/T to 0.4/T and ordinary setpoints (moves,
+ * steps, sines, noise): at most
  *     ulp(max(|in|, |out|)) + 2^-42 D + 2^-40 d
  * D: the largest |out - in| since the last rest; for chains that block the constant part the largest distance of `in` from
  * there, or the largest |out|. d: the largest |in[n] - in[n-1]| since then; its term counts where setpoints jump back and
  * forth, and vanishes beside the others in a move. From 1e-6/T on and up to 0.475/T the last terms are 2^-38 D + 2^-32 d.
+ * This is measured, not proved: setpoints whose last digits are chosen so that all roundings push the same way exceed it,
+ * narrow filters of 1e-4/T by up to 13 times (5e-6 units at an amplitude of 1e6). No bound for every setpoint is stated yet.
  * At rest a chain with DC gain 1 ends at out == in, exactly and for good.
  * Cost: constant for a given image, whatever the values are; while kernels change over (axisrt_command), that of one
  * kernel more for each axis that does. */
 axisrt_status axisrt_step(axisrt* runtime, const double* in, double* out, uint8_t* status);
 
 /* What axisrt_step calls implausible, for axes whose list gives P-AXIS-00212 (v per cycle): with P the
- * largest peak gain of the axis' chain with any kernel of the image, an output that moves by more than (P +
- * 1/4) v in one cycle. Setpoints that stay within v never cause it, not in a change of kernels or of images
- * either; a reset does not count. */
+ * largest peak gain of the axis' chain with any kernel of the image (as the image states it, an upper bound), an
+ * output that moves by more than (P + 1/4) v in one cycle. Setpoints that stay within v never cause it, not in a
+ * change of kernels or of images either, where v is not so small that the last digits of positions count (positions
+ * below 2^40 v); a reset does not count. Images of axisc 0.2.0 and before may state too little for filters whose
+ * characteristic frequency is below some millionths of 1/T. */
 
 /* How far the filters of an axis take it away from its commanded path where its velocity changes by
  * `velocity` (um/s or 1e-3 degree/s) from one cycle to the next, as in a corner: the largest distance, in the

@@ -65,6 +65,21 @@ axisrt_status check_realisation(ImageView const& view, Record<record::filter> fi
                       view.coefficients.holds(filter[field::filter::first_section], sections));
 }
 
+/// Of what the proof says, what can be judged without computing it again.
+axisrt_status check_proof(Record<record::filter> filter) {
+  double const radius = filter[field::filter::pole_radius];
+  double const gain_at_zero = filter[field::filter::dc_gain];
+  double const peak_gain = filter[field::filter::peak_gain];
+  double const overshoot = filter[field::filter::overshoot];
+  axisrt_status const status = check_finite(radius, gain_at_zero, filter[field::filter::group_delay],
+                                            filter[field::filter::kernel_sum], peak_gain, overshoot);
+  if (status != AXISRT_OK) return status;
+  bool const blocks = filter[field::filter::blocks_constant] != 0;
+  return check_bounds(
+      radius >= 0 && radius <= 1, gain_at_zero == (blocks ? filter[field::filter::direct] : 1),
+      filter[field::filter::kernel_sum] == 1, is_possible_gain(peak_gain, gain_at_zero), overshoot >= 0);
+}
+
 axisrt_status check_filter(ImageView const& view, Record<record::filter> filter) {
   return first_failure(
       [&] { return check_kinds(filter); }, [&] { return check_share(filter); },
@@ -74,15 +89,23 @@ axisrt_status check_filter(ImageView const& view, Record<record::filter> filter)
       },
       [&] {
         return check_finite(filter[field::filter::frequency], filter[field::filter::quality],
-                            filter[field::filter::time_constant], filter[field::filter::share_percent],
-                            filter[field::filter::pole_radius], filter[field::filter::dc_gain],
-                            filter[field::filter::group_delay], filter[field::filter::kernel_sum],
-                            filter[field::filter::peak_gain], filter[field::filter::overshoot]);
-      });
+                            filter[field::filter::time_constant], filter[field::filter::share_percent]);
+      },
+      [&] { return check_proof(filter); });
+}
+
+/// `first`: of the axis' setpoint filters, all of which have been checked.
+axisrt_status check_axis_gain(ImageView const& view, Record<record::axis> axis, uint32_t first) {
+  double gain_at_zero = 1;
+  for (uint32_t i = 0; i < axis[field::axis::filter_count]; ++i) {
+    gain_at_zero *= view.filters[first + i][field::filter::dc_gain];
+  }
+  return check_bounds(is_possible_gain(axis[field::axis::peak_gain], gain_at_zero));
 }
 
 axisrt_status check_axis(ImageView const& view, uint32_t index, uint32_t& next_filter) {
   Record<record::axis> const axis = view.axes[index];
+  uint32_t const first_filter = next_filter;
   return first_failure(
       [&] {
         bool const known =
@@ -101,6 +124,7 @@ axisrt_status check_axis(ImageView const& view, uint32_t index, uint32_t& next_f
         return check_chain(view, index, axim_port_setpoint, axis[field::axis::first_filter],
                            axis[field::axis::filter_count], axim_most_filters, next_filter);
       },
+      [&] { return check_axis_gain(view, axis, first_filter); },
       [&] {
         return check_chain(view, index, axim_port_interface, axis[field::axis::first_interface_filter],
                            axis[field::axis::interface_filter_count], axim_most_interface_filters,

@@ -55,6 +55,11 @@ template <class RecordType, size_t Offset>
   return begin < table.count && table[begin][field] == axis ? begin : table.count;
 }
 
+/// The sum of |h| is never below |H(1)|. A compiler whose sums were not rounded upwards may have stored a little less.
+[[nodiscard]] inline bool is_possible_gain(double peak_gain, double gain_at_zero) {
+  return peak_gain > 0 && peak_gain >= gain_at_zero * (1 - 0x1p-20);
+}
+
 /// Samples of a self-test are within their section.
 [[nodiscard]] inline axisrt_status check_samples(ImageView const& view, uint32_t first, uint32_t count) {
   return check_bounds(count <= axim_most_samples, count == 0 || view.self_tests.holds(first, count));

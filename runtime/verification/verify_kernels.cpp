@@ -20,6 +20,18 @@ bool fits_its_tails(Record<record::kernel> kernel, uint32_t tails) {
   return h == 0 ? delay == tails : h <= tails && 2 * h == tails && delay == h;
 }
 
+/// Of what the proof says, what can be judged without computing it again.
+axisrt_status check_proof(Record<record::kernel> kernel) {
+  double const sum = kernel[field::kernel::kernel_sum];
+  double const peak_gain = kernel[field::kernel::peak_gain];
+  double const overshoot = kernel[field::kernel::overshoot];
+  double const tail_gain = kernel[field::kernel::tail_gain];
+  axisrt_status const status =
+      check_finite(kernel[field::kernel::group_delay], sum, peak_gain, overshoot, tail_gain);
+  if (status != AXISRT_OK) return status;
+  return check_bounds(sum == 1, is_possible_gain(peak_gain, 1), overshoot >= 0, tail_gain >= 0);
+}
+
 axisrt_status check_kernel(ImageView const& view, Record<record::kernel> kernel) {
   if (kernel[field::kernel::type] >= kernel_types) return AXISRT_UNKNOWN_KIND;
   uint32_t const tails = kernel[field::kernel::tail_count];
@@ -34,10 +46,9 @@ axisrt_status check_kernel(ImageView const& view, Record<record::kernel> kernel)
       },
       [&] {
         return check_finite(kernel[field::kernel::share_percent], kernel[field::kernel::frequency],
-                            kernel[field::kernel::quality], kernel[field::kernel::group_delay],
-                            kernel[field::kernel::kernel_sum], kernel[field::kernel::peak_gain],
-                            kernel[field::kernel::overshoot], kernel[field::kernel::tail_gain]);
-      });
+                            kernel[field::kernel::quality]);
+      },
+      [&] { return check_proof(kernel); });
 }
 
 /// None, or a kernel that fits into the slot's history.

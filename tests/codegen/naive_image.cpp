@@ -131,7 +131,10 @@ class Writer {
     put_double(axes_, at + 40, axis.position_window);
     put_double(axes_, at + 48, axis.velocity_limit);
     put_double(axes_, at + 56, axis.acceleration_limit);
-    put_double(axes_, at + 64, peak_gain_of(axis) * kernel.peak_gain);
+    double const gain = peak_gain_of(axis);
+    bool const is_exact = gain == 1 || kernel.peak_gain == 1;
+    double const product = gain * kernel.peak_gain;
+    put_double(axes_, at + 64, is_exact ? product : std::nextafter(product, 1e300));
     put_double(axes_, at + 72, design::chain_delay_cycles(chain_of(axis)) + kernel.delay_cycles);
   }
 
@@ -141,7 +144,7 @@ class Writer {
     return chain;
   }
   [[nodiscard]] double peak_gain_of(machine::AxisConfiguration const& axis) const {
-    return axis.filters.empty() ? 1 : figures(chain_of(axis)).peak_gain;
+    return axis.filters.empty() ? 1 : figures(chain_of(axis)).peak_gain_bound;
   }
 
   void write_filter(std::uint32_t axis, std::uint32_t port, machine::ConfiguredFilter const& configured) {
@@ -188,7 +191,7 @@ class Writer {
     put_double(filters_, at + 112, design.dc_gain);
     put_double(filters_, at + 120, design.group_delay_cycles);
     put_double(filters_, at + 128, 1);
-    put_double(filters_, at + 136, figures({design}).peak_gain);
+    put_double(filters_, at + 136, figures({design}).peak_gain_bound);
     put_double(filters_, at + 144, figures({design}).overshoot);
     put32(filters_, at + 152, stores_.place_samples(samples));
     put32(filters_, at + 156, samples.size());

@@ -169,7 +169,7 @@ class Writer {
     put_double(out, at + 48, specification.quality);
     put_double(out, at + 56, design.group_delay_cycles);
     put_double(out, at + 64, 1);
-    put_double(out, at + 72, figures.peak_gain);
+    put_double(out, at + 72, figures.peak_gain_bound);
     put_double(out, at + 80, figures.overshoot);
     double tail_gain = 0;
     for (double const tail : design.tail_sums) {
@@ -178,7 +178,7 @@ class Writer {
       sections_.tails.resize(end + 8);
       put_double(sections_.tails, end, tail);
     }
-    put_double(out, at + 88, tail_gain);
+    put_double(out, at + 88, tail_gain * (1 + 0x1p-45));
   }
 
   void write_slot(Slot const& slot) {
@@ -285,7 +285,7 @@ NaiveKernelFigures kernel_at_start(machine::AxisConfiguration const& axis, desig
   if (specification.order == 0 || specification.share_percent == 0) return {};
   design::KernelDesign const design =
       design::design_kernel(without_what_its_type_ignores(specification, cycle_time), cycle_time);
-  return {design::step_figures(design, 1e-9).peak_gain, design.group_delay_cycles};
+  return {design::step_figures(design, 1e-9).peak_gain_bound, design.group_delay_cycles};
 }
 
 NaiveKernelSections naive_kernel_sections(

@@ -144,7 +144,8 @@ void append_filter(Sections& to, FilterRecord const& filter, std::uint32_t axis,
   out.f64(1);                   // quality
   out.f64(10000);               // time constant
   out.f64(filter.share * 100);  // share in percent
-  for (double const proof : {0.9, 1.0, 2.0, 1.0, 1.0, 0.0}) out.f64(proof);
+  double const gain_at_zero = filter.blocks_constant != 0 ? filter.direct : 1;
+  for (double const proof : {0.9, gain_at_zero, 2.0, 1.0, 1.0, 0.0}) out.f64(proof);
   bool const tested = !strip && !filter.samples.empty();
   out.u32(tested ? to.samples.section.count : 0);
   out.u32(tested ? static_cast<std::uint32_t>(filter.samples.size()) : 0);

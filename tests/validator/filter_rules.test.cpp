@@ -52,6 +52,7 @@ class Run {
     }
     return lines;
   }
+  [[nodiscard]] std::vector<Finding> const& findings() const { return findings_; }
   [[nodiscard]] Finding const& only() const {
     REQUIRE(findings_.size() == 1);
     return findings_.front();
@@ -437,6 +438,20 @@ TEST_CASE("AX6005: peak gain of the chain, at the last filter") {
   std::string const second = "filter[2].enable 1\nfilter[2].order 1\nfilter[2].fg_f0 200\n";
   CHECK(lines(filter("BANDSTOP", "3", "filter[0].fg_f0 20\n") + second, pedantic) ==
         Lines{"3 AX6004", "5 AX6005"});
+}
+
+TEST_CASE("AX6005: filters too slow to sum up their peak gain get an upper bound") {
+  // After ten seconds this notch has hardly begun; its peak gain is 3.357.
+  Run const run(
+      filter("BANDSTOP", "3", "filter[0].prototype BUTTERWORTH\nfilter[0].fg_f0 0.05\nfilter[0].guete 10\n"),
+      {.cycle_us = 125, .pedantic = true});
+  REQUIRE(run.lines() == Lines{"1 AX6003", "1 AX6005", "3 AX6004"});
+  Finding const& finding = run.findings()[1];
+  CHECK(english(finding.message).find("by a factor of up to ") != std::string::npos);
+  std::string const label = english(*finding.label);
+  std::string const before = "peak gain Σ|h| ≤ ";
+  REQUIRE(label.rfind(before, 0) == 0);
+  CHECK(std::stod(label.substr(before.size())) > 3.357);
 }
 
 TEST_CASE("one mistake, one message") {

@@ -36,6 +36,30 @@ TEST_CASE("an image as text and JSON") {
                run_axisc({"inspect", "m.axim", "--format", "json"}, there).out);
 }
 
+TEST_CASE("a peak gain that no setpoint need reach is stated as a bound") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("x.lis",
+               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].type BANDSTOP\nfilter[0].order 3\n"
+               "filter[0].prototype BUTTERWORTH\nfilter[0].fg_f0 0.05\nfilter[0].guete 10\nEnde\n");
+  REQUIRE(run_axisc({"compile", "x.lis", "-o", "x.axim", "--cycle-time", "125us", "-q"}, there).status == 0);
+  auto const text = run_axisc({"inspect", "x.axim"}, there).out;
+  CHECK_THAT(text, Catch::Matchers::Contains("peak gain at most "));
+  auto const german = run_axisc({"inspect", "x.axim", "--lang", "de"}, there).out;
+  CHECK_THAT(german, Catch::Matchers::Contains("Spitzenverstärkung höchstens "));
+  auto const json = nlohmann::json::parse(run_axisc({"inspect", "x.axim", "--format", "json"}, there).out);
+  auto const& axis = json["axes"][0];
+  CHECK(axis["peak_gain"] > 3.357);
+  CHECK(axis["peak_gain_is_reached"] == false);
+  CHECK(axis["filters"][0]["peak_gain_is_reached"] == false);
+
+  folder.write("y.lis",
+               "kopf.achs_nr 1\nfilter[0].enable 1\nfilter[0].order 3\nfilter[0].type ALLPASS\n"
+               "filter[0].prototype BESSEL\nfilter[0].fg_f0 30\nEnde\n");
+  REQUIRE(run_axisc({"compile", "y.lis", "-o", "y.axim", "--cycle-time", "125us", "-q"}, there).status == 0);
+  CHECK_THAT(run_axisc({"inspect", "y.axim"}, there).out, !Catch::Matchers::Contains("at most"));
+}
+
 TEST_CASE("one axis, and the memory it takes") {
   TemporaryFolder const folder;
   auto const there = compiled(folder);

@@ -373,6 +373,18 @@ TEST_CASE("a recorder may start in the middle of a motion and of a fade") {
   CHECK(replayed.cycles == 100);
 }
 
+TEST_CASE("what was recorded is restored, however slow the axes' limits are") {
+  for (double const velocity_limit : {1e-300, 1e-295, 1e-180, 4e-307, 0.0, 1e300}) {
+    CAPTURE(velocity_limit);
+    ImageRecord image = channel_image();
+    for (AxisRecord& axis : image.axes) axis.velocity_limit = velocity_limit;
+    Recorded recorded(image, 5);
+    recorded.runtime.reset_all(0);
+    for (int i = 0; i < 20; ++i) static_cast<void>(recorded.runtime.step_all({30.0 * i, -20.0 * i, 0}));
+    CHECK(Restored(recorded.image(), recorded.dump()).status == AXISRT_OK);
+  }
+}
+
 TEST_CASE("recording changes no output") {
   Recorded recorded(channel_image(), 5);
   TestRuntime plain(write_image(channel_image()));

@@ -35,6 +35,11 @@ std::vector<Mutation> kernel_mutations() {
       f64("group delay", kernels_kind, 2, 56, not_a_number, AXISRT_NOT_FINITE),
       f64("kernel sum", kernels_kind, 2, 64, not_a_number, AXISRT_NOT_FINITE),
       f64("peak gain", kernels_kind, 2, 72, not_a_number, AXISRT_NOT_FINITE),
+      // Proofs that cannot be true: the taps' sum is 1.
+      f64("another sum of the kernel", kernels_kind, 0, 64, 2, AXISRT_OUT_OF_BOUNDS),
+      f64("a peak gain below the sum", kernels_kind, 0, 72, 0.99, AXISRT_OUT_OF_BOUNDS),
+      f64("a negative overshoot", kernels_kind, 0, 80, -0.1, AXISRT_OUT_OF_BOUNDS),
+      f64("a negative tail gain", kernels_kind, 0, 88, -1, AXISRT_OUT_OF_BOUNDS),
       f64("overshoot", kernels_kind, 2, 80, -infinity, AXISRT_NOT_FINITE),
       f64("tail gain", kernels_kind, 3, 88, infinity, AXISRT_NOT_FINITE),
   };

@@ -4,13 +4,20 @@
 #include "diagnostics/format_number.hpp"
 #include "validator/rules/filter_words.hpp"
 
-#include <cstdint>
+#include <cmath>
+#include <string>
 
 namespace axisc::validator::says {
 
 constexpr Sentence headline{"the filters of this axis may amplify peaks by a factor of {gain}",
                             "die Filter dieser Achse können Spitzen auf das {gain}fache verstärken"};
+constexpr Sentence headline_at_most{
+    "the filters of this axis may amplify peaks by a factor of up to {gain}",
+    "die Filter dieser Achse können Spitzen auf bis zu das {gain}fache verstärken"};
 constexpr Sentence label{"peak gain Σ|h| = {gain}", "Spitzenverstärkung Σ|h| = {gain}"};
+constexpr Sentence label_at_most{
+    "peak gain Σ|h| ≤ {gain}: the filters are too slow to sum it up",
+    "Spitzenverstärkung Σ|h| ≤ {gain}: die Filter sind zu langsam, um sie zu summieren"};
 constexpr Sentence note{
     "peaks of velocity and acceleration may grow by this factor; every band-stop and all-pass does this",
     "Spitzen von Geschwindigkeit und Beschleunigung können um diesen Faktor wachsen; jede Bandsperre und "
@@ -24,20 +31,22 @@ namespace axisc::validator::checks {
 namespace {
 
 constexpr double noticeable = 2;
-constexpr double longest_seconds = 10;
 constexpr double settled = 1e-4;
+constexpr double as_printed = 1e-4;
 
 void peak_gain(AxisContext const& axis, Report& report) {
   auto const chain = axis.designs.setpoint_chain();
   if (chain.empty()) return;
-  auto const longest = static_cast<std::uint64_t>(longest_seconds / axis.cycle_time.seconds());
-  auto const filters = designs(chain);
-  double const gain = design::step_figures(filters, longest, settled).peak_gain;
-  if (gain <= noticeable) return;
+  auto const figures = design::step_figures(designs(chain), design::longest_summation, settled);
+  double const gain = figures.peak_gain_bound;
+  if (gain <= noticeable || !std::isfinite(gain)) return;  // AX6001 reports what never settles
+  bool const is_summed_up = gain <= figures.peak_gain * (1 + as_printed);
+  std::string const printed = format_rounded(gain, 3);
   FilterView const& last = *chain.back().filter;
   Finding& finding =
-      report.add(last.anchor(last.enable), {says::headline, {{"gain", format_rounded(gain, 3)}}});
-  finding.label = Message{says::label, {{"gain", format_rounded(gain, 3)}}};
+      report.add(last.anchor(last.enable),
+                 {is_summed_up ? says::headline : says::headline_at_most, {{"gain", printed}}});
+  finding.label = Message{is_summed_up ? says::label : says::label_at_most, {{"gain", printed}}};
   finding.notes.push_back({says::note, {}});
   for (ChainLink const& link : chain) {
     FilterView const& filter = *link.filter;
