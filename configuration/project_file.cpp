@@ -2,6 +2,7 @@
 
 #include "configuration/machine_file.hpp"
 #include "configuration/xml_document.hpp"
+#include "configuration/xml_sentences.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>
@@ -26,6 +27,12 @@ constexpr Sentence project_sections{
     "fassen"};
 constexpr Sentence project_long{"{element} has more than {most} bytes and is not read; shorten it",
                                 "{element} hat mehr als {most} Bytes und wird nicht gelesen; kürzen"};
+constexpr Sentence project_beside{
+    "this is next to the CDATA section of {element} and not read; put the list into the section and remove "
+    "the rest",
+    "das steht neben dem CDATA-Abschnitt von {element} und wird nicht gelesen; die Liste in den Abschnitt "
+    "schreiben "
+    "und den Rest entfernen"};
 
 }  // namespace axisc::configuration::says
 
@@ -47,6 +54,11 @@ constexpr std::array list_elements = {ListElement{.name = "AchsMds", .kind = Lis
 bool is_of_machine(ListKind kind) {
   return kind == ListKind::axis || kind == ListKind::channel;
 }
+bool is_for_machine(std::string_view element) {
+  return std::any_of(list_elements.begin(), list_elements.end(), [element](ListElement const& each) {
+    return is_of_machine(each.kind) && each.name == element;
+  });
+}
 constexpr std::uint32_t nanoseconds_per_unit = 100;
 constexpr std::uint32_t longest_cycle = 10'000'000;  // units of 100 ns
 constexpr std::string_view interpolation_task = "GEO";
@@ -60,7 +72,7 @@ class ProjectReader {
   Project read() && {
     auto parsed = parse_xml(text_.bytes());
     if (auto const* const mistake = std::get_if<XmlMistake>(&parsed)) {
-      refuse(mistake->span, {.sentence = mistake->sentence, .arguments = {}});
+      refuse(mistake->span, mistake->message);
       return {};
     }
     document_ = std::get<XmlDocument>(std::move(parsed));
@@ -69,6 +81,7 @@ class ProjectReader {
     for (std::size_t i = 0; i < document_.elements.size(); ++i) {
       for (ListElement const& each : list_elements) {
         if (document_.elements[i].name == each.name) read_list(i, each.kind);
+        refuse_spelling(document_.elements[i], each);
       }
       if (document_.elements[i].name == "Task") read_task(i);
     }
@@ -76,6 +89,9 @@ class ProjectReader {
     bool const has_machine = std::any_of(project_.lists.begin(), project_.lists.end(),
                                          [](ProjectList const& list) { return is_of_machine(list.kind); });
     if (!has_machine && findings_.empty()) {
+      project_.is_of_cnc =
+          std::any_of(document_.elements.begin(), document_.elements.end(),
+                      [](XmlElement const& element) { return is_for_machine(element.name); });
       refuse({.begin = text_.text_begin(), .end = text_.text_begin()},
              {.sentence = says::project_no_list, .arguments = {}});
     }
@@ -161,6 +177,7 @@ class ProjectReader {
                                  .arguments = {{"element", std::string(element.name)}}});
       return;
     }
+    refuse_beside(index);
     LocatedText const own{.text = std::string(element.name),
                           .place = {.source = source_, .span = element.name_span}};
     project_.lists.push_back({.kind = kind,
@@ -169,6 +186,27 @@ class ProjectReader {
                               .program_name = beside(index, "DefaultProgName"),
                               .default_channel = count_beside(index, "DefaultChannel"),
                               .default_index = count_beside(index, "DefaultIndex")});
+  }
+
+  /// The list is read nevertheless, for its own mistakes.
+  void refuse_beside(std::size_t index) {
+    XmlElement const& element = document_.elements[index];
+    if (!is_for_machine(element.name)) return;
+    bool const has_child =
+        index + 1 < document_.elements.size() && document_.elements[index + 1].parent == index;
+    if (!element.text && !has_child) return;
+    refuse(element.text ? *element.text : document_.elements[index + 1].name_span,
+           {.sentence = says::project_beside, .arguments = {{"element", std::string(element.name)}}});
+  }
+
+  /// An element of another letter case, or with a prefix, which holds something.
+  void refuse_spelling(XmlElement const& element, ListElement const& meant) {
+    bool const is_meant = is_of_machine(meant.kind) && element.name != meant.name &&
+                          ascii::equal_ignoring_case(local_name(element.name), meant.name);
+    if (!is_meant || (!element.text && element.cdata_sections.empty())) return;
+    refuse(element.name_span,
+           {.sentence = says::xml_spelling,
+            .arguments = {{"written", std::string(element.name)}, {"meant", std::string(meant.name)}}});
   }
 
   void read_task(std::size_t index) {
@@ -219,13 +257,6 @@ bool is_project_name(std::string_view path) {
   return std::any_of(extensions.begin(), extensions.end(), [path](std::string_view extension) {
     return path.size() > extension.size() &&
            ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
-  });
-}
-
-bool looks_like_project(std::string_view bytes) {
-  return std::any_of(list_elements.begin(), list_elements.end(), [bytes](ListElement const& element) {
-    return is_of_machine(element.kind) &&
-           bytes.find("<" + std::string(element.name)) != std::string_view::npos;
   });
 }
 

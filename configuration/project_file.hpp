@@ -27,6 +27,8 @@ struct Project {
   std::vector<ProjectList> lists;  ///< in the order of the file
   RealTimeList real_time;          ///< CycleTime of the task
   Encoding encoding = Encoding::utf8;
+  bool is_of_cnc =
+      true;  ///< false for well-formed XML without an element for the list of an axis or a channel
 };
 
 /// Reads `sources[source]`; mistakes become AX4020 findings (place and sentences), and what they concern is left out.
@@ -34,8 +36,5 @@ struct Project {
 
 /// True for a name that ends in .tsproj or .xti.
 [[nodiscard]] bool is_project_name(std::string_view path);
-
-/// True for text with an element for a list. Cost: a search through the bytes.
-[[nodiscard]] bool looks_like_project(std::string_view bytes);
 
 }  // namespace axisc::configuration

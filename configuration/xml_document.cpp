@@ -26,6 +26,12 @@ constexpr Sentence xml_doctype{"a document type definition is not read; remove i
                                "eine Dokumenttypdefinition wird nicht gelesen; sie entfernen"};
 constexpr Sentence xml_no_element{"the file holds no XML element; export it again",
                                   "die Datei enthält kein XML-Element; sie neu exportieren"};
+constexpr Sentence xml_outside{
+    "text or a second element outside the first one; XML has one element that holds all others: remove the "
+    "rest",
+    "Text oder ein zweites Element außerhalb des ersten; XML hat ein Element, das alle anderen enthält: den "
+    "Rest "
+    "entfernen"};
 constexpr Sentence xml_nul{"a byte 0 is not allowed in XML; export the file again",
                            "ein Byte 0 ist in XML nicht erlaubt; die Datei neu exportieren"};
 
@@ -41,6 +47,10 @@ Span span_of(std::size_t begin, std::size_t size) {
   return {.begin = static_cast<std::uint32_t>(begin), .end = static_cast<std::uint32_t>(begin + size)};
 }
 
+XmlMistake mistake(Span span, SentenceRef sentence) {
+  return {.span = span, .message = {.sentence = sentence, .arguments = {}}};
+}
+
 SentenceRef sentence_of(pugi::xml_parse_result const& result, std::size_t size) {
   switch (result.status) {
     case pugi::status_bad_cdata:
@@ -49,8 +59,6 @@ SentenceRef sentence_of(pugi::xml_parse_result const& result, std::size_t size) 
       return says::xml_attribute;
     case pugi::status_bad_doctype:
       return says::xml_doctype;
-    case pugi::status_no_document_element:
-      return says::xml_no_element;
     case pugi::status_end_element_mismatch:
       return static_cast<std::size_t>(result.offset) + 1 >= size ? says::xml_unclosed
                                                                  : says::xml_end_mismatch;
@@ -64,12 +72,17 @@ class DocumentReader {
  public:
   explicit DocumentReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// False for a file with a document type definition.
-  bool read(pugi::xml_node node) {
+  /// Why the file is refused.
+  std::optional<XmlMistake> read(pugi::xml_node node) {
     std::size_t open = 0;
     node = node.first_child();
     while (node) {
-      if (node.type() == pugi::node_doctype) return false;
+      if (node.type() == pugi::node_doctype) {
+        return mistake(span_of(std::min(bytes_.find("<!DOCTYPE"), bytes_.size()), 0), says::xml_doctype);
+      }
+      if (is_outside(node)) {
+        return mistake(span_of(static_cast<std::size_t>(node.offset_debug()), 0), says::xml_outside);
+      }
       add(node, open);
       if (node.type() == pugi::node_element && node.first_child()) {
         open = document.elements.size() - 1;
@@ -82,23 +95,29 @@ class DocumentReader {
       }
       if (node) node = node.next_sibling();
     }
-    return true;
+    if (document.elements.empty()) return mistake(span_of(0, 0), says::xml_no_element);
+    return std::nullopt;
   }
 
   XmlDocument document;
 
  private:
+  [[nodiscard]] bool is_outside(pugi::xml_node const& node) const {
+    if (node.parent().type() != pugi::node_document) return false;
+    bool const is_second = node.type() == pugi::node_element && !document.elements.empty();
+    return is_second || node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+  }
+
   void add(pugi::xml_node const& node, std::size_t open) {
     auto const offset = static_cast<std::size_t>(node.offset_debug());
     switch (node.type()) {
       case pugi::node_element:
         return add_element(node, offset, open);
       case pugi::node_pcdata:
-        if (!document.elements.empty() && !document.elements[open].text) add_text(offset, open);
+        if (!document.elements[open].text) add_text(offset, open);
         return;
       case pugi::node_cdata:
-        if (!document.elements.empty()) add_section(offset, open);
-        return;
+        return add_section(offset, open);
       default:
         return;
     }
@@ -145,27 +164,23 @@ class DocumentReader {
 
 std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes) {
   if (std::size_t const nul = bytes.find('\0'); nul != std::string_view::npos) {
-    return XmlMistake{.span = span_of(nul, 1), .sentence = says::xml_nul};
+    return mistake(span_of(nul, 1), says::xml_nul);
   }
   pugi::xml_document document;
-  // Nothing is converted, so that offsets are those of the file.
+  // Nothing is converted, so that offsets are those of the file; what is outside the first element is kept to be seen.
   pugi::xml_parse_result const result = document.load_buffer(
-      bytes.data(), bytes.size(), pugi::parse_cdata | pugi::parse_doctype, pugi::encoding_utf8);
+      bytes.data(), bytes.size(), pugi::parse_cdata | pugi::parse_doctype | pugi::parse_fragment,
+      pugi::encoding_utf8);
   if (!result) {
     SentenceRef const sentence = sentence_of(result, bytes.size());
     std::size_t at = std::min(static_cast<std::size_t>(result.offset), bytes.size());
-    if (sentence == says::xml_no_element) at = 0;
     if (sentence == says::xml_unclosed) at = bytes.size();
     std::size_t const section = bytes.rfind(section_begin, at);
     bool const is_section = sentence == says::xml_cdata && section != std::string_view::npos;
-    return XmlMistake{.span = is_section ? span_of(section, section_begin.size()) : span_of(at, 0),
-                      .sentence = sentence};
+    return mistake(is_section ? span_of(section, section_begin.size()) : span_of(at, 0), sentence);
   }
   DocumentReader reader(bytes);
-  if (!reader.read(document)) {
-    return XmlMistake{.span = span_of(std::min(bytes.find("<!"), bytes.size()), 0),
-                      .sentence = says::xml_doctype};
-  }
+  if (auto refused = reader.read(document)) return *std::move(refused);
   return std::move(reader.document);
 }
 
@@ -176,6 +191,11 @@ std::string attribute_text(std::string_view value) {
   pugi::xml_document document;
   document.load_buffer(element.data(), element.size(), pugi::parse_default, pugi::encoding_utf8);
   return document.first_child().first_attribute().value();
+}
+
+std::string_view local_name(std::string_view name) {
+  std::size_t const colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
 Encoding xml_encoding(std::string_view bytes) {

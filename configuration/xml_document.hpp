@@ -18,7 +18,7 @@ struct XmlElement {
   std::string_view name;
   Span name_span;
   std::size_t parent = 0;            ///< index into XmlDocument::elements; the root's parent is the root
-  std::optional<Span> text;          ///< of its first text, without blanks around it
+  std::optional<Span> text;          ///< of its first text that is not blank, without blanks around it
   std::vector<Span> cdata_sections;  ///< what is between `<![CDATA[` and `]]>`
 };
 
@@ -36,15 +36,18 @@ struct XmlDocument {
 
 struct XmlMistake {
   Span span;
-  SentenceRef sentence;
+  Message message;
 };
 
-/// Reads UTF-8 and single-byte encodings. A document type definition is refused, entities are never expanded. Cost: one
-/// pass.
+/// Reads UTF-8 and single-byte encodings: one element with all others in it. A document type definition is refused,
+/// entities are never expanded. Cost: one pass.
 [[nodiscard]] std::variant<XmlDocument, XmlMistake> parse_xml(std::string_view bytes);
 
 /// The text of an attribute's value (UTF-8): references to characters replaced, line ends and tabs as blanks.
 [[nodiscard]] std::string attribute_text(std::string_view value);
+
+/// The name without a namespace's prefix: `AchsMds` of `t:AchsMds`.
+[[nodiscard]] std::string_view local_name(std::string_view name);
 
 /// The encoding that the XML declaration names, or that the bytes show.
 [[nodiscard]] Encoding xml_encoding(std::string_view bytes);

@@ -1,16 +1,21 @@
 #include "configuration/xml_list.hpp"
 
 #include "configuration/project_file.hpp"
+#include "configuration/xml_list_kind.hpp"
+#include "configuration/xml_parameter.hpp"
+#include "configuration/xml_sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"
 #include "diagnostics/windows_1252.hpp"
-#include "schema/catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace axisc::configuration::says {
@@ -19,102 +24,27 @@ constexpr Sentence xml_no_list{
     "this XML file holds no list: a list's first element is AX_MDS, SDA_MDS, StartUp or RTConfiguration",
     "diese XML-Datei enthält keine Liste: deren erstes Element ist AX_MDS, SDA_MDS, StartUp oder "
     "RTConfiguration"};
+constexpr Sentence xml_empty{"the list sets no parameter; export the file again, or remove it",
+                             "die Liste setzt keinen Parameter; die Datei neu exportieren oder entfernen"};
+constexpr Sentence xml_no_value{
+    "the element has no attribute Value, so it sets nothing; write <{element} Value=\"…\"/>",
+    "das Element hat kein Attribut Value und setzt nichts; <{element} Value=\"…\"/> schreiben"};
+constexpr Sentence xml_text{
+    "text in an XML list is not read; write a value as the attribute Value of its element, or remove the "
+    "text",
+    "Text in einer XML-Liste wird nicht gelesen; einen Wert als Attribut Value seines Elements schreiben "
+    "oder den "
+    "Text entfernen"};
+constexpr Sentence xml_control{
+    "the value has a line break or another control character in it; remove it",
+    "im Wert steht ein Zeilenumbruch oder ein anderes Steuerzeichen; es entfernen"};
 
 }  // namespace axisc::configuration::says
 
 namespace axisc::configuration {
 namespace {
 
-struct Root {
-  std::string_view name;
-  ListKind kind;
-};
-constexpr std::array roots = {Root{.name = "AX_MDS", .kind = ListKind::axis},
-                              Root{.name = "SDA_MDS", .kind = ListKind::channel},
-                              Root{.name = "StartUp", .kind = ListKind::startup},
-                              Root{.name = "RTConfiguration", .kind = ListKind::real_time}};
-
-constexpr std::size_t digits_of_number = 5;
-
-/// The name of the first element; empty where the text does not begin as XML does.
-std::string_view first_element(std::string_view bytes) {
-  constexpr std::string_view mark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
-  for (;;) {
-    std::size_t const begin = bytes.find_first_not_of(" \t\r\n");
-    if (begin == std::string_view::npos || bytes[begin] != '<') return {};
-    bytes.remove_prefix(begin + 1);
-    bool const is_comment = bytes.starts_with("!--");
-    if (!is_comment && !bytes.starts_with("?")) {
-      return bytes.substr(0, std::min(bytes.find_first_of(" \t\r\n/>"), bytes.size()));
-    }
-    std::string_view const end = is_comment ? "-->" : "?>";
-    std::size_t const at = bytes.find(end);
-    if (at == std::string_view::npos) return {};
-    bytes.remove_prefix(at + end.size());
-  }
-}
-
-/// `P-AXIS-00016.1` as number and indices; none for a number of another kind of list, and for every other name.
-struct NumberedName {
-  std::uint16_t number = 0;
-  std::vector<std::uint32_t> indices;
-};
-
-std::optional<std::uint32_t> decimal(std::string_view text) {
-  std::uint32_t number = 0;
-  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
-std::optional<NumberedName> numbered_name(std::string_view name, ListKind kind) {
-  std::string const prefix = number_prefix(kind) + "-";
-  if (!name.starts_with(prefix)) return std::nullopt;
-  name.remove_prefix(prefix.size());
-  auto const number = decimal(name.substr(0, digits_of_number));
-  if (!number || name.size() < digits_of_number) return std::nullopt;
-  NumberedName numbered{.number = static_cast<std::uint16_t>(*number), .indices = {}};
-  name.remove_prefix(digits_of_number);
-  while (!name.empty()) {
-    if (name.front() != '.') return std::nullopt;
-    std::size_t const end = std::min(name.find('.', 1), name.size());
-    auto const index = decimal(name.substr(1, end - 1));
-    if (!index) return std::nullopt;
-    numbered.indices.push_back(*index);
-    name.remove_prefix(end);
-  }
-  return numbered;
-}
-
-/// `gruppe[0].achse[1].bezeichnung` for `gruppe[].achse[].bezeichnung` and the index 1.
-std::string with_indices(std::string_view pattern, std::size_t count,
-                         std::vector<std::uint32_t> const& indices) {
-  std::string name;
-  std::size_t position = 0;
-  for (char const letter : pattern) {
-    name += letter;
-    if (letter != '[') continue;
-    std::size_t const given = position++ + indices.size();
-    name += std::to_string(given < count ? 0 : indices[given - count]);
-  }
-  return name;
-}
-
-/// What a list calls the parameter.
-std::optional<std::string> parameter_name(std::string_view element, ListKind kind) {
-  auto const numbered = numbered_name(element, kind);
-  if (!numbered) return std::nullopt;
-  auto const catalogue = schema::Catalogue::of(kind);
-  schema::Parameter const* fitting = nullptr;
-  for (schema::ParameterId const id : catalogue.find_number(numbered->number)) {
-    schema::Parameter const& row = catalogue.parameter(id);
-    if (row.index_count() < numbered->indices.size()) continue;
-    if (fitting == nullptr || row.index_count() < fitting->index_count()) fitting = &row;
-  }
-  if (fitting == nullptr) return std::nullopt;
-  return with_indices(fitting->name, fitting->index_count(), numbered->indices);
-}
+constexpr std::string_view value_name = "Value";
 
 /// A name that a line may begin with, and that no list knows.
 std::string foreign_name(std::string_view element) {
@@ -157,56 +87,149 @@ void add_piece(Translation& translation, std::string_view text, Span file) {
   translation.pieces.push_back({.list = {.begin = begin, .end = end}, .file = file});
 }
 
-}  // namespace
-
-std::optional<ListKind> xml_list_kind(std::string_view bytes) {
-  std::string_view const name = first_element(bytes);
-  auto const* const root =
-      std::find_if(roots.begin(), roots.end(), [name](Root const& each) { return each.name == name; });
-  return root == roots.end() ? std::nullopt : std::optional(root->kind);
+/// Of a value as the file writes it: line ends and tabs are blanks there, unless a reference names them.
+bool has_control_character(std::string_view raw) {
+  constexpr std::uint32_t first_printable = 0x20;
+  constexpr std::uint32_t deletion = 0x7F;
+  auto const is_control = [](std::uint32_t number) { return number < first_printable || number == deletion; };
+  constexpr std::string_view white = "\t\r\n";
+  bool const is_raw = std::any_of(raw.begin(), raw.end(), [&](char byte) {
+    return is_control(static_cast<unsigned char>(byte)) && white.find(byte) == std::string_view::npos;
+  });
+  if (is_raw) return true;
+  constexpr std::string_view reference = "&#";
+  constexpr int decimal_base = 10;
+  constexpr int hexadecimal_base = 16;
+  for (std::size_t at = raw.find(reference); at != std::string_view::npos; at = raw.find(reference, at + 1)) {
+    std::string_view digits = raw.substr(at + reference.size());
+    bool const is_hexadecimal = digits.starts_with('x');
+    if (is_hexadecimal) digits.remove_prefix(1);
+    std::uint32_t number = 0;
+    auto const error = std::from_chars(digits.data(), digits.data() + digits.size(), number,
+                                       is_hexadecimal ? hexadecimal_base : decimal_base)
+                           .ec;
+    if (error == std::errc::result_out_of_range || (error == std::errc{} && is_control(number))) return true;
+  }
+  return false;
 }
 
-std::variant<Translation, XmlMistake> read_xml_list(std::string bytes, ListKind kind) {
-  auto parsed = parse_xml(bytes);
-  if (auto const* const mistake = std::get_if<XmlMistake>(&parsed)) return *mistake;
-  auto const& document = std::get<XmlDocument>(parsed);
-  Translation translation{.file = {}, .list = {}, .pieces = {}, .encoding = xml_encoding(bytes)};
-  for (XmlAttribute const& attribute : document.attributes) {
-    if (attribute.name != "Value") continue;
-    XmlElement const& element = document.elements[attribute.element];
-    auto const name = parameter_name(element.name, kind);
+/// Makes lines of elements, and mistakes of what would be lost.
+class ListReader {
+ public:
+  ListReader(std::string_view bytes, XmlDocument const& document, ListKind kind, XmlList& list)
+      : bytes_(bytes), document_(document), kind_(kind), list_(list) {}
+
+  void read() {
+    XmlElement const& root = document_.elements.front();
+    require_spelling(root.name, xml_root_of(kind_));
+    for (std::size_t element = 0; element < document_.elements.size(); ++element) read_element(element);
+    if (list_.translation.list.empty() && list_.mistakes.empty()) {
+      refuse(root.name_span, {.sentence = says::xml_empty, .arguments = {}});
+    }
+  }
+
+ private:
+  void read_element(std::size_t index) {
+    XmlElement const& element = document_.elements[index];
+    std::string const right_name = ascii::upper_case(local_name(element.name));
+    bool const is_parameter = is_numbered(right_name);
+    bool const is_right = !is_parameter || require_spelling(element.name, right_name);
+    bool has_value = false;
+    for (; attribute_ < document_.attributes.size(); ++attribute_) {
+      XmlAttribute const& attribute = document_.attributes[attribute_];
+      if (attribute.element != index) break;
+      if (attribute.name == value_name) {
+        has_value = true;
+        if (is_right) add_line(element, attribute);
+      } else if (is_parameter && ascii::equal_ignoring_case(local_name(attribute.name), value_name)) {
+        has_value = true;
+        require_spelling(attribute.name, value_name);
+      }
+    }
+    if (is_parameter && !has_value) {
+      refuse(element.name_span, {.sentence = says::xml_no_value, .arguments = {{"element", right_name}}});
+    } else if (index == 0 || is_parameter || has_child(index)) {
+      refuse_text(element);
+    }
+  }
+
+  void refuse_text(XmlElement const& element) {
+    std::optional<Span> text = element.text;
+    if (!text && !element.cdata_sections.empty()) text = element.cdata_sections.front();
+    if (text) refuse(*text, {.sentence = says::xml_text, .arguments = {}});
+  }
+
+  void add_line(XmlElement const& element, XmlAttribute const& attribute) {
+    Translation& translation = list_.translation;
+    std::string_view const raw = bytes_.substr(attribute.value.begin, attribute.value.size());
+    if (has_control_character(raw)) {
+      refuse(attribute.value, {.sentence = says::xml_control, .arguments = {}});
+      return;
+    }
+    auto const name = parameter_name(element.name, kind_);
     add_piece(translation, name ? *name : foreign_name(element.name), element.name_span);
     translation.list += ' ';
-    std::string_view const raw =
-        std::string_view(bytes).substr(attribute.value.begin, attribute.value.size());
     add_piece(translation, as_list_value(unescaped(raw, translation.encoding)), attribute.value);
     translation.list += '\n';
   }
-  translation.file = std::move(bytes);
-  return translation;
+
+  /// False for another letter case, or a prefix. `written` looks into the bytes.
+  bool require_spelling(std::string_view written, std::string_view meant) {
+    if (written == meant) return true;
+    auto const begin = static_cast<std::uint32_t>(written.data() - bytes_.data());
+    refuse({.begin = begin, .end = begin + static_cast<std::uint32_t>(written.size())},
+           {.sentence = says::xml_spelling,
+            .arguments = {{"written", std::string(written)}, {"meant", std::string(meant)}}});
+    return false;
+  }
+
+  [[nodiscard]] bool has_child(std::size_t index) const {
+    return index + 1 < document_.elements.size() && document_.elements[index + 1].parent == index;
+  }
+
+  void refuse(Span span, Message message) {
+    list_.mistakes.push_back({.span = span, .message = std::move(message)});
+  }
+
+  std::string_view bytes_;
+  XmlDocument const& document_;
+  ListKind kind_;
+  XmlList& list_;
+  std::size_t attribute_ = 0;  ///< the next one
+};
+
+}  // namespace
+
+XmlList read_xml_list(std::string bytes, ListKind kind) {
+  XmlList read{.translation = {.file = {}, .list = {}, .pieces = {}, .encoding = xml_encoding(bytes)},
+               .mistakes = {}};
+  auto const parsed = parse_xml(bytes);
+  if (auto const* const mistake = std::get_if<XmlMistake>(&parsed)) {
+    read.mistakes.push_back(*mistake);
+  } else {
+    ListReader(bytes, std::get<XmlDocument>(parsed), kind, read).read();
+  }
+  read.translation.file = std::move(bytes);
+  return read;
 }
 
-SourceText list_text(std::string path, std::string bytes, std::optional<XmlMistake>& mistake) {
+SourceText list_text(std::string path, std::string bytes, std::vector<XmlMistake>& mistakes) {
   auto const kind = is_project_name(path) ? std::nullopt : xml_list_kind(bytes);
   if (!kind && !is_xml_name(path)) return SourceText(std::move(path), std::move(bytes));
-  if (!kind) {
-    mistake = XmlMistake{.span = {}, .sentence = says::xml_no_list};
-  } else {
-    auto read = read_xml_list(bytes, *kind);
-    if (auto* const translation = std::get_if<Translation>(&read)) {
-      return SourceText(std::move(path), std::move(*translation));
-    }
-    mistake = std::get<XmlMistake>(read);
+  if (kind) {
+    auto read = read_xml_list(std::move(bytes), *kind);
+    mistakes = std::move(read.mistakes);
+    return SourceText(std::move(path), std::move(read.translation));
   }
+  auto const parsed = parse_xml(bytes);
+  auto const* const mistake = std::get_if<XmlMistake>(&parsed);
+  mistakes.push_back(
+      mistake != nullptr
+          ? *mistake
+          : XmlMistake{.span = {}, .message = {.sentence = says::xml_no_list, .arguments = {}}});
   Translation translation{.file = {}, .list = {}, .pieces = {}, .encoding = xml_encoding(bytes)};
   translation.file = std::move(bytes);
   return SourceText(std::move(path), std::move(translation));
-}
-
-bool is_xml_name(std::string_view path) {
-  constexpr std::string_view extension = ".xml";
-  return path.size() > extension.size() &&
-         ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
 }  // namespace axisc::configuration

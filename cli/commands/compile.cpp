@@ -7,6 +7,7 @@
 #include "cli/fleet/ordered_work.hpp"
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
 #include "codegen/aligned_bytes.hpp"
@@ -51,6 +52,11 @@ constexpr Sentence compiled{"{file}: written, axes: {axes}, filters: {filters}, 
 
 constexpr Sentence unchanged{"{file}: unchanged, axes: {axes}, filters: {filters}, {bytes} bytes",
                              "{file}: unverändert, Achsen: {axes}, Filter: {filters}, {bytes} Bytes"};
+constexpr Sentence no_image{
+    "no image was written: no input is an axis list or a machine; name the folder or the files of a machine",
+    "es wurde kein Abbild geschrieben: keine Eingabe ist eine Achsliste oder eine Maschine; den Ordner oder "
+    "die "
+    "Dateien einer Maschine angeben"};
 constexpr Sentence batch_done{
     "images: {written} written, {unchanged} unchanged, {missing} not written",
     "Abbilder: {written} geschrieben, {unchanged} unverändert, {missing} nicht geschrieben"};
@@ -102,6 +108,7 @@ class Compile {
     part_ = std::move(inputs.part);
     names_ = std::move(inputs.images);
     name_failures_ = std::move(inputs.failures);
+    notes_ = std::move(inputs.notes);
     sources_ = std::move(inputs.sources);
     if (needs_context(job_.report_format.format)) {
       job_.report_format.context = report_context(part_.all.empty() ? std::string() : part_.all.front());
@@ -129,10 +136,14 @@ class Compile {
                          .shard = shard_record(part_, {}, run_, job_.check, options_.checking.werror),
                          .identity_paths = &identity_paths_},
                         streams_.err);
+    if (!options_.checking.quiet) {
+      streams_.err.write(note_lines(notes_, job_.report_format.write.language));
+    }
     for (std::size_t i = 0; i < name_failures_.size(); ++i) {
       if (reports_names(part_)) fail(report, i, name_failures_[i]);
     }
     compile_all(report);
+    require_images(report);
     auto const status = exit_status();
     report.finish(
         {}, [](Code) { return true; }, static_cast<int>(status));
@@ -171,6 +182,18 @@ class Compile {
     failed_ = true;
     failure_lines_ += failure.line(job_.report_format.write.language);
     report.fail(order, failure);
+  }
+
+  /// What was to become images and becomes none looks like success. A part of a batch may be empty.
+  void require_images(ReportStream& report) {
+    bool const is_part = part_.chosen.empty() && !part_.all.empty();
+    bool const has_image = fates_[static_cast<std::size_t>(ImageFate::written)] +
+                               fates_[static_cast<std::size_t>(ImageFate::unchanged)] +
+                               fates_[static_cast<std::size_t>(ImageFate::missing)] >
+                           0;
+    if (!options_.is_batch() || is_part || has_image || failed_) return;
+    fail(report, name_failures_.size() + part_.all.size(),
+         Failure({.sentence = says::no_image, .arguments = {}}));
   }
 
   void compile_all(ReportStream& report) {
@@ -270,6 +293,7 @@ class Compile {
   Part part_;
   std::vector<std::string> names_;  ///< of the images, by input
   std::vector<Failure> name_failures_;
+  std::vector<Message> notes_;
   std::vector<std::string> sources_;  ///< that no output may replace
   Digest run_;
   std::array<std::size_t, 4> fates_{};  ///< how many images had it

@@ -9,10 +9,11 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/inputs.hpp"
 #include "cli/options/machine_outline.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/sentences.hpp"
 #include "cli/settings/settings.hpp"
 #include "configuration/project_file.hpp"
-#include "configuration/xml_list.hpp"
+#include "configuration/xml_list_kind.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "system/file.hpp"
 #include "system/path.hpp"
@@ -81,6 +82,7 @@ struct FmtOptions {
   std::vector<std::string> schema_files;
   std::optional<std::string> threads;
   std::optional<std::string> stdin_filename;
+  bool hook = false;
   bool check = false;
   bool diff = false;
 };
@@ -202,6 +204,7 @@ ExitStatus fmt(Invocation const& invocation) {
   CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
+  declare_hook(command_line, options.hook);
   command_line.flag("--check", options.check, says::option_check);
   command_line.flag("--diff", options.diff, says::option_diff);
   declare_schema(command_line, options.schema_files);
@@ -210,8 +213,10 @@ ExitStatus fmt(Invocation const& invocation) {
   command_line.require(!options.named.empty(), "INPUT");
   auto const asked = asked_threads(options.threads);
   SettingsFinder settings(options.schema_files);
-  auto inputs =
-      expand_inputs(options.named, [&settings](std::string const& path) { return settings.wants(path); });
+  auto inputs = expand_inputs(
+      options.named, [&settings](std::string const& path) { return settings.wants(path); },
+      options.hook ? NamedFiles::of_hook : NamedFiles::usual);
+  invocation.streams.err.write(note_lines(inputs.notes, invocation.language));
   ChangeableFiles const changeable(inputs.named);
   bool changed = false;
   auto const lists = lists_of(inputs.paths);

@@ -7,6 +7,7 @@
 #include "cli/files/protected_files.hpp"
 #include "cli/fleet/ordered_work.hpp"
 #include "cli/options/lint_options.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
@@ -80,8 +81,9 @@ class Lint {
         streams_(streams),
         settings_(options.checking.schema_files),
         threads_(asked_threads(options.checking.threads)),
-        inputs_(
-            expand_inputs(options.named, [this](std::string const& path) { return settings_.wants(path); })) {
+        inputs_(expand_inputs(
+            options.named, [this](std::string const& path) { return settings_.wants(path); },
+            options.hook ? NamedFiles::of_hook : NamedFiles::usual)) {
     job_.options = check_options(options.checking);
     job_.options.machine = false;
     job_.quiet = options.checking.quiet;
@@ -125,6 +127,9 @@ class Lint {
     if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
     if (choice_ != FixChoice::none) apply_fixes(plan.baseline.value_or(Baseline()));
+    if (!options_.checking.quiet) {
+      streams_.err.write(note_lines(inputs_.notes, report_format_.write.language));
+    }
     // Standard output is used for the patch or the fixed standard input.
     bool const out_is_taken = options_.diff || fixed_standard_input_;
     ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);

@@ -10,6 +10,7 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/inputs.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/options/report_format.hpp"
 #include "cli/report_page/report_page.hpp"
 #include "cli/sentences.hpp"
@@ -145,6 +146,7 @@ ExitStatus report(Invocation const& invocation) {
   auto inputs =
       expand_inputs({*options.input}, [&](std::string const& file) { return settings.wants(file); });
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
+  invocation.streams.err.write(note_lines(inputs.notes, invocation.language));
   if (std::find(inputs.paths.begin(), inputs.paths.end(), path) == inputs.paths.end()) inputs.paths = {path};
   job.found = std::move(inputs.found);
   auto const machine = checked(subject, path, inputs.paths, job);

@@ -38,9 +38,12 @@ constexpr Sentence cannot_read_image{
     "aus der es entstand, oder mit `axisc inspect` ansehen"};
 
 constexpr Sentence cannot_read_not_regular{
-    "cannot read {file}: it is a pipe or a device, not a regular file; use - for standard input",
-    "{file} ist nicht lesbar: eine Pipe oder ein Gerät, keine gewöhnliche Datei; - ist die "
-    "Standardeingabe"};
+    "cannot read {file}: it is a pipe, a device or a file of /proc or /sys, not a regular file; use - for "
+    "standard "
+    "input",
+    "{file} ist nicht lesbar: eine Pipe, ein Gerät oder eine Datei aus /proc oder /sys, keine gewöhnliche "
+    "Datei; "
+    "- ist die Standardeingabe"};
 constexpr Sentence cannot_read_link_loop{"cannot read {file}: its symbolic links lead in a circle",
                                          "{file} ist nicht lesbar: ihre symbolischen Links führen im Kreis"};
 

@@ -64,6 +64,15 @@ bool is_named(std::string_view names, std::span<std::string const> words) {
   });
 }
 
+/// After `--` every word is a file: `@x.lis` is one of that name, not a response file.
+std::vector<std::string> with_files(std::span<std::string const> arguments) {
+  std::vector<std::string> words(arguments.begin(), arguments.end());
+  for (auto word = std::find(words.begin(), words.end(), "--"); word != words.end(); ++word) {
+    if (word->starts_with('@')) word->insert(0, "./");
+  }
+  return words;
+}
+
 /// The parser's messages begin with a name, followed by a colon, a blank, or nothing.
 bool is_about(std::string_view complaint, std::string_view name) {
   if (!complaint.starts_with(name)) return false;
@@ -255,7 +264,8 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
     if (row.names.empty() || is_named(row.names, arguments)) build(row);
   }
   // The parser reads the vector from its end.
-  std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+  auto reversed = with_files(arguments);
+  std::reverse(reversed.begin(), reversed.end());
   try {
     parser_->app.parse(reversed);
   } catch (CLI::ParseError const& error) {

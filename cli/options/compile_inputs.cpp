@@ -36,6 +36,7 @@ CompileInputs choose_one(CompileOptions const& options) {
   CompileInputs chosen{.part = choose_part({}, std::move(named)),
                        .images = {},
                        .failures = {},
+                       .notes = {},
                        .sources = std::move(sources),
                        .found = {}};
   if (options.output) chosen.images = {*options.output};
@@ -56,6 +57,7 @@ CompileInputs choose_batch(CompileOptions const& options, SettingsFinder& settin
   return {.part = choose_part(options.fleet, std::move(inputs.paths)),
           .images = std::move(images),
           .failures = std::move(inputs.failures),
+          .notes = std::move(inputs.notes),
           .sources = std::move(inputs.sources),
           .found = std::move(inputs.found)};
 }

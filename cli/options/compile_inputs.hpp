@@ -15,6 +15,7 @@ struct CompileInputs {
   Part part;
   std::vector<std::string> images;                    ///< by input; with --print-key there may be none
   std::vector<Failure> failures;                      ///< names of a batch that cannot be used
+  std::vector<Message> notes;                         ///< see Inputs
   std::vector<std::string> sources;                   ///< see Inputs
   std::unordered_map<std::string, FoundInput> found;  ///< see Inputs
 };

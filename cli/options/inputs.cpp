@@ -7,7 +7,7 @@
 #include "cli/options/machine_outline.hpp"
 #include "cli/options/response_file.hpp"
 #include "configuration/project_file.hpp"
-#include "configuration/xml_list.hpp"
+#include "configuration/xml_list_kind.hpp"
 #include "system/folder.hpp"
 #include "system/path.hpp"
 #include "system/process.hpp"
@@ -35,6 +35,19 @@ constexpr Sentence folder_empty{
     "program (*.nc)",
     "der Ordner {folder} enthält keine Liste (*.lis), keine Maschinendatei (*.json mit dem Schlüssel "
     "\"axes\") und kein NC-Programm (*.nc)"};
+constexpr Sentence not_a_file{
+    "{file} is not read: it is a pipe or a device, and lists in a folder are regular files",
+    "{file} wird nicht gelesen: eine Pipe oder ein Gerät, und Listen in einem Ordner sind gewöhnliche "
+    "Dateien"};
+constexpr Sentence folder_link{
+    "{file} is not searched: it is a link to a folder elsewhere; name that folder as well",
+    "{file} wird nicht durchsucht: ein Link auf einen Ordner an anderer Stelle; diesen Ordner ebenfalls "
+    "angeben"};
+constexpr Sentence unclear{
+    "{file} is not checked: it is cut off or not text, and may have been a machine file; name it to check it",
+    "{file} wird nicht geprüft: abgeschnitten oder kein Text, vielleicht eine Maschinendatei; die Datei "
+    "angeben, um "
+    "sie zu prüfen"};
 constexpr Sentence listed{
     "cannot read {file}, named in {place}: there is no such file; check the name and the folder",
     "{file}, genannt in {place}, ist nicht lesbar: die Datei gibt es nicht; Name und Ordner prüfen"};
@@ -62,20 +75,23 @@ bool is_before(std::string const& left, std::string const& right) {
                                       [rank](char a, char b) { return rank(a) < rank(b); });
 }
 
-bool may_be_input(std::string const& name, system::FileKind kind) {
-  bool const is_text =
-      has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc");
-  if (!is_text && !configuration::is_project_name(name) && !configuration::is_xml_name(name)) return false;
-  // A dangling link is reported when it is read.
-  return (kind == system::FileKind::link ? system::kind_of(name).value_or(system::FileKind::regular)
-                                         : kind) == system::FileKind::regular;
+bool has_input_name(std::string const& name) {
+  return has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc") ||
+         configuration::is_project_name(name) || configuration::is_xml_name(name);
+}
+
+/// What says itself that it is no list and no machine: other JSON and XML files, and projects without a CNC.
+bool is_something_else(Found const& file) {
+  bool const says_itself = has_extension(file.path, ".json") || configuration::is_xml_name(file.path) ||
+                           configuration::is_project_name(file.path);
+  return says_itself && !file.outline.is_machine && !file.outline.is_xml_list;
 }
 
 class Expansion {
  public:
   using Wanted = std::function<bool(std::string const& path)>;
 
-  explicit Expansion(Wanted const& wanted) : wanted_(wanted) {}
+  Expansion(Wanted const& wanted, NamedFiles named_files) : wanted_(wanted), named_files_(named_files) {}
 
   void add(NamedInput const& input) {
     auto kind =
@@ -90,13 +106,16 @@ class Expansion {
           Failure({.sentence = says::listed, .arguments = {{"file", input.path}, {"place", input.place}}},
                   cannot_read));
     } else {
-      found_.push_back({.path = input.path, .is_link = is_link, .outline = outline_of(input.path)});
+      Found file{.path = input.path, .is_link = is_link, .outline = outline_of(input.path)};
+      bool const is_chosen = named_files_ == NamedFiles::usual || wanted_(input.path);
+      if (is_chosen && !is_passed_over(file)) found_.push_back(std::move(file));
     }
   }
 
   [[nodiscard]] Inputs result() && {
     Inputs result;
     result.failures = std::move(failures_);
+    result.notes = std::move(notes_);
     PathIdentities identities;
     Known lists;
     Known programs;
@@ -176,10 +195,10 @@ class Expansion {
       if (!wanted_(entry.path)) continue;
       entry.is_in_folder = true;
       entry.outline = outline_of(entry.path);
-      // Other JSON and XML files, and projects without a CNC.
-      bool const is_other = has_extension(entry.path, ".json") || configuration::is_xml_name(entry.path) ||
-                            configuration::is_project_name(entry.path);
-      if (is_other && !entry.outline.is_machine && !entry.outline.is_xml_list) continue;
+      if (is_something_else(entry)) {
+        if (entry.outline.is_unclear) note(says::unclear, entry.path);
+        continue;
+      }
       found_.push_back(std::move(entry));
     }
     bool const all_excluded = std::none_of(entries.begin(), entries.end(), [this](Found const& entry) {
@@ -190,6 +209,12 @@ class Expansion {
       failures_.push_back(
           Failure({.sentence = says::folder_empty, .arguments = {{"folder", folder}}}, cannot_read));
     }
+  }
+
+  [[nodiscard]] bool is_passed_over(Found const& file) {
+    if (named_files_ == NamedFiles::usual || !is_something_else(file)) return false;
+    if (file.outline.is_unclear) note(says::unclear, file.path);
+    return true;
   }
 
   /// A folder that cannot be read is named, `shown`; the others are read nevertheless. Links to folders are not
@@ -206,13 +231,35 @@ class Expansion {
       }
       for (auto const& entry : std::get<std::vector<system::FolderEntry>>(found)) {
         auto const path = system::name_in(folder, entry.name);
-        if (entry.kind == system::FileKind::folder) {
-          folders.emplace_back(path, path);
-        } else if (may_be_input(path, entry.kind)) {
-          entries.push_back({.path = path, .is_link = entry.kind == system::FileKind::link});
+        bool const is_link = entry.kind == system::FileKind::link;
+        // A dangling link is reported when it is read.
+        auto const kind = is_link ? system::kind_of(path).value_or(system::FileKind::regular) : entry.kind;
+        if (kind == system::FileKind::folder) {
+          if (!is_link) {
+            folders.emplace_back(path, path);
+          } else if (leads_out_of(start, path) && wanted_(path + "/x.lis")) {
+            note(says::folder_link, path);
+          }
+        } else if (has_input_name(path)) {
+          if (kind == system::FileKind::regular) {
+            entries.push_back({.path = path, .is_link = is_link});
+          } else if (wanted_(path)) {
+            note(says::not_a_file, path);
+          }
         }
       }
     }
+  }
+
+  /// What a link within the folder leads to is found there.
+  static bool leads_out_of(std::string const& folder, std::string const& link) {
+    auto const inside = system::real_name(folder);
+    auto const target = system::real_name(link);
+    return !inside || !target || (*target != *inside && !target->starts_with(*inside + "/"));
+  }
+
+  void note(SentenceRef sentence, std::string const& path) {
+    notes_.push_back({.sentence = sentence, .arguments = {{"file", path}}});
   }
 
   /// False where the last part of the name is no pattern, or nothing matches it.
@@ -241,23 +288,32 @@ class Expansion {
   }
 
   Wanted const& wanted_;
+  NamedFiles named_files_;
   std::vector<Found> found_;
   std::vector<Failure> failures_;
+  std::vector<Message> notes_;
 };
 
 }  // namespace
 
-Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted const& wanted) {
-  auto named = read_response_files(words);
+Inputs expand_inputs(std::vector<std::string> const& words, Expansion::Wanted const& wanted,
+                     NamedFiles named_files) {
+  std::vector<NamedInput> named;
+  bool const may_name_others = named_files == NamedFiles::usual;
+  if (may_name_others) {
+    named = read_response_files(words);
+  } else {
+    for (auto const& word : words) named.push_back({.path = word});
+  }
   // Whoever writes `\` between folders reads `/` in what is said of them, as on every system.
   for (auto& input : named) input.path = system::name_of(system::path_of(input.path));
-  Expansion expansion(wanted);
+  Expansion expansion(wanted, named_files);
   for (auto const& input : named) expansion.add(input);
   auto inputs = std::move(expansion).result();
   if (!named.empty()) inputs.first = named.front().path;
   for (auto const& input : named) inputs.named.push_back(input.path);
   for (auto const& word : words) {
-    if (word.starts_with('@')) inputs.sources.push_back(word.substr(1));
+    if (may_name_others && word.starts_with('@')) inputs.sources.push_back(word.substr(1));
   }
   return inputs;
 }

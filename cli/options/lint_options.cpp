@@ -1,6 +1,7 @@
 #include "cli/options/lint_options.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/sentences.hpp"
 #include "validator/engine/rule.hpp"
 
@@ -46,6 +47,7 @@ void declare(CommandLine& command_line, LintOptions& options) {
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
   declare_checking(command_line, options.checking);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
+  declare_hook(command_line, options.hook);
   command_line.flag_with_value("--fix", "[=all]", options.fix, says::option_fix);
   command_line.flag("--diff", options.diff, says::option_diff);
   command_line.value("--baseline", "FILE", options.baseline, says::option_baseline);

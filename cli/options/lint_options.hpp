@@ -20,6 +20,7 @@ struct LintOptions {
   std::optional<std::string> write_baseline;
   std::optional<std::string> fix;
   std::optional<std::string> stdin_filename;
+  bool hook = false;
   bool diff = false;
   bool statistics = false;
   bool print_config = false;

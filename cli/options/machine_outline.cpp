@@ -3,9 +3,12 @@
 #include "cli/files/disk_files.hpp"
 #include "configuration/channel_list.hpp"
 #include "configuration/list_search.hpp"
+#include "configuration/located_json.hpp"
+#include "configuration/machine_file_name.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
 #include "configuration/xml_list.hpp"
+#include "configuration/xml_list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 
@@ -53,8 +56,8 @@ void add_found_programs(MachineOutline& outline, DiskFiles& files, std::string c
 
 SourceText list_text(std::string const& path, std::string text) {
   // The check says what is wrong with it.
-  std::optional<configuration::XmlMistake> mistake;
-  return configuration::list_text(path, std::move(text), mistake);
+  std::vector<configuration::XmlMistake> mistakes;
+  return configuration::list_text(path, std::move(text), mistakes);
 }
 
 /// The lists and programs that are found.
@@ -75,9 +78,25 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
   return outline;
 }
 
+/// What ASCII says in UTF-16, and every other text itself.
+std::string narrowed(std::string text) {
+  if (configuration::check_beginning(text) != configuration::FileError::utf16) return text;
+  std::erase(text, '\0');
+  auto const first = text.find_first_not_of("\xFF\xFE");
+  return text.substr(std::min(first, text.size()));
+}
+
+bool is_text(std::string_view bytes) {
+  return !configuration::check_beginning(bytes);
+}
+
 MachineOutline xml_outline(DiskFiles& files, std::string const& path, std::string text) {
-  auto const kind = configuration::xml_list_kind(text);
-  if (kind != configuration::ListKind::startup) return {.is_xml_list = kind.has_value()};
+  bool const is_readable = is_text(text);
+  if (!is_readable) text = narrowed(std::move(text));
+  bool const is_start_up = configuration::xml_list_kind(text) == configuration::ListKind::startup;
+  if (!is_readable || !is_start_up) {
+    return {.is_machine = is_start_up, .is_xml_list = configuration::may_be_xml_list(text)};
+  }
   auto outline = start_up_outline(files, path, std::move(text));
   outline.is_xml_list = true;
   return outline;
@@ -85,18 +104,31 @@ MachineOutline xml_outline(DiskFiles& files, std::string const& path, std::strin
 
 /// A project holds its lists itself.
 MachineOutline project_outline(DiskFiles& files, std::string const& path, std::string text) {
-  if (!configuration::looks_like_project(text)) return {};
+  if (!is_text(text)) return {.is_machine = true};
   SourceSet sources;
   SourceId const source = sources.add(SourceText(path, std::move(text)));
   std::deque<Finding> mistakes;
   auto const project = configuration::read_project(sources, source, mistakes);
-  MachineOutline outline{.is_machine = true};
+  MachineOutline outline{.is_machine = project.is_of_cnc};
   for (auto const& list : project.lists) {
     if (list.kind != configuration::ListKind::channel) continue;
     SourceText const text_of_list(path, Window{.file = sources[source].file(), .span = list.span});
     add_found_programs(outline, files, path, text_of_list);
   }
   return outline;
+}
+
+MachineOutline json_outline(std::string const& path, std::string text) {
+  bool const is_named = configuration::is_machine_file_name(path);
+  if (is_text(text)) {
+    auto outline = read_machine_outline(text);
+    outline.is_machine = outline.is_machine || is_named;
+    return outline;
+  }
+  // Its lists are not read through it, so it names none.
+  bool const is_utf16 = configuration::check_beginning(text) == configuration::FileError::utf16;
+  auto const outline = read_machine_outline(narrowed(std::move(text)));
+  return {.is_machine = is_named || outline.is_machine, .is_unclear = !is_utf16 || outline.is_unclear};
 }
 
 bool may_be_start_up_list(DiskFiles& files, std::string const& path) {
@@ -123,18 +155,23 @@ MachineOutline outline_of(std::string const& path) {
     return {};
   }
   auto bytes = files.read(path);
-  if (!std::holds_alternative<std::string>(bytes)) return {.is_machine = is_json};
+  if (!std::holds_alternative<std::string>(bytes)) {
+    return {.is_machine = is_json || is_project, .is_xml_list = is_xml};
+  }
   auto& text = std::get<std::string>(bytes);
   if (is_project) return project_outline(files, path, std::move(text));
   if (is_xml) return xml_outline(files, path, std::move(text));
-  return is_json ? read_machine_outline(text) : start_up_outline(files, path, std::move(text));
+  return is_json ? json_outline(path, std::move(text)) : start_up_outline(files, path, std::move(text));
 }
 
 MachineOutline read_machine_outline(std::string_view json) {
   auto const document = json_type::parse(json.begin(), json.end(), nullptr, false);
   if (document.is_discarded()) {
     // A malformed machine file still counts as one: its mistake becomes a finding.
-    return {.is_machine = json.find("\"axes\"") != std::string_view::npos};
+    auto const parsed = configuration::parse_json(json, 0);
+    auto const* const error = std::get_if<configuration::JsonError>(&parsed);
+    return {.is_machine = json.find("\"axes\"") != std::string_view::npos,
+            .is_unclear = error != nullptr && error->span.empty()};
   }
   MachineOutline outline;
   if (!document.is_object() || !document.contains("axes")) return outline;

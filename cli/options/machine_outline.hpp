@@ -9,8 +9,9 @@ namespace axisc::cli {
 
 struct MachineOutline {
   bool is_machine =
-      false;  ///< a start-up list, a JSON object with the key "axes", or something that tries to be one
-  bool is_xml_list = false;  ///< an update or template file
+      false;  ///< a start-up list, a project, a JSON object with the key "axes", or something that tries to be one
+  bool is_xml_list = false;  ///< an update or template file, or XML that may have been one
+  bool is_unclear = false;   ///< JSON that is cut off or no text: it may have been a machine file
   // What it names, relative to its own folder.
   std::vector<std::string> lists = {};
   std::vector<std::string> programs = {};
@@ -18,8 +19,9 @@ struct MachineOutline {
 
 [[nodiscard]] MachineOutline read_machine_outline(std::string_view json);
 
-/// Of a file; empty for a list of another kind and for JSON that is not a machine file. An unreadable JSON file counts as
-/// a machine file, so that the check reports it. Cost: of a list, its first 64 KiB are searched.
+/// Of a file; empty for a list of another kind, and for JSON, XML and projects that say themselves that they are something
+/// else. What is unreadable, UTF-16 or damaged counts as what it may have been, so that the check reports it. Cost: of a
+/// list, its first 64 KiB are searched.
 [[nodiscard]] MachineOutline outline_of(std::string const& path);
 
 /// True for a name that ends in `extension` (".json"), in upper or lower case.

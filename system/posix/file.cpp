@@ -3,6 +3,8 @@
 #include "system/interruption.hpp"
 #include "system/posix/error.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
@@ -12,6 +14,8 @@
 #include <unistd.h>
 
 #if defined(__linux__)
+#include <linux/magic.h>
+#include <sys/vfs.h>
 #include <sys/xattr.h>
 #endif
 
@@ -41,6 +45,21 @@ FileStatus status_from(struct stat const& facts) {
           .permissions = facts.st_mode & permission_bits,
           .user = facts.st_uid,
           .group = facts.st_gid};
+}
+
+/// What /proc, /sys and their like hold is said of processes and devices, by whatever name and links it was reached.
+bool is_of_kernel([[maybe_unused]] int file) {
+#if defined(__linux__)
+  constexpr std::array<std::uint32_t, 12> file_systems = {
+      PROC_SUPER_MAGIC,   SYSFS_MAGIC,         DEBUGFS_MAGIC, TRACEFS_MAGIC,  SECURITYFS_MAGIC, SELINUX_MAGIC,
+      CGROUP_SUPER_MAGIC, CGROUP2_SUPER_MAGIC, SMACK_MAGIC,   PSTOREFS_MAGIC, EFIVARFS_MAGIC,   BPF_FS_MAGIC};
+  struct statfs facts {};
+  if (::fstatfs(file, &facts) != 0) return false;
+  auto const type = static_cast<std::uint32_t>(facts.f_type);
+  return std::find(file_systems.begin(), file_systems.end(), type) != file_systems.end();
+#else
+  return false;
+#endif
 }
 
 int flags_of(Access access) {
@@ -150,7 +169,9 @@ Result<File> File::standard_output() {
 Result<FileStatus> File::status() const {
   struct stat facts {};
   if (::fstat(descriptor(handle_), &facts) != 0) return last_error();
-  return status_from(facts);
+  FileStatus status = status_from(facts);
+  if (status.kind == FileKind::regular && is_of_kernel(descriptor(handle_))) status.kind = FileKind::other;
+  return status;
 }
 
 bool File::is_ready() const {

@@ -155,6 +155,38 @@ TEST_CASE("projects are known by their names and by the elements for lists") {
   CHECK(is_project_name("Axis 1.xti"));
   CHECK_FALSE(is_project_name("M.tspproj"));
   CHECK_FALSE(is_project_name(".xti"));
-  CHECK(looks_like_project("<a><SdaMds>"));
-  CHECK_FALSE(looks_like_project("<a><Device/></a>"));
+}
+
+TEST_CASE("only well-formed XML without an element for a list is not of a CNC") {
+  CHECK_FALSE(Read("<a><Device/></a>").project.is_of_cnc);
+  CHECK_FALSE(Read("<a><!-- <AchsMds> --></a>").project.is_of_cnc);
+  for (std::string const text : {"<a><SdaMds>", "<a><SdaMds/></a>", "<a><Device/>", "", "<a/> x",
+                                 "<!DOCTYPE a><a/>", "<a><t:AchsMds>x</t:AchsMds></a>"}) {
+    INFO(text);
+    Read const read(text);
+    CHECK(read.project.is_of_cnc);
+    CHECK(read.mistakes.size() == 1);
+  }
+}
+
+TEST_CASE("what is next to the CDATA section of a list is told, and the list is read") {
+  for (auto const& [inside, place] :
+       {std::pair<std::string, std::string>("<AchsMds>x 1<![CDATA[a 1]]></AchsMds>", "1:41"),
+        {"<AchsMds><![CDATA[a 1]]> x 1</AchsMds>", "1:57"},
+        {"<AchsMds><![CDATA[a 1]]><b/></AchsMds>", "1:57"}}) {
+    Read const read(axis(inside));
+    CHECK(begins(read.mistake(), place + " this is next to the CDATA section of AchsMds"));
+    CHECK(read.project.lists.size() == 1);
+  }
+  CHECK(Read(axis("<AchsMds>\n <!-- x --> <![CDATA[a 1]]> </AchsMds>")).mistake() == "none");
+}
+
+TEST_CASE("an element for a list in another spelling is told, beside a good one, too") {
+  std::string const good = "<AchsMds><![CDATA[a 1]]></AchsMds>";
+  CHECK(
+      begins(Read(axis(good + "<achsmds><![CDATA[a 1]]></achsmds>")).mistake(), "1:67 achsmds is not read"));
+  CHECK(begins(
+      Read(axis(good + "<t:SdaMds><![CDATA[a 1]]></t:SdaMds>")).mistake(),
+      "1:67 t:SdaMds is not read, because names in XML have one spelling, without a prefix; write SdaMds"));
+  CHECK(Read(axis(good + "<achsmds/>")).mistake() == "none");
 }

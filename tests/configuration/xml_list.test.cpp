@@ -1,9 +1,11 @@
 // Update and template files: elements named by a parameter's number become lines of a list, shown where the file says them.
 #include "configuration/xml_list.hpp"
 
+#include "configuration/xml_list_kind.hpp"
 #include "support/catch.hpp"
 
 #include <string>
+#include <vector>
 
 using namespace axisc;
 using configuration::ListKind;
@@ -11,7 +13,27 @@ using configuration::ListKind;
 namespace {
 
 Translation translated(std::string const& bytes, ListKind kind) {
-  return std::get<Translation>(configuration::read_xml_list(bytes, kind));
+  auto read = configuration::read_xml_list(bytes, kind);
+  CHECK(read.mistakes.empty());
+  return std::move(read.translation);
+}
+
+/// "12 the value has …": the offset of each mistake and what is said of it.
+std::vector<std::string> mistakes_in(std::string const& bytes, ListKind kind = ListKind::axis) {
+  std::vector<std::string> mistakes;
+  for (configuration::XmlMistake const& mistake : configuration::read_xml_list(bytes, kind).mistakes) {
+    CHECK_FALSE(render(mistake.message, Language::german).empty());
+    mistakes.push_back(std::to_string(mistake.span.begin) + " " + render(mistake.message, Language::english));
+  }
+  return mistakes;
+}
+
+bool is_one_mistake(std::string const& bytes, std::string const& beginning) {
+  auto const mistakes = mistakes_in(bytes);
+  INFO(bytes);
+  for (auto const& mistake : mistakes) UNSCOPED_INFO(mistake);
+  CHECK(mistakes.size() == 1);
+  return mistakes.size() == 1 && mistakes.front().starts_with(beginning);
 }
 
 }  // namespace
@@ -26,6 +48,27 @@ TEST_CASE("the first element says which list an XML file holds") {
   for (std::string const other : {"", "<", "<AX_MDS2/>", "kopf.achs_nr 1", "<project><AX_MDS/></project>",
                                   "<!-- <AX_MDS/>", "<?xml AX_MDS"}) {
     CHECK_FALSE(xml_list_kind(other));
+  }
+}
+
+TEST_CASE("a list's first element in another spelling is one where its parameters follow") {
+  using configuration::xml_list_kind;
+  CHECK(xml_list_kind("<ax_mds><p-axis-00016 Value='1'/>") == ListKind::axis);
+  CHECK(xml_list_kind("<t:AX_MDS xmlns:t='x'><t:P-AXIS-00016/>") == ListKind::axis);
+  CHECK(xml_list_kind("<!DOCTYPE StartUp [<!-- > don't ] --><!ENTITY a ']>'>]>\n<StartUp/>") ==
+        ListKind::startup);
+  CHECK_FALSE(xml_list_kind("<startup mode='x'/>"));
+}
+
+TEST_CASE("only a first element that is something else says that XML is no list") {
+  using configuration::may_be_xml_list;
+  for (std::string const no :
+       {"<project/>", "<?xml version='1.0'?><!-- x --><AX_MDS2>", "<!DOCTYPE a><a/>", "<startup/>"}) {
+    CHECK_FALSE(may_be_xml_list(no));
+  }
+  for (std::string const yes :
+       {"", " ", "<", "<?xml", "<!-- <a/>", "<!DOCTYPE a [", "<pro", "<AX_MDS/>", "text", "<<<<<<< HEAD"}) {
+    CHECK(may_be_xml_list(yes));
   }
 }
 
@@ -71,9 +114,9 @@ TEST_CASE("places in a translated list are those of the elements and attributes"
   std::string const bytes =
       "\xEF\xBB\xBF<AX_MDS><P-AXIS-00016 Value=\"1\"/>\r\n  <P-AXIS-00297\n    "
       "Value=\"X&#49;Y\"/></AX_MDS>\n";
-  std::optional<configuration::XmlMistake> mistake;
-  SourceText const source = configuration::list_text("x.xml", bytes, mistake);
-  REQUIRE_FALSE(mistake);
+  std::vector<configuration::XmlMistake> mistakes;
+  SourceText const source = configuration::list_text("x.xml", bytes, mistakes);
+  REQUIRE(mistakes.empty());
   REQUIRE(source.is_translation());
   CHECK(source.list_bytes() == "kopf.achs_nr 1\nkopf.log_achs_name X1Y\n");
   auto const at = [&](std::string_view text) {
@@ -93,14 +136,58 @@ TEST_CASE("places in a translated list are those of the elements and attributes"
 
 TEST_CASE("XML that is malformed, or no list, is an empty list with a mistake") {
   for (std::string const bytes :
-       {"<AX_MDS><P-AXIS-00016 Value=\"1\"></AX_MDS>", "<AX_MDS", "<project/>", "",
+       {"<AX_MDS><P-AXIS-00016 Value=\"1\"></AX_MDS>", "<AX_MDS", "<project/>", "", "<?xml",
+        "<AX_MDS><P-AXIS-00016 Value='1'/></AX_MDS><AX_MDS/>", "<AX_MDS/> x", "<AX_MDS/><![CDATA[x]]>",
         "<!DOCTYPE a [<!ENTITY b 'c'>]><AX_MDS><P-AXIS-00016 Value='&b;'/></AX_MDS>"}) {
-    std::optional<configuration::XmlMistake> mistake;
-    SourceText const source = configuration::list_text("x.XML", bytes, mistake);
-    CHECK(mistake);
+    INFO(bytes);
+    std::vector<configuration::XmlMistake> mistakes;
+    SourceText const source = configuration::list_text("x.XML", bytes, mistakes);
+    CHECK(mistakes.size() == 1);
     CHECK(source.list_bytes().empty());
   }
-  std::optional<configuration::XmlMistake> mistake;
-  CHECK_FALSE(configuration::list_text("x.lis", "kopf.achs_nr 1\n", mistake).is_translation());
-  CHECK_FALSE(mistake);
+  std::vector<configuration::XmlMistake> mistakes;
+  CHECK_FALSE(configuration::list_text("x.lis", "kopf.achs_nr 1\n", mistakes).is_translation());
+  CHECK(mistakes.empty());
+}
+
+TEST_CASE("a parameter that sets nothing, and a list of none, are mistakes") {
+  CHECK(is_one_mistake("<AX_MDS><P-AXIS-00351.0>1,5x</P-AXIS-00351.0></AX_MDS>",
+                       "9 the element has no attribute"));
+  CHECK(is_one_mistake("<AX_MDS><P-AXIS-00016/></AX_MDS>", "9 the element has no attribute Value"));
+  CHECK(is_one_mistake("<AX_MDS><P-CHAN-00016 Name='x'/></AX_MDS>", "9 the element has no attribute Value"));
+  CHECK(is_one_mistake("<AX_MDS></AX_MDS>", "1 the list sets no parameter"));
+  CHECK(is_one_mistake("<AX_MDS/>", "1 the list sets no parameter"));
+  CHECK(is_one_mistake("<AX_MDS><Achse/></AX_MDS>", "1 the list sets no parameter"));
+}
+
+TEST_CASE("names in another letter case or with a prefix are mistakes at their place") {
+  CHECK(is_one_mistake(
+      "<AX_MDS><P-AXIS-00140.0 value=\"1,5x\"/></AX_MDS>",
+      "24 value is not read, because names in XML have one spelling, without a prefix; write Value"));
+  CHECK(is_one_mistake("<AX_MDS><P-AXIS-00140 t:Value=\"1\"/></AX_MDS>", "22 t:Value is not read"));
+  CHECK(is_one_mistake("<AX_MDS><p-axis-00140.0 Value=\"1\"/></AX_MDS>", "9 p-axis-00140.0 is not read"));
+  CHECK(is_one_mistake("<AX_MDS><t:P-AXIS-00140 Value=\"1\"/></AX_MDS>", "9 t:P-AXIS-00140 is not read"));
+  CHECK(is_one_mistake("<Ax_Mds><P-AXIS-00140 Value=\"1\"/></Ax_Mds>", "1 Ax_Mds is not read"));
+  CHECK(mistakes_in("<t:AX_MDS><p-axis-00140 value=\"1\"/></t:AX_MDS>").size() == 3);
+}
+
+TEST_CASE("text beside values is a mistake, that of other elements decoration") {
+  CHECK(is_one_mistake("<AX_MDS>x 1<P-AXIS-00016 Value='1'/></AX_MDS>", "8 text in an XML list is not read"));
+  CHECK(is_one_mistake("<AX_MDS><P-AXIS-00016 Value='1'/> x\n</AX_MDS>", "34 text in an XML list"));
+  CHECK(
+      is_one_mistake("<AX_MDS><P-AXIS-00016 Value='1'>2</P-AXIS-00016></AX_MDS>", "32 text in an XML list"));
+  CHECK(is_one_mistake("<AX_MDS><a>x<P-AXIS-00016 Value='1'/></a></AX_MDS>", "11 text in an XML list"));
+  CHECK(is_one_mistake("<AX_MDS><![CDATA[x]]><P-AXIS-00016 Value='1'/></AX_MDS>", "17 text in an XML list"));
+  CHECK(mistakes_in("<AX_MDS><Note>written by hand</Note><P-AXIS-00016 Value='1'/></AX_MDS>").empty());
+}
+
+TEST_CASE("a value stays in its line") {
+  for (std::string const value : {"1&#10;Ende", "1&#xA;Ende", "1&#x00000A;", "1&#13;", "1&#9;2", "1&#0;",
+                                  "\x01", "1\x7F", "&#4294967306;", "&#x10000000A;"}) {
+    std::string const bytes =
+        "<AX_MDS><P-AXIS-00016 Value=\"" + value + "\"/><P-AXIS-00140 Value=\"1\"/></AX_MDS>";
+    CHECK(is_one_mistake(bytes, "29 the value has a line break or another control character"));
+    CHECK(configuration::read_xml_list(bytes, ListKind::axis).translation.list == "filter[0].order 1\n");
+  }
+  CHECK(mistakes_in("<AX_MDS><P-AXIS-00297 Value=\"&#65;&#x42;&#xE4;\"/></AX_MDS>").empty());
 }

@@ -132,7 +132,8 @@ def pre_commit(folder):
     commit = "git -c user.name=x -c user.email=x@example.com commit -qm x"
     for repository in (hooks, work):
         shell(f"git init -q . && git add . && {commit} --allow-empty", repository)
-    for name, text in (("good.lis", GOOD), ("bad.lis", BAD), ("other.txt", BAD)):
+    files = (("good.lis", GOOD), ("bad.lis", BAD), ("other.txt", BAD), ("@WORSE.LIS", BAD), ("package.json", "{}"))
+    for name, text in files:
         with open(f"{work}/{name}", "w", encoding="utf-8") as file:
             file.write(text)
     path = os.path.dirname(AXISC) + ":" + os.path.dirname(shutil.which("pre-commit"))
@@ -141,7 +142,8 @@ def pre_commit(folder):
     passed = shell(f"pre-commit try-repo '{hooks}' axisc-lint --files good.lis other.txt", work, **settings)
     assert "Passed" in passed, passed
     failed = shell(f"pre-commit try-repo '{hooks}' axisc-lint --all-files", work, 1, **settings)
-    assert "bad.lis" in failed and "other.txt" not in failed, failed
+    assert "bad.lis" in failed and "@WORSE.LIS" in failed, failed
+    assert "other.txt" not in failed and "package.json" not in failed, failed
     aligned = shell(f"pre-commit try-repo '{hooks}' axisc-fmt --files good.lis other.txt", work, 1, **settings)
     assert "files were modified by this hook" in aligned, aligned
     print("pre-commit: passed, failed, modified")

@@ -95,6 +95,16 @@ TEST_CASE("a list in a folder that says nothing about its kind is not checked") 
   CHECK(check("kopf.achs_nr 1\nkenngr.achs_typ 1\n", options).codes.empty());
 }
 
+TEST_CASE("a list in a folder is of the kind that its comments number, whatever its lines are like") {
+  validator::CheckOptions options;
+  options.from_folder = true;
+  CHECK(check("# P-AXIS-00140\nfilter[0],order=1\n", options).codes == Codes{"AX1002"});
+  CHECK(check("filter[0],order=1 ( P-AXIS-00140\n", options).codes == Codes{"AX1002"});
+  Outcome const tools = check("# P-TOOL-00003\nwz[1],laenge=1\n", options);
+  CHECK(tools.is_other);
+  CHECK(tools.codes != Codes{"AX7001"});
+}
+
 TEST_CASE("who is asked to take a list for a kind does so") {
   validator::CheckOptions options;
   options.kind = schema::ListKind::channel;

@@ -1,6 +1,8 @@
 #include "validator/loading/loader.hpp"
 
+#include "configuration/machine_file_name.hpp"
 #include "configuration/xml_list.hpp"
+#include "configuration/xml_list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "system/path.hpp"
@@ -25,7 +27,10 @@ bool ends_in(std::string_view path, std::string_view extension) {
 }
 
 bool is_machine_text(std::string_view path, std::string_view text) {
-  return ends_in(path, ".json") && configuration::looks_like_machine_file(text);
+  if (!ends_in(path, ".json")) return false;
+  bool const is_blank = text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  return is_blank || configuration::is_machine_file_name(path) ||
+         configuration::looks_like_machine_file(text);
 }
 
 /// Of the file that says the list.
@@ -163,6 +168,8 @@ void Loader::load_single(SourceId source) {
   if (is_axis_list) {
     ReadList read = read_list(text, options_.catalogue);
     if (!kind) kind = kind_of_list(text, read.tree, read.readings);
+    // Of lines that cannot be read at least the comments tell.
+    if (!kind && options_.from_folder) kind = configuration::kind_numbered_in(text.list_bytes());
     if (!kind && !options_.from_folder) kind = ListKind::axis;
     if (kind == ListKind::axis) {
       machine_.lists.push_back(
@@ -214,14 +221,15 @@ std::variant<std::string, configuration::FileError> Loader::read_text(std::strin
 }
 
 SourceId Loader::add_text(std::string const& path, std::string bytes) {
-  std::optional<configuration::XmlMistake> mistake;
-  SourceId const source = sources_.add(configuration::list_text(path, std::move(bytes), mistake));
-  if (!mistake) return source;
-  machine_.complete = false;
-  Finding& finding = machine_.findings.emplace_back();
-  finding.code = configuration::machine_file_code;
-  finding.place = Place{.source = source, .span = mistake->span};
-  finding.message = {.sentence = mistake->sentence, .arguments = {}};
+  std::vector<configuration::XmlMistake> mistakes;
+  SourceId const source = sources_.add(configuration::list_text(path, std::move(bytes), mistakes));
+  for (configuration::XmlMistake& mistake : mistakes) {
+    machine_.complete = false;
+    Finding& finding = machine_.findings.emplace_back();
+    finding.code = configuration::machine_file_code;
+    finding.place = Place{.source = source, .span = mistake.span};
+    finding.message = std::move(mistake.message);
+  }
   return source;
 }
 

@@ -137,7 +137,7 @@ TEST_CASE("settings choose the files of folders, and say what kind of list they 
   using Catch::Matchers::Contains;
 
   CHECK_THAT(out({"lint", "."}),
-             Contains("a/x.lis:1") && Contains("old/y.lis:1") && Contains("note[AX7001]"));
+             Contains("a/x.lis:1") && Contains("old/y.lis:1") && Contains("warning[AX7001]"));
   folder.write("axisc.json", R"({"exclude": ["old/**"], "paths": [{"pattern": "tools/*", "kind": "tool"}]})");
   CHECK_THAT(out({"lint", "."}), Contains("a/x.lis:1") && !Contains("old/y.lis") && !Contains("AX7001"));
   CHECK_THAT(out({"lint", ".", "--pedantic"}), Contains("note[AX2001]: unknown parameter `anzahl`"));

@@ -49,6 +49,63 @@ TEST_CASE("a list, a program and settings are regular files") {
   CHECK(run_axisc({"lint", "x.lis", "--schema", "pipe.lis"}, there).status == 2);
 }
 
+TEST_CASE("files of the kernel are not read, by whatever name", "[posix]") {
+  TemporaryFolder const folder;
+  auto there = in_folder(folder.path());
+  there.variables = {"SECRET=topsecret"};
+  std::string const secret = "/proc/self/environ";
+  std::string const setting = "/sys/kernel/mm/transparent_hugepage/enabled";
+  fs::create_symlink(secret, folder / "link.lis");
+  fs::create_symlink("/proc", folder / "away");
+  for (std::string const name : {secret, setting, std::string("link.lis"), std::string("away/self/environ"),
+                                 std::string("/proc/self/cmdline")}) {
+    if (!fs::exists(fs::path(name).is_absolute() ? name : folder / name)) continue;
+    INFO(name);
+    auto const named = run_axisc({"lint", name}, there);
+    CHECK(named.status == 2);
+    CHECK_THAT(named.err, Contains("AX9001") && Contains("/proc or /sys"));
+    folder.write("m.json", machine_of(name));
+    folder.write("start.lis", "zahl_mds 1\nachs_mds[0] " + name + "\nEnde\n");
+    for (std::string const machine : {"m.json", "start.lis"}) {
+      auto const outcome = run_axisc({"lint", machine}, there);
+      CHECK(outcome.status != 0);
+      CHECK_THAT(outcome.out + outcome.err, !Contains("topsecret") && !Contains("madvise"));
+    }
+  }
+  CHECK(run_axisc({"simulate", "m.json", "--program", "/proc/self/environ"}, there).status == 2);
+}
+
+TEST_CASE("a folder names what it does not read: pipes, and links to folders elsewhere", "[posix]") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  folder.write("d/ok.lis", "filter[0].enable 0\n");
+  folder.write("e/bad.lis", "filter[0].order 1,5x\n");
+  fs::create_directory_symlink("../e", folder / "d/sub");
+  fs::create_directory_symlink(".", folder / "d/again");
+  REQUIRE(::mkfifo((folder / "d/x.lis").c_str(), 0600) == 0);
+  REQUIRE(::mkfifo((folder / "d/other").c_str(), 0600) == 0);
+  for (std::vector<std::string> const& words :
+       {std::vector<std::string>{"lint", "d", "--cycle-time", "1ms"},
+        {"compile", "d", "--output-folder", "o", "--cycle-time", "1ms"},
+        {"fmt", "d"}}) {
+    auto const outcome = run_axisc(words, there);
+    CHECK(outcome.status == 0);
+    CHECK_THAT(outcome.err,
+               Contains("axisc: note: d/x.lis is not read") && Contains("axisc: note: d/sub is not"));
+    CHECK_THAT(outcome.err, !Contains("d/again") && !Contains("d/other"));
+  }
+  auto const german = run_axisc({"lint", "d", "--cycle-time", "1ms", "--lang", "de"}, there);
+  CHECK_THAT(german.err, Contains("axisc: Hinweis: d/x.lis wird nicht gelesen"));
+  CHECK(run_axisc({"lint", "d", "--cycle-time", "1ms", "--quiet"}, there).err.empty());
+  folder.write("axisc.json", R"({"exclude": ["d/x.lis", "d/sub/**"]})");
+  CHECK(run_axisc({"lint", "d", "--cycle-time", "1ms"}, there).err.empty());
+  fs::remove(folder / "axisc.json");
+  fs::remove(folder / "d/ok.lis");
+  auto const alone = run_axisc({"lint", "d"}, there);
+  CHECK(alone.status == 2);
+  CHECK_THAT(alone.err, Contains("holds no list") && Contains("d/x.lis is not read"));
+}
+
 TEST_CASE("links in a circle have their own sentence") {
   TemporaryFolder const folder;
   fs::create_symlink("b.lis", folder / "a.lis");

@@ -6,8 +6,13 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"nothing in this list tells what kind of list it is: it is not checked",
                             "nichts in dieser Liste zeigt, von welcher Art sie ist: sie wird nicht geprüft"};
-constexpr Sentence help{"`--kind axis` checks it as an axis list; other kinds: {kinds}",
-                        "`--kind axis` prüft sie als Achsliste; andere Arten: {kinds}"};
+constexpr Sentence help{
+    "`--kind axis`, or \"kind\" in axisc.json, checks it as an axis list, \"exclude\" there leaves it out; "
+    "other kinds: "
+    "{kinds}",
+    "`--kind axis` oder \"kind\" in axisc.json prüft sie als Achsliste, \"exclude\" dort lässt sie aus; "
+    "andere Arten: "
+    "{kinds}"};
 
 }  // namespace axisc::validator::says
 
@@ -37,8 +42,7 @@ void unknown_kind(MachineContext const& context, Report& report) {
 extern constinit Rule const ax7001{
     .code = Code{7001},
     .name = "unknown-kind",
-    .severity = Severity::note,
-    .always = true,
+    .severity = Severity::warning,
     .check = unknown_kind,
 };
 
