@@ -1,7 +1,7 @@
 #include "configuration/channel_list.hpp"
 
-#include "configuration/list_search.hpp"
 #include "configuration/listed_values.hpp"
+#include "diagnostics/ascii.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +11,10 @@
 namespace axisc::configuration {
 namespace {
 
+constexpr std::string_view streamed_program = "streaming_prog_file";
 constexpr std::array<std::string_view, 6> program_names = {"start_init_prog_file", "final_prog_file",
                                                            "m6_prog_file",         "g800_prog_file[]",
-                                                           "streaming_prog_file",  "d_prog_file"};
+                                                           streamed_program,       "d_prog_file"};
 
 /// The entry for which `is_it` holds, which is new at the end where there was none.
 template <typename Entry, typename Is>
@@ -82,7 +83,17 @@ class ChannelReader {
     bool const is_program =
         std::any_of(program_names.begin(), program_names.end(),
                     [&](std::string_view pattern) { return match_name(listed.name, pattern).has_value(); });
-    if (is_program && !listed.value.text.empty()) channel_.programs.push_back(listed.value);
+    if (is_program) read_program(listed);
+  }
+
+  void read_program(ListedValue const& listed) {
+    std::erase_if(channel_.programs, [&](ChannelProgram const& known) {
+      return ascii::equal_ignoring_case(known.parameter, listed.name);
+    });
+    if (listed.value.text.empty()) return;
+    channel_.programs.push_back({.parameter = std::string(listed.name),
+                                 .file = listed.value,
+                                 .is_streamed = match_name(listed.name, streamed_program).has_value()});
   }
 
   /// Number 0 means that there is no axis.
@@ -101,15 +112,31 @@ ChannelList read_channel_list(SourceText const& text, SourceId source) {
   return ChannelReader().read(listed_values(text, source));
 }
 
+void add_default_programs(ChannelList& channel, ChannelList const& defaults) {
+  for (ChannelProgram const& program : defaults.programs) {
+    bool const is_set =
+        std::any_of(channel.programs.begin(), channel.programs.end(), [&](ChannelProgram const& own) {
+          return ascii::equal_ignoring_case(own.parameter, program.parameter);
+        });
+    if (!is_set) channel.programs.push_back(program);
+  }
+  channel.folders.insert(channel.folders.end(), defaults.folders.begin(), defaults.folders.end());
+}
+
+std::optional<FoundList> find_program(Files& files, std::string const& start_up, ChannelList const& channel,
+                                      ChannelProgram const& program) {
+  auto found = find_list(files, start_up, program.file.text);
+  for (auto folder = channel.folders.begin(); !found && folder != channel.folders.end(); ++folder) {
+    found = find_list(files, start_up, folder->text + "/" + program.file.text);
+  }
+  return found;
+}
+
 std::vector<std::string> found_programs(Files& files, std::string const& start_up,
                                         ChannelList const& channel) {
   std::vector<std::string> paths;
-  for (LocatedText const& program : channel.programs) {
-    auto found = find_list(files, start_up, program.text);
-    for (auto folder = channel.folders.begin(); !found && folder != channel.folders.end(); ++folder) {
-      found = find_list(files, start_up, folder->text + "/" + program.text);
-    }
-    if (found) paths.push_back(std::move(found->path));
+  for (ChannelProgram const& program : channel.programs) {
+    if (auto found = find_program(files, start_up, channel, program)) paths.push_back(std::move(found->path));
   }
   return paths;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "configuration/files.hpp"
+#include "configuration/list_search.hpp"
 #include "configuration/located_text.hpp"
 #include "configuration/start_up_list.hpp"
 
@@ -27,6 +28,14 @@ struct CoupledPair {
   std::optional<ListCount> slave, master;
 };
 
+/// A program that the control runs by itself.
+struct ChannelProgram {
+  std::string parameter;  ///< start_init_prog_file, m6_prog_file, …
+  LocatedText file;
+  /// streaming_prog_file: the lines come through an interface under this name, and the control opens no file.
+  bool is_streamed = false;
+};
+
 /// Axes, spindles and pairs by rising index; gaps are legal. Entries without a number are not configured.
 struct ChannelList {
   std::optional<LocatedText> name;      ///< gruppe[0].bezeichnung
@@ -36,14 +45,19 @@ struct ChannelList {
   std::optional<ListCount> spindle_count;  ///< spdl_anzahl
   std::vector<CoupledPair> pairs;          ///< synchro_data.koppel_gruppe[].paar[]
   std::vector<LocatedText> folders;        ///< path[i].dir: where programs are searched for
-  std::vector<LocatedText>
-      programs;  ///< that the control runs by itself: start_init_prog_file, m6_prog_file, …
+  std::vector<ChannelProgram> programs;    ///< of a parameter that is set twice the last line counts
 };
 
 [[nodiscard]] ChannelList read_channel_list(SourceText const& text, SourceId source);
+/// Programs that a channel does not name are those of the default list of all channels; its folders come last.
+void add_default_programs(ChannelList& channel, ChannelList const& defaults);
 
-/// The paths of the channel's own programs that are found from the start-up list on, in its folders or without them.
-/// Exported folders often lack them, so that it is no mistake if one is not found.
+/// Where a program of the channel lies: found from the start-up list on, in the channel's folders or without them.
+[[nodiscard]] std::optional<FoundList> find_program(Files& files, std::string const& start_up,
+                                                    ChannelList const& channel,
+                                                    ChannelProgram const& program);
+
+/// The paths of all the channel's own programs that are found.
 [[nodiscard]] std::vector<std::string> found_programs(Files& files, std::string const& start_up,
                                                       ChannelList const& channel);
 

@@ -12,10 +12,8 @@
 namespace axisc::validator {
 namespace {
 
-/// Empty if a default list is missing: effective values are unknown.
 std::deque<AxisViews> views_of(LoadedMachine const& machine) {
   std::deque<AxisViews> views;
-  if (machine.default_list_missing) return views;
   design::CycleTime const cycle_time = machine.cycle_time.value_or(design::CycleTime{});
   for (LoadedAxis const& axis : machine.axes) views.emplace_back(axis.merged.values, cycle_time);
   return views;
@@ -27,14 +25,18 @@ CheckResult check(LoadedMachine& machine, configuration::Files& files, CheckOpti
                   SourceSet& sources, FindingSink const& sink) {
   CheckResult result;
   result.cycle_time_known = machine.cycle_time.has_value();
-  // Whether silenced or not: the machine lacks what cannot be understood in a machine file.
+  // Whether shown or not: the machine lacks what is missing or cannot be understood.
   bool const is_understood = machine.complete && machine.findings.empty();
 
   machine.gantries = gantries_of(machine);
   std::deque<AxisViews> views = views_of(machine);
   EngineResult const judged = run_rules(machine, views, options, sources, sink);
   result.cycle_time_assumed = judged.cycle_time_assumed;
-  if (options.machine && !judged.has_errors && is_understood && !machine.axes.empty()) {
+  result.obstacle = !is_understood         ? Obstacle::incomplete
+                    : judged.has_errors    ? Obstacle::errors
+                    : machine.axes.empty() ? Obstacle::no_axis
+                                           : Obstacle::none;
+  if (options.machine && result.obstacle == Obstacle::none) {
     if (forget_guesses(machine)) views = views_of(machine);
     BuiltMachine built = build_machine(machine, views, sources, files);
     result.machine = std::move(built.machine);

@@ -8,19 +8,28 @@
 #include "validator/not_compiled.hpp"
 #include "validator/options.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc::validator {
 
+/// Why an input makes no machine.
+enum class Obstacle : std::uint8_t {
+  none,
+  incomplete,  ///< something that it names is missing, unreadable or of another kind, or it is itself not understood
+  errors,
+  no_axis
+};
+
 struct CheckResult {
   std::vector<Finding> findings;  ///< in output order; empty if a sink takes them
-  /// Present only if wanted, without errors, not for an NC program, and not for a machine file that is only partly
-  /// understood, even if AX4020 is silenced.
+  /// Present only if wanted and nothing is in its way, whether findings about that are shown or not.
   std::optional<machine::Machine> machine;
   /// The input is a list of another kind than axis lists (AX7001): it says nothing about a machine.
   bool is_other_list = false;
+  Obstacle obstacle = Obstacle::none;     ///< why there is no machine
   std::vector<NotCompiled> not_compiled;  ///< configured features that `machine` does not contain
   bool cycle_time_known = false;          ///< the options or the machine file set it
   bool cycle_time_assumed = false;        ///< 1 ms was assumed, and a rule needed it

@@ -12,11 +12,9 @@ namespace axisc::cli::says {
 
 constexpr Sentence refused_image{
     "{file}: no image was written, because a controller would refuse it ({status}: {reason}); correct the "
-    "findings "
-    "that are silenced",
+    "findings about that, whether they are shown or not",
     "{file}: es wurde kein Abbild geschrieben, weil eine Steuerung es ablehnen würde ({status}: {reason}); "
-    "die "
-    "unterdrückten Befunde beheben"};
+    "die Befunde dazu beheben, ob sie gezeigt werden oder nicht"};
 
 }  // namespace axisc::cli::says
 

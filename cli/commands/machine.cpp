@@ -14,9 +14,11 @@ namespace axisc::cli::says {
 
 constexpr Sentence purpose{
     R"(Shows the machine as it was understood: axes with number, list, type, drive, channel and gantry, the NC cycle
-time, the channels and the programs that run without being called, and where each was read.)",
+time, the channels and the programs that run without being called, and where each was read; at the end what could not
+be read. Exit status 1 if there is such.)",
     R"(Zeigt die Maschine, wie sie verstanden wurde: Achsen mit Nummer, Liste, Typ, Antrieb, Kanal und Gantry, die
-NC-Zykluszeit, die Kanäle und die Programme, die ohne Aufruf laufen, und wo das jeweils steht.)"};
+NC-Zykluszeit, die Kanäle und die Programme, die ohne Aufruf laufen, und wo das jeweils steht; am Ende, was sich nicht
+lesen ließ. Rückgabewert 1, wenn es so etwas gibt.)"};
 constexpr Sentence examples{R"(Examples:
   axisc machine listen/
   axisc machine hochlauf.lis --format json > machine.json)",
@@ -73,8 +75,12 @@ ExitStatus machine(Invocation const& invocation) {
   if (is_project && format == Format::json) {
     throw Failure({.sentence = says::lists_in_project, .arguments = {{"file", path}}});
   }
-  invocation.streams.out.write(format == Format::json ? machine_json(machine, sources)
-                                                      : machine_text(machine, sources, invocation.language));
+  if (format == Format::json) {
+    invocation.streams.err.write(machine_lacks(machine, sources, invocation.language));
+    invocation.streams.out.write(machine_json(machine, sources));
+  } else {
+    invocation.streams.out.write(machine_text(machine, sources, invocation.language));
+  }
   return machine.complete ? ExitStatus::success : ExitStatus::findings;
 }
 

@@ -78,17 +78,21 @@ validator::CheckResult check_into(ReportSubject& subject, std::string const& pat
 std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
                                       std::vector<std::string> const& inputs, CheckJob const& job) {
   std::optional<CheckedMachine> machine;
+  std::optional<Failure> refused;
   for (auto const& input : inputs) {
     auto disk = std::make_unique<DiskFiles>(input == "-");
     SourceSet sources;
     auto result = check_into(subject, input, job, *disk, sources);
-    if (input != path || !result.machine) continue;
-    require_machine(path, result, sources, subject.language);
-    require_cycle_time(path, result);
+    if (input != path) continue;
+    refused = refusal(path, result, sources, subject.language);
+    if (!result.machine) continue;
+    if (!refused) require_cycle_time(path, result);
     machine.emplace(CheckedMachine{
         .disk = std::move(disk), .machine = *std::move(result.machine), .files = std::move(result.files)});
   }
   if (subject.counts.errors > 0) return std::nullopt;
+  // Without a machine the page could not say that it is ready.
+  if (refused) throw Failure(*refused);
   return machine;
 }
 

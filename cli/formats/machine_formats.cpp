@@ -2,6 +2,8 @@
 
 #include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
+#include "validator/loading/unreadable_file.hpp"
+#include "validator/sentences.hpp"
 #include "validator/views/drive.hpp"
 #include "validator/views/gantry.hpp"
 
@@ -32,8 +34,11 @@ constexpr Sentence gantry_master{"master", "Master"};
 constexpr Sentence gantry_slave{"slave of {master}", "Slave von {master}"};
 constexpr Sentence channel{"channel {name}: {axes}", "Kanal {name}: {axes}"};
 constexpr Sentence channel_programs{"runs {programs}", "führt aus: {programs}"};
-constexpr Sentence missing_list{"{place}: the list \"{file}\" is not found",
-                                "{place}: die Liste „{file}“ ist nicht zu finden"};
+constexpr Sentence no_list{"the list \"{file}\" is not found", "die Liste „{file}“ ist nicht zu finden"};
+constexpr Sentence no_program{"the program \"{file}\" is not found",
+                              "das Programm „{file}“ ist nicht zu finden"};
+constexpr Sentence other_kind{"the list \"{file}\" is of another kind",
+                              "die Liste „{file}“ ist von anderer Art"};
 
 }  // namespace axisc::cli::says
 
@@ -57,7 +62,21 @@ class MachineText {
     if (machine_.default_list) {
       text += line(says::default_list, {{"list", machine_.lists[*machine_.default_list].name}});
     }
-    return text + "\n" + axes() + channels() + missing();
+    auto const lacking = what_lacks();
+    return text + "\n" + axes() + channels() + (lacking.empty() ? "" : "\n" + lacking);
+  }
+
+  /// What the machine lacks, a line each.
+  [[nodiscard]] std::string what_lacks() const {
+    std::string text;
+    auto const add = [&](Place const& place, std::string const& reason) {
+      if (reason.empty()) return;
+      text += place_text(place) + ": " + reason + "\n";
+    };
+    for (auto const& finding : machine_.findings) add(*finding.place, render(finding.message, language_));
+    if (!machine_.start_up) return text;
+    for (auto const& search : machine_.start_up->searches) add(search.named.place, lacks(search));
+    return text;
   }
 
  private:
@@ -150,16 +169,17 @@ class MachineText {
     return text;
   }
 
-  [[nodiscard]] std::string missing() const {
-    std::string text;
-    if (!machine_.start_up) return text;
-    for (auto const& search : machine_.start_up->searches) {
-      if (search.found) continue;
-      text +=
-          (text.empty() ? "\n" : "") +
-          line(says::missing_list, {{"place", place_text(search.named.place)}, {"file", search.named.text}});
+  [[nodiscard]] std::string lacks(validator::ListSearch const& search) const {
+    if (search.sought == validator::Sought::streamed_program) return {};
+    if (search.sought == validator::Sought::unnamed_list) {
+      return say(validator::says::unnamed_list, {{"parameter", search.named.text}});
     }
-    return text;
+    std::vector<Argument> arguments{{"file", search.named.text}};
+    if (search.error) return say(validator::sentence_of(*search.error), std::move(arguments));
+    bool const is_program = search.sought == validator::Sought::program;
+    if (!search.found) return say(is_program ? says::no_program : says::no_list, std::move(arguments));
+    bool const fits = !search.wanted || !search.kind || search.wanted == search.kind;
+    return fits ? std::string() : say(says::other_kind, std::move(arguments));
   }
 
   LoadedMachine const& machine_;
@@ -204,6 +224,10 @@ ordered_json gantries_json(LoadedMachine const& machine) {
 
 std::string machine_text(LoadedMachine const& machine, SourceSet const& sources, Language language) {
   return MachineText(machine, sources, language).write();
+}
+
+std::string machine_lacks(LoadedMachine const& machine, SourceSet const& sources, Language language) {
+  return MachineText(machine, sources, language).what_lacks();
 }
 
 std::string machine_json(LoadedMachine const& machine, SourceSet const& sources) {

@@ -10,15 +10,15 @@ namespace axisc::cli::says {
 
 constexpr Sentence report_title{"Filters of {input}", "Filter von {input}"};
 constexpr Sentence verdict_errors{"Not ready: {counts}. Nothing is compiled while there are errors.",
-                                  "Nicht bereit: {counts}. Solange es Fehler gibt, wird nichts übersetzt."};
+                                  "Nicht bereit: {counts}. Solange es Fehler gibt, wird nichts kompiliert."};
 constexpr Sentence verdict_warnings{"Can be compiled; look at the warnings: {counts}.",
-                                    "Kann übersetzt werden; die Warnungen ansehen: {counts}."};
+                                    "Lässt sich kompilieren; vorher die Warnungen ansehen: {counts}."};
 constexpr Sentence verdict_good{"Ready: {counts}.", "Bereit: {counts}."};
 constexpr Sentence counted{"errors: {errors}, warnings: {warnings}, notes: {notes}",
                            "Fehler: {errors}, Warnungen: {warnings}, Hinweise: {notes}"};
 constexpr Sentence fact_cycle{"NC cycle time", "NC-Zykluszeit"};
 constexpr Sentence fact_axes{"axes", "Achsen"};
-constexpr Sentence fact_compiler{"compiled by", "übersetzt mit"};
+constexpr Sentence fact_compiler{"compiled by", "kompiliert mit"};
 constexpr Sentence fact_sources{"SHA-256 of all sources", "SHA-256 aller Quellen"};
 constexpr Sentence facts_head{"machine", "Maschine"};
 constexpr Sentence facts_value{"value", "Wert"};

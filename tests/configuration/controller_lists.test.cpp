@@ -86,7 +86,7 @@ TEST_CASE("a channel has axes, spindles, couplings and programs that run by them
   REQUIRE(list.pairs.size() == 1);
   CHECK(list.pairs[0].slave->number == 4);
   REQUIRE(list.programs.size() == 2);
-  CHECK(list.programs[1].text == "cycle.nc");
+  CHECK(list.programs[1].file.text == "cycle.nc");
   CHECK(list.folders.size() == 1);
 }
 

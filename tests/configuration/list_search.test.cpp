@@ -37,7 +37,9 @@ class Tree final : public configuration::Files {
   /// Seen from /cfg/listen/.
   static std::string normal(std::string const& path) {
     std::filesystem::path const whole = path.starts_with('/') ? path : "/cfg/listen/" + path;
-    return whole.lexically_normal().generic_string();
+    std::string normal = whole.lexically_normal().generic_string();
+    if (normal.size() > 1 && normal.ends_with('/')) normal.pop_back();
+    return normal;
   }
 
   std::set<std::string> paths_;
@@ -45,7 +47,8 @@ class Tree final : public configuration::Files {
 
 std::string found(Tree tree, std::string const& start_up, std::string const& named) {
   auto const list = configuration::find_list(tree, start_up, named);
-  return list ? (list->beside ? "beside " : "") + list->path : "none";
+  if (!list) return "none";
+  return (list->moved ? "moved " : "") + list->path + (list->other ? " or " + *list->other : "");
 }
 
 }  // namespace
@@ -72,11 +75,47 @@ TEST_CASE("backslashes, letter case and the root of the kernel do not matter") {
         "/cfg/listen/AchsMds1.lis");
 }
 
-TEST_CASE("a file of that name beside the start-up list is the last resort") {
+TEST_CASE(
+    "where no folder of the path is there, a file of that name beside the start-up list is the last resort") {
   Tree const tree({"/cfg/listen/hochlauf.lis", "/cfg/listen/x.lis"});
-  CHECK(found(tree, "/cfg/listen/hochlauf.lis", "/opt/cnc/lists/x.lis") == "beside /cfg/listen/x.lis");
-  CHECK(found(tree, "/cfg/listen/hochlauf.lis", "lists/x.lis") == "beside /cfg/listen/x.lis");
+  CHECK(found(tree, "/cfg/listen/hochlauf.lis", "/opt/cnc/lists/x.lis") == "moved /cfg/listen/x.lis");
+  CHECK(found(tree, "/cfg/listen/hochlauf.lis", "lists/x.lis") == "moved /cfg/listen/x.lis");
   CHECK(found(tree, "/cfg/listen/hochlauf.lis", "lists/z.lis") == "none");
   CHECK(found(tree, "/cfg/listen/hochlauf.lis", "") == "none");
   CHECK(found(tree, "/cfg/listen/hochlauf.lis", "..") == "none");
+}
+
+TEST_CASE("a folder that was copied by another name is found around the start-up list") {
+  std::string const start_up = "/cfg/Kunde4711/SoE/hochlauf.lis";
+  Tree const tree({start_up, "/cfg/Kunde4711/SoE/achsmds1.lis", "/cfg/Kunde4711/nullp_d1.lis"});
+  CHECK(found(tree, start_up, "./listen/SoE/achsmds1.lis") == "moved /cfg/Kunde4711/SoE/achsmds1.lis");
+  CHECK(found(tree, start_up, ".\\LISTEN\\soe\\ACHSMDS1.lis") == "moved /cfg/Kunde4711/SoE/achsmds1.lis");
+  CHECK(found(tree, start_up, "./listen/nullp_d1.lis") == "moved /cfg/Kunde4711/nullp_d1.lis");
+  CHECK(found(tree, start_up, "C:\\CNC\\listen\\SoE\\achsmds1.lis") ==
+        "moved /cfg/Kunde4711/SoE/achsmds1.lis");
+  CHECK(found(tree, start_up, "./listen/SoE/achsmds2.lis") == "none");
+}
+
+TEST_CASE("a list that is not in its folder is missing, whatever lies elsewhere") {
+  Tree const tree(
+      {"/cfg/listen/SoE/hochlauf.lis", "/cfg/listen/SoE/y.lis", "/cfg/listen/x.lis", "/cfg/y.lis"});
+  CHECK(found(tree, "/cfg/listen/SoE/hochlauf.lis", "./listen/y.lis") == "none");
+  CHECK(found(tree, "/cfg/listen/SoE/hochlauf.lis", "./listen/SoE/x.lis") == "none");
+}
+
+TEST_CASE("where two files may be meant, the second is named as well") {
+  SECTION("a copy beside the original") {
+    Tree const tree({"/cfg/listen/x.lis", "/cfg/Kunde4711/x.lis", "/cfg/Kunde4711/hochlauf.lis"});
+    CHECK(found(tree, "/cfg/Kunde4711/hochlauf.lis", "./listen/x.lis") ==
+          "/cfg/listen/x.lis or /cfg/Kunde4711/x.lis");
+  }
+  SECTION("a copy that has the name in two of its folders") {
+    Tree const tree({"/cfg/Kunde4711/SoE/hochlauf.lis", "/cfg/Kunde4711/SoE/x.lis", "/cfg/Kunde4711/x.lis"});
+    CHECK(found(tree, "/cfg/Kunde4711/SoE/hochlauf.lis", "./listen/x.lis") ==
+          "moved /cfg/Kunde4711/SoE/x.lis or /cfg/Kunde4711/x.lis");
+  }
+  SECTION("not in the original itself") {
+    Tree const tree({"/cfg/listen/SoE/hochlauf.lis", "/cfg/listen/SoE/x.lis", "/cfg/listen/x.lis"});
+    CHECK(found(tree, "/cfg/listen/SoE/hochlauf.lis", "./listen/x.lis") == "/cfg/listen/x.lis");
+  }
 }

@@ -127,14 +127,19 @@ TEST_CASE("a file that cannot be read is reported where it is named") {
     Checked const checked({{"m.json", machine}, {"x.lis", std::string(200, '\x01')}}, "m.json");
     CHECK(checked.found() == Lines{"1:33 AX4020"});
   }
-  SECTION("a missing default list leaves the effective values open") {
+  SECTION("without its default list the control's own defaults count") {
     std::string const with_default =
         "{\"default_list\": \"d.lis\", \"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}], "
         "\"cycle_time_us\": 1000}";
     Checked const checked(
-        {{"m.json", with_default}, {"x.lis", "filter[0].enable 1\nfilter[0].fg_f0 900\nfilter[0].oder 1\n"}},
+        {{"m.json", with_default},
+         {"x.lis", "filter[0].enable 1\nfilter[0].order 2\nfilter[0].fg_f0 900\nfilter[0].oder 1\n"}},
         "m.json");
-    CHECK(checked.found() == Lines{"1:18 AX4020", "x.lis:3:1 AX2001"});
+    // 900 Hz is more than half of 1 kHz.
+    CHECK(checked.found() == Lines{"1:18 AX4020", "x.lis:3:17 AX3002", "x.lis:4:1 AX2001"});
+    CHECK_THAT(render(checked.result.findings[0].notes.at(0), Language::english),
+               Catch::Matchers::Contains("the control's own defaults count"));
+    CHECK_FALSE(checked.result.machine.has_value());
   }
 }
 

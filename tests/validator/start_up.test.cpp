@@ -1,6 +1,6 @@
 // A start-up list becomes the machine that the control would build.
 #include "support/catch.hpp"
-#include "support/map_files.hpp"
+#include "support/checked.hpp"
 #include "validator/check.hpp"
 #include "validator/loading/loading.hpp"
 
@@ -20,8 +20,7 @@ Contents controller() {
           {"rt.lis", "cycle_time 2000\n"},
           {"sda1.lis",
            "gruppe[0].bezeichnung Mill\ngruppe[0].achse[0].bezeichnung X\ngruppe[0].achse[0].log_achs_nr 1\n"
-           "spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 6\nstart_init_prog_file init.nc\n"
-           "final_prog_file missing.nc\n"},
+           "spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 6\nstart_init_prog_file init.nc\n"},
           {"sda2.lis", "gruppe[0].achse[0].log_achs_nr 2\n"},
           {"default.lis", "getriebe[0].dynamik.vb_max 500000\n"},
           {"x.lis", "kopf.achs_nr 1\nkopf.log_achs_name X_Achse\n"},
@@ -35,6 +34,29 @@ validator::LoadedMachine loaded(Contents contents, validator::CheckOptions const
   static std::deque<SourceSet> sources;
   return std::get<validator::LoadedMachine>(
       validator::load(files, "hochlauf.lis", options, sources.emplace_back()));
+}
+
+std::string severity(Finding const& finding) {
+  if (finding.severity == Severity::error) return "error";
+  return finding.severity == Severity::warning ? "warning" : "note";
+}
+
+/// "file:line CODE severity" of each finding, notes too.
+tests::Lines found(Contents contents) {
+  validator::CheckOptions options;
+  options.pedantic = true;
+  tests::Checked const checked(std::move(contents), "hochlauf.lis", options);
+  tests::Lines lines;
+  for (Finding const& finding : checked.result.findings) {
+    SourceText const& source = checked.sources[finding.place->source];
+    lines.push_back(source.name() + ":" + std::to_string(source.position(finding.place->span.begin).line) +
+                    " " + code_text(finding.code) + " " + severity(finding));
+  }
+  return lines;
+}
+
+bool contains(tests::Lines const& lines, std::string const& line) {
+  return std::find(lines.begin(), lines.end(), line) != lines.end();
 }
 
 }  // namespace
@@ -143,4 +165,82 @@ TEST_CASE("a list that is there and cannot be read is told with the reason") {
   CHECK(messages ==
         std::vector<std::string>{"the file \"x.lis\" is not a text file",
                                  "the file \"rt.lis\" is UTF-16; lists are UTF-8 or windows-1252"});
+}
+
+TEST_CASE("without its default list a machine is checked with the control's own defaults") {
+  Contents contents = controller();
+  contents["x.lis"] += "filter[0].order 99\nfilter[0].enable 1\n";
+  contents["y.lis"] = "kopf.achs_nr 1\n";
+  std::string const found_code = GENERATE("AX7002", "AX7009");
+  if (found_code == "AX7002") contents.erase("default.lis");
+  if (found_code == "AX7009") contents["default.lis"] = contents["sda1.lis"];
+  auto const lines = found(contents);
+  CHECK(contains(lines, "hochlauf.lis:9 " + found_code + " error"));
+  CHECK(contains(lines, "x.lis:3 AX3001 error"));
+  // Two axes of one number.
+  CHECK(contains(lines, "y.lis:1 AX4015 error"));
+
+  tests::Checked const checked(contents, "hochlauf.lis");
+  CHECK(checked.result.obstacle == validator::Obstacle::incomplete);
+  auto const missing =
+      std::find_if(checked.result.findings.begin(), checked.result.findings.end(),
+                   [&](Finding const& finding) { return code_text(finding.code) == found_code; });
+  REQUIRE(missing != checked.result.findings.end());
+  CHECK_THAT(render(missing->notes.back(), Language::english),
+             Catch::Matchers::Contains("the control's own defaults count"));
+}
+
+TEST_CASE("a program that a channel names is an error where it is missing or cannot be read") {
+  Contents contents = controller();
+  SECTION("missing") {
+    contents["sda2.lis"] += "final_prog_file end.nc\n";
+    CHECK(contains(found(contents), "sda2.lis:2 AX7002 error"));
+  }
+  SECTION("in UTF-16") {
+    contents["init.nc"] = std::string("\xFF\xFEN\0", 4);
+    CHECK(contains(found(contents), "sda1.lis:6 AX7002 error"));
+  }
+  SECTION("named by the default list of all channels, once") {
+    contents["hochlauf.lis"] += "default_sda_mds sda.lis\n";
+    contents["sda.lis"] = "final_prog_file end.nc\nstart_init_prog_file other.nc\n";
+    auto const lines = found(contents);
+    CHECK(std::count(lines.begin(), lines.end(), "sda.lis:1 AX7002 error") == 1);
+    // The second channel names none of its own.
+    CHECK(std::count(lines.begin(), lines.end(), "sda.lis:2 AX7002 error") == 1);
+  }
+  validator::CheckOptions options;
+  options.disabled = {Code{7002}};
+  tests::Checked const unseen(contents, "hochlauf.lis", options);
+  CHECK_FALSE(unseen.result.machine);
+  CHECK(unseen.result.obstacle == validator::Obstacle::incomplete);
+}
+
+TEST_CASE("of a parameter that names a program twice the last line counts") {
+  Contents contents = controller();
+  contents["sda1.lis"] += "m6_prog_file gone.nc\nM6_prog_file init.nc\n";
+  CHECK(loaded(contents).complete);
+}
+
+TEST_CASE("streaming needs no file, and a note says that its lines are not checked") {
+  Contents contents = controller();
+  contents["sda1.lis"] += "streaming_prog_file stream.nc\n";
+  CHECK(contains(found(contents), "sda1.lis:7 AX7002 note"));
+  CHECK(loaded(contents).complete);
+}
+
+TEST_CASE("a count above the lists that are named is an error, no axis at all is another") {
+  Contents contents = controller();
+  SECTION("an axis") {
+    contents["hochlauf.lis"] += "zahl_mds 5\n";
+    CHECK(contains(found(contents), "hochlauf.lis:12 AX7002 error"));
+  }
+  SECTION("a compensation") {
+    contents["hochlauf.lis"] += "zahl_kw 1\n";
+    CHECK(contains(found(contents), "hochlauf.lis:12 AX7002 error"));
+  }
+  SECTION("no axis") {
+    contents["hochlauf.lis"] += "zahl_mds 0\n";
+    CHECK(contains(found(contents), "hochlauf.lis:12 AX7007 error"));
+  }
+  CHECK_FALSE(tests::Checked(contents, "hochlauf.lis").result.machine);
 }

@@ -79,10 +79,8 @@ class Engine {
     }
     run_list_checks();
     for (NamedList const& named : machine_.other_lists) run_checks_of_other_list(named.list);
-    if (!machine_.default_list_missing) {
-      for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
-      run_machine_checks();
-    }
+    for (std::size_t axis = 0; axis < machine_.axes.size(); ++axis) run_axis(axis);
+    run_machine_checks();
     run_programs();
     run_filter_sets();
     return tell_all(decide(), sink);
@@ -193,14 +191,13 @@ class Engine {
     }
   }
 
-  /// The channels that run a program; null for a program that no channel runs, or if the values of its axes are
-  /// unknown.
+  /// The channels that run a program; null for a program that no channel runs.
   [[nodiscard]] std::vector<LoadedGroup const*> groups_of(std::size_t program) const {
     std::vector<LoadedGroup const*> groups;
     for (LoadedGroup const& group : machine_.groups) {
       bool const runs =
           std::find(group.programs.begin(), group.programs.end(), program) != group.programs.end();
-      if (runs && !machine_.default_list_missing) groups.push_back(&group);
+      if (runs) groups.push_back(&group);
     }
     if (groups.empty()) groups.push_back(nullptr);
     return groups;
@@ -240,9 +237,7 @@ class Engine {
   void run_filter_sets() {
     MachineContext const whole{.machine = machine_, .cycle_time = cycle_time_, .sources = sources_};
     std::vector<LoadedGroup const*> groups{nullptr};
-    if (!machine_.default_list_missing) {
-      for (LoadedGroup const& group : machine_.groups) groups.push_back(&group);
-    }
+    for (LoadedGroup const& group : machine_.groups) groups.push_back(&group);
     for (configuration::LocatedText const& set : machine_.filter_sets) {
       Span const quoted = set.place.span;
       bool const plain = quoted.size() == set.text.size() + 2;

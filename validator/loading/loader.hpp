@@ -53,9 +53,13 @@ class Loader {
 
   // start_up_loading.cpp
   void load_start_up_list(SourceId source);
+  void note_unnamed_lists(StartUp& start_up);
+  void load_default_axis_list(StartUp& start_up);
   void load_channels(StartUp& start_up);
   void add_channel(StartUp& start_up, configuration::ListEntry const& entry);
   void add_channel(StartUp& start_up, std::uint32_t number, SourceId source);
+  void load_program(StartUp& start_up, StartUpChannel const& channel,
+                    configuration::ChannelProgram const& program);
   void load_compensations(StartUp& start_up);
   void name_axes(StartUp const& start_up);
   /// Index of the axis list; none where it is missing, cannot be read, or is of another kind.
@@ -63,6 +67,8 @@ class Loader {
   /// The source of a list of the kind `wanted`; none where it is missing, cannot be read, or is of another kind.
   std::optional<SourceId> source_found(StartUp& start_up, configuration::LocatedText const& named,
                                        std::optional<configuration::ListKind> wanted);
+  std::optional<SourceId> source_of(StartUp& start_up, configuration::LocatedText const& named,
+                                    std::optional<configuration::ListKind> wanted);
   /// Where a list lies; noted, so that what is missing can be told.
   ListSearch& search(StartUp& start_up, configuration::LocatedText const& named,
                      std::optional<configuration::ListKind> wanted);
@@ -94,6 +100,7 @@ class Loader {
   std::map<std::string, std::size_t> programs_by_path_;
   std::map<std::string, SourceId> others_by_path_;  ///< lists of the other kinds
   std::vector<std::size_t> common_programs_;        ///< those that every group runs
+  configuration::ChannelList default_channel_;      ///< what channels leave open
 };
 
 /// True where the channel runs the program.

@@ -73,8 +73,8 @@ struct LoadedMachine {
       false;  ///< the input is a list that a start-up list in its folder does not name
   std::optional<SourceId> list_of_unknown_kind;  ///< the input, of which nothing says what it is
   std::optional<std::size_t> default_list;
-  bool default_list_missing = false;  ///< it is named but could not be read: effective values are unknown
-  bool complete = true;               ///< every file that the input names was read
+  bool knows_all_axes = true;  ///< no list of an axis is missing
+  bool complete = true;        ///< every file that the input names was read and is of its kind
   std::vector<LoadedAxis> axes;
   std::vector<LoadedProgram> programs;  ///< each file once
   std::vector<configuration::LocatedText>

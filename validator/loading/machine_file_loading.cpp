@@ -1,5 +1,6 @@
 #include "validator/loading/loader.hpp"
 #include "validator/loading/unreadable_file.hpp"
+#include "validator/sentences.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -22,8 +23,11 @@ void Loader::load_machine_file(SourceId source) {
   machine_.cycle_time = file.cycle_time;
   if (file.default_list) {
     machine_.default_list = list_named(*file.default_list);
-    machine_.default_list_missing = !machine_.default_list;
-    if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
+    if (machine_.default_list) {
+      machine_.lists[*machine_.default_list].list.is_default_list = true;
+    } else {
+      machine_.findings.back().notes.push_back({says::control_defaults, {}});
+    }
     by_path_.clear();
   }
   for (configuration::MachineFileAxis const& named : file.axes) {
@@ -86,7 +90,11 @@ std::optional<std::size_t> Loader::list_named(configuration::LocatedText const& 
     return std::nullopt;
   }
   auto const list = add_list(path, shown);
-  if (auto const* const index = std::get_if<std::size_t>(&list)) return *index;
+  if (auto const* const index = std::get_if<std::size_t>(&list)) {
+    bool const is_axis_list = machine_.lists[*index].list.kind == configuration::ListKind::axis;
+    machine_.complete = machine_.complete && is_axis_list;
+    return *index;
+  }
   missing(name, std::get<configuration::FileError>(list));
   return std::nullopt;
 }

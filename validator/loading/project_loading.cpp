@@ -94,10 +94,11 @@ std::optional<std::size_t> Loader::project_axis_list(StartUp& start_up, ProjectL
   ListKind const kind = machine_.lists[list].list.kind;
   if (kind == ListKind::axis) return list;
   start_up.searches.push_back({.named = named.name,
-                               .found = configuration::FoundList{.path = machine_.path, .beside = false},
+                               .found = configuration::FoundList{.path = machine_.path},
                                .wanted = ListKind::axis,
                                .kind = kind});
   machine_.complete = false;
+  machine_.knows_all_axes = false;
   return std::nullopt;
 }
 

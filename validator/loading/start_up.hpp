@@ -14,9 +14,17 @@
 
 namespace axisc::validator {
 
-/// A list that the start-up list names, and where it was found.
+enum class Sought : std::uint8_t {
+  list,
+  program,
+  streamed_program,  ///< no file need be there
+  unnamed_list       ///< an entry below a count that no line names: the control opens it nevertheless
+};
+
+/// A list that the start-up list names or counts, or a program that a channel names, and where it was found.
 struct ListSearch {
   configuration::LocatedText named;
+  Sought sought = Sought::list;
   std::optional<configuration::FoundList> found;       ///< none where it is missing or cannot be read
   std::optional<configuration::FileError> error = {};  ///< why it cannot be read although it is there
   std::optional<configuration::ListKind> wanted = {};  ///< the kind that belongs here; none where any does
@@ -48,5 +56,10 @@ struct StartUp {
   std::vector<StartUpCompensation> compensations;  ///< the same
   std::vector<ListSearch> searches;                ///< in the order in which lists were looked for
 };
+
+/// True for the list that default_achs_mds names.
+[[nodiscard]] inline bool is_default_list(StartUp const& start_up, ListSearch const& search) {
+  return start_up.list.default_axis_list && start_up.list.default_axis_list->place == search.named.place;
+}
 
 }  // namespace axisc::validator

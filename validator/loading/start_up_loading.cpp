@@ -45,6 +45,23 @@ LocatedText const* name_in_channels(StartUp const& start_up, double number) {
   return nullptr;
 }
 
+/// Counts entries in the order of their indices.
+struct NamedEntries {
+  std::uint32_t named = 0;  ///< so many from the first on have a file
+
+  void add(ListEntry const& entry) {
+    if (entry.index == named && !entry.file.text.empty()) ++named;
+  }
+  void note_next(std::string_view array, std::optional<configuration::ListCount> const& count,
+                 StartUp& start_up) const {
+    if (!count || named >= count->number) return;
+    std::string entry = std::string(array) + "[" + std::to_string(named) + "]";
+    start_up.searches.push_back({.named = {.text = std::move(entry), .place = count->place},
+                                 .sought = Sought::unnamed_list,
+                                 .found = std::nullopt});
+  }
+};
+
 }  // namespace
 
 void Loader::load_start_up_list(SourceId source) {
@@ -52,18 +69,17 @@ void Loader::load_start_up_list(SourceId source) {
   start_up.sources.push_back(source);
   add_other_list(source, ListKind::startup, std::string(file_name(machine_.path)));
   start_up.list = configuration::read_start_up_list(sources_[source], source);
-  if (start_up.list.default_axis_list) {
-    machine_.default_list = axis_list_found(start_up, *start_up.list.default_axis_list);
-    machine_.default_list_missing = !machine_.default_list;
-    if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
-    by_path_.clear();
-  }
+  note_unnamed_lists(start_up);
+  load_default_axis_list(start_up);
   machine::PositionController const controller = scheduled_controller(start_up.list.position_control);
   for (std::size_t i = 0; i < start_up.list.axes.size(); ++i) {
     ListEntry const& entry = start_up.list.axes[i];
     if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.axis_count)) continue;
     auto const list = axis_list_found(start_up, entry.file);
-    if (!list) continue;
+    if (!list) {
+      machine_.knows_all_axes = false;
+      continue;
+    }
     add_axis(*list, std::nullopt).position_control = controller;
     start_up.entries.push_back(i);
   }
@@ -77,14 +93,36 @@ void Loader::load_start_up_list(SourceId source) {
   name_axes(start_up);
 }
 
+void Loader::note_unnamed_lists(StartUp& start_up) {
+  // An update in XML holds only what changes.
+  if (sources_[start_up.sources.front()].is_translation()) return;
+  NamedEntries axes;
+  for (ListEntry const& entry : start_up.list.axes) axes.add(entry);
+  axes.note_next("achs_mds", start_up.list.axis_count, start_up);
+  machine_.knows_all_axes = start_up.searches.empty();
+  NamedEntries compensations;
+  for (configuration::CompensationEntry const& each : start_up.list.compensations)
+    compensations.add(each.list);
+  compensations.note_next("achs_kw", start_up.list.compensation_count, start_up);
+  machine_.complete = start_up.searches.empty();
+}
+
+void Loader::load_default_axis_list(StartUp& start_up) {
+  if (!start_up.list.default_axis_list) return;
+  machine_.default_list = axis_list_found(start_up, *start_up.list.default_axis_list);
+  if (machine_.default_list) machine_.lists[*machine_.default_list].list.is_default_list = true;
+  by_path_.clear();
+}
+
 void Loader::load_channels(StartUp& start_up) {
+  // The default list says what channels leave open, and names no axes.
+  if (start_up.list.default_channel) {
+    auto const source = source_found(start_up, *start_up.list.default_channel, ListKind::channel);
+    if (source) default_channel_ = configuration::read_channel_list(sources_[*source], *source);
+  }
   for (ListEntry const& entry : start_up.list.channels) {
     if (entry.file.text.empty() || !configuration::is_read(entry, start_up.list.channel_count)) continue;
     add_channel(start_up, entry);
-  }
-  // The default list says what channels leave open, and names no axes.
-  if (start_up.list.default_channel) {
-    source_found(start_up, *start_up.list.default_channel, ListKind::channel);
   }
   for (configuration::OtherList const& other : start_up.list.others) {
     source_found(start_up, other.file, other.kind);
@@ -100,6 +138,7 @@ void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId sourc
   StartUpChannel& channel = start_up.channels.emplace_back();
   channel.index = number;
   channel.list = configuration::read_channel_list(sources_[source], source);
+  add_default_programs(channel.list, default_channel_);
   channel.group = machine_.groups.size();
   LoadedGroup& group = machine_.groups.emplace_back();
   if (channel.list.name) group.name = channel.list.name->text;
@@ -109,11 +148,32 @@ void Loader::add_channel(StartUp& start_up, std::uint32_t number, SourceId sourc
     if (is_new) group.axes.push_back(*axis);
   }
   std::sort(group.axes.begin(), group.axes.end());
-  for (std::string const& program : configuration::found_programs(files_, machine_.path, channel.list)) {
-    auto const read = add_program(shown(program), program);
-    auto const* const index = std::get_if<std::size_t>(&read);
-    if (index != nullptr && !runs_in(group, *index)) group.programs.push_back(*index);
+  for (configuration::ChannelProgram const& program : channel.list.programs) {
+    load_program(start_up, channel, program);
   }
+}
+
+void Loader::load_program(StartUp& start_up, StartUpChannel const& channel,
+                          configuration::ChannelProgram const& program) {
+  ListSearch noted{.named = program.file,
+                   .sought = program.is_streamed ? Sought::streamed_program : Sought::program,
+                   .found = configuration::find_program(files_, machine_.path, channel.list, program)};
+  if (noted.found) {
+    auto const read = add_program(shown(noted.found->path), noted.found->path);
+    if (auto const* const index = std::get_if<std::size_t>(&read)) {
+      LoadedGroup& group = machine_.groups[channel.group];
+      if (!runs_in(group, *index)) group.programs.push_back(*index);
+    } else {
+      noted.error = std::get<configuration::FileError>(read);
+      noted.found.reset();
+    }
+  }
+  if (!noted.found && !program.is_streamed) machine_.complete = false;
+  // Several channels run a program of the default list.
+  bool const is_noted =
+      std::any_of(start_up.searches.begin(), start_up.searches.end(),
+                  [&](ListSearch const& earlier) { return earlier.named.place == noted.named.place; });
+  if (!is_noted) start_up.searches.push_back(std::move(noted));
 }
 
 void Loader::load_compensations(StartUp& start_up) {
@@ -172,6 +232,13 @@ std::optional<std::size_t> Loader::axis_list_found(StartUp& start_up, LocatedTex
 
 std::optional<SourceId> Loader::source_found(StartUp& start_up, LocatedText const& named,
                                              std::optional<ListKind> wanted) {
+  auto const source = source_of(start_up, named, wanted);
+  machine_.complete = machine_.complete && source.has_value();
+  return source;
+}
+
+std::optional<SourceId> Loader::source_of(StartUp& start_up, LocatedText const& named,
+                                          std::optional<ListKind> wanted) {
   ListSearch& noted = search(start_up, named, wanted);
   if (!noted.found) return std::nullopt;
   std::string const key = key_of(noted.found->path);

@@ -6,6 +6,9 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"nothing in this list tells what kind of list it is: it is not checked",
                             "nichts in dieser Liste zeigt, von welcher Art sie ist: sie wird nicht geprüft"};
+constexpr Sentence is_empty{"the list is empty", "die Liste ist leer"};
+constexpr Sentence help_empty{"restore its text, or remove the file",
+                              "ihren Text wiederherstellen oder die Datei entfernen"};
 constexpr Sentence help{
     "`--kind axis`, or \"kind\" in axisc.json, checks it as an axis list, \"exclude\" there leaves it out; "
     "other kinds: "
@@ -31,9 +34,16 @@ std::string other_kinds() {
 void unknown_kind(MachineContext const& context, Report& report) {
   if (!context.machine.list_of_unknown_kind) return;
   SourceId const source = *context.machine.list_of_unknown_kind;
-  std::uint32_t const begin = context.sources[source].text_begin();
-  Finding& finding =
-      report.add(Place{.source = source, .span = {.begin = begin, .end = begin}}, message(says::headline));
+  SourceText const& text = context.sources[source];
+  Place const place{.source = source, .span = {.begin = text.text_begin(), .end = text.text_begin()}};
+  if (text.bytes().find_first_not_of(" \t\r\n", text.text_begin()) == std::string_view::npos) {
+    // What it was nobody knows: perhaps the start-up list that makes a machine of the others.
+    Finding& finding = report.add(place, message(says::is_empty));
+    finding.severity = Severity::error;
+    finding.help.push_back(message(says::help_empty));
+    return;
+  }
+  Finding& finding = report.add(place, message(says::headline));
   finding.help.push_back(message(says::help, {{"kinds", other_kinds()}}));
 }
 

@@ -44,8 +44,8 @@ class Numbers {
 
 void axis_unknown(MachineContext const& context, Report& report) {
   LoadedMachine const& machine = context.machine;
-  // Of a machine that lacks a list, nobody knows the numbers.
-  if (!machine.start_up || !machine.complete) return;
+  // Of a machine that lacks the list of an axis, nobody knows the numbers.
+  if (!machine.start_up || !machine.knows_all_axes) return;
   Numbers const numbers(machine, report);
   for (StartUpChannel const& channel : machine.start_up->channels) {
     for (configuration::ChannelAxis const& axis : channel.list.axes) numbers.check(axis.number);

@@ -9,6 +9,10 @@ constexpr Sentence headline{"`{parameter}` is {number}, but the list configures 
                             "`{parameter}` ist {number}, die Liste konfiguriert aber {configured}"};
 constexpr Sentence outside{"`{parameter}` is {number}; allowed are 0 to {limit}",
                            "`{parameter}` ist {number}; zulässig sind 0 bis {limit}"};
+constexpr Sentence no_axis{"the start-up list configures no axis: `zahl_mds` is {number}",
+                           "die Hochlaufliste konfiguriert keine Achse: `zahl_mds` ist {number}"};
+constexpr Sentence no_count{"the start-up list configures no axis: no line sets `zahl_mds`",
+                            "die Hochlaufliste konfiguriert keine Achse: keine Zeile setzt `zahl_mds`"};
 constexpr Sentence reaction{"it reports that the number of axes is wrong",
                             "sie meldet, dass die Anzahl der Achsen falsch ist"};
 
@@ -37,8 +41,24 @@ void check_count(std::string_view parameter, std::optional<configuration::ListCo
   react(finding, outside ? out_of_range : not_as_configured, {says::reaction, {}});
 }
 
+/// A control has 1 to 32 axes. An update in XML need not name them.
+void check_machine(MachineContext const& context, Report& report) {
+  StartUp const& start_up = *context.machine.start_up;
+  if (start_up.is_project || context.sources[start_up.sources.front()].is_translation()) return;
+  auto const& count = start_up.list.axis_count;
+  if (count && count->number > 0) return;
+  SourceId const source = start_up.sources.front();
+  std::uint32_t const begin = context.sources[source].text_begin();
+  Place const place = count ? count->place : Place{.source = source, .span = {.begin = begin, .end = begin}};
+  Message message{says::no_count, {}};
+  if (count) message = {says::no_axis, {{"number", std::to_string(count->number)}}};
+  // Which of its messages the control gives then is not documented.
+  report.add(place, std::move(message)).control.reset();
+}
+
 void axis_count(MachineContext const& context, Report& report) {
   if (!context.machine.start_up) return;
+  check_machine(context, report);
   for (StartUpChannel const& channel : context.machine.start_up->channels) {
     configuration::ChannelList const& list = channel.list;
     check_count("gruppe[0].achs_anzahl", list.axis_count, list.axes.size(), most_axes, report);

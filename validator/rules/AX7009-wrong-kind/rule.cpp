@@ -1,6 +1,7 @@
 #include "validator/engine/rule.hpp"
 
 #include "validator/rules/filter_words.hpp"
+#include "validator/sentences.hpp"
 
 namespace axisc::validator::says {
 
@@ -44,6 +45,9 @@ void wrong_kind(MachineContext const& context, Report& report) {
         report.add(search.named.place, {headline,
                                         {{"kind", configuration::number_prefix(*search.kind)},
                                          {"wanted", configuration::number_prefix(*search.wanted)}}});
+    if (is_default_list(*context.machine.start_up, search)) {
+      finding.notes.push_back({says::control_defaults, {}});
+    }
     react(finding, {says::reaction, {}});
   }
 }
