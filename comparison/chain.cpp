@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace axisc::comparison {
@@ -12,6 +13,12 @@ namespace {
 
 constexpr std::size_t longest_settling = 20000;
 constexpr double settled = 1e-6;
+
+std::vector<double> impulse_answer(Chain const& chain) {
+  std::vector<double> impulse(settling_cycles(chain) + 2, 0.0);
+  impulse[1] = 1;
+  return respond(chain, impulse);
+}
 
 }  // namespace
 
@@ -147,10 +154,29 @@ std::size_t settling_cycles(Chain const& chain) {
 }
 
 double noise_gain(Chain const& chain) {
-  std::vector<double> impulse(settling_cycles(chain) + 2, 0.0);
-  impulse[1] = 1;
-  auto const answer = respond(chain, impulse);
+  auto const answer = impulse_answer(chain);
   return std::sqrt(std::inner_product(answer.begin(), answer.end(), answer.begin(), 0.0));
+}
+
+double worst_gain(Chain const& chain) {
+  double largest = 0;
+  auto const take = [&largest](Chain const& steady) {
+    auto const answer = impulse_answer(steady);
+    largest = std::max(largest, std::transform_reduce(answer.begin(), answer.end(), 0.0, std::plus<>(),
+                                                      [](double value) { return std::abs(value); }));
+  };
+  // Links are switched one at a time: an axis has one kernel.
+  Chain steady = chain;
+  for (auto& link : steady) link.switches.clear();
+  take(steady);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    for (auto const& one : chain[i].switches) {
+      steady[i].taps = one.taps;
+      take(steady);
+    }
+    steady[i].taps = chain[i].taps;
+  }
+  return largest;
 }
 
 }  // namespace axisc::comparison

@@ -73,4 +73,8 @@ class Runner {
 /// How many times as large errors of the input are behind the chain: their rms, where one is independent of the other.
 [[nodiscard]] double noise_gain(Chain const& chain);
 
+/// How many times as large as the largest error of the input its errors can become behind the chain, where all of them conspire:
+/// the sum of the magnitudes of its answer to an impulse; of kernels that are switched, the largest of these sums.
+[[nodiscard]] double worst_gain(Chain const& chain);
+
 }  // namespace axisc::comparison

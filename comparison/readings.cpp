@@ -38,6 +38,7 @@ constexpr double same_number = 1e-12;
 struct Part {
   std::optional<Departure> departure;
   Chain links;
+  std::vector<Departure> equals{};  ///< other departures with these links
 };
 
 bool same(std::vector<double> const& one, std::vector<double> const& other) {
@@ -65,11 +66,12 @@ Chain unswitched(Chain chain) {
 }
 
 /// Whether the answers to a jump are the same but for whole cycles, which no recording tells apart from an offset of its columns.
+/// The same, not alike: whether alike ones can be told apart is for the recording to say.
 bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
   Chain const one = unswitched(switched_one);
   Chain const other = unswitched(switched_other);
   constexpr std::size_t jump = 8;  // also the longest delay
-  constexpr double indistinguishable = 3e-5;
+  constexpr double rounding = 1e-10;
   std::size_t const length = std::max(settling_cycles(one), settling_cycles(other)) + 2 * jump;
   std::vector<double> step(length, 1.0);
   std::fill_n(step.begin(), jump, 0.0);
@@ -78,7 +80,7 @@ bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
   auto const agree = [&](std::size_t later_a, std::size_t later_b) {
     // From the rest on: what came before the later answer must be rest, too.
     for (std::size_t n = 0; n + jump < length; ++n) {
-      if (std::abs(a[n + later_a] - b[n + later_b]) > indistinguishable) return false;
+      if (std::abs(a[n + later_a] - b[n + later_b]) > rounding) return false;
     }
     return true;
   };
@@ -89,8 +91,10 @@ bool same_but_delayed(Chain const& switched_one, Chain const& switched_other) {
 }
 
 void add(std::vector<Part>& parts, Part part) {
-  for (auto const& known : parts) {
-    if (same(known.links, part.links) || same_but_delayed(known.links, part.links)) return;
+  for (auto& known : parts) {
+    if (!same(known.links, part.links) && !same_but_delayed(known.links, part.links)) continue;
+    if (known.departure) known.equals.push_back(*part.departure);
+    return;
   }
   parts.push_back(std::move(part));
 }
@@ -170,9 +174,23 @@ std::vector<Part> kernel_parts(Configured const& configured) {
 Reading joined(Part const& filters, Part const& kernel) {
   Reading reading{.departures = {}, .chain = filters.links};
   reading.chain.insert(reading.chain.end(), kernel.links.begin(), kernel.links.end());
+  // Every departure of the one with every departure of the other; the first of them is the reading's own.
+  std::vector<std::vector<Departure>> ways{{}};
   for (auto const* part : {&filters, &kernel}) {
-    if (part->departure) reading.departures.push_back(*part->departure);
+    if (!part->departure) continue;
+    std::vector<std::vector<Departure>> longer;
+    for (auto const& way : ways) {
+      longer.push_back(way);
+      longer.back().push_back(*part->departure);
+      for (auto const& other : part->equals) {
+        longer.push_back(way);
+        longer.back().push_back(other);
+      }
+    }
+    ways = std::move(longer);
   }
+  reading.departures = std::move(ways.front());
+  reading.equals.assign(ways.begin() + 1, ways.end());
   return reading;
 }
 

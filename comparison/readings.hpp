@@ -54,10 +54,13 @@ inline constexpr std::string_view cycle_time_quarter = "cycle-time-quarter";
 struct Reading {
   std::vector<Departure> departures;
   Chain chain;
+  /// Other departures that lead to the same chain from these lists, perhaps whole cycles later: each stands for `departures`.
+  /// Of other lists, such as ones with an even order, they may make different chains.
+  std::vector<std::vector<Departure>> equals{};
 };
 
-/// The first is what axisc computes; then readings with one departure, then with two. Readings that compute the same
-/// numbers as an earlier one, perhaps some cycles later, are left out.
+/// The first is what axisc computes; then readings with one departure, then with two. Departures that change nothing about what
+/// axisc computes from these lists are left out.
 [[nodiscard]] std::vector<Reading> readings(Configured const& configured);
 
 }  // namespace axisc::comparison

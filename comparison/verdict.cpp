@@ -16,7 +16,9 @@ constexpr std::size_t longest_trial = 16384;
 /// What fits has at most this much more than the resolution explains, and at most this many steps of it anywhere.
 constexpr double rms_margin = 1.4;
 constexpr double steps_margin = 3;
-/// A reading that is this much worse than the best one does not fit.
+/// Of a reading that is believed nothing may be left that rounding cannot make, but for the errors of its own arithmetic.
+constexpr double own_errors = 1.05;
+/// A reading that is this much worse than the best one does not fit: the rms of some hundred cycles is hardly luck.
 constexpr double clearly_worse = 1.1;
 /// Of the listed chain and a reading that both fit, the reading is believed where its error is so much smaller.
 constexpr double believed_gain = 1.25;
@@ -70,27 +72,19 @@ struct Allowance {
     if (!holds(explained.residual, largest_gain)) return false;
     return holds(explained.residual, std::clamp(noise_gain(explained.reading.chain), 1.0, largest_gain));
   }
+  /// What both columns can be off by at most, where a chain makes errors of its input so many times as large.
+  [[nodiscard]] double largest(double worst_gain) const { return (worst_gain * input + output) / 2; }
+  [[nodiscard]] bool is_within_rounding(Explained const& explained) const {
+    auto const is_below = [&](double bound) {
+      return explained.residual.largest <= own_errors * bound + 10 * noise;
+    };
+    // A chain that passes what stays makes no error that stays smaller.
+    return is_below(largest(1)) || is_below(largest(worst_gain(explained.reading.chain)));
+  }
+  [[nodiscard]] bool explains(Explained const& explained) const {
+    return holds(explained) && is_within_rounding(explained);
+  }
 };
-
-bool has_fewer_departures(Explained const& one, Explained const& other) {
-  return one.reading.departures.size() < other.reading.departures.size();
-}
-
-bool is_same_reading(Reading const& one, Reading const& other) {
-  return std::equal(one.departures.begin(), one.departures.end(), other.departures.begin(),
-                    other.departures.end(),
-                    [](Departure const& a, Departure const& b) { return a.id == b.id; });
-}
-
-/// Departs in all that the other one departs in.
-bool goes_further(Explained const& one, Explained const& other) {
-  auto const& more = one.reading.departures;
-  auto const& fewer = other.reading.departures;
-  return std::all_of(fewer.begin(), fewer.end(), [&](Departure const& departure) {
-    return std::any_of(more.begin(), more.end(),
-                       [&](Departure const& its) { return its.id == departure.id; });
-  });
-}
 
 std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& all,
                              double output_resolution) {
@@ -112,34 +106,18 @@ std::vector<Explained> tried(Recording const& part, std::vector<Reading> const& 
   return found;
 }
 
-/// Of the readings that fit, those with fewest departures and those that only add to the best of these, unless one with more is
-/// better than they are; then all of those that are about as good. What does not belong to them is next. `found` by rising rms.
+/// The readings that the recording does not rule out. What it does is next. `found` by rising rms.
 void explain(Comparison& comparison, std::vector<Explained> const& found, Allowance const& allowance) {
-  std::vector<Explained> plausible;
   for (auto const& one : found) {
-    if (one.reading.departures.empty() || !allowance.holds(one)) continue;
-    double const best = allowance.measurable(plausible.empty() ? one.residual : plausible.front().residual);
-    if (one.residual.rms <= believed_gain * best + allowance.noise) plausible.push_back(one);
-  }
-  if (!plausible.empty()) {
-    double const best = allowance.measurable(plausible.front().residual);
-    auto const simplest = *std::min_element(plausible.begin(), plausible.end(), has_fewer_departures);
-    auto const limit = clearly_worse * allowance.measurable(simplest.residual) + allowance.noise;
-    if (simplest.residual.rms <= clearly_worse * best + allowance.noise) {
-      std::erase_if(plausible, [&](Explained const& one) {
-        bool const is_far_fetched = has_fewer_departures(simplest, one) && !goes_further(one, simplest);
-        return is_far_fetched || one.residual.rms > limit;
-      });
+    if (one.reading.departures.empty()) continue;
+    auto& fitting = comparison.fitting;
+    double const best = allowance.measurable(fitting.empty() ? one.residual : fitting.front().residual);
+    bool const is_as_good = one.residual.rms <= clearly_worse * best + allowance.noise;
+    if (is_as_good && allowance.explains(one)) {
+      fitting.push_back(one);
+    } else if (!comparison.next) {
+      comparison.next = one;
     }
-  }
-  comparison.fitting = plausible;
-  for (auto const& one : found) {
-    bool const is_named = std::any_of(plausible.begin(), plausible.end(), [&](Explained const& named) {
-      return is_same_reading(named.reading, one.reading);
-    });
-    if (one.reading.departures.empty() || is_named) continue;
-    comparison.next = one;
-    break;
   }
 }
 
@@ -154,6 +132,7 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
                             .output = comparison.output_resolution,
                             .noise = numeric_noise * std::max(largest_magnitude(recording.output), 1e-3)};
   comparison.allowed_rms = allowance.rms();
+  comparison.allowed_largest = allowance.largest(worst_gain(all.front().chain));
 
   auto const settling = settling_cycles(all.front().chain);
   auto const mask =
@@ -169,9 +148,15 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
   }
   std::size_t longest = 0;
   for (auto const& reading : all) longest = std::max(longest, settling_cycles(reading.chain));
-  explain(comparison, tried(busiest_part(recording, longest), all, comparison.output_resolution), allowance);
-  if (!is_same) return comparison;
-  if (!comparison.fitting.empty() &&
+  auto const found = tried(busiest_part(recording, longest), all, comparison.output_resolution);
+  explain(comparison, found, allowance);
+  if (!is_same || comparison.fitting.empty()) return comparison;
+  auto const listed = std::find_if(found.begin(), found.end(),
+                                   [](Explained const& one) { return one.reading.departures.empty(); });
+  // A part of a cycle is not in the chain: what it leaves is no rounding.
+  double const delay = listed->residual.delay_cycles;
+  bool const is_ruled_out = delay == std::round(delay) && !allowance.is_within_rounding(*listed);
+  if (is_ruled_out ||
       allowance.measurable(comparison.fitting.front().residual) * believed_gain < comparison.listed.rms) {
     comparison.verdict = Verdict::different;
     return comparison;
@@ -180,37 +165,6 @@ Comparison compare(Recording const& recording, std::vector<Reading> const& all) 
     return one.residual.rms > clearly_worse * allowance.measurable(comparison.listed) + allowance.noise;
   });
   return comparison;
-}
-
-std::optional<design::Readings> settings_of(Comparison const& comparison, design::Readings const& current) {
-  if (comparison.verdict == Verdict::same || comparison.verdict == Verdict::delayed) return current;
-  if (comparison.verdict != Verdict::different || comparison.fitting.size() != 1) return std::nullopt;
-  design::Readings settings = current;
-  for (auto const& departure : comparison.fitting.front().reading.departures) {
-    using namespace design;
-    if (auto const filters = reading_of<FilterReading>(filter_reading_words, departure.id)) {
-      settings.filters = *filters;
-    } else if (auto const kernels = reading_of<KernelReading>(kernel_reading_words, departure.id)) {
-      settings.kernels = *kernels;
-    } else if (departure.id == documented_filters) {
-      settings.filters = FilterReading::documented;
-    } else if (departure.id == documented_kernels) {
-      settings.kernels = KernelReading::documented;
-    } else if (departure.id == documented_cycle_time) {
-      settings.cycle_time = CycleReading::documented;
-    } else if (departure.id == cycle_time_double) {
-      settings.cycle_time = CycleReading::twice;
-    } else if (departure.id == cycle_time_half) {
-      settings.cycle_time = CycleReading::half;
-    } else if (departure.id == cycle_time_fourfold) {
-      settings.cycle_time = CycleReading::fourfold;
-    } else if (departure.id == cycle_time_quarter) {
-      settings.cycle_time = CycleReading::quarter;
-    } else {
-      return std::nullopt;
-    }
-  }
-  return settings;
 }
 
 }  // namespace axisc::comparison

@@ -42,22 +42,18 @@ struct Comparison {
   Residual listed{};
   double input_resolution = 0;  ///< 0 where the numbers have more than six decimals
   double output_resolution = 0;
-  double allowed_rms = 0;    ///< what rounding to these resolutions explains
-  std::size_t compared = 0;  ///< cycles that count
+  double allowed_rms = 0;      ///< what rounding to these resolutions explains of what axisc computes
+  double allowed_largest = 0;  ///< the same of the largest deviation
+  std::size_t compared = 0;    ///< cycles that count
   std::size_t lost = 0;
-  /// What else the recording agrees with, best first: of a different one the explanation if it is a single one, of the
-  /// same the readings that compute too similar numbers in this motion.
+  /// Every reading that the recording does not rule out, best first: whose largest and rms deviation are what rounding both
+  /// columns makes behind it, and whose rms is about that of the best. Of the same those that compute too similar numbers in
+  /// this motion.
   std::vector<Explained> fitting{};
-  std::optional<Explained> next{};  ///< the best that does not fit
+  std::optional<Explained> next{};  ///< the best of those that are ruled out
 };
 
-/// The settings under which axisc computes what a recording shows: those of `current`, which the lists were compiled with,
-/// changed by the one reading that fits. None where the recording does not tell, nothing fits, or the departure is none of the
-/// arithmetic but of the values (a filter that was on or off).
-[[nodiscard]] std::optional<design::Readings> settings_of(Comparison const& comparison,
-                                                          design::Readings const& current);
-
-/// Only the single best explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of a cycle
+/// Only a single explanation may be believed: see `fitting`. Lags of up to 10 whole cycles, and fractions of a cycle
 /// for the listed chain, are found. `all`: of readings(), the listed one first.
 [[nodiscard]] Comparison compare(Recording const& recording, std::vector<Reading> const& all);
 

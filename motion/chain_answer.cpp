@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace axisc::motion {
 namespace {
@@ -52,21 +51,6 @@ double reach_of(ChainAnswer const& answer) {
   return std::max(0.0, std::floor(reach) + 1);
 }
 
-std::optional<ChainAnswer> answer_of(std::vector<double> ramp) {
-  double const n = static_cast<double>(ramp.size()) - 1;
-  double const slope = ramp.back() - ramp[ramp.size() - 2];
-  if (std::abs(slope - 1) > 1e-6) return std::nullopt;
-  ChainAnswer answer;
-  answer.delay = whole_where_close(n - ramp.back());
-  answer.ramp = std::move(ramp);
-  answer.corner = answer.remainder(0);
-  answer.reach = reach_of(answer);
-  if (std::abs(answer.corner) <= negligible && answer.reach <= 1) {
-    answer.reach = answer.corner = 0;
-  }
-  return answer;
-}
-
 }  // namespace
 
 double ChainAnswer::ramp_at(double cycles) const {
@@ -82,11 +66,26 @@ double ChainAnswer::remainder(double tau) const {
   return ramp_at(delay + tau) - std::max(0.0, tau);
 }
 
+std::optional<ChainAnswer> chain_answer(std::vector<double> ramp) {
+  double const n = static_cast<double>(ramp.size()) - 1;
+  double const slope = ramp.back() - ramp[ramp.size() - 2];
+  if (std::abs(slope - 1) > 1e-6) return std::nullopt;
+  ChainAnswer answer;
+  answer.delay = whole_where_close(n - ramp.back());
+  answer.ramp = std::move(ramp);
+  answer.corner = answer.remainder(0);
+  answer.reach = reach_of(answer);
+  if (std::abs(answer.corner) <= negligible && answer.reach <= 1) {
+    answer.reach = answer.corner = 0;
+  }
+  return answer;
+}
+
 std::variant<std::vector<ChainAnswer>, NoAnswer> chain_answers(GroupRuntime& runtime) {
   auto ramps = execute_ramps(runtime);
   std::vector<ChainAnswer> answers;
   for (std::size_t i = 0; i < ramps.size(); ++i) {
-    auto answer = answer_of(std::move(ramps[i]));
+    auto answer = chain_answer(std::move(ramps[i]));
     if (!answer) return NoAnswer{.axis = i};
     answers.push_back(*std::move(answer));
   }

@@ -10,6 +10,7 @@
 #include "motion/group_runtime.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct NoAnswer {
   std::size_t axis =
       0;  ///< of the path: it does not follow a ramp, because its chain blocks the constant part
 };
+
+/// Of the answer r to the ramp, long enough to have settled; none where it does not follow the ramp.
+[[nodiscard]] std::optional<ChainAnswer> chain_answer(std::vector<double> ramp);
 
 /// Executes the chains of all axes as they are switched now; afterwards every axis rests at 0. Cost: some hundred cycles
 /// for kernels, at most longest_answer cycles.

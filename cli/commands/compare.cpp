@@ -21,14 +21,15 @@ constexpr Sentence examples{R"(Examples:
   axisc compare machine.json scope.csv --axis X --emit settings > axisc.json
 
 Exit status: 0 the same, perhaps but for a delay; 1 different, or the recording cannot tell; 2 something could not
-be read. With --emit settings: 0 the settings were written, 1 the recording tells none.)",
+be read. With --emit settings: 0 the settings were written, 1 the recording tells none or leaves some open.)",
                             R"(Beispiele:
   axisc compare maschine.json scope.csv --axis X
   axisc compare fraese.axim scope.csv --axis X --in soll --out gefiltert --format json
   axisc compare maschine.json scope.csv --axis X --emit settings > axisc.json
 
 Rückgabewert: 0 gleich, vielleicht bis auf eine Verzögerung; 1 verschieden, oder die Aufzeichnung entscheidet es
-nicht; 2 etwas war nicht lesbar. Mit --emit settings: 0 Einstellungen geschrieben, 1 die Aufzeichnung ergibt keine.)"};
+nicht; 2 etwas war nicht lesbar. Mit --emit settings: 0 Einstellungen geschrieben, 1 die Aufzeichnung ergibt keine
+oder lässt welche offen.)"};
 constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
@@ -86,6 +87,23 @@ void declare(CommandLine& command_line, CompareOptions& options) {
                       says::option_format);
 }
 
+/// Only what is determined; what is left open is said, and is no success: what fits is written in part.
+ExitStatus emit_settings(comparison::Comparison const& result, design::Readings const& current,
+                         Invocation const& invocation) {
+  auto const settings = comparison::settings_of(result, current);
+  auto const tell = [&](std::string const& text) { invocation.streams.err.write("axisc: " + text + "\n"); };
+  for (auto const& open : comparison::open_settings(result)) {
+    tell(open_setting_text(open, invocation.language));
+  }
+  if (!settings) {
+    tell(render({says::no_settings, {}}, invocation.language));
+    return ExitStatus::findings;
+  }
+  invocation.streams.out.write(design_settings(settings->readings));
+  bool const is_complete = settings->open.empty() || result.verdict != comparison::Verdict::different;
+  return is_complete ? ExitStatus::success : ExitStatus::findings;
+}
+
 }  // namespace
 
 ExitStatus compare(Invocation const& invocation) {
@@ -106,13 +124,7 @@ ExitStatus compare(Invocation const& invocation) {
                                kernel_switches(commands, image, axis, *options.input));
   refuse_late(commands, recorded.columns.recording.input.size());
   if (options.emitted == Emitted::settings) {
-    auto const settings = comparison::settings_of(recorded.result, image::readings_of(image, axis));
-    if (!settings) {
-      invocation.streams.err.write("axisc: " + render({says::no_settings, {}}, invocation.language) + "\n");
-      return ExitStatus::findings;
-    }
-    invocation.streams.out.write(design_settings(*settings));
-    return ExitStatus::success;
+    return emit_settings(recorded.result, image::readings_of(image, axis), invocation);
   }
   ShownComparison const shown{.axis = axis_label(image, axis),
                               .input_name = recorded.columns.input_name,

@@ -371,6 +371,7 @@ ExitStatus plot(Invocation const& invocation) {
         .before = before ? std::optional(PlottedImage{.file = before->input.image, .host = before->host})
                          : std::nullopt,
         .axes = chosen_axes(contents, options.axis),
+        .is_switched = !options.commands.empty(),
         .language = invocation.language};
     figure = options.kind == Kind::response ? response_figure(subject, options.response)
              : options.kind == Kind::step   ? step_figure(subject)

@@ -20,6 +20,7 @@
 #include "cli/suggestion/suggest_figure.hpp"
 #include "cli/suggestion/suggest_formats.hpp"
 #include "diagnostics/format_number.hpp"
+#include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/build_version.hpp"
 
 #include <algorithm>
@@ -39,12 +40,14 @@ Vorschlag 4.)"};
 constexpr Sentence examples{R"(Examples:
   axisc suggest machine.json --axis X --resonance 48Hz
   axisc suggest machine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
+  axisc suggest machine.json --axis X --resonance 48Hz --apply 2 --diff
   axisc suggest machine.json --axis X --resonance 48Hz --apply 2
   axisc suggest machine.json --axis X --measured torque-velocity.csv
   axisc suggest machine.json --axis X --resonance 53Hz,11Hz --plant plant.json)",
                             R"(Beispiele:
   axisc suggest maschine.json --axis X --resonance 48Hz
   axisc suggest maschine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
+  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2 --diff
   axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
   axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv
   axisc suggest maschine.json --axis X --resonance 53Hz,11Hz --plant strecke.json)"};
@@ -81,6 +84,12 @@ constexpr Sentence option_picture{
     "des Texts"};
 constexpr Sentence option_apply{"write suggestion 1, 2, 3 or, with --plant, 4 into the lists",
                                 "Vorschlag 1, 2, 3 oder, mit --plant, 4 in die Listen schreiben"};
+constexpr Sentence option_diff{"with --apply: show the patch, write nothing",
+                               "mit --apply: den Patch zeigen, nichts schreiben"};
+constexpr Sentence diff_needs_apply{"--diff shows what --apply N would write: add --apply N",
+                                    "--diff zeigt, was --apply N schreiben würde: --apply N ergänzen"};
+constexpr Sentence diff_is_output{"--diff writes a patch to standard output: leave out {other}",
+                                  "--diff schreibt einen Patch auf die Standardausgabe: {other} weglassen"};
 constexpr Sentence bad_apply{"--apply needs 1, 2, 3 or 4, not \"{value}\"",
                              "--apply braucht 1, 2, 3 oder 4, nicht \"{value}\""};
 constexpr Sentence apply_needs_plant{"--apply 4 is Improved Position Control: it needs --plant",
@@ -140,6 +149,7 @@ enum class Format : std::uint8_t { text, json };
 struct SuggestOptions {
   std::optional<std::string> machine, axis, resonance, measured, in, out, plant, tolerance, feed, radius,
       cycle_time, apply;
+  bool diff = false;
   PictureTarget picture;
   std::optional<tuning::Goal> goal;
   Format format = Format::text;
@@ -164,6 +174,7 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
                       options.goal, says::option_goal);
   command_line.value("-o,--output", "FILE", options.picture.path, says::option_picture);
   command_line.value("--apply", "N", options.apply, says::option_apply);
+  command_line.flag("--diff", options.diff, says::option_diff);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
@@ -258,9 +269,20 @@ std::optional<std::size_t> applied(std::optional<std::string> const& word, bool 
   return *number;
 }
 
-/// Every list or none: what was written is taken back where a later one cannot be.
+void refuse_mixture(SuggestOptions const& options) {
+  if (!options.diff) return;
+  if (!options.apply) throw Failure({.sentence = says::diff_needs_apply, .arguments = {}});
+  if (options.format == Format::json) {
+    throw Failure({.sentence = says::diff_is_output, .arguments = {{"other", "--format json"}}});
+  }
+  if (options.picture.path == "-") {
+    throw Failure({.sentence = says::diff_is_output, .arguments = {{"other", "-o -"}}});
+  }
+}
+
+/// Every list or none: what was written is taken back where a later one cannot be. With `diff` none: the patch is printed.
 void apply(ListEdits const& edits, std::vector<std::string> const& findings, std::size_t number,
-           std::string const& named, Invocation const& invocation) {
+           std::string const& named, bool diff, Invocation const& invocation) {
   auto const& [original, edited, refused] = edits;
   if (refused) throw Failure({.sentence = says::not_editable, .arguments = {{"file", *refused}}});
   if (!findings.empty()) {
@@ -275,6 +297,16 @@ void apply(ListEdits const& edits, std::vector<std::string> const& findings, std
       throw Failure({.sentence = says::not_named, .arguments = {{"file", path}}});
     }
   }
+  auto const tell = [&](Message const& message) {
+    invocation.streams.err.write("axisc: " + render(message, invocation.language) + "\n");
+  };
+  if (diff) {
+    for (auto const& [path, bytes] : edited) {
+      invocation.streams.out.write(unified_diff(path, original.at(path), bytes));
+    }
+    if (edited.empty()) tell({.sentence = says::nothing_written, .arguments = {}});
+    return;
+  }
   std::vector<std::string> done;
   try {
     for (auto const& [path, bytes] : edited) {
@@ -285,9 +317,6 @@ void apply(ListEdits const& edits, std::vector<std::string> const& findings, std
     for (auto const& path : done) replace_content(path, edited.at(path), original.at(path));
     throw;
   }
-  auto const tell = [&](Message const& message) {
-    invocation.streams.err.write("axisc: " + render(message, invocation.language) + "\n");
-  };
   for (auto const& path : done) tell({.sentence = says::written, .arguments = {{"file", path}}});
   if (done.empty()) tell({.sentence = says::nothing_written, .arguments = {}});
 }
@@ -309,6 +338,7 @@ ExitStatus suggest(Invocation const& invocation) {
   }
   auto const chosen = applied(options.apply, options.plant.has_value());
   options.picture.check();
+  refuse_mixture(options);
   Wishes const wishes{.tolerance_mm = positive("--tolerance", options.tolerance, 0.01),
                       .feed = positive("--feed", options.feed, 4000),
                       .radius_mm = positive("--radius", options.radius, 10)};
@@ -366,7 +396,8 @@ ExitStatus suggest(Invocation const& invocation) {
     if (!damping->damping()) {
       throw Failure({.sentence = says::nothing_to_apply, .arguments = {{"number", std::to_string(*chosen)}}});
     }
-    apply(damping->edits, damping->findings, *chosen, *options.machine, invocation);
+    if (!wants_json && !options.diff) out.write(chosen_text(*damping, invocation.language));
+    apply(damping->edits, damping->findings, *chosen, *options.machine, options.diff, invocation);
   };
 
   auto answer = suggestion_for(subject, task);
@@ -374,8 +405,9 @@ ExitStatus suggest(Invocation const& invocation) {
     say_nothing_helps(*none, wishes, !damping || !damping->damping(), invocation);
     if (!damping) return ExitStatus::findings;
     if (options.picture.path) throw Failure({.sentence = says::nothing_to_draw, .arguments = {}});
-    out.write(wants_json ? suggest_json(subject, *none, *damping, task)
-                         : damping_text(*damping, subject, task, invocation.language));
+    if (wants_json) out.write(suggest_json(subject, *none, *damping, task));
+    bool const tells_all = !chosen || !damping->damping();
+    if (!wants_json && tells_all) out.write(damping_text(*damping, subject, task, invocation.language));
     if (!damping->damping()) return ExitStatus::findings;
     if (!chosen) return ExitStatus::success;
     out.flush();
@@ -388,9 +420,12 @@ ExitStatus suggest(Invocation const& invocation) {
   auto& suggestion = std::get<Suggestion>(answer);
   if (options.measured) suggestion.measured = std::move(measured);
   if (options.picture.path != "-") {
-    out.write(wants_json ? suggest_json(suggestion, damping ? &*damping : nullptr)
-                         : suggest_text(suggestion, invocation.language));
-    if (damping && !wants_json) out.write("\n" + damping_text(*damping, subject, task, invocation.language));
+    if (wants_json) {
+      out.write(suggest_json(suggestion, damping ? &*damping : nullptr));
+    } else if (!chosen) {
+      out.write(suggest_text(suggestion, invocation.language));
+      if (damping) out.write("\n" + damping_text(*damping, subject, task, invocation.language));
+    }
   }
   if (options.picture.path) {
     write_picture(suggest_figure(suggestion, invocation.language), options.picture, invocation);
@@ -400,8 +435,13 @@ ExitStatus suggest(Invocation const& invocation) {
   if (*chosen == damping_number) {
     apply_damping();
   } else {
-    auto const& alternative = suggestion.alternatives[*chosen - 1];
-    apply(alternative.edits, alternative.findings, *chosen, *options.machine, invocation);
+    auto const index = suggestion.proposed.at(*chosen - 1);
+    auto const& alternative = suggestion.alternatives.at(index);
+    if (!wants_json && !options.diff && options.picture.path != "-") {
+      out.write(chosen_text(suggestion, index, invocation.language));
+      out.flush();
+    }
+    apply(alternative.edits, alternative.findings, *chosen, *options.machine, options.diff, invocation);
   }
   return ExitStatus::success;
 }

@@ -27,6 +27,9 @@ constexpr Sentence other_cycle{
     "{file}:{line}: seit der Zeile davor vergingen {step} ms, das ist keine ganze Zahl von Zyklen von "
     "{cycle} ms; "
     "mit dem NC-Zyklus aufzeichnen"};
+constexpr Sentence no_position{
+    R"({file}:{line}: {value} in column "{column}" is too large for a position; delete the row, or name another column)",
+    R"({file}:{line}: {value} in Spalte "{column}" ist zu groß für eine Position; die Zeile löschen oder eine andere Spalte nennen)"};
 constexpr Sentence many_lost{
     "{file}:{line}: more than a quarter of the cycles is missing by the column of the time; record every NC "
     "cycle of {cycle} ms",
@@ -39,6 +42,8 @@ namespace axisc::cli {
 
 namespace {
 
+/// Beyond it whole numbers are no longer told apart, and squares of differences overflow sooner or later.
+constexpr double largest_position = 1e15;
 /// A longer pause is not a lost sample.
 constexpr double longest_gap = 1000;
 constexpr double cycle_tolerance = 0.1;
@@ -156,6 +161,11 @@ RecordedColumns read_recorded_columns(std::string const& name, recordings::ByteS
   for (std::size_t count = 0; next_row(rows, row, name); ++count) {
     double const input = row[layout.input];
     double const output = row[layout.output];
+    for (std::size_t const column : {layout.input, layout.output}) {
+      if (std::abs(row[column]) <= largest_position) continue;
+      file.fail(says::no_position,
+                {{"value", format_rounded(row[column], 6)}, {"column", shown_column(rows.names()[column])}});
+    }
     std::size_t passed = 1;
     if (layout.time) {
       double const time = row[*layout.time] * layout.ms_per_unit;

@@ -5,6 +5,7 @@
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/terminal.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace axisc::cli::says {
@@ -31,15 +32,26 @@ constexpr Sentence too_little{
     "nicht entscheidbar: die Achse bewegt sich zu wenig; mehrere Bewegungen mit harten "
     "Geschwindigkeitswechseln aufzeichnen"};
 constexpr Sentence deviation{
-    "largest deviation {largest} {unit}, rms {rms} {unit}; rounding of the recording explains {allowed} "
-    "{unit}",
+    "largest deviation {largest} {unit}, rms {rms} {unit}; rounding of the recording explains "
+    "{allowed_largest} {unit}, rms {allowed} {unit}",
     "größte Abweichung {largest} {unit}, Effektivwert {rms} {unit}; das Runden der Aufzeichnung erklärt "
-    "{allowed} {unit}"};
+    "{allowed_largest} {unit}, Effektivwert {allowed} {unit}"};
 constexpr Sentence explained_by{
-    "what fits: {reading}; rms {rms} {unit}, delay in cycles {delay}",
-    "dazu passt: {reading}; Effektivwert {rms} {unit}, Verzögerung in Zyklen {delay}"};
-constexpr Sentence next_one{"the next: {reading}; rms {rms} {unit}",
-                            "das nächste: {reading}; Effektivwert {rms} {unit}"};
+    "what fits: {reading}; largest deviation {largest} {unit}, rms {rms} {unit}, delay in cycles {delay}",
+    "dazu passt: {reading}; größte Abweichung {largest} {unit}, Effektivwert {rms} {unit}, Verzögerung in "
+    "Zyklen {delay}"};
+constexpr Sentence next_one{
+    "the next, which does not fit: {reading}; largest deviation {largest} {unit}, rms {rms} {unit}",
+    "das nächste, das nicht passt: {reading}; größte Abweichung {largest} {unit}, Effektivwert {rms} {unit}"};
+constexpr Sentence equal_readings{"{reading} (the same with these lists: {others})",
+                                  "{reading} (mit diesen Listen dasselbe: {others})"};
+constexpr Sentence lists_tell{
+    "only lists with other values, such as another order, tell what is the same with these",
+    "was mit diesen Listen dasselbe ist, unterscheiden nur Listen mit anderen Werten, etwa einer anderen "
+    "Ordnung"};
+constexpr Sentence left_open{"\"{key}\" is left open: {possible} explain this recording alike",
+                             "\"{key}\" bleibt offen: {possible} erklären diese Aufzeichnung gleich gut"};
+constexpr Sentence setting_in_force{"the present setting", "die jetzige Einstellung"};
 constexpr Sentence fits_nothing{"no known reading fits", "keine bekannte Lesart passt"};
 constexpr Sentence fits_several{"the recording does not tell these readings apart:",
                                 "die Aufzeichnung unterscheidet diese Lesarten nicht:"};
@@ -74,12 +86,18 @@ std::string say(SentenceRef sentence, Language language, std::vector<Argument> a
   return render({.sentence = sentence, .arguments = std::move(arguments)}, language);
 }
 
-std::string words(comparison::Reading const& reading, Language language) {
+std::string words(std::vector<comparison::Departure> const& departures, Language language) {
   std::string text;
-  for (auto const& departure : reading.departures) {
+  for (auto const& departure : departures) {
     text += (text.empty() ? "" : " + ") + say(departure.meaning, language);
   }
   return text.empty() ? say(says::as_listed, language) : text;
+}
+
+std::string ids(std::vector<comparison::Departure> const& departures) {
+  std::string text;
+  for (auto const& departure : departures) text += (text.empty() ? "" : ", ") + json_string(departure.id);
+  return "[" + text + "]";
 }
 
 std::string_view word(comparison::Comparison const& result) {
@@ -109,6 +127,7 @@ class Writer {
     line(says::deviation, {{"largest", length(result.listed.largest)},
                            {"rms", length(result.listed.rms)},
                            {"allowed", length(result.allowed_rms)},
+                           {"allowed_largest", length(result.allowed_largest)},
                            {"unit", unit()}});
     if (result.verdict == Verdict::different) {
       if (result.fitting.empty()) line(says::fits_nothing);
@@ -119,6 +138,10 @@ class Writer {
     for (auto const& one : result.fitting) explained(says::explained_by, one);
     if (result.verdict == Verdict::different && result.next) explained(says::next_one, *result.next);
     if (shown_.telling) motion(*shown_.telling);
+    bool const has_equals =
+        std::any_of(result.fitting.begin(), result.fitting.end(),
+                    [](comparison::Explained const& one) { return !one.reading.equals.empty(); });
+    if (has_equals) line(says::lists_tell);
     return text_;
   }
 
@@ -154,7 +177,8 @@ class Writer {
                                                            {"unit", shown_.is_rotary ? "°" : "mm"}});
   }
   void explained(SentenceRef sentence, comparison::Explained const& one) {
-    line(sentence, {{"reading", words(one.reading, language_)},
+    line(sentence, {{"reading", reading_words(one.reading, language_)},
+                    {"largest", length(one.residual.largest)},
                     {"rms", length(one.residual.rms)},
                     {"delay", format_rounded(one.residual.delay_cycles, digits)},
                     {"unit", unit()}});
@@ -178,15 +202,30 @@ std::string json_residual(comparison::Residual const& residual, double thousandt
 
 std::string json_explained(comparison::Explained const& one, ShownComparison const& shown,
                            Language language) {
-  std::string ids;
-  for (auto const& departure : one.reading.departures) {
-    ids += (ids.empty() ? "" : ", ") + json_string(departure.id);
-  }
-  return "{\"readings\": [" + ids + "], \"meaning\": " + json_string(words(one.reading, language)) + ", " +
+  std::string equals;
+  for (auto const& other : one.reading.equals) equals += (equals.empty() ? "" : ", ") + ids(other);
+  return "{\"readings\": " + ids(one.reading.departures) + ", \"equal_with_these_lists\": [" + equals +
+         "], \"meaning\": " + json_string(reading_words(one.reading, language)) + ", " +
          json_residual(one.residual, shown.thousandths) + "}";
 }
 
 }  // namespace
+
+std::string reading_words(comparison::Reading const& reading, Language language) {
+  auto const own = words(reading.departures, language);
+  std::string others;
+  for (auto const& other : reading.equals) others += (others.empty() ? "" : "; ") + words(other, language);
+  return others.empty() ? own : say(says::equal_readings, language, {{"reading", own}, {"others", others}});
+}
+
+std::string open_setting_text(comparison::OpenSetting const& open, Language language) {
+  std::string possible;
+  for (auto const id : open.possible) {
+    possible += (possible.empty() ? "" : ", ") +
+                (id.empty() ? say(says::setting_in_force, language) : std::string(id));
+  }
+  return say(says::left_open, language, {{"key", std::string(open.key)}, {"possible", possible}});
+}
 
 std::string compare_text(ShownComparison const& shown, Language language) {
   return Writer(shown, language).text();
@@ -215,6 +254,7 @@ std::string compare_json(ShownComparison const& shown, Language language) {
          ",\n  \"unit\": " + json_string(shown.is_rotary ? "0.001°" : "µm") +
          ",\n  \"verdict\": " + json_string(word(result)) +
          ",\n  \"allowed_rms\": " + json_number(result.allowed_rms * shown.thousandths) +
+         ",\n  \"allowed_largest\": " + json_number(result.allowed_largest * shown.thousandths) +
          ",\n  \"listed\": {" + json_residual(result.listed, shown.thousandths) + "},\n  \"fitting\": [" +
          fitting + (fitting.empty() ? "" : "\n  ") +
          "],\n  \"next\": " + (result.next ? json_explained(*result.next, shown, language) : "null") +

@@ -1,6 +1,7 @@
 // What `axisc compare` prints.
 #pragma once
 
+#include "comparison/settings.hpp"
 #include "comparison/telling_motion.hpp"
 #include "comparison/verdict.hpp"
 #include "diagnostics/message.hpp"
@@ -23,6 +24,10 @@ struct ShownComparison {
 
 [[nodiscard]] std::string compare_text(ShownComparison const& shown, Language language);
 [[nodiscard]] std::string compare_json(ShownComparison const& shown, Language language);
+/// What a reading departs in: with what the lists' values make the same as it.
+[[nodiscard]] std::string reading_words(comparison::Reading const& reading, Language language);
+/// A line for a setting that is not written, with the readings that it may be.
+[[nodiscard]] std::string open_setting_text(comparison::OpenSetting const& open, Language language);
 /// The text of an axisc.json with these readings and nothing else.
 [[nodiscard]] std::string design_settings(design::Readings const& readings);
 

@@ -1,5 +1,6 @@
 #include "cli/plots/compare_figure.hpp"
 
+#include "cli/formats/compare_formats.hpp"
 #include "comparison/overlay.hpp"
 #include "diagnostics/format_number.hpp"
 #include "motion/spectrum.hpp"
@@ -43,11 +44,8 @@ class CompareFigure {
     add(says::compare_listed, recorded.readings.front(), result.listed);
     if (result.verdict == comparison::Verdict::different && !result.fitting.empty()) {
       auto const& best = result.fitting.front();
-      std::string words;
-      for (auto const& departure : best.reading.departures) {
-        words += (words.empty() ? "" : " + ") + say(departure.meaning);
-      }
-      computed_.push_back({words, best.residual, overlay(best.reading, best.residual)});
+      computed_.push_back(
+          {reading_words(best.reading, language_), best.residual, overlay(best.reading, best.residual)});
     }
   }
 

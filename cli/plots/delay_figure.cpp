@@ -1,6 +1,7 @@
 #include "cli/execution/port_response.hpp"
 #include "cli/plots/plots.hpp"
 #include "design/filter_analysis.hpp"
+#include "design/kernel_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 namespace axisc::cli::says {
 
 constexpr Sentence delay_title{"Group delay at 0 Hz: {axes}", "Gruppenlaufzeit bei 0 Hz: {axes}"};
+constexpr Sentence delay_title_on{"Group delay at 0 Hz, FIR and HSC filters on: {axes}",
+                                  "Gruppenlaufzeit bei 0 Hz, FIR- und HSC-Filter an: {axes}"};
 constexpr Sentence delay_quantity{"group delay", "Gruppenlaufzeit"};
 constexpr Sentence delay_axis{"axis", "Achse"};
 constexpr Sentence delay_share{"share", "Anteil"};
@@ -19,6 +22,10 @@ constexpr Sentence delay_is{"{quantity}, now", "{quantity}, jetzt"};
 constexpr Sentence delay_difference{"difference", "Differenz"};
 constexpr Sentence delay_kernel{"FIR/HSC filter", "FIR-/HSC-Filter"};
 constexpr Sentence delay_total{"sum", "Summe"};
+constexpr Sentence delay_at_start{"sum at start-up, before #FILTER ON", "Summe ab Hochlauf, vor #FILTER ON"};
+constexpr Sentence delay_said{"{axis} {delay} ms", "{axis} {delay} ms"};
+constexpr Sentence delay_said_both{"{axis} {delay} ms, at start-up {start} ms",
+                                   "{axis} {delay} ms, ab Hochlauf {start} ms"};
 constexpr Sentence delay_none{"No axis has a delay.", "Keine Achse hat eine Verzögerung."};
 
 }  // namespace axisc::cli::says
@@ -39,29 +46,42 @@ struct AxisDelay {
   bool was = false;  ///< of the earlier state
   std::vector<DelayShare> shares;
   double total = 0;
+  std::optional<double> at_start = {};  ///< the total as long as no #FILTER ON switched the kernel on
 };
+
+/// Of the kernel in ms: of what --at switched on, else of the listed one, which programs switch on.
+double kernel_delay(PlotSubject const& subject, PlottedImage const& image, std::size_t axis,
+                    double filters_ms) {
+  auto const& contents = image.contents();
+  if (subject.is_switched) {
+    PortResponse const response(contents, image.host, axis, Port::setpoint);
+    // A kernel that is off leaves what the sum was rounded by.
+    constexpr double nothing_ms = 1e-9;
+    double const rest = response.at({0}).group_delay_s * 1e3 - filters_ms;
+    return std::abs(rest) < nothing_ms ? 0 : rest;
+  }
+  auto const& listed = contents.axes[axis].slot->kernel;
+  if (!listed) return 0;
+  return design::kernel_response(contents.kernels[*listed].design, {0}, contents.cycle_time).group_delay_s *
+         1e3;
+}
 
 AxisDelay delay_of(PlotSubject const& subject, PlottedImage const& image, std::size_t axis,
                    std::string name) {
   auto const& contents = image.contents();
-  PortResponse const response(contents, image.host, axis, Port::setpoint);
-  AxisDelay delay{.name = std::move(name),
-                  .was = &image != &subject.now,
-                  .shares = {},
-                  .total = response.at({0}).group_delay_s * 1e3};
-  double rest = delay.total;
+  AxisDelay delay{.name = std::move(name), .was = &image != &subject.now, .shares = {}};
   for (auto const& filter : contents.axes[axis].filters) {
     double const share =
         design::chain_response({&filter.design, 1}, {0}, contents.cycle_time).group_delay_s * 1e3;
     delay.shares.push_back({.name = filter_label(filter), .milliseconds = share});
-    rest -= share;
+    delay.total += share;
   }
-  if (contents.axes[axis].slot) {
-    // A kernel that is off leaves what the sum was rounded by.
-    constexpr double nothing_ms = 1e-9;
-    delay.shares.push_back(
-        {.name = subject.say(says::delay_kernel), .milliseconds = std::abs(rest) < nothing_ms ? 0 : rest});
-  }
+  auto const& slot = contents.axes[axis].slot;
+  if (!slot) return delay;
+  double const kernel = kernel_delay(subject, image, axis, delay.total);
+  if (!subject.is_switched && !slot->on_at_start && kernel != 0) delay.at_start = delay.total;
+  delay.shares.push_back({.name = subject.say(says::delay_kernel), .milliseconds = kernel});
+  delay.total += kernel;
   return delay;
 }
 
@@ -104,6 +124,11 @@ void add_rows(pictures::Table& table, PlotSubject const& subject, AxisDelay cons
   }
   row(subject.say(says::delay_total), before != nullptr ? std::optional(before->total) : std::nullopt,
       now.total);
+  bool const was_off = before != nullptr && before->at_start;
+  if (!now.at_start && !was_off) return;
+  auto const at_start = [](AxisDelay const& delay) { return delay.at_start.value_or(delay.total); };
+  row(subject.say(says::delay_at_start), before != nullptr ? std::optional(at_start(*before)) : std::nullopt,
+      at_start(now));
 }
 
 pictures::Table delay_table(PlotSubject const& subject, std::vector<AxisDelay> const& delays) {
@@ -130,10 +155,18 @@ pictures::Figure delay_figure(PlotSubject const& subject) {
   subject.require_drawable();
   auto const delays = delays_of(subject);
   pictures::Figure figure;
-  figure.title = subject.say(says::delay_title, {{"axes", subject.names()}});
+  bool const starts_otherwise = std::any_of(delays.begin(), delays.end(),
+                                            [](AxisDelay const& axis) { return axis.at_start.has_value(); });
+  figure.title =
+      subject.say(starts_otherwise ? SentenceRef(says::delay_title_on) : SentenceRef(says::delay_title),
+                  {{"axes", subject.names()}});
   for (auto const& axis : delays) {
-    figure.description += (figure.description.empty() ? "" : "; ") + axis.name + " " +
-                          format_rounded(axis.total, delay_digits) + " ms";
+    figure.description +=
+        (figure.description.empty() ? "" : "; ") +
+        subject.say(axis.at_start ? SentenceRef(says::delay_said_both) : SentenceRef(says::delay_said),
+                    {{"axis", axis.name},
+                     {"delay", format_rounded(axis.total, delay_digits)},
+                     {"start", format_rounded(axis.at_start.value_or(axis.total), delay_digits)}});
   }
   figure.table = delay_table(subject, delays);
   constexpr double row_height = 26;

@@ -32,6 +32,7 @@ struct PlotSubject {
   std::optional<PlottedImage>
       before;                     ///< an earlier state of the same machine: axes are found by their names
   std::vector<std::size_t> axes;  ///< of `now`
+  bool is_switched = false;       ///< --at said which FIR and HSC filters are on
   Language language = Language::english;
 
   [[nodiscard]] image::ImageContents const& contents() const { return now.contents(); }
@@ -62,7 +63,8 @@ struct ResponsePlot {
 /// The answer to a step of 1 in position, from standstill, and its velocity and acceleration, as `run` computes them.
 [[nodiscard]] pictures::Figure step_figure(PlotSubject const& subject);
 
-/// Group delay at 0 Hz of each axis, one share per filter.
+/// Group delay at 0 Hz of each axis, one share per filter: with the FIR and HSC filters as --at switched them, else on, and
+/// then also what it is before, where they are off at start-up.
 [[nodiscard]] pictures::Figure delay_figure(PlotSubject const& subject);
 
 /// Delay, -3 dB frequency, attenuation at characteristic frequencies and at `marks` (Hz), settling and overshoot of each

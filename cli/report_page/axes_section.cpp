@@ -16,6 +16,9 @@ namespace axisc::cli::says {
 constexpr Sentence axis_heading{"Axis {axis}", "Achse {axis}"};
 constexpr Sentence no_axis_filter{"No filter: setpoints pass unchanged.",
                                   "Kein Filter: Sollwerte gehen unverändert durch."};
+constexpr Sentence kernel_is_off{
+    "As from start-up, where the FIR/HSC filter is off; what it does after #FILTER ON is under the contours.",
+    "Wie ab Hochlauf, wo der FIR-/HSC-Filter aus ist; was er nach #FILTER ON tut, steht bei den Konturen."};
 constexpr Sentence values_summary{"What its lists set, and where", "Was ihre Listen setzen, und wo"};
 constexpr Sentence values_name{"parameter", "Parameter"};
 constexpr Sentence values_value{"value", "Wert"};
@@ -88,6 +91,8 @@ std::string axes_section(ReportSubject const& subject) {
                     subject.say(says::axis_heading, {{"axis", subject.plots->name(axis)}}));
     AxisAlone const alone(subject, axis);
     bool const has_filter = !compiled.filters.empty() || compiled.slot.has_value();
+    bool const starts_off = compiled.slot && compiled.slot->kernel && !compiled.slot->on_at_start;
+    if (starts_off) text += text_of("p", subject.say(says::kernel_is_off)) + "\n";
     if (has_filter || subject.plots->axis_before(axis)) {
       text += pictures::figure_element(response_figure(alone.plots(), {}), subject.language);
       auto step = step_figure(alone.plots());

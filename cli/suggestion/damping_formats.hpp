@@ -14,6 +14,9 @@ namespace axisc::cli {
 [[nodiscard]] std::string damping_text(DampingAnswer const& answer, SuggestionSubject const& subject,
                                        tuning::Task const& task, Language language);
 
+/// The number and the setting, of an answer that has one.
+[[nodiscard]] std::string chosen_text(DampingAnswer const& answer, Language language);
+
 /// The value of `position_control`.
 [[nodiscard]] nlohmann::ordered_json damping_json(DampingAnswer const& answer, tuning::Task const& task);
 

@@ -160,6 +160,10 @@ std::string without_stage_text(tuning::DampedResonance const& resonance, double 
 
 }  // namespace
 
+std::string chosen_text(DampingAnswer const& answer, Language language) {
+  return fmt::format("{} {}\n", damping_number, tuning::short_name(answer.damping()->control, language));
+}
+
 std::string damping_text(DampingAnswer const& answer, SuggestionSubject const& subject,
                          tuning::Task const& task, Language language) {
   auto const& axis = subject.machine.axes[subject.axis].name;
@@ -171,7 +175,7 @@ std::string damping_text(DampingAnswer const& answer, SuggestionSubject const& s
                           {"kv", format_rounded(answer.kv, 6)},
                           {"count", std::to_string(damping->looked_at)}}) +
                      "\n" + figures_text(*damping, task, language);
-  text += fmt::format("\n{} {}\n", damping_number, tuning::short_name(damping->control, language));
+  text += "\n" + chosen_text(answer, language);
   std::vector<AxisLines> changed;
   std::string others;
   for (auto const& lines : answer.axes) {

@@ -44,7 +44,6 @@ struct Shown {
   tuning::ImpulseResponse response = {};
 };
 
-/// Equal settings are one curve.
 std::vector<Shown> shown_settings(Suggestion const& suggestion, Language language) {
   std::vector<Shown> shown;
   if (suggestion.present) {
@@ -54,16 +53,14 @@ std::vector<Shown> shown_settings(Suggestion const& suggestion, Language languag
                      .setting = &*suggestion.present});
   }
   for (std::size_t i = 0; i < tuning::senses; ++i) {
-    auto const& setting = suggestion.alternatives[i].setting;
-    auto name = std::to_string(i + 1) + " " + sense_name(static_cast<tuning::Sense>(i), language);
-    auto const same = std::find_if(shown.begin(), shown.end(), [&](Shown const& other) {
-      return other.role == pictures::Role::whole && other.setting->chain == setting.chain;
-    });
-    if (same != shown.end()) {
-      same->name += ", " + name;
-      continue;
+    std::string name;
+    for (auto const sense : suggestion.senses_of(i)) {
+      name += (name.empty() ? "" : ", ") + std::to_string(static_cast<std::size_t>(sense) + 1) + " " +
+              sense_name(sense, language);
     }
-    shown.push_back({.name = std::move(name), .colour = i, .setting = &setting});
+    if (name.empty()) continue;
+    shown.push_back(
+        {.name = std::move(name), .colour = i, .setting = &suggestion.alternatives.at(i).setting});
   }
   std::vector<tuning::Chain> chains;
   chains.reserve(shown.size());

@@ -13,6 +13,8 @@
 namespace axisc::cli {
 
 [[nodiscard]] std::string suggest_text(Suggestion const& suggestion, Language language);
+/// Which alternative was chosen, and its NC command.
+[[nodiscard]] std::string chosen_text(Suggestion const& suggestion, std::size_t index, Language language);
 /// `damping`: may be null.
 [[nodiscard]] std::string suggest_json(Suggestion const& suggestion, DampingAnswer const* damping);
 

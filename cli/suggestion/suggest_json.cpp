@@ -47,7 +47,10 @@ ordered_json setting_json(Suggestion const& suggestion, Setting const& setting) 
 
 ordered_json alternative_json(Suggestion const& suggestion, std::size_t index) {
   auto const& alternative = suggestion.alternatives[index];
-  ordered_json json{{"number", index + 1}, {"sense", sense_words[index]}};
+  ordered_json json{{"number", index + 1}, {"sense", sense_words[index]}, {"senses", ordered_json::array()}};
+  for (auto const sense : suggestion.senses_of(index)) {
+    json["senses"].push_back(sense_words.at(static_cast<std::size_t>(sense)));
+  }
   json.update(setting_json(suggestion, alternative.setting));
   json["command"] = alternative.command ? ordered_json(*alternative.command) : ordered_json(nullptr);
   json["findings"] = alternative.findings;
@@ -106,10 +109,10 @@ std::string suggest_json(Suggestion const& suggestion, DampingAnswer const* damp
   }
   json["present"] =
       suggestion.present ? setting_json(suggestion, *suggestion.present) : ordered_json(nullptr);
-  json["recommended"] = static_cast<std::size_t>(suggestion.recommended) + 1;
+  json["recommended"] = suggestion.proposed.at(static_cast<std::size_t>(suggestion.recommended)) + 1;
   json["alternatives"] = ordered_json::array();
   for (std::size_t i = 0; i < tuning::senses; ++i) {
-    json["alternatives"].push_back(alternative_json(suggestion, i));
+    if (suggestion.proposed.at(i) == i) json["alternatives"].push_back(alternative_json(suggestion, i));
   }
   if (damping != nullptr) json["position_control"] = damping_json(*damping, suggestion.task);
   return json_document(json);

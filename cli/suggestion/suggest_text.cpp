@@ -49,7 +49,6 @@ constexpr Sentence circle_feed{"circle: feed within tolerance [mm/min]",
                                "Kreis: Vorschub in der Toleranz [mm/min]"};
 constexpr Sentence any{"any", "beliebig"};
 constexpr Sentence recommended{"recommended", "empfohlen"};
-constexpr Sentence same{"the same setting as {number}", "dieselbe Einstellung wie {number}"};
 constexpr Sentence command{"NC program: {command}", "NC-Programm: {command}"};
 constexpr Sentence no_command{"NC program: nothing to write; the filters work from start-up",
                               "NC-Programm: nichts zu schreiben; die Filter wirken ab Hochlauf"};
@@ -85,6 +84,17 @@ std::string micrometres(double units) {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+/// "2 balanced*, 3 least vibration": every sense that the alternative stands for, with its number.
+std::string senses_text(Suggestion const& suggestion, std::size_t index, std::string const& mark,
+                        Language language) {
+  std::string text;
+  for (auto const sense : suggestion.senses_of(index)) {
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", static_cast<std::size_t>(sense) + 1,
+                        sense_name(sense, language), sense == suggestion.recommended ? mark : "");
+  }
+  return text;
+}
+
 class Table {
  public:
   Table(Suggestion const& suggestion, Language language) : suggestion_(suggestion), language_(language) {}
@@ -93,9 +103,8 @@ class Table {
     std::vector<std::string> head{""};
     if (suggestion_.present) head.push_back(say(language_, says::present));
     for (std::size_t i = 0; i < tuning::senses; ++i) {
-      auto const sense = static_cast<tuning::Sense>(i);
-      head.push_back(fmt::format("{} {}{}", i + 1, sense_name(sense, language_),
-                                 sense == suggestion_.recommended ? "*" : ""));
+      auto name = senses_text(suggestion_, i, "*", language_);
+      if (!name.empty()) head.push_back(std::move(name));
     }
     rows_.push_back(std::move(head));
     add_figures();
@@ -108,7 +117,9 @@ class Table {
   void add(std::string name, Cell const& cell) {
     std::vector<std::string> row{std::move(name)};
     if (suggestion_.present) row.push_back(cell(*suggestion_.present));
-    for (auto const& alternative : suggestion_.alternatives) row.push_back(cell(alternative.setting));
+    for (std::size_t i = 0; i < tuning::senses; ++i) {
+      if (suggestion_.proposed.at(i) == i) row.push_back(cell(suggestion_.alternatives.at(i).setting));
+    }
     rows_.push_back(std::move(row));
   }
   [[nodiscard]] std::string feed(std::optional<double> const& value) const {
@@ -145,22 +156,25 @@ class Table {
   Rows rows_;
 };
 
+std::string command_text(Alternative const& alternative, Language language) {
+  return "  " +
+         (alternative.command ? say(language, says::command, {{"command", *alternative.command}})
+                              : say(language, says::no_command)) +
+         "\n";
+}
+
+std::string title_text(Suggestion const& suggestion, std::size_t index, Language language) {
+  return senses_text(suggestion, index, " (" + say(language, says::recommended) + ")", language) + ": " +
+         tuning::short_name(suggestion.alternatives.at(index).setting.chain, language) + "\n";
+}
+
+/// Empty where another alternative does the same.
 std::string alternative_text(Suggestion const& suggestion, std::size_t index, Language language) {
-  auto const& alternative = suggestion.alternatives[index];
-  auto const sense = static_cast<tuning::Sense>(index);
-  std::string text =
-      fmt::format("\n{} {}{}: {}\n", index + 1, sense_name(sense, language),
-                  sense == suggestion.recommended ? " (" + say(language, says::recommended) + ")" : "",
-                  tuning::short_name(alternative.setting.chain, language));
-  for (std::size_t i = 0; i < index; ++i) {
-    if (suggestion.alternatives[i].setting.chain != alternative.setting.chain) continue;
-    return text + "  " + say(language, says::same, {{"number", std::to_string(i + 1)}}) + "\n";
-  }
+  if (suggestion.proposed.at(index) != index) return "";
+  auto const& alternative = suggestion.alternatives.at(index);
+  std::string text = "\n" + title_text(suggestion, index, language);
   text += fragments_text(alternative.axes);
-  text += "  " +
-          (alternative.command ? say(language, says::command, {{"command", *alternative.command}})
-                               : say(language, says::no_command)) +
-          "\n";
+  text += command_text(alternative, language);
   if (!alternative.findings.empty()) {
     std::string codes;
     for (auto const& code : alternative.findings) codes += (codes.empty() ? "" : ", ") + code;
@@ -196,6 +210,10 @@ std::string fragments_text(std::vector<AxisLines> const& axes) {
     for (auto const& line : axes[i].lines) text += "    " + padded(line.name, width + 4) + line.value + "\n";
   }
   return text;
+}
+
+std::string chosen_text(Suggestion const& suggestion, std::size_t index, Language language) {
+  return title_text(suggestion, index, language) + command_text(suggestion.alternatives.at(index), language);
 }
 
 std::string sense_name(tuning::Sense sense, Language language) {
@@ -241,7 +259,8 @@ std::string suggest_text(Suggestion const& suggestion, Language language) {
   text += Table(suggestion, language).text();
   for (std::size_t i = 0; i < tuning::senses; ++i) text += alternative_text(suggestion, i, language);
   if (suggestion.not_clean) {
-    auto const& [chain, figures, is_clean] = *suggestion.not_clean;
+    auto const& chain = suggestion.not_clean->chain;
+    auto const& figures = suggestion.not_clean->figures;
     text += "\n" +
             say(language,
                 figures.overshoot > tuning::largest_overshoot ? SentenceRef(says::overshoots)

@@ -66,7 +66,42 @@ double programmed_tolerance(tuning::Task const& task, machine::Machine const& ma
   return machine.inch ? std::floor(mm / mm_per_inch * millionths) / millionths : mm;
 }
 
+/// Settings whose answers to a step differ by less than a 1000th are the same for who has to choose one.
+bool does_the_same(tuning::ImpulseResponse const& one, tuning::ImpulseResponse const& other) {
+  constexpr double noticeable = 1e-3;
+  double apart = 0;
+  for (std::size_t n = 0; n < std::max(one.taps.size(), other.taps.size()); ++n) {
+    auto const tap = [n](tuning::ImpulseResponse const& of) { return n < of.taps.size() ? of.taps[n] : 0; };
+    apart += tap(one) - tap(other);
+    if (std::abs(apart) > noticeable) return false;
+  }
+  return true;
+}
+
+std::array<std::size_t, tuning::senses> proposed(std::array<tuning::Candidate, tuning::senses> const& chosen,
+                                                 design::CycleTime cycle_time) {
+  std::vector<Chain> chains;
+  for (auto const& candidate : chosen) chains.push_back(candidate.chain);
+  auto const responses = tuning::impulse_responses(chains, cycle_time);
+  std::array<std::size_t, tuning::senses> first{};
+  for (std::size_t i = 0; i < tuning::senses; ++i) {
+    first.at(i) = i;
+    for (std::size_t k = i; k-- > 0;) {
+      if (first.at(k) == k && does_the_same(responses[k], responses[i])) first.at(i) = k;
+    }
+  }
+  return first;
+}
+
 }  // namespace
+
+std::vector<tuning::Sense> Suggestion::senses_of(std::size_t index) const {
+  std::vector<tuning::Sense> found;
+  for (std::size_t i = 0; i < tuning::senses; ++i) {
+    if (proposed.at(i) == index) found.push_back(static_cast<tuning::Sense>(i));
+  }
+  return found;
+}
 
 std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject) {
   auto const& machine = subject.machine;
@@ -82,22 +117,20 @@ std::vector<std::size_t> concerned_axes(SuggestionSubject const& subject) {
 }
 
 std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& subject, tuning::Task task) {
-  auto const enumeration = tuning::enumerate(task);
-  auto const choice = tuning::choose(enumeration.candidates, task.goal);
+  tuning::Judge const judge(task);
+  auto enumeration = tuning::enumerate(task, judge);
+  auto const choice = tuning::choose(enumeration.candidates, judge, task.goal);
   if (!choice) {
-    NoSuggestion none{.looked_at = enumeration.looked_at, .keeps = enumeration.candidates.size()};
-    for (auto const& candidate : enumeration.candidates) {
-      if (candidate.is_clean) {
-        none.least_vibration = std::min(none.least_vibration, candidate.figures.vibration);
-      }
-    }
-    return none;
+    return NoSuggestion{.looked_at = enumeration.looked_at,
+                        .keeps = enumeration.candidates.size(),
+                        .least_vibration = tuning::least_vibration(enumeration.candidates, judge)};
   }
   auto const& machine = subject.machine;
   auto const axes = concerned_axes(subject);
   Suggestion found{.axis = machine.axes[subject.axis].name,
                    .group = machine.groups[subject.group].name,
                    .cycle_time = machine.cycle_time,
+                   .proposed = proposed(choice->chosen, machine.cycle_time),
                    .recommended = choice->recommended,
                    .not_clean = choice->not_clean,
                    .looked_at = enumeration.looked_at};
@@ -106,14 +139,14 @@ std::variant<Suggestion, NoSuggestion> suggestion_for(SuggestionSubject const& s
   auto const present = chain_of(machine.axes[subject.axis]);
   auto const response = tuning::impulse_responses(std::span(&present, 1), task.cycle_time).front();
   if (!response.blocks_constant()) {
-    found.present = Setting{.chain = present, .figures = tuning::Judge(task).figures(response)};
+    found.present = Setting{.chain = present, .figures = judge.figures(response)};
     predict(*found.present, machine, subject, task);
   }
   NewFindings const findings(subject.path, subject.job);
   for (std::size_t i = 0; i < tuning::senses; ++i) {
-    auto const& [chain, figures, is_clean] = choice->chosen[i];
+    auto const& chain = choice->chosen[i].chain;
     auto& alternative = found.alternatives[i];
-    alternative.setting = {.chain = chain, .figures = figures};
+    alternative.setting = {.chain = chain, .figures = choice->chosen[i].figures};
     predict(alternative.setting, with_chain(machine, axes, chain, task.family), subject, task);
     for (auto const axis : axes) {
       alternative.axes.push_back(lines_of(subject.loaded, axis, chain, task.family));

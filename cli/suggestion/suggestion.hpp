@@ -42,9 +42,14 @@ struct Suggestion {
   double feed = 0, tolerance_mm = 0, radius_mm = 0;
   std::optional<Setting> present = {};  ///< none where the axis' filters block the constant part
   std::array<Alternative, tuning::senses> alternatives = {};
+  /// By sense: the first one whose setting does the same, most often itself. Only these are proposed.
+  std::array<std::size_t, tuning::senses> proposed = {};
   tuning::Sense recommended = tuning::Sense::balanced;
   std::optional<tuning::Candidate> not_clean = {};
   std::size_t looked_at = 0;
+
+  /// Senses that the alternative of one of them stands for; none where another alternative stands for it.
+  [[nodiscard]] std::vector<tuning::Sense> senses_of(std::size_t index) const;
 };
 
 /// A checked machine with the lists that it was made from.

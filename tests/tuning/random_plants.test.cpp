@@ -113,8 +113,9 @@ void check_lists(Task const& task, Candidate const& candidate) {
 
 /// True where something was suggested.
 bool check_task(Task const& task) {
-  auto const enumeration = tuning::enumerate(task);
-  auto const choice = tuning::choose(enumeration.candidates, task.goal);
+  tuning::Judge const judge(task);
+  auto enumeration = tuning::enumerate(task, judge);
+  auto const choice = tuning::choose(enumeration.candidates, judge, task.goal);
   if (!choice) return false;
   for (auto const& candidate : choice->chosen) {
     CHECK(candidate.is_clean);

@@ -39,7 +39,7 @@ design::Hertz rounded(double frequency) {
 /// A chain whose response is known.
 struct Part {
   Chain chain;
-  ImpulseResponse response = {};
+  std::shared_ptr<ImpulseResponse const> response;
   std::complex<double> gain = 1;  ///< on the circle
 };
 
@@ -115,9 +115,9 @@ std::vector<Chain> band_stops(Task const& task, Resonance const& resonance) {
 
 class Enumerator {
  public:
-  explicit Enumerator(Task const& task)
+  Enumerator(Task const& task, Judge const& judge)
       : task_(task),
-        judge_(task),
+        judge_(judge),
         theta_(task.velocity / task.radius),
         longest_(longest_delay / task.cycle_time.seconds()) {}
 
@@ -156,8 +156,9 @@ class Enumerator {
     std::vector<Part> found;
     for (std::size_t i = 0; i < chains.size(); ++i) {
       auto const on_circle = gain(responses[i], theta_);
-      found.push_back(
-          {.chain = std::move(chains[i]), .response = std::move(responses[i]), .gain = on_circle});
+      found.push_back({.chain = std::move(chains[i]),
+                       .response = std::make_shared<ImpulseResponse const>(std::move(responses[i])),
+                       .gain = on_circle});
     }
     return found;
   }
@@ -223,7 +224,7 @@ class Enumerator {
   }
   static Part series(Part const& first, Part const& second) {
     return {.chain = joined(first, second),
-            .response = in_series(first.response, second.response),
+            .response = std::make_shared<ImpulseResponse const>(in_series(*first.response, *second.response)),
             .gain = first.gain * second.gain};
   }
 
@@ -233,7 +234,8 @@ class Enumerator {
     return task_.radius * std::abs(1 - std::abs(on_circle)) <= task_.tolerance && delay <= longest_;
   }
 
-  void add(Chain chain, Figures figures) {
+  void add(Candidate candidate) {
+    auto const& chain = candidate.chain;
     bool const has_band_stop =
         std::any_of(chain.filters.begin(), chain.filters.end(),
                     [](FilterSpecification const& filter) { return filter.type == FilterType::bandstop; });
@@ -244,21 +246,24 @@ class Enumerator {
                        ? type != KernelType::novib
                        : type == KernelType::novib || type == KernelType::moving_average;
     }
-    bool const is_clean = !has_band_stop && has_kernel && figures.overshoot <= largest_overshoot;
-    found_.candidates.push_back(
-        {.chain = std::move(chain), .figures = std::move(figures), .is_clean = is_clean});
+    candidate.is_clean = !has_band_stop && has_kernel && candidate.figures.overshoot <= largest_overshoot;
+    found_.candidates.push_back(std::move(candidate));
   }
 
   void take(Part const& part) {
-    if (is_possible(part.gain, part.response.delay)) add(part.chain, judge_.figures(part.response));
+    if (!is_possible(part.gain, part.response->delay)) return;
+    add({.chain = part.chain, .figures = judge_.estimate(*part.response), .first = part.response});
   }
   void take_series(Part const& first, Part const& second) {
-    if (!is_possible(first.gain * second.gain, first.response.delay + second.response.delay)) return;
-    add(joined(first, second), judge_.figures(in_series(first.response, second.response)));
+    if (!is_possible(first.gain * second.gain, first.response->delay + second.response->delay)) return;
+    add({.chain = joined(first, second),
+         .figures = judge_.estimate(in_series(*first.response, *second.response)),
+         .first = first.response,
+         .second = second.response});
   }
 
   Task const& task_;
-  Judge judge_;
+  Judge const& judge_;
   double theta_;    ///< rad per cycle on the circle
   double longest_;  ///< delay in cycles
   Enumeration found_;
@@ -266,8 +271,15 @@ class Enumerator {
 
 }  // namespace
 
-Enumeration enumerate(Task const& task) {
-  return Enumerator(task).run();
+void settle(Candidate& candidate, Judge const& judge) {
+  if (candidate.is_settled) return;
+  candidate.figures =
+      judge.figures(candidate.second ? in_series(*candidate.first, *candidate.second) : *candidate.first);
+  candidate.is_settled = true;
+}
+
+Enumeration enumerate(Task const& task, Judge const& judge) {
+  return Enumerator(task, judge).run();
 }
 
 }  // namespace axisc::tuning

@@ -1,4 +1,4 @@
-// Every chain that the control could have for a task, judged. There are few enough to look at all of them.
+// Every chain that the control could have for a task, estimated. There are few enough to look at all of them.
 //
 // Kernels: moving average and Gaussian (quality 1, 0.8, 0.6) of every half width, windowed sinc of every half width with
 // cut-offs from a third to the whole of each resonance, HSC mean, and NoVib on and 5 or 10 % beside each resonance.
@@ -14,6 +14,7 @@
 #include "tuning/suggestion/judgement.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace axisc::tuning {
@@ -25,17 +26,23 @@ inline constexpr double longest_delay = 0.1;
 
 struct Candidate {
   Chain chain;
-  Figures figures;
+  Figures figures;  ///< Judge::estimate(), once settled Judge::figures()
   /// Lists may set it without a finding: no band-stop, no overshoot, a kernel of the family that the control has.
   bool is_clean = true;
+  bool is_settled = false;
+  std::shared_ptr<ImpulseResponse const> first = {},
+                                         second = {};  ///< responses in series; the second may be null
 };
+
+/// Does nothing where it is settled.
+void settle(Candidate& candidate, Judge const& judge);
 
 struct Enumeration {
   std::vector<Candidate> candidates;  ///< that keep the tolerance on the circle
   std::size_t looked_at = 0;          ///< including those that do not
 };
 
-/// In an order of its own, the same on every host.
-[[nodiscard]] Enumeration enumerate(Task const& task);
+/// In an order of its own, the same on every host; none is settled. `judge`: of the task.
+[[nodiscard]] Enumeration enumerate(Task const& task, Judge const& judge);
 
 }  // namespace axisc::tuning

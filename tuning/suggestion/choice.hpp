@@ -30,7 +30,13 @@ struct Choice {
 /// price p is the corner's deviation, or the delay where speed is the goal.
 [[nodiscard]] double balance(Figures const& figures, std::optional<Goal> goal);
 
-/// None where every candidate leaves more than useful_vibration.
-[[nodiscard]] std::optional<Choice> choose(std::span<Candidate const> candidates, std::optional<Goal> goal);
+/// None where every candidate leaves more than useful_vibration. The estimates of candidates are lower bounds, and every price
+/// rises with them: those that may be the best are settled, cheapest estimate first, until no estimate is below the best
+/// settled one. So the best is as certain as if all were settled.
+[[nodiscard]] std::optional<Choice> choose(std::span<Candidate> candidates, Judge const& judge,
+                                           std::optional<Goal> goal);
+
+/// What the calmest clean candidate leaves; 1 where there is none.
+[[nodiscard]] double least_vibration(std::span<Candidate> candidates, Judge const& judge);
 
 }  // namespace axisc::tuning

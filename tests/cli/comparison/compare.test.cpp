@@ -157,3 +157,36 @@ TEST_CASE("a recording that tells too little says what to record instead") {
   CHECK(apart["fitting"].empty());
   CHECK(apart["telling_motion"].is_null());
 }
+
+TEST_CASE("settings are emitted only where the lists and the recording determine them") {
+  TemporaryFolder const folder;
+  auto const in = setpoints(800);
+  // Nine taps: order 9 as N taps, and as half a width of 9/2 rounded down.
+  folder.write("scope.csv", recorded(in, averaged(in, 8), [](double value) { return std::round(value); }));
+  folder.write("x.lis", "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 9\nEnde\n");
+  auto const shown = told(folder);
+  CHECK(shown["verdict"] == "different");
+  CHECK(shown["fitting"].size() == 1);
+  CHECK(shown["fitting"][0]["readings"] == json{"taps-n"});
+  CHECK(shown["fitting"][0]["equal_with_these_lists"] == json::parse(R"([["half-width-rounded-down"]])"));
+  CHECK_THAT(compare(folder, {}).out, Catch::Matchers::Contains("half the width is N/2, rounded down") &&
+                                          Catch::Matchers::Contains("only lists with other values"));
+  auto const emitted = compare(folder, {"--emit", "settings"});
+  CHECK(emitted.status == 1);
+  CHECK(emitted.out.empty());
+  CHECK_THAT(emitted.err,
+             Catch::Matchers::Contains("\"kernels\" is left open: taps-n, half-width-rounded-down explain"));
+}
+
+TEST_CASE("numbers that are no positions are refused") {
+  TemporaryFolder const folder;
+  folder.write("x.lis", "kenngr.achs_typ 1\n" + average_of_9 + "Ende\n");
+  std::string text = "setpoint;filtered\n";
+  for (int n = 0; n < 300; ++n) text += n % 2 == 0 ? "1e305;1e305\n" : "-1e305;-1e305\n";
+  folder.write("scope.csv", text);
+  auto const outcome = compare(folder, {});
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK_THAT(outcome.err,
+             Catch::Matchers::Contains("scope.csv:2: 1e+305 in column \"setpoint\" is too large"));
+}

@@ -569,3 +569,53 @@ TEST_CASE("a picture of more axes than anybody tells apart is refused") {
   write(100);
   CHECK(run_axisc({"plot", "m.json", "--kind", "delay", "-o", "p.svg"}, there).status == 0);
 }
+
+TEST_CASE("the delay is that with FIR filters on, as AX4011 compares it, and beside it that of start-up") {
+  TemporaryFolder const folder;
+  auto const there = in_folder(folder.path());
+  // Programs switch the filters on: half of the orders, 20 and 10 cycles of 1 ms.
+  std::string const off = "kenngr.achs_typ 1\nfilter_fir.enable 0\nfilter_fir.type 1\nfilter_fir.order ";
+  folder.write("x.lis", off + "40\nEnde\n");
+  folder.write("y.lis", off + "20\nEnde\n");
+  folder.write("machine.json", R"({"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"},
+    {"name": "Y", "list": "y.lis"}], "groups": [{"name": "path", "axes": ["X", "Y"]}]})");
+  CHECK_THAT(run_axisc({"lint", "machine.json"}, there).out, Contains("AX4011") && Contains("10 ms"));
+  auto const plot = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plot", "machine.json", "--kind", "delay"});
+    return run_axisc(more, there).out;
+  };
+  /// Cells of a table without their blanks.
+  auto const rows = [](std::string const& table) {
+    std::vector<std::string> found;
+    std::istringstream lines(table);
+    for (std::string line; std::getline(lines, line);) {
+      std::string cells;
+      for (char const letter : line) {
+        if (letter != ' ' || (!cells.empty() && cells.back() != ' ')) cells += letter;
+      }
+      found.push_back(cells);
+    }
+    return found;
+  };
+  std::vector<std::string> wanted{
+      "X FIR/HSC filter 20", "X sum 20", "X sum at start-up, before #FILTER ON 0",
+      "Y FIR/HSC filter 10", "Y sum 10", "Y sum at start-up, before #FILTER ON 0"};
+  auto const table = rows(plot({"--table"}));
+  for (auto const& row : wanted) {
+    INFO(row);
+    CHECK(std::find(table.begin(), table.end(), row) != table.end());
+  }
+  CHECK_THAT(plot({"-o", "-"}), Contains("FIR and HSC filters on: X, Y") &&
+                                    Contains("X 20 ms, at start-up 0 ms; Y 10 ms, at start-up 0 ms"));
+  // What --at switches is shown alone.
+  CHECK_THAT(plot({"-o", "-", "--at", "0:#FILTER OFF"}), Contains("No axis has a delay."));
+  auto const report = run_axisc({"report", "machine.json", "-o", "r.html"}, there);
+  CHECK_THAT(folder.read("r.html"), Contains("X 20 ms, at start-up 0 ms"));
+  // On from start-up there is one delay.
+  for (std::string const list : {"x.lis", "y.lis"}) {
+    auto text = folder.read(list);
+    text.replace(text.find("enable 0"), 8, "enable 1");
+    folder.write(list, text);
+  }
+  CHECK_THAT(plot({"-o", "-"}), Contains("X 20 ms; Y 10 ms") && !Contains("start-up"));
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -44,7 +45,10 @@ TEST_CASE("suggest answers in two languages and as JSON") {
   auto const there = sample(folder);
   check_golden("tests/cli/data/golden/suggest.de.text", suggest(there, {"--lang", "de"}).out);
   auto const found = suggested(there);
-  CHECK(found["alternatives"].size() == 3);
+  // The balanced one is the calmest as well.
+  CHECK(found["alternatives"].size() == 2);
+  CHECK(found["alternatives"][1]["number"] == 2);
+  CHECK(found["alternatives"][1]["senses"] == json{"balanced", "least_vibration"});
   CHECK(found["recommended"] == 2);
   CHECK(found["axes"] == json{"X", "Y", "Z"});
   for (auto const& alternative : found["alternatives"]) {
@@ -60,9 +64,14 @@ TEST_CASE("each suggestion can be written, is then present, and has no findings"
   for (std::string const number : {"1", "2", "3"}) {
     TemporaryFolder const folder;
     auto const there = sample(folder);
-    auto const wanted = suggested(there)["alternatives"][static_cast<std::size_t>(number[0] - '1')];
+    // 3 is what 2 is.
+    auto const wanted = suggested(there)["alternatives"][number == "1" ? 0 : 1];
     auto const outcome = suggest(there, {"--apply", number});
     CHECK(outcome.status == 0);
+    auto const chosen =
+        std::string(number == "1" ? "1 least deviation" : "2 balanced (recommended), 3 least vibration") +
+        ": " + wanted["chain"].get<std::string>() + "\n  NC program: #FILTER ON [AX_DEV=0.01]\n";
+    CHECK(outcome.out == chosen);
     CHECK(outcome.err == "axisc: written: x.lis\naxisc: written: y.lis\naxisc: written: z.lis\n");
     CHECK(run_axisc({"lint", "machine.json", "--pedantic"}, there).out == "4 files: no findings\n");
     auto const present = suggested(there)["present"];
@@ -73,6 +82,36 @@ TEST_CASE("each suggestion can be written, is then present, and has no findings"
     CHECK(present["corner"]["contour_deviation_um"] == wanted["corner"]["contour_deviation_um"]);
     auto const again = suggest(there, {"--apply", number});
     CHECK(again.err == "axisc: nothing to write: the lists have this setting already\n");
+  }
+}
+
+TEST_CASE("--diff shows what --apply would write, as a patch, and writes nothing") {
+  TemporaryFolder const folder;
+  auto const there = sample(folder);
+  auto const before = folder.read("x.lis");
+  auto const outcome = suggest(there, {"--apply", "2", "--diff"});
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out.rfind("--- x.lis\n+++ x.lis\n@@ ", 0) == 0);
+  CHECK(folder.read("x.lis") == before);
+  CHECK(suggest(there, {"--apply", "2"}).status == 0);
+  // Every line that the patch adds is in the list now, and each that it takes away was in it.
+  auto const after = folder.read("x.lis");
+  std::istringstream patch(outcome.out.substr(0, outcome.out.find("--- y.lis")));
+  std::size_t changed = 0;
+  for (std::string line; std::getline(patch, line);) {
+    if (line.empty() || line.rfind("+++", 0) == 0 || line.rfind("---", 0) == 0) continue;
+    if (line[0] == '+') CHECK(after.find(line.substr(1) + "\n") != std::string::npos);
+    if (line[0] == '-') CHECK(before.find(line.substr(1) + "\n") != std::string::npos);
+    changed += line[0] == '+' || line[0] == '-' ? 1 : 0;
+  }
+  CHECK(changed > 2);
+  CHECK(suggest(there, {"--apply", "2", "--diff"}).out.empty());
+  for (auto const& wrong :
+       std::vector<std::vector<std::string>>{{"--diff"},
+                                             {"--apply", "2", "--diff", "--format", "json"},
+                                             {"--apply", "2", "--diff", "-o", "-"}}) {
+    CHECK(suggest(there, wrong).status == 2);
   }
 }
 
