@@ -22,7 +22,7 @@ class MoveRecorder final : public SampleSink {
     bool const constant = velocity >= travel_ * (1 - 1e-9);
     LoopCycle cycle;
     cycle.phase = constant ? MovePhase::travel : MovePhase::ramp;
-    cycle.back = block.index > 0;
+    cycle.back = block.index > 1;
     cycle.setpoint = setpoint[0];
     cycles_.push_back(cycle);
   }

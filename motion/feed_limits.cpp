@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace axisc::motion {
 namespace {
 
 constexpr double steps_per_change = 8;
+constexpr int halvings = 50;
 /// Between two steps a hump rises above them by less than this.
 constexpr double next_to_hump = 0.8;
 
@@ -41,32 +41,57 @@ std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, doub
   return tolerance / per_velocity;
 }
 
-std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius, double tolerance) {
-  auto const error = [&](double angle) {
-    return predict_circle(answers, angle * radius, radius).largest_axis_error();
-  };
-  // Where the error is exceeded between these two.
-  auto const bisected = [&](double low, double high) {
-    for (int i = 0; i < 50; ++i) {
-      double const middle = (low + high) / 2;
-      (error(middle) <= tolerance ? low : high) = middle;
-    }
-    return low * radius;
-  };
-  double const step = finest_change(answers) / steps_per_change;
-  double before = 0;
-  double last = 0;
-  for (int i = 1; (i - 1) * step < std::numbers::pi; ++i) {
-    double const angle = std::min(i * step, std::numbers::pi);
-    double const here = error(angle);
-    if (here > tolerance) return bisected((i - 1) * step, angle);
-    if (last >= before && last >= here && last > next_to_hump * tolerance) {
-      double const top = highest_place(error, (i - 2) * step, angle);
-      if (error(top) > tolerance) return bisected((i - 2) * step, top);
-    }
-    before = std::exchange(last, here);
+CircleVelocities::CircleVelocities(std::span<ChainAnswer const> answers)
+    : answers_(answers), step_(finest_change(answers) / steps_per_change), errors_{0}, highest_{0} {}
+
+double CircleVelocities::error(double angle) const {
+  return predict_circle(answers_, std::min(angle, std::numbers::pi), 1).largest_axis_error();
+}
+
+/// Between two steps there may be a hump that is higher than both.
+void CircleVelocities::look_further() {
+  auto const i = errors_.size();
+  double const here = error(static_cast<double>(i) * step_);
+  double highest = std::max(highest_.back(), here);
+  double const last = errors_[i - 1];
+  bool const is_hump = i >= 2 && last >= errors_[i - 2] && last >= here;
+  if (is_hump && last > next_to_hump * highest) {
+    auto const function = [this](double angle) { return error(angle); };
+    double const from = static_cast<double>(i - 2) * step_;
+    highest = std::max(highest, error(highest_place(function, from, static_cast<double>(i) * step_)));
+    highest_.back() = std::max(highest_.back(), highest);
   }
-  return std::nullopt;
+  errors_.push_back(here);
+  highest_.push_back(highest);
+}
+
+std::optional<double> CircleVelocities::highest(double radius, double tolerance) {
+  double const share = tolerance / radius;
+  double const last = std::numbers::pi / step_;
+  // A hump is seen only from the step behind it.
+  while (highest_[highest_.size() - std::min<std::size_t>(2, highest_.size())] <= share &&
+         static_cast<double>(highest_.size()) < last + 2) {
+    look_further();
+  }
+  auto const exceeded = std::upper_bound(highest_.begin(), highest_.end(), share);
+  if (exceeded == highest_.end()) return std::nullopt;
+  double const to = static_cast<double>(exceeded - highest_.begin()) * step_;
+  double low = to - step_;
+  double high = to;
+  if (error(to) <= share) {
+    // The top of the hump lies on either side of this step.
+    high = highest_place([this](double angle) { return error(angle); }, low, to + step_);
+    if (error(high) <= share) return low * radius;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    double const middle = (low + high) / 2;
+    (error(middle) <= share ? low : high) = middle;
+  }
+  return low * radius;
+}
+
+std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius, double tolerance) {
+  return CircleVelocities(answers).highest(radius, tolerance);
 }
 
 }  // namespace axisc::motion

@@ -4,6 +4,8 @@
 #include "motion/contour/contour_predictions.hpp"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace axisc::motion {
 
@@ -12,9 +14,30 @@ namespace axisc::motion {
 [[nodiscard]] std::optional<double> corner_velocity(std::span<ChainAnswer const> answers, double turn,
                                                     double tolerance);
 
-/// Highest velocity on a circle up to which every velocity keeps the tolerance; the error need not grow with it. None
-/// where any does up to half a turn per cycle, beyond which setpoints describe no circle. Cost: some thousand predictions
-/// where the tolerance is never exceeded.
+/// How fast circles may be passed. The error need not grow with the velocity: behind a kernel with a flat gain it falls and
+/// rises again. Counted is the first velocity at which it exceeds the tolerance.
+class CircleVelocities {
+ public:
+  /// The answers live longer.
+  explicit CircleVelocities(std::span<ChainAnswer const> answers);
+
+  /// Highest velocity on a circle up to which every velocity keeps the tolerance; none where any does up to half a turn per
+  /// cycle, beyond which setpoints describe no circle. Cost: some dozen predictions, and once as many as eight times the
+  /// cycles of the kernels.
+  [[nodiscard]] std::optional<double> highest(double radius, double tolerance);
+
+ private:
+  /// Of a circle of radius 1 that turns by so much per cycle.
+  [[nodiscard]] double error(double angle) const;
+  void look_further();
+
+  std::span<ChainAnswer const> answers_;
+  double step_ = 0;
+  std::vector<double> errors_;   ///< at whole steps
+  std::vector<double> highest_;  ///< up to each of them
+};
+
+/// The same for one circle.
 [[nodiscard]] std::optional<double> circle_velocity(std::span<ChainAnswer const> answers, double radius,
                                                     double tolerance);
 

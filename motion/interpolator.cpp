@@ -7,6 +7,7 @@ namespace axisc::motion {
 void Interpolator::piece(PathBlock const& block, PathPiece const& piece) {
   VelocityProfile const profile(piece);
   double const duration = profile.duration();
+  if (!(duration <= sink_.room())) return sink_.no_room(block);
   for (; to_sample_ <= duration - same_time; to_sample_ += 1) {
     double const way = std::min(passed_ + profile.way_at(to_sample_), block.length);
     sink_.sample(block.path.at(way), profile.velocity_at(to_sample_), block);

@@ -4,6 +4,7 @@
 #include "motion/look_ahead.hpp"
 
 #include <cstdint>
+#include <limits>
 
 namespace axisc::motion {
 
@@ -11,6 +12,10 @@ namespace axisc::motion {
 class SampleSink {
  public:
   virtual ~SampleSink() = default;
+  /// So many more cycles are followed at most.
+  [[nodiscard]] virtual double room() const { return std::numeric_limits<double>::infinity(); }
+  /// A piece of a block would take longer than that: nothing of it is sampled.
+  virtual void no_room(PathBlock const& /*block*/) {}
   /// A setpoint; `velocity` is the path's, in units per cycle.
   virtual void sample(Point const& setpoint, double velocity, PathBlock const& block) = 0;
   /// The end of a block, which need not be on a cycle, and its duration in cycles. `next` is null where the path stops.
@@ -31,6 +36,7 @@ class Interpolator final : public PathSink {
   void piece(PathBlock const& block, PathPiece const& piece) override;
   void block_end(PathBlock const& block, PathBlock const* next) override;
   void rest(PathBlock const& block, std::uint64_t cycles) override;
+  [[nodiscard]] double room() const override { return sink_.room(); }
 
  private:
   SampleSink& sink_;

@@ -57,15 +57,21 @@ void LookAhead::add(ProgrammedBlock const& block) {
 }
 
 /// The velocity at which a circle keeps the tolerance, long after its beginning: what its beginning and end need is tried.
-double LookAhead::tolerated(Arc const& arc) const {
+double LookAhead::tolerated(Arc const& arc) {
   return monitor_.active() ? monitor_.velocity_on(arc.curvature_radius()) : unlimited;
 }
 
 void LookAhead::stop() {
   if (!blocks_.empty()) plan(true);
   last_block_ = {};
+  forget();
+}
+
+/// The path rests, and nothing before counts any more.
+void LookAhead::forget() {
   velocity_ = 0;
   corners_.clear();
+  has_end_corner_ = false;
   passed_corners_ = 0;
   path_.clear();
   passed_pieces_ = 0;
@@ -76,6 +82,8 @@ void LookAhead::stop() {
 
 /// Corners of blocks that were in the window already keep what is known of them.
 void LookAhead::collect_corners() {
+  if (has_end_corner_) corners_.pop_back();
+  has_end_corner_ = false;
   places_.assign(1, 0);
   for (auto const& block : blocks_) places_.push_back(places_.back() + block.length);
   if (!monitor_.active()) return;
@@ -89,14 +97,21 @@ void LookAhead::collect_corners() {
     auto const& before = i > 0 ? blocks_[i - 1] : last_block_;
     Corner corner;
     corner.place = places_[i];
-    bool const bends = block.path.arc() != nullptr || before.path.arc() != nullptr;
+    bool const moves = i > 0 || velocity_ > 0;
+    corner.bends = block.path.arc() != nullptr || (moves && before.path.arc() != nullptr);
     Point const turn = minus(block.direction_in(), before.direction_out());
-    corner.turns =
-        (i > 0 || velocity_ > 0) &&
-        (bends || std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; }));
-    corner.fastest = std::max(before.velocity, block.velocity);
+    corner.turns = corner.bends || (moves && std::any_of(turn.begin(), turn.end(),
+                                                         [](double u) { return std::abs(u) > no_turn; }));
+    corner.fastest = moves ? std::max(before.velocity, block.velocity) : block.velocity;
     corners_.push_back(corner);
   }
+  auto const& last = blocks_.back();
+  Corner end;
+  end.place = places_.back();
+  end.bends = end.turns = last.path.arc() != nullptr;
+  end.fastest = last.velocity;
+  corners_.push_back(end);
+  has_end_corner_ = true;
 }
 
 std::pair<double, double> LookAhead::plateau_of(std::size_t index) const {
@@ -226,15 +241,25 @@ void LookAhead::time_plan() {
     within = stretch.ends_block ? 0 : within + stretch.piece.length;
     path_.push_back(piece);
   }
+  corners_.back().time = time;
+}
+
+/// One cycle more for each end, which need not lie on one.
+bool LookAhead::is_too_long() const {
+  return !(path_.back().end() - time_ <= sink_.room() + 2);
 }
 
 /// Plans until the tolerance is kept. False where that does not come about.
 bool LookAhead::keep_tolerance() {
   for (int round = 0; feasible_; ++round) {
     time_plan();
+    if (is_too_long()) return true;
     auto const verdict = monitor_.judge({.pieces = path_, .valid_from = valid_from_}, corners_, round);
     if (verdict == ToleranceMonitor::Verdict::keeps) return true;
-    if (verdict == ToleranceMonitor::Verdict::fails && kept_blocks_ > 0) return false;
+    bool const is_lost = verdict != ToleranceMonitor::Verdict::changed;
+    if (is_lost && kept_blocks_ > 0) return false;
+    // All of it is as slow as it may be; the simulation's measurement has the last word.
+    if (verdict == ToleranceMonitor::Verdict::exceeds) return true;
     make_plan();
   }
   return false;
@@ -261,7 +286,10 @@ void LookAhead::plan(bool stops) {
       drive_kept_plan();
       continue;
     }
-    if (stops) return hand_on(blocks_.size(), true);
+    if (stops || is_too_long()) {
+      hand_on(blocks_.size(), true);
+      return forget();
+    }
     auto const count = untouched_blocks();
     full_ = std::max(blocks_.size() - count + window_ / 2, window_);
     if (count > 0) hand_on(count, false);
@@ -303,14 +331,7 @@ void LookAhead::drive_kept_plan() {
   last_block_ = blocks_[kept_blocks_ - 1];
   sink_.rest(last_block_, static_cast<std::uint64_t>(monitor_.cycles_before() + monitor_.cycles_after()));
   blocks_.erase(blocks_.begin(), blocks_.begin() + static_cast<std::ptrdiff_t>(kept_blocks_));
-  velocity_ = 0;
-  corners_.clear();
-  passed_corners_ = 0;
-  path_.clear();
-  passed_pieces_ = 0;
-  time_ = valid_from_ = 0;
-  kept_.clear();
-  kept_blocks_ = 0;
+  forget();
 }
 
 /// What the next plan has to look back at: times count from the last whole cycle, places from the window.

@@ -29,6 +29,8 @@ class PathSink {
   virtual void block_end(PathBlock const& block, PathBlock const* next) = 0;
   /// The path rests at the end of a block where it stopped.
   virtual void rest(PathBlock const& block, std::uint64_t cycles) = 0;
+  /// So many more cycles are followed at most: a plan that takes longer is handed on without keeping the tolerance.
+  [[nodiscard]] virtual double room() const = 0;
 
  protected:
   PathSink() = default;
@@ -58,13 +60,15 @@ class LookAhead {
     bool ends_block = false;
   };
 
-  [[nodiscard]] double tolerated(Arc const& arc) const;
+  [[nodiscard]] double tolerated(Arc const& arc);
   void collect_corners();
   [[nodiscard]] std::pair<double, double> plateau_of(std::size_t index) const;
   void cut_into_stretches();
   void limit_by_plateaus();
   [[nodiscard]] bool choose_velocities();
   void make_plan();
+  void forget();
+  [[nodiscard]] bool is_too_long() const;
   void time_plan();
   void plan(bool stops);
   [[nodiscard]] bool keep_tolerance();
@@ -81,12 +85,14 @@ class LookAhead {
   ToleranceMonitor monitor_;
   double acceleration_factor_ = 1;
   Point position_{};  ///< behind the last block
-  std::uint64_t next_index_ = 0;
+  std::uint64_t next_index_ = 1;
   std::deque<PathBlock> blocks_;
   PathBlock last_block_;         ///< the one before the window
   double velocity_ = 0;          ///< at the beginning of the window
   bool feasible_ = true;         ///< the plan begins with that velocity
-  std::vector<Corner> corners_;  ///< those passed lately at places below 0, then the beginning of each block
+  /// Those passed lately at places below 0, then the beginning of each block, then the end.
+  std::vector<Corner> corners_;
+  bool has_end_corner_ = false;
   std::size_t passed_corners_ = 0;
   std::vector<double> places_;  ///< where each block of the window begins, and the end
   std::vector<double> cuts_;

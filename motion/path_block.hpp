@@ -34,7 +34,7 @@ struct PathBlock {
   double velocity = 0;      ///< most that feed and axes allow, units per cycle
   double acceleration = 0;  ///< along the path, the mean of a ramp, units per cycle²
   Slope slope = Slope::trapezoid;
-  std::uint64_t index = 0;  ///< among the blocks that move
+  std::uint64_t index = 0;  ///< among the blocks that move, from 1
   std::uint32_t line = 0;
   std::string label;
 

@@ -23,8 +23,9 @@ class PathListener {
   virtual ~PathListener() = default;
   virtual void motion(ProgrammedBlock const& block) = 0;
   virtual void command(FilterChange const& change) = 0;
-  /// The path stops here; it goes on when the filters have settled, and after so many cycles at the earliest.
-  virtual void stop(double /*cycles*/) {}
+  /// The path stops here, as `line` of the program says; it goes on when the filters have settled, and after so many cycles
+  /// at the earliest.
+  virtual void stop(double /*cycles*/, std::uint32_t /*line*/) {}
   virtual void end() = 0;
 
  protected:

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace axisc::motion {
 namespace {
 
 /// The chains do the same within this, cycles.
 constexpr double same_answer = 1e-9;
+constexpr std::int64_t cycles_per_call = 1024;
 
 bool same(ChainAnswer const& a, ChainAnswer const& b) {
   return a.delay == b.delay && std::equal(a.ramp.begin(), a.ramp.end(), b.ramp.begin(), b.ramp.end(),
@@ -34,8 +36,12 @@ struct Walk {
 
 }  // namespace
 
-PathTrial::PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers)
-    : runtime_(&runtime), answers_(answers), meter_(runtime.axis_count(), *this) {
+PathTrial::PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers,
+                     std::function<void()> working)
+    : runtime_(&runtime),
+      answers_(answers),
+      meter_(runtime.axis_count(), *this),
+      working_(std::move(working)) {
   double earliest = std::numeric_limits<double>::infinity();
   for (auto const& answer : answers) {
     reach_ = std::max(reach_, answer.reach);
@@ -99,11 +105,13 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
   go_to(first);
   static_cast<void>(runtime_->reset(point.nominal));
   meter_.begin(answers_, point.nominal);
+  time_of_first_ = first - static_cast<double>(meter_.cycles() - 1);
   Point filtered{};
   auto const cycles = static_cast<std::int64_t>(std::floor(last - first));
   for (std::int64_t n = 1; n <= cycles; ++n) {
     double const cycle = first + static_cast<double>(n);
     double const half = cycle - 0.5;
+    if (working_ && n % cycles_per_call == 0) working_();
     pass_ends(half);
     look_between(half);
     if (span.looks_between && is_wanted(half)) {
@@ -121,8 +129,8 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     }
     point.block = walk.nearest(place);
     auto& corner = corners[point.block];
-    bool const is_near = !alike_ || std::abs(cycle - corner.time) <= reach_;
-    if (is_near) corner.fastest = std::max(corner.fastest, point.velocity);
+    bool const counts = corner.whole || std::abs(cycle - corner.time) <= reach_;
+    if (counts) corner.fastest = std::max(corner.fastest, point.velocity);
     meter_.cycle(point, filtered);
   }
   meter_.finish();
@@ -130,7 +138,10 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
 
 void PathTrial::measured(MeasuredPoint const& point) {
   auto& corner = corners_[point.point.block];
-  corner.error = std::max(corner.error, *std::max_element(point.axis_error.begin(), point.axis_error.end()));
+  double const error = *std::max_element(point.axis_error.begin(), point.axis_error.end());
+  corner.error = std::max(corner.error, error);
+  double const time = time_of_first_ + static_cast<double>(point.point.cycle);
+  if (std::abs(time - corner.time) > reach()) corner.far_error = std::max(corner.far_error, error);
 }
 
 }  // namespace axisc::motion

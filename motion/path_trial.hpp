@@ -9,6 +9,7 @@
 #include "motion/velocity_profile.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,10 @@ struct TimedPiece {
 struct TriedCorner {
   double place = 0;    ///< position units
   double time = 0;     ///< cycles
+  bool whole = false;  ///< all of these points count, not only those within the kernels' reach
   double error = 0;    ///< the largest axis error found, position units
-  double fastest = 0;  ///< path velocity within the kernels' reach, units per cycle
+  double far_error = 0;  ///< the same beyond the kernels' reach
+  double fastest = 0;  ///< path velocity where points count, units per cycle
 };
 
 /// What to measure of a path.
@@ -47,8 +50,9 @@ struct TrialSpan {
 
 class PathTrial final : private MeasuredSink {
  public:
-  /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again.
-  PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers);
+  /// Both live longer; the runtime is switched as `answers` say, and will be reset again and again. `working` is called every
+  /// millisecond or so.
+  PathTrial(GroupRuntime& runtime, std::span<ChainAnswer const> answers, std::function<void()> working);
 
   /// Cycles before and after a point of the path within which setpoints change what is measured there.
   [[nodiscard]] double cycles_before() const { return 2 * reach_ + spread_ + 3; }
@@ -70,6 +74,8 @@ class PathTrial final : private MeasuredSink {
   std::span<ChainAnswer const> answers_;
   ContourMeter meter_;
   std::span<TriedCorner> corners_;
+  std::function<void()> working_;
+  double time_of_first_ = 0;  ///< of the meter's first setpoint, cycles of the path
   double reach_ = 0, spread_ = 0, latest_ = 0;
   bool alike_ = true;
 };

@@ -5,15 +5,22 @@
 #include <utility>
 
 namespace axisc::motion {
+namespace {
 
-Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits limits, bool constant_velocity,
-                       SimulationListener& listener)
+constexpr std::uint64_t cycles_per_call = 1024;
+
+}  // namespace
+
+Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path, bool constant_velocity,
+                       SimulationListener& listener, SimulationLimits limits)
     : runtime_(std::move(runtime)),
       probe_(std::move(probe)),
       listener_(listener),
       meter_(runtime_.axis_count(), *this),
       interpolator_(*this),
-      look_ahead_(std::move(limits), constant_velocity, interpolator_) {
+      constant_velocity_(constant_velocity),
+      look_ahead_(std::move(path), constant_velocity, interpolator_),
+      limits_(std::move(limits)) {
   learn_answers();
   static_cast<void>(runtime_.reset({}));
 }
@@ -21,7 +28,7 @@ Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits limi
 void Simulation::learn_answers() {
   auto answered = chain_answers(probe_);
   if (auto const* const missing = std::get_if<NoAnswer>(&answered)) {
-    failure_ = SimulationFailure{.status = AXISRT_OK, .command = {}, .blocking_axis = missing->axis};
+    failure_ = SimulationFailure{.status = AXISRT_OK, .command = {}, .blocking_axis = missing->axis, .endless_line = {}};
     answers_.assign(runtime_.axis_count(), {});
     return;
   }
@@ -44,8 +51,10 @@ void Simulation::open_pass() {
   if (pass_open_) return;
   pass_open_ = true;
   pass_begin_ = cycles_;
+  if (tolerance_ > 0 && !constant_velocity_) pass_.tolerance = tolerance_;
   meter_.begin(answers_, last_.nominal);
-  look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_), acceleration_factor_);
+  look_ahead_.begin(last_.nominal, ToleranceMonitor(probe_, answers_, tolerance_, limits_.working),
+                    acceleration_factor_);
 }
 
 void Simulation::command(FilterChange const& change) {
@@ -57,7 +66,7 @@ void Simulation::command(FilterChange const& change) {
   static_cast<void>(probe_.reset({}));
   auto const status = std::max(runtime_.command(change.command), probe_.command(change.command));
   if (status != AXISRT_OK) {
-    failure_ = SimulationFailure{.status = status, .command = change.text, .blocking_axis = {}};
+    failure_ = SimulationFailure{.status = status, .command = change.text, .blocking_axis = {}, .endless_line = {}};
     return;
   }
   learn_answers();
@@ -79,19 +88,21 @@ void Simulation::end() {
   finish_pass();
 }
 
-void Simulation::stop(double cycles) {
+void Simulation::stop(double cycles, std::uint32_t line) {
   if (failure_) return;
   open_pass();
-  rest(cycles);
+  rest(cycles, line);
 }
 
 /// The path stops until the filters have settled, and for so long at least.
-void Simulation::rest(double cycles) {
+void Simulation::rest(double cycles, std::uint32_t line) {
   look_ahead_.stop();
+  if (failure_) return;
   last_.velocity = 0;
   if (!settled_) {
     for (auto const& answer : answers_) cycles = std::max(cycles, answer.delay + answer.reach);
   }
+  if (cycles > room()) return fail_for_length(line);
   for (double n = 0; n < cycles && !failure_; n += 1) step(last_);
   settled_ = true;
 }
@@ -99,7 +110,7 @@ void Simulation::rest(double cycles) {
 /// The path stops, and the filters settle.
 void Simulation::finish_pass() {
   if (!pass_open_) return;
-  rest(0);
+  rest(0, last_line_);
   meter_.finish();
   close_blocks_before(~std::uint64_t{0});
   pass_open_ = false;
@@ -111,10 +122,24 @@ void Simulation::step(ContourPoint const& point) {
   Point filtered{};
   auto const status = runtime_.step(point.nominal, filtered);
   if (status != AXISRT_OK && !failure_) {
-    failure_ = SimulationFailure{.status = status, .command = {}, .blocking_axis = {}};
+    failure_ = SimulationFailure{.status = status, .command = {}, .blocking_axis = {}, .endless_line = {}};
   }
   ++cycles_;
   meter_.cycle(point, filtered);
+  if (limits_.working && cycles_ % cycles_per_call == 0) limits_.working();
+}
+
+double Simulation::room() const {
+  return failure_ ? 0 : static_cast<double>(limits_.most_cycles - std::min(limits_.most_cycles, cycles_));
+}
+
+void Simulation::no_room(PathBlock const& block) {
+  fail_for_length(block.line);
+}
+
+void Simulation::fail_for_length(std::uint32_t line) {
+  if (failure_) return;
+  failure_ = SimulationFailure{.status = AXISRT_OK, .command = {}, .blocking_axis = {}, .endless_line = line};
 }
 
 void Simulation::open_block(PathBlock const& block) {
@@ -148,6 +173,7 @@ void Simulation::sample(Point const& setpoint, double velocity, PathBlock const&
   last_.nominal = setpoint;
   last_.velocity = velocity;
   last_.block = block.index;
+  last_line_ = block.line;
   step(last_);
 }
 
@@ -178,13 +204,12 @@ void Simulation::measured(MeasuredPoint const& point) {
   close_blocks_before(point.point.block);
   take(pass_, point);
   auto* const block = find_block(point.point.block);
+  if (!point.point.is_corner) listener_.cycle(point, block != nullptr ? *block : BlockSummary{});
   if (block == nullptr) return;
   take(*block, point);
-  if (!point.point.is_corner) {
-    listener_.cycle(point, *block);
-  } else if (auto* const next = find_block(point.point.next_block); next != block && next != nullptr) {
-    take(*next, point);
-  }
+  if (!point.point.is_corner) return;
+  auto* const next = find_block(point.point.next_block);
+  if (next != block && next != nullptr) take(*next, point);
 }
 
 }  // namespace axisc::motion

@@ -11,8 +11,10 @@
 #include "motion/look_ahead.hpp"
 #include "motion/path_listener.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,10 @@ struct PathSummary {
   Point axis_error{};
   double deviation = 0;
   double lag = 0;  ///< largest amount along straight stretches
+
+  [[nodiscard]] double largest_axis_error() const {
+    return *std::max_element(axis_error.begin(), axis_error.end());
+  }
 };
 
 struct BlockSummary : PathSummary {
@@ -37,12 +43,16 @@ struct PassSummary : PathSummary {
   std::string command;     ///< as the program writes it; empty: as at start-up
   std::uint32_t line = 0;  ///< of the command
   std::uint64_t blocks = 0;
+  std::optional<double> tolerance;  ///< that is monitored (AX_DEV), position units
+
+  [[nodiscard]] bool keeps_tolerance() const { return !tolerance || largest_axis_error() <= *tolerance; }
 };
 
 class SimulationListener {
  public:
   virtual ~SimulationListener() = default;
-  /// A setpoint, in the order of cycles; `block` is the one it lies on.
+  /// A setpoint, every one in the order of cycles; `block` is the one it lies on, without name and line where a pass has
+  /// none yet.
   virtual void cycle(MeasuredPoint const& point, BlockSummary const& block) = 0;
   virtual void block(BlockSummary const& summary) = 0;
   virtual void pass(PassSummary const& summary) = 0;
@@ -58,18 +68,24 @@ struct SimulationFailure {
   axisrt_status status = AXISRT_OK;          ///< of a step or command
   std::string command;                       ///< that the runtime refused
   std::optional<std::size_t> blocking_axis;  ///< whose filters block the constant part
+  std::optional<std::uint32_t> endless_line;  ///< of the block or dwell that exceeds the cycles of the limits
+};
+
+struct SimulationLimits {
+  std::uint64_t most_cycles = 100'000'000;  ///< of the whole program
+  std::function<void()> working{};          ///< called every millisecond or so
 };
 
 class Simulation final : public PathListener, private SampleSink, private MeasuredSink {
  public:
   /// `probe` is a second runtime of the same image: on it the chains are learnt and corners are tried.
-  Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits limits, bool constant_velocity,
-             SimulationListener& listener);
+  Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path, bool constant_velocity,
+             SimulationListener& listener, SimulationLimits limits = {});
 
   void motion(ProgrammedBlock const& block) override;
   void command(FilterChange const& change) override;
   /// The path stops; it goes on when the filters have settled and the dwell is over.
-  void stop(double cycles) override;
+  void stop(double cycles, std::uint32_t line) override;
   /// The end of the program; nothing may follow.
   void end() override;
 
@@ -78,6 +94,8 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
 
  private:
+  [[nodiscard]] double room() const override;
+  void no_room(PathBlock const& block) override;
   void sample(Point const& setpoint, double velocity, PathBlock const& block) override;
   void corner(PathBlock const& block, PathBlock const* next, double block_cycles) override;
   void measured(MeasuredPoint const& point) override;
@@ -85,7 +103,8 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   void begin_pass(std::string command, std::uint32_t line);
   void open_pass();
   void finish_pass();
-  void rest(double cycles);
+  void rest(double cycles, std::uint32_t line);
+  void fail_for_length(std::uint32_t line);
   void learn_answers();
   void step(ContourPoint const& point);
   void open_block(PathBlock const& block);
@@ -99,8 +118,10 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   std::vector<ChainAnswer> answers_;
   ContourMeter meter_;
   Interpolator interpolator_;
+  bool constant_velocity_;
   LookAhead look_ahead_;
   ContourPoint last_{};  ///< the setpoint that was given last
+  std::uint32_t last_line_ = 0;  ///< of the block that moved last
   bool settled_ = true;  ///< the filters have come to rest there
   double tolerance_ = 0;
   double acceleration_factor_ = 1;
@@ -110,6 +131,7 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   std::deque<BlockSummary> open_blocks_;
   std::uint64_t cycles_ = 0;
   std::uint64_t blocks_ = 0;
+  SimulationLimits limits_;
   std::optional<SimulationFailure> failure_;
 };
 

@@ -1,10 +1,9 @@
 #include "motion/tolerance.hpp"
 
-#include "motion/contour/contour_predictions.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace axisc::motion {
 namespace {
@@ -22,13 +21,14 @@ constexpr int refining_rounds = 12;
 constexpr int most_raises = 6;
 /// So often the path ahead is slowed down for a corner behind the machine.
 constexpr int most_tries_behind = 20;
-/// And so often for any: long before, it would have come to rest.
+/// And so often for any.
 constexpr int most_tries = 40;
+constexpr int patient_rounds = 60;
 constexpr std::size_t proved_together = 16;
 constexpr double beside_worse = 0.9;
 constexpr double same_phase = 1e-7;
-/// Halvings of the velocity on a circle: one part in a million of its radius.
-constexpr int circle_searches = 20;
+/// A smaller power of the velocity says that something else than this corner's velocity makes the error.
+constexpr double least_growth = 0.3;
 
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -64,37 +64,51 @@ double growth(Corner const& corner, double velocity) {
   double const apart = std::log(velocity / corner.velocity_before);
   if (std::abs(apart) < 1e-4) return 1;
   double const power = std::log(corner.error / corner.error_before) / apart;
-  return power > 0.3 ? std::min(power, 3.0) : 1;
+  return power > least_growth ? std::min(power, 3.0) : 1;
+}
+
+/// √(Σ C²), cycles: see the header.
+double farthest_per_velocity(std::span<ChainAnswer const> answers) {
+  double earliest = unlimited;
+  double latest = 0;
+  for (auto const& answer : answers) {
+    earliest = std::min(earliest, answer.delay);
+    latest = std::max(latest, answer.delay);
+  }
+  double const delay = (earliest + latest) / 2;
+  double squares = 0;
+  for (auto const& answer : answers) {
+    auto const& r = answer.ramp;
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < r.size(); ++k) {
+      // The impulse response is the second difference of the ramp's.
+      double const b = r[k + 1] - 2 * r[k] + (k > 0 ? r[k - 1] : 0.0);
+      sum += std::abs(b) * (std::abs(static_cast<double>(k) - delay) + 1);
+    }
+    squares += sum * sum;
+  }
+  return std::sqrt(squares);
 }
 
 }  // namespace
 
 ToleranceMonitor::ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer> const& answers,
-                                   double tolerance)
+                                   double tolerance, std::function<void()> working)
     : tolerance_(tolerance) {
   bool const delayed_alike = std::all_of(answers.begin(), answers.end(), [&](ChainAnswer const& answer) {
     return answer.only_delays() && answer.delay == answers.front().delay;
   });
   if (!(tolerance > 0) || delayed_alike) return;
-  trial_ = std::make_unique<PathTrial>(probe, answers);
+  trial_ = std::make_unique<PathTrial>(probe, answers, std::move(working));
+  circles_ = std::make_unique<CircleVelocities>(answers);
   plateau_ = trial_->reach();
+  floor_ = largest_found * tolerance_ / farthest_per_velocity(answers);
 }
 
-double ToleranceMonitor::velocity_on(double radius) const {
-  auto const keeps = [&](double velocity) {
-    return predict_circle(trial_->answers(), velocity, radius).largest_axis_error() <=
-           largest_found * tolerance_;
-  };
+double ToleranceMonitor::velocity_on(double radius) {
   // Quarters of a turn per cycle are no circle any more.
-  double kept = 0;
-  double exceeded = radius;
-  if (keeps(exceeded)) return exceeded;
-  // The error grows with the square of the velocity, as long as it is small.
-  for (int i = 0; i < circle_searches; ++i) {
-    double const middle = (kept + exceeded) / 2;
-    (keeps(middle) ? kept : exceeded) = middle;
-  }
-  return kept;
+  double const highest = circles_->highest(radius, largest_found * tolerance_).value_or(radius);
+  return std::clamp(highest, floor_, std::max(floor_, radius));
 }
 
 /// The surroundings of each cell as a number: another one where the path is passed otherwise.
@@ -110,7 +124,7 @@ void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corne
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     double from = corners[cells_[i]].time;
     double to = from;
-    if (!trial_->alike()) {
+    if (is_whole(corners[cells_[i]])) {
       from = i > 0 ? corners[cells_[i - 1]].time : path.valid_from;
       to = i + 1 < cells_.size() ? corners[cells_[i + 1]].time : pieces.back().end();
     }
@@ -126,19 +140,19 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
   wanted_.assign(cells_.size(), 0);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
-    tried_.push_back({.place = corner.place, .time = corner.time, .error = 0, .fastest = 0});
+    tried_.push_back({.place = corner.place, .time = corner.time, .whole = is_whole(corner)});
     bool const is_proved = corner.proved && is_same_phase(corner.phase, phase_of(corner.time));
     wanted_[i] = corner.tried_path != signatures_[i] || (trial == Trial::proof && !is_proved) ? 1 : 0;
   }
   double const end = path.pieces.back().end();
   auto const from = [&](std::size_t i) {
     double const near = tried_[i].time - trial_->reach();
-    if (trial_->alike()) return std::max(near, path.valid_from);
+    if (!tried_[i].whole) return std::max(near, path.valid_from);
     return i == 0 ? path.valid_from : std::max(path.valid_from, std::min(near, tried_[i - 1].time));
   };
   auto const to = [&](std::size_t i) {
     double const near = tried_[i].time + trial_->reach();
-    if (trial_->alike()) return near;
+    if (!tried_[i].whole) return near;
     return i + 1 == cells_.size() ? end : std::max(near, tried_[i + 1].time);
   };
   for (std::size_t i = 0; i < cells_.size();) {
@@ -180,6 +194,7 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
     auto& corner = corners[cells_[i]];
     if (wanted_[i] != 0) {
       corner.error = tried_[i].error;
+      corner.far_error = tried_[i].far_error;
       corner.tried_fastest = tried_[i].fastest;
       corner.tried_velocity = std::min(corner.velocity, tried_[i].fastest);
       corner.tried_path = signatures_[i];
@@ -191,14 +206,27 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
   }
 }
 
-void ToleranceMonitor::lower(Corner& corner) const {
+/// A plateau within the kernels' reach does not mend it.
+bool ToleranceMonitor::needs_more(Corner const& corner) const {
+  if (!trial_->alike()) return corner.lowered > 0 && corner.error > 0.9 * corner.error_before;
+  if (corner.far_error > largest_found * tolerance_) return true;
+  double const slower = corner.velocity_before > 0 ? corner.tried_velocity / corner.velocity_before : 1;
+  return slower < 0.95 && corner.error > std::pow(slower, least_growth) * corner.error_before;
+}
+
+bool ToleranceMonitor::lower(Corner& corner) const {
   // What a slower corner does not mend, a slower path around it does.
-  if (!trial_->alike() && !corner.wide && corner.lowered > 0 && corner.error > 0.9 * corner.error_before) {
+  if (is_whole(corner) && !corner.wide && needs_more(corner)) {
     corner.wide = true;
     corner.velocity = unlimited;
     corner.tried_velocity = corner.tried_fastest;
     corner.kept = corner.velocity_before = 0;
     corner.exceeded = unlimited;
+  }
+  if (corner.velocity <= floor_) {
+    if (corner.wide) return false;
+    corner.wide = true;
+    return true;
   }
   ++corner.lowered;
   double const from = corner.tried_velocity > 0 ? std::min(corner.tried_velocity, corner.velocity)
@@ -214,7 +242,24 @@ void ToleranceMonitor::lower(Corner& corner) const {
   }
   corner.velocity_before = from;
   corner.error_before = corner.error;
-  corner.velocity = std::min(next, 0.998 * from);
+  corner.velocity = std::max(floor_, std::min(next, 0.998 * from));
+  return true;
+}
+
+/// Half the velocity everywhere. False where the floor has been reached.
+bool ToleranceMonitor::slow_down(std::span<Corner> corners) const {
+  double fastest = 0;
+  for (auto const& corner : corners) {
+    if (!corner.passed) fastest = std::max(fastest, std::min(corner.velocity, corner.fastest));
+  }
+  bool changes = false;
+  for (auto& corner : corners) {
+    if (corner.passed) continue;
+    changes = changes || !corner.wide || corner.velocity > floor_;
+    corner.wide = true;
+    corner.velocity = std::min(corner.velocity, std::max(floor_, fastest / 2));
+  }
+  return changes;
 }
 
 double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::size_t cell) const {
@@ -250,8 +295,10 @@ bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const 
   return true;
 }
 
-bool ToleranceMonitor::adjust(std::span<Corner> corners, double limit, bool raises) const {
+ToleranceMonitor::Change ToleranceMonitor::adjust(std::span<Corner> corners, double limit,
+                                                  bool raises) const {
   bool exceeded = false;
+  bool lowers = false;
   std::vector<std::size_t> lowered;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
@@ -262,14 +309,15 @@ bool ToleranceMonitor::adjust(std::span<Corner> corners, double limit, bool rais
     // Beside a corner that is worse, its plateau may do.
     if (corner.error >= beside_worse * largest_around(corners, i)) lowered.push_back(cells_[i]);
   }
-  for (auto const i : lowered) lower(corners[i]);
+  for (auto const i : lowered) lowers = lower(corners[i]) || lowers;
+  if (exceeded && !lowers) return Change::stuck;
   bool raised = false;
   for (std::size_t i = 0; raises && i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
     bool const is_slow = corner.velocity != unlimited && corner.error < smallest_found * tolerance_;
     if (is_slow && raise(corners, i)) raised = true;
   }
-  return exceeded || raised;
+  return exceeded || raised ? Change::some : Change::none;
 }
 
 ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::span<Corner> corners,
@@ -284,14 +332,18 @@ ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::sp
   // First what is passed otherwise; where that holds, everything as the machine will pass it.
   measure(path, corners, Trial::search);
   bool const refines = round <= refining_rounds && !proving_;
-  bool changes = adjust(corners, proving_ ? largest : largest_found, refines);
-  if (!changes) {
+  auto change = adjust(corners, proving_ ? largest : largest_found, refines);
+  if (change == Change::none) {
     proving_ = true;
     unproved_ = false;
     measure(path, corners, Trial::proof);
-    changes = adjust(corners, largest, false) || unproved_;
+    change = adjust(corners, largest, false);
+    if (change == Change::none) return unproved_ ? Verdict::changed : Verdict::keeps;
   }
-  if (!changes) return Verdict::keeps;
+  if (change == Change::stuck || round > patient_rounds + 2 * static_cast<int>(corners.size())) {
+    if (corners.front().passed) return Verdict::fails;
+    return slow_down(corners) ? Verdict::changed : Verdict::exceeds;
+  }
   bool const is_lost = std::any_of(corners.begin(), corners.end(), [](Corner const& corner) {
     return corner.lowered > (corner.passed ? most_tries_behind : most_tries);
   });

@@ -4,9 +4,21 @@
 // exceed the tolerance, planned and tried again, until none does. So a corner never relies on another one that a slower
 // path moves out of reach, and nothing is slower that keeps the tolerance anyway. A slow corner's velocity holds on a plateau
 // of h cycles to either side, where its kernels' R is 0, and one cycle more, because setpoints on either side of a corner may
-// lie away from it.
+// lie away from it. Where that does not do (an arc that is bent everywhere, axes that are out of step on straight lines), the
+// plateau covers all that is nearer to this corner than to others.
+//
+// This comes to an end, and the tolerance is kept. Let b_k be a chain's answer to an impulse, Σ b_k = 1, and D any delay. A
+// path that moves by at most v in every cycle that the chain sees passes within
+//     Σ |b_k| (|k - D| + 1) v  =  C v
+// of its setpoints and of what lies between them; so at  v ≤ v_f = tolerance / √(Σ over axes C²)  it keeps the tolerance,
+// whatever its shape. No plateau is slower than v_f. After 60 plans and two more for each corner, or where a corner at v_f
+// still exceeds the tolerance, each plan halves the velocity of the whole path, down to v_f: from rest there are at most
+//     60 + 2 n + ⌈log2(v / v_f)⌉ + 2
+// plans of n corners and a largest velocity v. Behind a machine in motion nothing can be slowed down any more: after as many
+// plans the one before, which kept the tolerance, is driven to its stop (look_ahead.hpp), and the path goes on from rest.
 #pragma once
 
+#include "motion/feed_limits.hpp"
 #include "motion/path_trial.hpp"
 
 #include <cstddef>
@@ -18,10 +30,11 @@
 
 namespace axisc::motion {
 
-/// The beginning of a block, and how fast the path may be around it.
+/// The beginning of a block or the end of the path, and how fast the path may be around it.
 struct Corner {
   double place = 0;    ///< along the path, units
-  bool turns = false;  ///< the direction changes
+  bool turns = false;  ///< the direction changes, here or on an arc that begins or ends here
+  bool bends = false;  ///< such an arc
   double fastest = 0;  ///< most that the blocks beside it allow, units per cycle
   double velocity = std::numeric_limits<double>::infinity();  ///< of its plateau; infinite: none
   bool wide = false;  ///< the plateau covers everything that is nearer to this corner than to others
@@ -32,7 +45,8 @@ struct Corner {
   std::uint64_t tried_path = 0;
   bool proved = false;  ///< at the time at which the machine will pass it
   double phase = 0;     ///< of that time in its cycle
-  double error = 0, tried_velocity = 0, tried_fastest = 0;
+  double error = 0, far_error = 0;  ///< far: beyond the kernels' reach
+  double tried_velocity = 0, tried_fastest = 0;
   /// How the velocity was searched.
   double kept = 0, exceeded = std::numeric_limits<double>::infinity();
   double error_before = 0, velocity_before = 0;
@@ -49,8 +63,9 @@ class ToleranceMonitor {
  public:
   /// Monitors nothing.
   ToleranceMonitor() = default;
-  /// `tolerance` in units; 0: no monitoring. Runtime and answers live longer.
-  ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer> const& answers, double tolerance);
+  /// `tolerance` in units; 0: no monitoring. Runtime and answers live longer. `working` is called every millisecond or so.
+  ToleranceMonitor(GroupRuntime& probe, std::vector<ChainAnswer> const& answers, double tolerance,
+                   std::function<void()> working = {});
 
   [[nodiscard]] bool active() const { return trial_ != nullptr; }
   /// Cycles on either side of a corner.
@@ -59,14 +74,15 @@ class ToleranceMonitor {
   [[nodiscard]] double cycles_before() const { return trial_->cycles_before(); }
   [[nodiscard]] double cycles_after() const { return trial_->cycles_after(); }
 
-  /// Largest velocity on a circle of this radius that keeps the tolerance however long it lasts.
-  [[nodiscard]] double velocity_on(double radius) const;
+  /// Largest velocity on a circle of this radius up to which every velocity keeps the tolerance however long it lasts.
+  [[nodiscard]] double velocity_on(double radius);
 
   /// What to do with a plan.
   enum class Verdict : std::uint8_t {
     keeps,    ///< the tolerance everywhere
     changed,  ///< velocities of corners: plan once more
     fails,    ///< where it can no longer be mended, because the machine has passed it or cannot brake for it
+    exceeds,  ///< although all of the path is as slow as keeps any tolerance: nothing but rounding
   };
   /// Tries a plan where it is new, and changes the velocities of corners; `round` counts the plans of this path from 0.
   /// Cost: that of simulating the surroundings of new or changed corners.
@@ -79,13 +95,26 @@ class ToleranceMonitor {
     proof,   ///< of everything, also between them
   };
   void measure(TriedPath const& path, std::span<Corner> corners, Trial trial);
-  [[nodiscard]] bool adjust(std::span<Corner> corners, double limit, bool raises) const;
-  void lower(Corner& corner) const;
+  enum class Change : std::uint8_t {
+    none,
+    some,
+    stuck,  ///< a corner exceeds the tolerance and cannot be passed more slowly
+  };
+  [[nodiscard]] Change adjust(std::span<Corner> corners, double limit, bool raises) const;
+  /// Points of the path that belong to the corner are tried up to the corners beside it, not only within reach.
+  [[nodiscard]] bool is_whole(Corner const& corner) const { return corner.bends || !trial_->alike(); }
+  [[nodiscard]] bool needs_more(Corner const& corner) const;
+  /// False where it is as slow as it may be already.
+  bool lower(Corner& corner) const;
+  /// Of a path that begins at rest.
+  [[nodiscard]] bool slow_down(std::span<Corner> corners) const;
   [[nodiscard]] bool raise(std::span<Corner> corners, std::size_t cell) const;
   /// The largest error of the corners that a plateau of this one covers.
   [[nodiscard]] double largest_around(std::span<Corner const> corners, std::size_t cell) const;
 
   std::unique_ptr<PathTrial> trial_;
+  std::unique_ptr<CircleVelocities> circles_;
+  double floor_ = 0;  ///< v_f
   double tolerance_ = 0;
   double plateau_ = 0;
   std::vector<std::size_t> cells_;         ///< corners that points of the path are counted to

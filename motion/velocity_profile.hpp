@@ -37,7 +37,8 @@ class VelocityProfile {
     s1_ = (v0_ + v_) / 2 * t1_;
     double const s3 = (v_ + v1) / 2 * t3_;
     double const s2 = std::max(0.0, length_ - s1_ - s3);
-    t2_ = v_ > 0 ? s2 / v_ : 0;
+    // Infinite where the path stands.
+    t2_ = s2 > 0 ? s2 / v_ : 0;
   }
 
   /// Cycles.

@@ -4,6 +4,7 @@
 #include "cli/commands/simulate_program.hpp"
 #include "cli/files/path_machine.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/quantities.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
 
@@ -35,6 +36,11 @@ constexpr Sentence option_format{
 constexpr Sentence option_constant_velocity{
     "keep the feed rate everywhere: no ramps, no slower corners, no AX_DEV",
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
+constexpr Sentence option_max_cycles{
+    "most NC cycles that are simulated (default: 100000000, or 10000000 where every cycle is written)",
+    "höchste Zahl simulierter NC-Zyklen (Standardwert: 100000000, oder 10000000, wo jeder Zyklus geschrieben wird)"};
+constexpr Sentence bad_count{"--max-cycles needs a count above 0, not \"{value}\"",
+                             "--max-cycles braucht eine Anzahl über 0, nicht \"{value}\""};
 constexpr Sentence option_progress{
     "show progress even where standard error is not a terminal",
     "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
@@ -54,7 +60,7 @@ namespace axisc::cli {
 namespace {
 
 struct SimulateOptions {
-  std::optional<std::string> machine, program, output, group, cycle_time, plant, move;
+  std::optional<std::string> machine, program, output, group, cycle_time, plant, move, most_cycles;
   SimulateFormat format = SimulateFormat::text;
   bool constant_velocity = false;
   bool progress = false;
@@ -67,6 +73,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.flag("--constant-velocity", options.constant_velocity, says::option_constant_velocity);
+  command_line.value("--max-cycles", "N", options.most_cycles, says::option_max_cycles);
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
@@ -76,6 +83,20 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
       options.format, says::option_format);
   command_line.flag("--progress", options.progress, says::option_progress);
   command_line.flag("--no-progress", options.no_progress, says::option_no_progress);
+}
+
+/// Where every cycle is written, the file must not fill the disk unnoticed: a row has some hundred bytes.
+std::uint64_t most_cycles(SimulateOptions const& options) {
+  constexpr std::uint64_t most_rows = 10'000'000;
+  if (!options.most_cycles) {
+    bool const writes_rows = options.output || options.format == SimulateFormat::csv;
+    return writes_rows ? most_rows : motion::SimulationLimits{}.most_cycles;
+  }
+  auto const count = parse_count(*options.most_cycles);
+  if (!count || *count == 0) {
+    throw Failure({.sentence = says::bad_count, .arguments = {{"value", *options.most_cycles}}});
+  }
+  return *count;
 }
 
 }  // namespace
@@ -107,6 +128,7 @@ ExitStatus simulate(Invocation const& invocation) {
                            .output = options.output,
                            .format = options.format,
                            .constant_velocity = options.constant_velocity,
+                           .most_cycles = most_cycles(options),
                            .show_progress = options.progress || (!options.no_progress && progress_is_seen()),
                            .color = color},
                           *std::move(checked), invocation);

@@ -6,6 +6,7 @@
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
 #include "cli/settings/plant_file.hpp"
+#include "diagnostics/format_number.hpp"
 #include "motion/point.hpp"
 
 #include <algorithm>
@@ -16,6 +17,11 @@ namespace axisc::cli::says {
 constexpr Sentence bad_move{
     "--move needs AXIS:MM or AXIS:MM:MM_PER_MIN with a distance other than 0, not \"{value}\"",
     "--move braucht ACHSE:MM oder ACHSE:MM:MM_JE_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
+
+constexpr Sentence slow_move{
+    "--move would take {cycles} NC cycles, and at most {most} are simulated: a higher velocity or a shorter way is needed",
+    "--move würde {cycles} NC-Zyklen dauern, höchstens {most} werden simuliert: nötig ist eine höhere Geschwindigkeit "
+    "oder ein kürzerer Weg"};
 
 }  // namespace axisc::cli::says
 
@@ -96,6 +102,13 @@ PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, b
   double const feed = wanted.feed_mm_per_min
                           ? std::min(*wanted.feed_mm_per_min / 60 * motion::units_per_mm, highest)
                           : highest;
+  // All of them are held in memory.
+  constexpr double most_cycles = 5e6;
+  double const cycles = 2 * std::abs(wanted.distance_mm) * motion::units_per_mm / (feed * T);
+  if (!(cycles <= most_cycles)) {
+    throw Failure({.sentence = says::slow_move,
+                   .arguments = {{"cycles", format_rounded(cycles, 3)}, {"most", format_rounded(most_cycles, 1)}}});
+  }
   motion::AxisMove const move{.axis = index,
                               .distance = wanted.distance_mm * motion::units_per_mm,
                               .velocity = feed * T,

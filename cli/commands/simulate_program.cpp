@@ -6,6 +6,7 @@
 #include "cli/formats/simulate_formats.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
+#include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/writers.hpp"
 #include "motion/program/interpreter.hpp"
 #include "motion/simulation.hpp"
@@ -16,6 +17,16 @@ namespace axisc::cli::says {
 
 constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
                                    "das Abbild hat keine Kerne für `{command}`"};
+
+constexpr Sentence too_many_cycles{
+    "here the program exceeds {cycles} NC cycles ({time} s), the most that are simulated; check the feed rates and dwells, "
+    "or allow more with --max-cycles",
+    "hier überschreitet das Programm {cycles} NC-Zyklen ({time} s), mehr werden nicht simuliert; Vorschübe und "
+    "Verweilzeiten prüfen oder mit --max-cycles mehr erlauben"};
+
+constexpr Sentence tolerance_exceeded{
+    "AX_DEV is not kept in this pass: axis error {error} µm, tolerance {tolerance} µm",
+    "AX_DEV wird in diesem Durchgang nicht eingehalten: Achsfehler {error} µm, Toleranz {tolerance} µm"};
 
 constexpr Sentence not_simulated_first{"only its first occurrence is named",
                                        "nur das erste Vorkommen wird genannt"};
@@ -57,9 +68,11 @@ class Recorder final : public motion::SimulationListener {
   }
   void pass(motion::PassSummary const& found) override {
     if (summary) summary->pass(found);
+    if (!found.keeps_tolerance()) exceeded.push_back(found);
   }
 
   std::vector<CycleWriter*> cycles;
+  std::vector<motion::PassSummary> exceeded;  ///< passes that do not keep their tolerance
   std::unique_ptr<SummaryWriter> summary;
 };
 
@@ -121,8 +134,16 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
   return errors == 0;
 }
 
-[[noreturn]] void fail(motion::SimulationFailure const& failure, machine::Machine const& machine,
-                       machine::MachineGroup const& group) {
+[[noreturn]] void fail(motion::SimulationFailure const& failure, ProgramRequest const& request,
+                       machine::Machine const& machine, machine::MachineGroup const& group) {
+  if (failure.endless_line) {
+    double const seconds = static_cast<double>(request.most_cycles) * machine.cycle_time.seconds();
+    throw Failure(request.program_path + ":" + std::to_string(*failure.endless_line),
+                  {{.sentence = says::too_many_cycles,
+                    .arguments = {{"cycles", std::to_string(request.most_cycles)},
+                                  {"time", format_rounded(seconds, 4)}}}},
+                  std::nullopt);
+  }
   if (failure.blocking_axis) {
     throw Failure({.sentence = says::blocks_constant,
                    .arguments = {{"axis", machine.axes[group.axes[*failure.blocking_axis]].name},
@@ -134,6 +155,15 @@ bool survey(ProgramLines& program, ProgramRequest const& request, motion::Progra
   throw Failure({.sentence = says::runtime,
                  .arguments = {{"status", axisrt_status_name(failure.status)},
                                {"reason", axisrt_status_text(failure.status)}}});
+}
+
+Failure not_kept(motion::PassSummary const& pass, std::string const& path) {
+  auto const um = [](double units) { return format_rounded(units / motion::units_per_um, 4); };
+  return Failure(path + ":" + std::to_string(pass.line),
+                 {{.sentence = says::tolerance_exceeded,
+                   .arguments = {{"error", um(pass.largest_axis_error())},
+                                 {"tolerance", um(pass.tolerance.value_or(0))}}}},
+                 std::nullopt);
 }
 
 }  // namespace
@@ -160,23 +190,26 @@ FollowedProgram follow_program(ProgramLines& program, ProgramRequest const& requ
   auto const& group = machine.groups[index];
   auto const channel = channel_of(machine, group);
   auto const image = image_of(machine, request.machine_path);
+  double const seconds = machine.cycle_time.seconds();
+  Progress progress(request.show_progress, language);
+  double share = 0;
+  motion::Simulation const* running = nullptr;
+  auto const show_progress = [&] {
+    if (running != nullptr) progress.show(share, static_cast<double>(running->cycles()) * seconds);
+  };
   motion::Simulation simulation(group_runtime(image, group, request.machine_path),
                                 group_runtime(image, group, request.machine_path), limits_of(machine, group),
-                                request.constant_velocity, listener);
-  {
-    Progress progress(request.show_progress, language);
-    motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
-    double const seconds = machine.cycle_time.seconds();
-    program.read([&](std::string_view line, std::uint32_t offset) {
-      if (offset % 64 == 0) {
-        progress.show(static_cast<double>(offset) / static_cast<double>(program.size()),
-                      static_cast<double>(simulation.cycles()) * seconds);
-      }
-      return interpreter.line(line, offset) && !simulation.failure();
-    });
-    interpreter.finish();
-  }
-  if (simulation.failure()) fail(*simulation.failure(), machine, group);
+                                request.constant_velocity, listener,
+                                {.most_cycles = request.most_cycles, .working = show_progress});
+  running = &simulation;
+  motion::ProgramInterpreter interpreter(channel, simulation, [](motion::ProgramProblem const&) {});
+  program.read([&](std::string_view line, std::uint32_t offset) {
+    share = static_cast<double>(offset) / static_cast<double>(program.size());
+    if (offset % 64 == 0) show_progress();
+    return interpreter.line(line, offset) && !simulation.failure();
+  });
+  interpreter.finish();
+  if (simulation.failure()) fail(*simulation.failure(), request, machine, group);
   return {.blocks = simulation.blocks(), .cycles = simulation.cycles()};
 }
 
@@ -222,7 +255,10 @@ ExitStatus simulate_program(ProgramRequest const& request, CheckedMachine checke
   for (auto* const writer : recorder.cycles) writer->finish();
   if (recorder.summary) recorder.summary->finish(followed.blocks, followed.cycles);
   if (file) file->commit();
-  return ExitStatus::success;
+  for (auto const& pass : recorder.exceeded) {
+    invocation.streams.err.write(not_kept(pass, request.program_path).line(invocation.language));
+  }
+  return recorder.exceeded.empty() ? ExitStatus::success : ExitStatus::findings;
 }
 
 }  // namespace axisc::cli

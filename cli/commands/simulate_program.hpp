@@ -22,6 +22,7 @@ struct ProgramRequest {
   std::optional<std::string> output;
   SimulateFormat format = SimulateFormat::text;
   bool constant_velocity = false;
+  std::uint64_t most_cycles = motion::SimulationLimits{}.most_cycles;
   bool show_progress = false;
   bool color = false;
 };

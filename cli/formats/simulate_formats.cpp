@@ -6,8 +6,6 @@
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/terminal.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace axisc::cli::says {
@@ -20,6 +18,7 @@ constexpr Sentence axis_error{"axis error [µm]", "Achsfehler [µm]"};
 constexpr Sentence deviation{"deviation [µm]", "Abweichung [µm]"};
 constexpr Sentence lag{"lag [µm]", "Nachlauf [µm]"};
 constexpr Sentence start{"as at start-up", "wie beim Hochlauf"};
+constexpr Sentence exceeds{"{command}: AX_DEV is not kept", "{command}: AX_DEV wird nicht eingehalten"};
 constexpr Sentence total{"{blocks} blocks, {cycles} cycles of {cycle_time} µs, {time} s",
                          "{blocks} Sätze, {cycles} Zyklen zu {cycle_time} µs, {time} s"};
 
@@ -35,14 +34,10 @@ using motion::units_per_um;
 
 constexpr std::size_t piece = std::size_t{1} << 16U;
 
-double largest_error(PathSummary const& summary) {
-  return *std::max_element(summary.axis_error.begin(), summary.axis_error.end());
-}
-
 /// Fields that blocks and passes share.
 std::string figures_json(PathSummary const& summary, SimulatedPath const& path) {
   std::string text = "\"time_s\": " + json_number(summary.cycles * path.cycle_time.seconds()) +
-                     ", \"max_axis_error_um\": " + json_number(largest_error(summary) / units_per_um) +
+                     ", \"max_axis_error_um\": " + json_number(summary.largest_axis_error() / units_per_um) +
                      ", \"axis_error_um\": {";
   for (std::size_t i = 0; i < path.axes.size(); ++i) {
     if (i > 0) text += ", ";
@@ -72,11 +67,14 @@ class JsonSummary final : public SummaryWriter {
   }
 
   void pass(motion::PassSummary const& summary) override {
+    std::string const kept = !summary.tolerance ? "null" : summary.keeps_tolerance() ? "true" : "false";
     passes_ += passes_.empty() ? "\n    " : ",\n    ";
     passes_ += "{\"pass\": " + std::to_string(++count_) +
                ", \"command\": " + (summary.command.empty() ? "null" : json_string(summary.command)) +
                ", \"line\": " + (summary.line == 0 ? "null" : std::to_string(summary.line)) +
-               ", \"blocks\": " + std::to_string(summary.blocks) + ", " + figures_json(summary, path_) + "}";
+               ", \"blocks\": " + std::to_string(summary.blocks) + ", " + figures_json(summary, path_) +
+               ", \"tolerance_um\": " + (summary.tolerance ? json_number(*summary.tolerance / units_per_um) : "null") +
+               ", \"tolerance_kept\": " + kept + "}";
   }
 
   void finish(std::uint64_t blocks, std::uint64_t cycles) override {
@@ -114,8 +112,7 @@ class TextSummary final : public SummaryWriter {
     std::swap(text_, passes_);
     if (text_.empty()) row(say(says::pass), say(says::line), summary_headings(language_));
     row(std::to_string(++count_), summary.line == 0 ? "" : std::to_string(summary.line), cells(summary));
-    text_.insert(text_.size() - 1,
-                 "  " + (summary.command.empty() ? say(says::start) : printable(summary.command)));
+    text_.insert(text_.size() - 1, "  " + printable(pass_name(summary, language_)));
     std::swap(text_, passes_);
   }
 
@@ -160,6 +157,13 @@ class TextSummary final : public SummaryWriter {
 
 }  // namespace
 
+std::string pass_name(motion::PassSummary const& summary, Language language) {
+  std::string command = summary.command;
+  if (command.empty()) command = render({.sentence = says::start, .arguments = {}}, language);
+  if (summary.keeps_tolerance()) return command;
+  return render({.sentence = says::exceeds, .arguments = {{"command", command}}}, language);
+}
+
 std::vector<std::string> summary_headings(Language language) {
   std::vector<std::string> names;
   for (SentenceRef const name : {SentenceRef(says::time), SentenceRef(says::axis_error),
@@ -171,7 +175,7 @@ std::vector<std::string> summary_headings(Language language) {
 
 std::vector<std::string> summary_cells(PathSummary const& summary, design::CycleTime cycle_time) {
   return {fmt::format("{:.4f}", summary.cycles * cycle_time.seconds()),
-          fmt::format("{:.4f}", largest_error(summary) / units_per_um),
+          fmt::format("{:.4f}", summary.largest_axis_error() / units_per_um),
           fmt::format("{:.4f}", summary.deviation / units_per_um),
           fmt::format("{:.3f}", summary.lag / units_per_um)};
 }

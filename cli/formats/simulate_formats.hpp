@@ -41,6 +41,9 @@ class CycleWriter {
 [[nodiscard]] std::vector<std::string> summary_cells(motion::PathSummary const& summary,
                                                      design::CycleTime cycle_time);
 
+/// The command that a pass begins with, and whether it exceeds its tolerance.
+[[nodiscard]] std::string pass_name(motion::PassSummary const& summary, Language language);
+
 /// Blocks as they end, followed by the passes.
 class SummaryWriter {
  public:

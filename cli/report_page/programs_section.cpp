@@ -19,7 +19,6 @@ constexpr Sentence program_alone{"{program}", "{program}"};
 constexpr Sentence pass_column{"pass", "Durchgang"};
 constexpr Sentence pass_line{"line", "Zeile"};
 constexpr Sentence pass_command{"filters", "Filter"};
-constexpr Sentence pass_at_start{"as at start-up", "wie beim Hochlauf"};
 constexpr Sentence more_passes{"The first {shown} of {count} passes are shown.",
                                "Die ersten {shown} von {count} Durchgängen werden gezeigt."};
 constexpr Sentence not_followed{"The program is not followed:", "Dem Programm wird nicht gefolgt:"};
@@ -43,7 +42,7 @@ pictures::Table pass_table(ReportSubject const& subject, PathRecorder const& rec
     auto& row = table.rows.emplace_back();
     row = {std::to_string(table.rows.size()), pass.line == 0 ? std::string() : std::to_string(pass.line)};
     for (auto& cell : summary_cells(pass, subject.machine->cycle_time)) row.push_back(std::move(cell));
-    row.push_back(pass.command.empty() ? subject.say(says::pass_at_start) : pass.command);
+    row.push_back(pass_name(pass, subject.language));
   }
   return table;
 }

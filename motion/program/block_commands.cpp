@@ -51,6 +51,8 @@ void take_other_command(std::size_t at, NcBlock const& block, ProgramState& stat
     state.problems.refuse(block, token, says::cannot_simulate_slope);
   } else if (is_geometric(command)) {
     state.problems.refuse(block, token);
+  } else if (command.starts_with("#CONTOURMODEON")) {
+    state.problems.refuse(block, token, says::cannot_simulate_rounding);
   } else {
     state.problems.ignore(block, token, command, says::not_simulated);
   }

@@ -22,7 +22,7 @@ void BlockDwell::take(Token const& token, double seconds) {
 void BlockDwell::finish() {
   if (!word_) return;
   if (!seconds_) return state_.problems.refuse(block_, *word_, says::cannot_simulate_dwell);
-  state_.listener.stop(*seconds_ / state_.channel.cycle_time.seconds());
+  state_.listener.stop(*seconds_ / state_.channel.cycle_time.seconds(), word_->line);
 }
 
 }  // namespace axisc::motion

@@ -1,18 +1,18 @@
 #include "motion/program/block_motion.hpp"
 
 #include "motion/arc_words.hpp"
+#include "motion/program/unused_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace axisc::motion::says {
 
-constexpr Sentence cannot_simulate_twice{"`{word}`: this block has a value for it already",
-                                         "`{word}`: dieser Satz hat schon einen Wert dafür"};
 constexpr Sentence cannot_simulate_too_far{
     "`{word}` lies beyond what the runtime can represent",
     "`{word}` liegt außerhalb dessen, was das Laufzeitsystem darstellen kann"};
@@ -73,26 +73,29 @@ void BlockMotion::take_arc_word(Token const& token, char letter, double value) {
 
 void BlockMotion::take_feed(Token const& token, double value) {
   if (!(value > 0)) return state_.problems.refuse(block_, token, says::cannot_simulate_feed_range);
+  if (std::exchange(feed_named_, true)) return state_.problems.refuse(block_, token, says::cannot_simulate_twice);
   state_.modal.feed = value * state_.modal.length_unit();
 }
 
+void BlockMotion::take_speed(Token const& token, double value) {
+  if (std::exchange(speed_named_, true)) return state_.problems.refuse(block_, token, says::cannot_simulate_twice);
+  state_.modal.speed = value;
+  note_speed(block_, token, state_.problems);
+}
+
 void BlockMotion::move() {
-  bool const stops = exact_stop_ || (moves_ && state_.modal.exact_stop);
-  if (moves_) {
-    moves_ = false;
-    moved_.reset();
-    next_.feed = feed();
-    next_.slope = state_.modal.slope;
-    if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
-    bool const is_possible = make_arc();
-    to_center_ = {};
-    radius_.reset();
-    if (!is_possible) return;
-    state_.modal.position = next_.end;
-    state_.listener.motion(next_);
-  }
-  if (stops) state_.listener.stop(0);
-  exact_stop_ = false;
+  if (!moves_) return;
+  moves_ = false;
+  moved_.reset();
+  next_.feed = feed();
+  next_.slope = state_.modal.slope;
+  if (next_.label.empty()) next_.label = "L" + std::to_string(next_.line);
+  bool const is_possible = make_arc();
+  to_center_ = {};
+  radius_.reset();
+  if (!is_possible) return;
+  state_.modal.position = next_.end;
+  state_.listener.motion(next_);
 }
 
 /// Position units per cycle. What is missing is refused once in a program.
@@ -107,6 +110,7 @@ double BlockMotion::feed() {
     state_.problems.refuse(block_, first_coordinate_, says::cannot_simulate_speed);
     modal.speed = 1;
   }
+  if (modal.feed_per_revolution) state_.problems.used();
   double const minutes = state_.channel.cycle_time.seconds() / 60;
   return *modal.feed * (modal.feed_per_revolution ? *modal.speed : 1) * minutes;
 }

@@ -18,13 +18,14 @@ class BlockMotion {
   BlockMotion(NcBlock const& block, ProgramState& state);
 
   void set_label(std::string_view label) { next_.label = label; }
-  void set_exact_stop() { exact_stop_ = true; }
   /// Value in the program's unit.
   void take_coordinate(Token const& token, std::size_t axis, double value);
   /// I, J, K or R, in the program's unit.
   void take_arc_word(Token const& token, char letter, double value);
   /// F, in the program's unit.
   void take_feed(Token const& token, double value);
+  /// S: counts with G95, otherwise for nothing.
+  void take_speed(Token const& token, double value);
   /// Words since the last move() say where to.
   [[nodiscard]] bool moves() const { return moves_; }
   /// What the words so far ask for goes to the listener.
@@ -42,7 +43,7 @@ class BlockMotion {
   std::bitset<most_axes> moved_;                    ///< axes that were named
   std::array<std::optional<double>, 3> to_center_;  ///< I, J, K, position units
   std::optional<double> radius_;                    ///< R
-  bool exact_stop_ = false;
+  bool feed_named_ = false, speed_named_ = false;
   Token first_coordinate_, first_arc_word_;
 };
 

@@ -157,12 +157,14 @@ void BlockWords::take_g(Token const& token, std::string_view digits) {
       return;
     case FunctionMeaning::dwell:
       return motion_.moves() ? refuse(token, says::cannot_simulate_beside_dwell) : dwell_.begin(token);
-    case FunctionMeaning::exact_stop:
-      return motion_.set_exact_stop();
     case FunctionMeaning::ignored:
       return state_.problems.ignore(block_, token, "G" + std::to_string(*number), says::not_simulated);
     case FunctionMeaning::needs_tools:
     case FunctionMeaning::needs_offsets:
+    case FunctionMeaning::exact_stop:
+    case FunctionMeaning::braking:
+    case FunctionMeaning::rounds_corners:
+    case FunctionMeaning::foreign:
     case FunctionMeaning::unknown:
       return refuse(token, refusal_of(meaning));
   }
@@ -189,7 +191,7 @@ void BlockWords::take_value(Token const& token, std::string_view name, double va
   if (axis) return motion_.take_coordinate(token, *axis, value);
   if (is_one_of("F", name)) return motion_.take_feed(token, value);
   if (is_one_of("IJKR", name)) return motion_.take_arc_word(token, name.front(), value);
-  if (is_one_of("S", name)) state_.modal.speed = value;
+  if (is_one_of("S", name)) return motion_.take_speed(token, value);
   take_unused_value(block_, token, name, state_.problems);
 }
 

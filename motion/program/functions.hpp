@@ -14,10 +14,13 @@ namespace axisc::motion {
 enum class FunctionMeaning : std::uint8_t {
   nothing,      ///< it is in force, or switches off what the simulation has not
   dwell,        ///< the block says for how long
-  exact_stop,   ///< behind this block
   ignored,      ///< changes neither path nor filters
   needs_tools,  ///< refused, as are the following
   needs_offsets,
+  exact_stop,
+  braking,
+  rounds_corners,
+  foreign,  ///< no word of this control
   unknown,
 };
 
@@ -33,7 +36,7 @@ class ChosenFunctions {
   [[nodiscard]] bool choose(int number);
 
  private:
-  static constexpr std::size_t group_count = 7;
+  static constexpr std::size_t group_count = 6;
   std::array<std::optional<int>, group_count> chosen_{};
 };
 

@@ -19,7 +19,6 @@ struct ModalWords {
   bool incremental = false;
   bool inch = false;
   char plane_first = 'X', plane_second = 'Y';
-  bool exact_stop = false;     ///< behind every block
   std::optional<double> feed;  ///< position units per minute, or per revolution
   bool feed_per_revolution = false;
   std::optional<double> speed;  ///< revolutions per minute

@@ -15,9 +15,7 @@ std::string_view name_of(Code code) {
   return code == cannot_simulate ? "cannot-simulate" : "";
 }
 
-}  // namespace
-
-void ProgramProblems::report(NcBlock const& block, Token const& token, Code code, Message message) {
+ProgramProblem problem_at(NcBlock const& block, Token const& token, Code code, Message message) {
   ProgramProblem problem;
   problem.finding.code = code;
   problem.finding.severity = code == not_simulated ? Severity::warning : Severity::error;
@@ -31,7 +29,13 @@ void ProgramProblems::report(NcBlock const& block, Token const& token, Code code
   problem.line_text = block.lines.substr(begin, end - begin);
   problem.span = {.begin = static_cast<std::uint32_t>(at - begin),
                   .end = static_cast<std::uint32_t>(at - begin + token.span.size())};
-  sink_(std::move(problem));
+  return problem;
+}
+
+}  // namespace
+
+void ProgramProblems::report(NcBlock const& block, Token const& token, Code code, Message message) {
+  sink_(problem_at(block, token, code, std::move(message)));
 }
 
 void ProgramProblems::ignore(NcBlock const& block, Token const& token, std::string const& key,
@@ -40,6 +44,17 @@ void ProgramProblems::ignore(NcBlock const& block, Token const& token, std::stri
   if (ignored_.size() < most_named && ignored_.insert(key).second) {
     report(block, token, not_simulated, {.sentence = text, .arguments = std::move(arguments)});
   }
+}
+
+void ProgramProblems::ignore_unless_used(NcBlock const& block, Token const& token, std::string const& key,
+                                         SentenceRef text) {
+  if (later_) return;
+  later_ = problem_at(block, token, not_simulated, {.sentence = text, .arguments = {}});
+  later_key_ = key;
+}
+
+void ProgramProblems::finish() {
+  if (later_ && !used_ && ignored_.insert(later_key_).second) sink_(*std::move(later_));
 }
 
 void ProgramProblems::refuse(NcBlock const& block, Token const& token, SentenceRef text) {

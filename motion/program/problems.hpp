@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -32,6 +33,10 @@ class ProgramProblems {
   /// AX9007, once for each key.
   void ignore(NcBlock const& block, Token const& token, std::string const& key, SentenceRef text,
               std::vector<Argument> arguments = {});
+  /// The same at the end of the program, unless used() says before that some word of this kind counts.
+  void ignore_unless_used(NcBlock const& block, Token const& token, std::string const& key, SentenceRef text);
+  void used() { used_ = true; }
+  void finish();
   /// AX9008.
   void refuse(NcBlock const& block, Token const& token, SentenceRef text = says::cannot_simulate);
 
@@ -44,6 +49,9 @@ class ProgramProblems {
  private:
   std::function<void(ProgramProblem)> sink_;
   std::set<std::string> ignored_;
+  std::optional<ProgramProblem> later_;
+  std::string later_key_;
+  bool used_ = false;
   bool refused_ = false;
   bool broken_ = false;
 };

@@ -19,6 +19,7 @@ struct ProgramState {
 
   void end() {
     ended = true;
+    problems.finish();
     listener.end();
   }
 };

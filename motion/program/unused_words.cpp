@@ -13,15 +13,25 @@ constexpr Sentence not_simulated_technology{
 }  // namespace axisc::motion::says
 
 namespace axisc::motion {
+namespace {
+
+/// They share one warning.
+constexpr char const* technology_words = "technology";
+
+}  // namespace
 
 void ignore_technology(NcBlock const& block, Token const& token, ProgramProblems& problems) {
-  problems.ignore(block, token, "technology", says::not_simulated_technology);
+  problems.ignore(block, token, technology_words, says::not_simulated_technology);
+}
+
+void note_speed(NcBlock const& block, Token const& token, ProgramProblems& problems) {
+  problems.ignore_unless_used(block, token, technology_words, says::not_simulated_technology);
 }
 
 void take_unused_value(NcBlock const& block, Token const& token, std::string_view name,
                        ProgramProblems& problems) {
   constexpr std::string_view axes = "ABCUVWXYZ";
-  constexpr std::string_view technology = "DHST";
+  constexpr std::string_view technology = "DHT";
   char const letter = name.front();
   if (axes.find(letter) != std::string_view::npos) {
     std::string const axis(1, letter);

@@ -92,7 +92,7 @@ struct Survey final : motion::PathListener {
     if (!current.empty() && std::find(sets.begin(), sets.end(), current) == sets.end())
       sets.push_back(current);
   }
-  void stop(double cycles) override { require(cycles >= 0); }
+  void stop(double cycles, std::uint32_t /*line*/) override { require(cycles >= 0); }
   void end() override {}
   machine::FilterParameters current;
   std::vector<machine::FilterParameters> sets;

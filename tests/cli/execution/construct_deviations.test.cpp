@@ -71,7 +71,7 @@ TEST_CASE("constructs: deviation where blocks meet") {
   CHECK(found["blocks"][2]["max_axis_error_um"].get<double>() == Approx(leg));
 }
 
-TEST_CASE("constructs: exact stops and dwells") {
+TEST_CASE("constructs: stops and dwells") {
   auto const found = simulated_construct("stops.nc");
   // A block that passes a corner has one ramp of v/a = 1 ms, along v²/2a = 5 µm: L/v + v/2a.
   auto const one_ramp = [](double L) { return L / 10 + 0.0005; };
@@ -85,7 +85,7 @@ TEST_CASE("constructs: exact stops and dwells") {
                       {"N120", rest_to_rest(10)}});
   double const corner = sqrt2 * leg;
   check_deviations(found, {corner, corner, 0, 0, corner, corner, 0, 0});
-  // The motion up to each stop, in whole cycles; 40 cycles until 41 taps have settled, for N40, N50, N60 and the last dwell;
+  // The motion up to each stop, in whole cycles; 40 cycles until 41 taps have settled, for N45, N55, N65 and the last dwell;
   // two dwells that are longer.
   double const moving = 2.002 + 1.001 + 1.001 + 2.002 + 1.001 + 1.001;
   CHECK(found["passes"][0]["time_s"].get<double>() == Approx(moving + 4 * 0.04 + 0.5 + 0.25));

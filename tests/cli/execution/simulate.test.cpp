@@ -85,6 +85,64 @@ TEST_CASE("every cycle as CSV") {
   CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc", "-o", "p.nc"}, there).status == 2);
 }
 
+TEST_CASE("every cycle of a dwell is written, wherever it is") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  // 100 cycles, and 10 mm at 100 mm/s and 10 m/s²: 110 cycles; the moving average has settled 40 later, and once more behind
+  // the command: 100, or 40 without motion before.
+  folder.write("p.nc",
+               "N10 G04 X0.1\nN20 G01 X10 F6000\n#FILTER ON\nN30 G04 X0.1\nN40 G01 X0\n#FILTER OFF\nN50 G04 X0.1\n");
+  auto const outcome = run_axisc({"simulate", "m.json", "--program", "p.nc", "-o", "out.csv"}, there);
+  CHECK(outcome.status == 0);
+  std::size_t const cycles = (100 + 110) + (100 + 110 + 40) + 100;
+  CHECK_THAT(outcome.out, Catch::Matchers::Contains(", " + std::to_string(cycles) + " cycles"));
+  auto const rows = folder.read("out.csv");
+  CHECK(lines_of(rows) == cycles + 1);
+  CHECK_THAT(rows, Catch::Matchers::Contains("\n0.1,,0,0,0,0,0,0,0,0\n0.101,N20,"));
+  CHECK_THAT(rows, Catch::Matchers::Contains("\n0.31,,0,10,10,0,0,0,0,0\n0.311,N40,"));
+}
+
+TEST_CASE("a program that would last too long is refused with its line") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  auto const refused = [&](std::string const& program, std::vector<std::string> const& more = {}) {
+    folder.write("p.nc", program);
+    std::vector<std::string> words{"simulate", "m.json", "--program", "p.nc"};
+    words.insert(words.end(), more.begin(), more.end());
+    auto const outcome = run_axisc(words, there);
+    CHECK(outcome.status == 2);
+    return outcome.err;
+  };
+  using Catch::Matchers::Contains;
+  // 1 m at 1 nm/min; 0.1 mm at 1e-300 mm/min; with a tolerance.
+  CHECK_THAT(refused("G01 X1 F600\nG01 F0.000001 X1000\n"),
+             Contains("p.nc:2: ") && Contains("100000000 NC cycles (100000 s)") && Contains("--max-cycles"));
+  CHECK_THAT(refused("F0." + std::string(299, '0') + "1 G01 X0.1\n"), Contains("p.nc:1: "));
+  CHECK_THAT(refused("F0." + std::string(322, '0') + "1 G01 X0.1\n"), Contains("p.nc:1: "));
+  CHECK_THAT(refused("#FILTER ON [AX_DEV=0.001]\nG01 F0.000001 X1000\nY5\n"), Contains("p.nc:2: "));
+  CHECK_THAT(refused("#FILTER ON [AX_DEV=0.001]\nG01 F0.000001 G02 I1000\nY5 I1\n"), Contains("p.nc:2: "));
+  CHECK_THAT(refused("G04 X80000\nG04 X80000\n"), Contains("p.nc:2: "));
+  // Ten million rows, 10,000 s.
+  CHECK_THAT(refused("G04 X10001\n", {"-o", "out.csv"}), Contains("p.nc:1: ") && Contains("10000000 NC cycles"));
+  CHECK_THAT(refused("G04 X10001\n", {"--format", "csv"}), Contains("10000000 NC cycles"));
+  CHECK(folder.entries() == 3);
+  // 10 mm at 100 mm/s and 10 m/s²: 110 cycles.
+  CHECK_THAT(refused("G01 X10 F6000\n", {"--max-cycles", "109"}), Contains("p.nc:1: ") && Contains("109 NC cycles"));
+  CHECK(run_axisc({"simulate", "m.json", "--program", "p.nc", "--max-cycles", "110"}, there).status == 0);
+  CHECK_THAT(refused("G01 X10 F6000\n", {"--max-cycles", "0"}), Contains("--max-cycles"));
+}
+
+TEST_CASE("passes say which tolerance they keep") {
+  TemporaryFolder const folder;
+  auto const there = two_axes(folder);
+  folder.write("p.nc", "#FILTER ON [AX_DEV=0.01]\nG01 X1 F1000\nY1\n#FILTER ON\nX0\n");
+  auto const found = simulate(there, {"m.json", "--program", "p.nc"});
+  CHECK(found["passes"][0]["tolerance_um"] == 10);
+  CHECK(found["passes"][0]["tolerance_kept"] == true);
+  CHECK(found["passes"][1]["tolerance_um"].is_null());
+  CHECK(found["passes"][1]["tolerance_kept"].is_null());
+}
+
 TEST_CASE("predicted and simulated corners agree at constant path velocity") {
   TemporaryFolder const folder;
   auto const there = two_axes(folder);

@@ -138,4 +138,8 @@ TEST_CASE("mistakes of plant files and moves") {
   for (std::string const move : {"X", "X:0", "X:a", ":5", "X:5:0", "Q:5"}) {
     static_cast<void>(error("{}", move));
   }
+  // 800 mm at 1 nm/min.
+  auto const slow = run_axisc({"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move", "X:800:0.000001"});
+  CHECK(slow.status == 2);
+  CHECK_THAT(slow.err, Catch::Matchers::Contains("NC cycles"));
 }
