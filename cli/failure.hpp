@@ -30,7 +30,7 @@ class Failure : public std::exception {
   std::string what_;
 };
 
-/// Thrown inside cli/ when nobody reads standard output any more; main() ends without a word, as other filters do.
+/// Thrown inside cli/ when nobody reads standard output any more; main() exits silently, as other filters do.
 struct ReaderGone {};
 
 /// "axisc: warning: …" with a line end.

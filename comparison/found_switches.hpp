@@ -1,4 +1,5 @@
-// #FILTER commands that nobody named: cycles of a recording from which on the linear-phase filter is on or off.
+// #FILTER commands not given with `--at`: cycles of a recording from which on the linear-phase filter is on
+// or off.
 #pragma once
 
 #include "comparison/readings.hpp"

@@ -4,8 +4,10 @@
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/format_number.hpp"
 #include "schema/closest_word.hpp"
+#include "schema/value.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string_view>
@@ -52,13 +54,11 @@ std::string joined(Words const& words) {
   return text;
 }
 
-std::string range_text(JsonShape const& shape) {
-  if (shape.lowest == shape.highest) return "= " + format_exact(shape.lowest);
-  std::string text;
-  if (std::isfinite(shape.lowest)) text = (shape.above_lowest ? "> " : "≥ ") + format_exact(shape.lowest);
-  if (std::isfinite(shape.highest)) {
-    text.append(text.empty() ? "≤ " : ", ≤ ").append(format_exact(shape.highest));
-  }
+Wording range_text(JsonShape const& shape) {
+  if (shape.lowest == shape.highest) return "= " + exact_number(shape.lowest);
+  Wording text;
+  if (std::isfinite(shape.lowest)) text = (shape.above_lowest ? "> " : "≥ ") + exact_number(shape.lowest);
+  if (std::isfinite(shape.highest)) text += (text.empty() ? "≤ " : ", ≤ ") + exact_number(shape.highest);
   return text;
 }
 
@@ -101,6 +101,27 @@ SentenceRef number_sentence(JsonShape const& shape) {
   return range_text(shape).empty() || shape.sentence ? says::number : says::range;
 }
 
+/// The number that a text was meant to be, `1000` or, where the key is in µs, `1ms`; empty for other texts.
+std::string number_meant(JsonShape const& shape, std::string_view key, std::string_view text) {
+  struct Unit {
+    std::string_view word;
+    double microseconds;
+  };
+  constexpr std::array units{Unit{"us", 1}, Unit{"µs", 1}, Unit{"ms", 1e3}, Unit{"s", 1e6}};
+  std::size_t size = text.size();
+  while (size > 0 && !schema::is_complete_number(text.substr(0, size))) --size;
+  if (size == 0) return {};
+  double factor = 1;
+  if (std::string_view const word = ascii::trimmed(text.substr(size)); !word.empty()) {
+    auto const* const unit =
+        std::find_if(units.begin(), units.end(), [word](Unit const& each) { return each.word == word; });
+    if (unit == units.end() || !key.ends_with("_us")) return {};
+    factor = unit->microseconds;
+  }
+  double const number = schema::read_real(text.substr(0, size)).number * factor;
+  return is_in_range(shape, number) ? format_exact(number) : std::string();
+}
+
 class Checker {
  public:
   explicit Checker(JsonDocument const& document) : document_(document) {
@@ -115,27 +136,30 @@ class Checker {
  private:
   JsonProblem& add(Span span, SentenceRef text, std::vector<Argument> arguments = {}) {
     return check_.problems.emplace_back(
-        JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}});
+        JsonProblem{span, {.sentence = text, .arguments = std::move(arguments)}, {}, {}, {}, {}});
   }
 
   /// The shape's own sentence, otherwise the general one.
-  JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, std::string value,
+  JsonProblem& refuse(JsonShape const& shape, Span span, std::string_view key, Wording value,
                       SentenceRef general) {
     std::vector<Argument> arguments{{"key", std::string(key)}, {"value", std::move(value)}};
     if (!shape.sentence) arguments.push_back({"range", range_text(shape)});
     return add(span, shape.sentence.value_or(general), std::move(arguments));
   }
 
-  void refuse_kind(JsonShape const& shape, Span span, std::string_view key) {
+  void refuse_kind(JsonShape const& shape, JsonValue const& value, std::string_view key) {
     Argument const name{"key", std::string(key)};
+    Span const span = value.span;
     switch (shape.kind) {
       case Kind::flag:
         add(span, says::flag, {name});
         break;
       case Kind::number:
-      case Kind::whole_number:
-        add(span, number_sentence(shape), {name, {"range", range_text(shape)}});
+      case Kind::whole_number: {
+        JsonProblem& problem = add(span, number_sentence(shape), {name, {"range", range_text(shape)}});
+        if (value.kind == JsonKind::string) problem.number = number_meant(shape, key, value.string);
         break;
+      }
       case Kind::text:
         add(span, says::text, {name});
         break;
@@ -149,14 +173,14 @@ class Checker {
 
   void check_value(JsonShape const& shape, std::size_t index, std::string_view key) {
     JsonValue const& value = document_[index];
-    if (!is_of_kind(shape, value)) return refuse_kind(shape, value.span, key);
+    if (!is_of_kind(shape, value)) return refuse_kind(shape, value, key);
     check_.readable[index] = true;
     switch (shape.kind) {
       case Kind::number:
       case Kind::whole_number:
         if (is_in_range(shape, value.number)) break;
         check_.readable[index] = false;
-        refuse(shape, value.span, key, format_exact(value.number), number_sentence(shape));
+        refuse(shape, value.span, key, exact_number(value.number), number_sentence(shape));
         break;
       case Kind::text:
         check_.readable[index] = check_text(shape, value.string, value.span, key);
@@ -208,7 +232,7 @@ class Checker {
       JsonValue const& value = document_[item];
       if (!is_of_kind(*shape.items, value)) {
         bool const has_sentence = list_sentence(*shape.items) != says::list;
-        refuse_kind(has_sentence ? shape : *shape.items, value.span, key);
+        refuse_kind(has_sentence ? shape : *shape.items, value, key);
         continue;
       }
       check_value(*shape.items, item, key);

@@ -16,6 +16,7 @@ struct JsonProblem {
   Message message;
   std::optional<Span> first;  ///< of a repeated key: where it is for the first time
   std::string suggestion;     ///< what was probably meant to be at `span`, without quotes; may be empty
+  std::string number;         ///< for a text that was meant to be a number: "1000"; may be empty
   std::string known_keys;     ///< for an unknown key: "name, list, drive"
 };
 

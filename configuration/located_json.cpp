@@ -12,11 +12,11 @@ constexpr Sentence trailing_comma{"JSON has no comma after the last entry",
                                   "in JSON steht nach dem letzten Eintrag kein Komma"};
 constexpr Sentence comment{"JSON has no comments", "JSON hat keine Kommentare"};
 constexpr Sentence single_quotes{"JSON has texts in double quotes",
-                                 "in JSON stehen Texte in doppelten AnfÃ¼hrungszeichen"};
+                                 "in JSON stehen Texte in doppelten Anführungszeichen"};
 constexpr Sentence missing_comma{"a comma is missing before this", "davor fehlt ein Komma"};
 constexpr Sentence bare_word{
     "texts and keys are in double quotes; the only bare words are true, false and null",
-    "Texte und SchlÃ¼ssel stehen in doppelten AnfÃ¼hrungszeichen; ohne stehen nur true, false und null"};
+    "Texte und Schlüssel stehen in doppelten Anführungszeichen; ohne stehen nur true, false und null"};
 constexpr Sentence too_deep{"JSON is read up to {most} nested brackets",
                             "JSON wird bis zu {most} ineinandergeschachtelten Klammern gelesen"};
 

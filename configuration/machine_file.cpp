@@ -25,6 +25,7 @@ constexpr Sentence no_axes{"a machine needs at least one axis",
                            "eine Maschine braucht mindestens eine Achse"};
 constexpr Sentence repeated_axis{"the axis name \"{name}\" is used twice",
                                  "der Achsname \"{name}\" kommt zweimal vor"};
+constexpr Sentence known_axes{"its axes: {names}", "ihre Achsen: {names}"};
 constexpr Sentence unknown_axis{"this machine has no axis \"{name}\"",
                                 "diese Maschine hat keine Achse \"{name}\""};
 
@@ -133,6 +134,23 @@ constexpr JsonShape machine_file_shape{
 
 namespace {
 
+std::string joined(std::vector<std::string_view> const& words) {
+  std::string text;
+  for (std::string_view const word : words) text.append(text.empty() ? "" : ", ").append(word);
+  return text;
+}
+
+/// A machine file that was written on Windows names the same files everywhere.
+void use_slashes(MachineFile& machine) {
+  auto const use = [](LocatedText& name) { std::replace(name.text.begin(), name.text.end(), '\\', '/'); };
+  if (machine.default_list) use(*machine.default_list);
+  for (MachineFileAxis& axis : machine.axes) use(axis.list);
+  for (LocatedText& program : machine.programs) use(program);
+  for (MachineFileGroup& group : machine.groups) {
+    for (LocatedText& program : group.programs) use(program);
+  }
+}
+
 class MachineFileReader {
  public:
   MachineFileReader(SourceText const& text, SourceId source, std::deque<Finding>& findings)
@@ -150,6 +168,7 @@ class MachineFileReader {
     MachineFile machine;
     if (!check.readable.front()) return machine;
     JsonReading(document, check.readable, source_).fill(machine_file_shape, document.root(), &machine);
+    use_slashes(machine);
     require_distinct_axes(machine.axes);
     for (MachineFileGroup& group : machine.groups) {
       require_axes(group.axes);
@@ -179,6 +198,11 @@ class MachineFileReader {
   void tell(JsonProblem const& problem) {
     Finding& finding = add(problem.span, problem.message);
     suggest(finding, problem.suggestion);
+    if (!problem.number.empty()) {
+      finding.fix =
+          write({.sentence = says::json_write_number, .arguments = {{"replacement", problem.number}}},
+                *finding.place, problem.number);
+    }
     if (ascii::equal_ignoring_case(text_.slice(problem.span), "\"EtherCAT\"")) {
       finding.help.push_back({.sentence = says::ethercat, .arguments = {}});
     }
@@ -196,10 +220,15 @@ class MachineFileReader {
   static void suggest(Finding& finding, std::string const& word) {
     if (word.empty()) return;
     finding.help.push_back({.sentence = says::json_did_you_mean, .arguments = {{"suggestion", word}}});
+    finding.fix = write({.sentence = says::json_fix, .arguments = {{"replacement", word}}}, *finding.place,
+                        '"' + word + '"');
+  }
+
+  static Fix write(Message title, Place place, std::string text) {
     Fix fix;
-    fix.title = {.sentence = says::json_fix, .arguments = {{"replacement", word}}};
-    fix.edits.push_back({.place = *finding.place, .text = '"' + word + '"'});
-    finding.fix = std::move(fix);
+    fix.title = std::move(title);
+    fix.edits.push_back({.place = place, .text = std::move(text)});
+    return fix;
   }
 
   /// Leaves out repeated axes and those without name or list; afterwards all names are known.
@@ -224,7 +253,11 @@ class MachineFileReader {
     std::vector<std::string_view> known;
     for (auto const& [axis, place] : axis_names_) known.push_back(axis);
     Message message{.sentence = says::unknown_axis, .arguments = {{"name", name.text}}};
-    suggest(add(name.place.span, std::move(message)), std::string(schema::closest_word(name.text, known)));
+    Finding& finding = add(name.place.span, std::move(message));
+    suggest(finding, std::string(schema::closest_word(name.text, known)));
+    if (!finding.fix && !known.empty()) {
+      finding.notes.push_back({.sentence = says::known_axes, .arguments = {{"names", joined(known)}}});
+    }
     return false;
   }
 

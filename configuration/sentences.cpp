@@ -9,6 +9,8 @@ constinit Sentence const json_missing_key{"the key \"{key}\" is missing here",
 constinit Sentence const json_cycle_time{
     "the cycle time must be 20 to 100000 µs, not {value} µs; a millisecond is 1000",
     "die Zykluszeit muss 20 bis 100000 µs betragen, nicht {value} µs; eine Millisekunde ist 1000"};
+constinit Sentence const json_write_number{"write {replacement}, without quotes",
+                                           "{replacement} schreiben, ohne Anführungszeichen"};
 constinit Sentence const json_repeated_value{R"("{value}" is in "{key}" twice)",
                                              R"("{value}" steht zweimal in "{key}")"};
 

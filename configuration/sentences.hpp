@@ -9,6 +9,7 @@ extern Sentence const json_did_you_mean;
 extern Sentence const json_known_keys;
 extern Sentence const json_missing_key;
 extern Sentence const json_cycle_time;
+extern Sentence const json_write_number;
 extern Sentence const json_repeated_value;
 
 }  // namespace axisc::configuration::says

@@ -46,7 +46,7 @@ struct ControlReaction {
   std::string message;  ///< its message numbers, "50663" or "50663/60311"; empty where it has none
   std::optional<Message> reaction;  ///< in words
   std::string value;                ///< the value it would run with; empty where none is known
-  std::string physical = {};  ///< that value in the unit of a person; empty where this says nothing more
+  Wording physical = {};  ///< that value in the unit of a person; empty where this says nothing more
 };
 
 struct Finding {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 namespace axisc {
 namespace {
 
@@ -43,7 +45,11 @@ std::string format_exact(double value) {
   return std::string(text_in(buffer, result));
 }
 
-std::string format_rounded(double value, int significant_digits) {
+Wording exact_number(double value) {
+  return Wording::number(format_exact(value));
+}
+
+Wording format_rounded(double value, int significant_digits) {
   if (!std::isfinite(value)) return format_exact(value);
   int const digits = std::clamp(significant_digits, 1, 17);
   Buffer buffer{};
@@ -58,7 +64,11 @@ std::string format_rounded(double value, int significant_digits) {
     int const decimals = std::max(0, digits - 1 - exponent);
     result = std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, decimals);
   }
-  return without_trailing_zeros(text_in(buffer, result));
+  return Wording::number(without_trailing_zeros(text_in(buffer, result)));
+}
+
+Wording format_fixed(double value, int decimals) {
+  return Wording::number(fmt::format("{:.{}f}", value, decimals));
 }
 
 }  // namespace axisc

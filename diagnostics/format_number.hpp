@@ -1,6 +1,8 @@
-// Numbers as text: an exact form, and a rounded one for readers. Both use the decimal point in every language and
-// locale, because that is what the control reads.
+// Numbers as text, whatever the locale: with a decimal point for files, because that is what the control
+// reads, and for readers, with the decimal sign of their language.
 #pragma once
+
+#include "diagnostics/wording.hpp"
 
 #include <string>
 
@@ -11,8 +13,14 @@ namespace axisc {
 /// keeps its sign.
 [[nodiscard]] std::string format_exact(double value);
 
+/// format_exact() for readers.
+[[nodiscard]] Wording exact_number(double value);
+
 /// `value` rounded to `significant_digits` (1 to 17) for readers: "6.28", "0.00123", "1.2e-07". No trailing zeros and
 /// no negative zero. Digits before the point are never rounded away: 1234.6 with three digits is "1235", not "1230".
-[[nodiscard]] std::string format_rounded(double value, int significant_digits);
+[[nodiscard]] Wording format_rounded(double value, int significant_digits);
+
+/// `value` with so many decimals, for columns: "6.280".
+[[nodiscard]] Wording format_fixed(double value, int decimals);
 
 }  // namespace axisc

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "diagnostics/sentence.hpp"
+#include "diagnostics/wording.hpp"
 
 #include <cstdint>
 #include <span>
@@ -18,10 +19,11 @@ inline constexpr Sentence as_given{"{text}", "{text}"};
 
 }  // namespace says
 
-/// One value for a placeholder: UTF-8, already formatted for the reader ("12 ms", "`filter[0].order`").
+/// One value for a placeholder: UTF-8, already formatted for the reader ("12 ms", "`filter[0].order`"). A
+/// placeholder in a code span, `{value}`, shows it as lists have it, with a decimal point.
 struct Argument {
   std::string_view name;
-  std::string value;
+  Wording value;
 };
 
 struct Message {

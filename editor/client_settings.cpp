@@ -77,7 +77,7 @@ void Server::ask_for_settings() {
                          {{"items", Json::array({{{"section", section_name}}})}}));
 }
 
-// Who answers questions about settings may tell something else, or nothing.
+// Clients that support workspace/configuration may push other settings here, or none.
 Json Server::configure(Json const& params) {
   ask_for_settings();
   auto const told = params.is_object() ? client_settings(params.value("settings", Json())) : std::nullopt;

@@ -240,7 +240,7 @@ Json Server::complete(Json const& params) {
   auto const range = range_from(begin + value);
   items = value_items(*found.row, surroundings_.language, range);
   auto const prefix = typed.substr(value);
-  // Nobody looks for a number among all of them before he begins to write one.
+  // Numbers are offered after two characters.
   if (prefix.size() >= 2) add_references(items, list.catalogue(), prefix, range, documentation);
   return items;
 }

@@ -124,7 +124,7 @@ std::vector<std::string> Server::publish() {
 
 Json Server::pull(Json const& params) {
   auto const& asked = document(params);
-  // Who asks may not watch the files of the disk.
+  // Clients that pull need not watch files on disk.
   forget_readings();
   return {{"kind", "full"}, {"items", diagnostics(reading_of(asked), asked)}};
 }

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// "= 42.5 Hz"; empty where the unit depends on an axis type that the list does not tell.
-std::string quantity(OpenList const& list, grammar::Assignment const& line) {
+std::string quantity(OpenList const& list, grammar::Assignment const& line, Language language) {
   auto const found = list.find(list.slice(line.name));
   if (found.row == nullptr || !found.row->symbols.empty()) return {};
   auto const number = schema::read_real(list.slice(line.value));
@@ -31,7 +31,7 @@ std::string quantity(OpenList const& list, grammar::Assignment const& line) {
   if (depends && list.axis() == nullptr) return {};
   auto const unit = validator::unit_of(
       *found.row, list.axis() == nullptr ? machine::AxisType::translatory : list.axis()->type);
-  return unit.empty() ? "" : "= " + validator::physical(number.number, unit);
+  return unit.empty() ? "" : "= " + validator::physical(number.number, unit).in(language);
 }
 
 /// What the filter's type uses and no list sets: "order 2, guete 1".
@@ -70,7 +70,9 @@ Json Server::hints(Json const& params) {
                      {"label", std::move(label)},
                      {"paddingLeft", true}});
   };
-  for (auto const& line : list.tree().assignments) add(line.value.end, quantity(list, line));
+  for (auto const& line : list.tree().assignments) {
+    add(line.value.end, quantity(list, line, surroundings_.language));
+  }
   if (list.axis() == nullptr) return hints;
   auto const& values = list.axis()->merged.values;
   for (auto const& filter : validator::touched_filters(values)) {

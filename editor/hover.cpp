@@ -31,23 +31,24 @@ std::string_view unit_of(OpenList const& list, schema::Parameter const& paramete
 }
 
 /// "20000 = 20 ms".
-std::string with_unit(std::string_view raw, double number, std::string_view unit) {
+std::string with_unit(std::string_view raw, double number, std::string_view unit, Language language) {
   if (unit.empty()) return std::string(raw);
-  auto const physical = validator::physical(number, unit);
+  auto const physical = validator::physical(number, unit).in(language);
   return std::string(raw) +
          (validator::is_scaled(unit) ? " = " + physical : physical.substr(physical.find(' ')));
 }
 
-std::string quantity(OpenList const& list, schema::Parameter const& parameter, std::string_view raw) {
+std::string quantity(OpenList const& list, schema::Parameter const& parameter, std::string_view raw,
+                     Language language) {
   auto const number = schema::read_real(raw);
   if (number.status != schema::NumberStatus::good || !parameter.symbols.empty()) return std::string(raw);
   auto const unit = unit_of(list, parameter);
   if (list.axis() == nullptr && parameter.unit_rotary != parameter.unit_translatory &&
       !parameter.unit_rotary.empty()) {
-    return with_unit(raw, number.number, unit) + " | " +
-           validator::physical(number.number, parameter.unit_rotary);
+    return with_unit(raw, number.number, unit, language) + " | " +
+           validator::physical(number.number, parameter.unit_rotary).in(language);
   }
-  return with_unit(raw, number.number, unit);
+  return with_unit(raw, number.number, unit, language);
 }
 
 /// What the catalogue says about a value of an enumeration; empty where it says nothing.
@@ -73,7 +74,7 @@ std::string value_meaning(schema::Parameter const& parameter, std::string_view r
 std::string value_text(OpenList const& list, schema::Parameter const& parameter, std::string_view raw,
                        Language language) {
   auto const meaning = value_meaning(parameter, raw, language);
-  return quantity(list, parameter, raw) + (meaning.empty() ? "" : ": " + meaning);
+  return quantity(list, parameter, raw, language) + (meaning.empty() ? "" : ": " + meaning);
 }
 
 /// The value that the axis has, where its line is elsewhere.

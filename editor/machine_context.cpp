@@ -15,7 +15,7 @@ namespace axisc::editor {
 
 namespace {
 
-/// Further up nobody keeps the lists of a machine.
+/// The lists of a machine are not kept further up.
 constexpr int most_folders = 16;
 
 bool ends_in(std::string_view path, std::string_view extension) {

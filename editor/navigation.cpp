@@ -75,11 +75,12 @@ std::vector<NamedFile> named_files(Buffers& files, SourceSet& sources, Document 
 }
 
 /// "BANDSTOP 42 Hz" of a filter.
-std::string summary(std::string_view key, std::string_view value) {
+std::string summary(std::string_view key, std::string_view value, Language language) {
   if (key == "type") return std::string(value);
   if (key != "fg_f0") return {};
   auto const number = schema::read_real(value);
-  return number.status == schema::NumberStatus::good ? validator::physical(number.number, "Hz") : "";
+  return number.status == schema::NumberStatus::good ? validator::physical(number.number, "Hz").in(language)
+                                                     : "";
 }
 
 }  // namespace
@@ -184,7 +185,7 @@ Json Server::symbols(Json const& params) {
     auto& last = families.back();
     last["range"]["end"] = range["end"];
     last["children"].push_back(std::move(symbol));
-    auto const said = summary(name, value);
+    auto const said = summary(name, value, surroundings_.language);
     if (said.empty()) continue;
     auto& detail = last["detail"].get_ref<std::string&>();
     if (!detail.empty()) detail += ' ';

@@ -142,7 +142,7 @@ std::vector<std::string> Server::take(Json const& message) {
   if (handler == nullptr) return refuse(ErrorCode::method_not_found, "unknown method " + name);
   try {
     auto const result = (this->*handler)(message.contains("params") ? message["params"] : Json());
-    // What is due is said before the farewell.
+    // Pending messages are flushed before the shutdown reply.
     auto messages = std::exchange(due_, {});
     if (phase_ == Phase::shut_down) {
       for (auto& due : publish()) messages.push_back(std::move(due));

@@ -121,7 +121,7 @@ Json Server::capabilities(std::string const& encoding) const {
       {"workspaceSymbolProvider", true},
       {"executeCommandProvider", {{"commands", std::move(names)}}},
       {"codeActionProvider", {{"codeActionKinds", {"quickfix", "refactor.rewrite", "source.fixAll.axisc"}}}}};
-  // Who is told and asks as well shows each finding twice.
+  // Clients that both pull and receive pushes show findings twice.
   if (!takes_pushed_) {
     all["diagnosticProvider"] = {{"interFileDependencies", true}, {"workspaceDiagnostics", false}};
   }

@@ -1,4 +1,4 @@
-// Reads a list line by line, for who can tell some of its lines without the grammar.
+// Reads a list line by line, for callers that recognise simple lines themselves.
 #pragma once
 
 #include "grammar/axis_list.hpp"

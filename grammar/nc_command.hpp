@@ -72,8 +72,8 @@ struct NcCommand {
 /// where the text begins with anything else. Spans count from the start of `text`.
 [[nodiscard]] std::optional<NcCommand> parse_nc_command(std::string_view text);
 
-/// The command whose `#` stands at `position` of a block; its spans count from `offset` more. `position`
-/// stands behind what belongs to it then, or where it is not written as it should be.
+/// The command whose `#` is at `position` of a block; its spans count from `offset` more. `position` is then
+/// after what belongs to it, or where it is not written as it should be.
 [[nodiscard]] NcCommand read_nc_command(std::string_view block, std::size_t& position, std::uint32_t offset);
 
 }  // namespace axisc::grammar

@@ -143,7 +143,7 @@ std::size_t split_lines(std::string_view text, PlainLines const& lines, std::siz
                         std::span<Assignment> out) {
   std::uint32_t const* const begins = lines.begins.data();
   std::size_t count = 0;
-  std::size_t index = next;  // Nobody else changes it.
+  std::size_t index = next;  // A copy, which no write through a pointer can change.
   for (; index < lines.count && count < out.size(); ++index) {
     if (lines.unusual[index]) break;
     std::uint32_t const begin = begins[index];

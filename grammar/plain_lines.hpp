@@ -30,7 +30,7 @@ inline constexpr std::size_t bytes_at_once = 32768;
 struct PlainLines {
   static constexpr std::size_t room = lines_at_once + room_behind_line;
 
-  /// Of each line; that of the next one is the byte behind its line feed.
+  /// Of each line; that of the next one is the byte after its line feed.
   std::array<std::uint32_t, room + 4> begins;
   /// The line has a byte that hardly any line has: a control character, one above 0x7E, a colon (which a
   /// directive needs). The grammar has to look at it.

@@ -68,7 +68,7 @@ struct Panel {
   std::optional<Axis> x = {};          ///< its own horizontal axis, without the figure's marks
 };
 
-/// The figures in numbers, for who wants to copy them.
+/// The figures in numbers, for copying.
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
@@ -77,7 +77,7 @@ struct Table {
 /// Panels one above the other that share their horizontal axis, as far as they have none of their own.
 struct Figure {
   std::string title = {};
-  std::string description = {};  ///< the figures in words, for who does not see the picture
+  std::string description = {};  ///< the figures in words: alternative text
   Axis x = {};
   std::vector<Panel> panels = {};
   std::vector<Mark> marks = {};

@@ -47,7 +47,7 @@ class Sampler {
     return true;
   }
 
-  /// Adds all points behind `a` up to `b`.
+  /// Adds all points after `a` up to `b`.
   void refine(Point const& a, Point const& b) {
     std::vector<Point> ends{b};
     Point begin = a;

@@ -150,8 +150,8 @@ class Writer {
 
   [[nodiscard]] static std::string scale_text(Axis const& axis, double begin, double end) {
     return (axis.scale == Scale::logarithmic ? "logarithmic " : "linear ") +
-           format_rounded(axis.low, scale_digits) + " " + format_rounded(axis.high, scale_digits) + " " +
-           pixels(begin) + " " + pixels(end);
+           format_rounded(axis.low, scale_digits).written() + " " +
+           format_rounded(axis.high, scale_digits).written() + " " + pixels(begin) + " " + pixels(end);
   }
 
   [[nodiscard]] Axis const& axis_of(Panel const& panel) const { return panel.x ? *panel.x : figure_.x; }

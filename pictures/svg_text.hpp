@@ -6,7 +6,7 @@
 
 namespace axisc::pictures {
 
-/// With two decimals at most and no trailing zeros: a hundredth of a pixel is seen by nobody. `value` is finite.
+/// With two decimals at most and no trailing zeros: a hundredth of a pixel cannot be seen. `value` is finite.
 [[nodiscard]] std::string pixels(double value);
 
 /// Text between tags or in an attribute.

@@ -9,7 +9,7 @@ namespace axisc::pictures {
 /// In pixels, for UTF-8 in a font of `size` pixels.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
-/// The text, or as much of it as fits into `width` with an ellipsis behind it.
+/// The text, or as much of it as fits into `width` followed by an ellipsis.
 [[nodiscard]] std::string fitted(std::string_view text, double size, double width);
 
 }  // namespace axisc::pictures

@@ -53,8 +53,8 @@ std::vector<double> ticks_of(Axis const& axis, std::size_t wanted) {
 
 std::string number_text(double value, Language language) {
   constexpr int digits = 6;
-  std::string text = format_rounded(value, digits);
-  std::size_t const point = std::min(text.find_first_of(".e"), text.size());
+  std::string text = format_rounded(value, digits).in(language);
+  std::size_t const point = std::min(text.find_first_of(".,e"), text.size());
   std::size_t const first = text.starts_with('-') ? 1 : 0;
   // Four digits are read without help.
   constexpr std::size_t group = 3;
@@ -64,7 +64,6 @@ std::string number_text(double value, Language language) {
       text.insert(at, narrow_space);
     }
   }
-  if (language == Language::german) std::replace(text.begin(), text.end(), '.', ',');
   return text;
 }
 

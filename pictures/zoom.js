@@ -37,6 +37,14 @@ function rising([xs, ys]) {
   return [outX, outY];
 }
 
+/// With the decimal sign of the page, whatever the browser's language is.
+function written(value, digits) {
+  return Number(value.toPrecision(digits))
+    .toLocaleString(document.documentElement.lang, { useGrouping: false, maximumFractionDigits: 20 });
+}
+const shown = (value) => value === null || value === undefined ? "–" : written(value, 4);
+const values = (u, ticks) => ticks.map((value) => value === null ? "" : written(value, 6));
+
 function chartOf(panel, width, sync, words) {
   const x = scaleOf(panel.dataset.x), y = scaleOf(panel.dataset.y);
   const curves = [...panel.querySelectorAll("path.curve")].filter((path) => !path.classList.contains("bar"));
@@ -49,7 +57,7 @@ function chartOf(panel, width, sync, words) {
     return {
       label: path.querySelector("title").textContent, stroke: style.stroke, width: parseFloat(style.strokeWidth),
       dash: dash === "none" ? undefined : dash.split(",").map(parseFloat), spanGaps: true,
-      points: { show: path.classList.contains("measured") }, value: (u, value) => value === null || value === undefined ? "–" : Number(value.toPrecision(4)).toString(),
+      points: { show: path.classList.contains("measured") }, value: (u, value) => shown(value),
     };
   });
   return new uPlot({
@@ -57,8 +65,9 @@ function chartOf(panel, width, sync, words) {
     // Scales that do not snap to decades or round numbers.
     scales: { x: { time: false, distr: x.log ? 3 : 1, min: x.low, max: x.high, range: (u, low, high) => [low, high] },
               y: { min: y.low, max: y.high, range: () => [y.low, y.high] } },
-    axes: [{ label: panel.dataset.xLabel, stroke: ink, grid, ticks: grid }, { label: panel.dataset.yLabel, stroke: ink, grid, ticks: grid, size: 64 }],
-    series: [{ label: panel.dataset.xLabel, value: (u, value) => value === null ? "–" : Number(value.toPrecision(4)).toString() }, ...series],
+    axes: [{ label: panel.dataset.xLabel, stroke: ink, grid, ticks: grid, values },
+           { label: panel.dataset.yLabel, stroke: ink, grid, ticks: grid, size: 64, values }],
+    series: [{ label: panel.dataset.xLabel, value: (u, value) => shown(value) }, ...series],
     hooks: { setScale: [(u, key) => { if (key === "x" && words.follow) words.follow(u); }] },
   }, joined, document.createElement("div"));
 }

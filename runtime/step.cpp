@@ -21,8 +21,8 @@ uint64_t step_both(axisrt const& runtime, axisrt const& before, LinePort axisrt:
   return worst;
 }
 
-/// A change of image goes on, or a recorder runs along.
-bool has_company(axisrt const& runtime) {
+/// The image is being changed, or a recorder is running.
+bool is_changing_or_recorded(axisrt const& runtime) {
   return runtime.recorder != nullptr || runtime.change->begun != 0;
 }
 
@@ -46,8 +46,8 @@ axisrt_status execute_in_change(axisrt const& runtime, LinePort axisrt::*port, C
       in_cycle_arithmetic([&] { return step_both(runtime, *before, port, call); }));
 }
 
-AXISRT_APART axisrt_status step_in_company(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind,
-                                           Call call) {
+AXISRT_APART axisrt_status step_slow_path(axisrt const& runtime, LinePort axisrt::*port, uint32_t kind,
+                                          Call call) {
   if (runtime.recorder == nullptr) return execute_in_change(runtime, port, call);
   EntrySizes const& sizes = runtime.recorder->sizes;
   Entry entry(runtime.recorder, kind, 0, kind == axrd_step ? sizes.step : sizes.step_interface);
@@ -59,10 +59,10 @@ AXISRT_APART axisrt_status step_in_company(axisrt const& runtime, LinePort axisr
   return worst;
 }
 
-AXISRT_APART axisrt_status step_setpoints_in_company(axisrt const& runtime, Call call) {
+AXISRT_APART axisrt_status step_setpoints_slow_path(axisrt const& runtime, Call call) {
   bool const changes = changes_from(runtime) != nullptr;
   if (changes) advance(*runtime.change);
-  axisrt_status const worst = step_in_company(runtime, &axisrt::setpoint, axrd_step, call);
+  axisrt_status const worst = step_slow_path(runtime, &axisrt::setpoint, axrd_step, call);
   if (changes) {
     for (uint32_t i = 0; i < runtime.axis_count; ++i) runtime.change->outputs[i] = call.out[i];
   }
@@ -78,16 +78,16 @@ axisrt_status axisrt_step(axisrt* runtime, double const* in, double* out, uint8_
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
   Call const call{.in = in, .out = out, .status = status};
-  return has_company(*runtime) ? step_setpoints_in_company(*runtime, call)
-                               : execute(*runtime, runtime->setpoint.port, call);
+  return is_changing_or_recorded(*runtime) ? step_setpoints_slow_path(*runtime, call)
+                                           : execute(*runtime, runtime->setpoint.port, call);
 }
 
 axisrt_status axisrt_step_interface(axisrt* runtime, double const* in, double* out, uint8_t* status) {
   using namespace axisc::runtime;
   if (runtime == nullptr || in == nullptr || out == nullptr) return AXISRT_BAD_ARGUMENT;
   Call const call{.in = in, .out = out, .status = status};
-  return has_company(*runtime)
-             ? step_in_company(*runtime, &axisrt::additional_interface, axrd_step_interface, call)
+  return is_changing_or_recorded(*runtime)
+             ? step_slow_path(*runtime, &axisrt::additional_interface, axrd_step_interface, call)
              : execute(*runtime, runtime->additional_interface.port, call);
 }
 // NOLINTEND(readability-non-const-parameter)

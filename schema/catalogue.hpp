@@ -55,7 +55,7 @@ struct alignas(64) Parameter {
   std::uint16_t p_axis = 0;        ///< 140 for P-AXIS-00140; 0 where no number is documented
   std::uint16_t max_length = 0;    ///< of a string, in characters; 0 where none is documented
   bool is_flags = false;           ///< an enumeration of which a value joins several words by `|`
-  ListKind kind = ListKind::axis;  ///< of the lists that it stands in
+  ListKind kind = ListKind::axis;  ///< of the lists that it is in
   Slot first_slot{};
   std::uint32_t slots = 1;
   ArraySizes array{};
@@ -86,7 +86,7 @@ struct alignas(64) Parameter {
   return parameter.minimum.kind == Limit::Kind::parameter || parameter.maximum.kind == Limit::Kind::parameter;
 }
 
-/// The table of what its numbers mean stands for a range.
+/// The table of what its numbers mean replaces a range.
 [[nodiscard]] constexpr bool is_listed_only(Parameter const& parameter) {
   return !parameter.number_names.empty() && parameter.minimum.kind == Limit::Kind::none &&
          parameter.maximum.kind == Limit::Kind::none;

@@ -34,7 +34,7 @@ struct Vocabulary {
   std::span<std::string_view const> names;   ///< without brackets
   Groups names_of_size;                      ///< of each number of bytes
   std::span<Letters const> letters_by_size;  ///< of the names, in the order of names_of_size.numbers
-  /// The same; behind the last one there is room, so that letters_at_once may be read from every name on.
+  /// The same; after the last one there is room, so that letters_at_once may be read from every name on.
   std::span<OddLetters const> odd_letters_by_size;
   std::span<std::string_view const> parts;  ///< each different one
   TextPlaces places_of_parts;

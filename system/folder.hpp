@@ -1,4 +1,4 @@
-// What stands in a folder.
+// The content of a folder.
 #pragma once
 
 #include "system/error.hpp"

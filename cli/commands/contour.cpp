@@ -73,7 +73,7 @@ void remark_feeds(machine::Machine const& machine, machine::MachineGroup const& 
       continue;
     }
     invocation.streams.err.write(warning_line({.sentence = says::feed_above_limit,
-                                               .arguments = {{"feed", format_exact(fastest)},
+                                               .arguments = {{"feed", exact_number(fastest)},
                                                              {"axis", axis.name},
                                                              {"limit", format_rounded(limit, 6)}}},
                                               invocation.language));

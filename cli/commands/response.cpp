@@ -134,9 +134,10 @@ void write_text(Console& out, ImageFile const& file, ResponseOptions const& opti
     PortResponse const response(file.contents, host, axis, options.port);
     for (double const frequency : frequencies) {
       auto const point = response.at({frequency});
-      rows.push_back({axis_label(file.contents, axis), format_rounded(frequency, digits),
-                      format_rounded(decibels(point), digits), format_rounded(degrees(point), digits),
-                      format_rounded(point.group_delay_s * 1000, digits)});
+      rows.push_back({axis_label(file.contents, axis), format_rounded(frequency, digits).in(language),
+                      format_rounded(decibels(point), digits).in(language),
+                      format_rounded(degrees(point), digits).in(language),
+                      format_rounded(point.group_delay_s * 1000, digits).in(language)});
     }
   }
   out.write(text_table(rows, 0));

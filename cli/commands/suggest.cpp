@@ -51,7 +51,7 @@ constexpr Sentence examples{R"(Examples:
   axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
   axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv
   axisc suggest maschine.json --axis X --resonance 53Hz,11Hz --plant strecke.json)"};
-constexpr Sentence option_axis{"the axis that swings", "die Achse, die schwingt"};
+constexpr Sentence option_axis{"the vibrating axis", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
 constexpr Sentence option_measured{
@@ -248,8 +248,8 @@ void say_nothing_helps(NoSuggestion const& none, Wishes const& wishes, bool is_e
   constexpr double percent = 100;
   Message const message{.sentence = keeps ? SentenceRef(says::too_weak) : SentenceRef(says::too_strict),
                         .arguments = {{"count", std::to_string(keeps ? none.keeps : none.looked_at)},
-                                      {"tolerance", format_exact(wishes.tolerance_mm)},
-                                      {"radius", format_exact(wishes.radius_mm)},
+                                      {"tolerance", exact_number(wishes.tolerance_mm)},
+                                      {"radius", exact_number(wishes.radius_mm)},
                                       {"feed", format_rounded(wishes.feed, 6)},
                                       {"left", format_rounded(none.least_vibration * percent, 3)}}};
   invocation.streams.err.write(is_error ? Failure(message).line(invocation.language)

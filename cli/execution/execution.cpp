@@ -36,7 +36,8 @@ class TableWriter {
 
   void row(std::vector<double> const& values) {
     if (is_text_) {
-      for (std::size_t i = 0; i < values.size(); ++i) add_cell(i, format_rounded(values[i], digits));
+      for (std::size_t i = 0; i < values.size(); ++i)
+        add_cell(i, format_rounded(values[i], digits).written());
       text_ += '\n';
     } else {
       append_csv_row(text_, values);

@@ -19,7 +19,8 @@ struct RecordedAxis {
   comparison::Comparison result;
   double thousandths = 1;  ///< µm, or 0.001°, in a unit of the recording
   bool is_rotary = false;
-  std::vector<comparison::KernelSwitch> found_switches{};  ///< that nobody named, without which nothing fits
+  std::vector<comparison::KernelSwitch>
+      found_switches{};   ///< not given with `--at`; without them nothing fits
   std::size_t jumps = 0;  ///< by a modulo range, most often a full turn; they are taken out
   /// What would tell the readings apart that fit, where there are several.
   std::optional<comparison::Motion> telling{};

@@ -147,9 +147,11 @@ class Writer {
 
  private:
   [[nodiscard]] std::string length(double value) const {
-    return format_rounded(value * shown_.thousandths, digits);
+    return format_rounded(value * shown_.thousandths, digits).in(language_);
   }
-  [[nodiscard]] std::string unit() const { return shown_.is_rotary ? "0.001°" : "µm"; }
+  [[nodiscard]] std::string unit() const {
+    return shown_.is_rotary ? exact_number(0.001).in(language_) + "°" : "µm";
+  }
   void line(SentenceRef sentence, std::vector<Argument> arguments = {}) {
     text_ += say(sentence, language_, std::move(arguments)) + "\n";
   }

@@ -18,7 +18,7 @@ struct ShownComparison {
   bool is_rotary = false;
   std::size_t jumps = 0;                                 ///< by a modulo range, which were taken out
   std::optional<comparison::Motion> telling;             ///< what would tell the fitting readings apart
-  std::vector<comparison::KernelSwitch> found_switches;  ///< that nobody named
+  std::vector<comparison::KernelSwitch> found_switches;  ///< not given with `--at`
   comparison::Comparison result;
 };
 

@@ -53,8 +53,8 @@ std::string say(Language language, SentenceRef text, std::vector<Argument> argum
   return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
-std::string micrometres(double units) {
-  return fmt::format("{:.3f}", units / units_per_um);
+Wording micrometres(double units) {
+  return format_fixed(units / units_per_um, 3);
 }
 
 std::string order_text(ContourCase const& row, Language language) {
@@ -66,34 +66,36 @@ using Rows = std::vector<std::vector<std::string>>;
 void add_rows(Rows& rows, ShownContour const& shown, GroupContour const& group, ContourCase const& row,
               Language language) {
   auto const add = [&](std::string what, ContourFigures const& figures) {
-    std::vector<std::string> cells = {format_exact(row.feed_mm_per_min), order_text(row, language),
-                                      std::move(what)};
-    for (std::size_t i = 0; i < group.axes.size(); ++i) cells.push_back(micrometres(figures.axis_error[i]));
-    cells.push_back(micrometres(figures.deviation));
+    std::vector<std::string> cells = {exact_number(row.feed_mm_per_min).in(language),
+                                      order_text(row, language), std::move(what)};
+    for (std::size_t i = 0; i < group.axes.size(); ++i) {
+      cells.push_back(micrometres(figures.axis_error[i]).in(language));
+    }
+    cells.push_back(micrometres(figures.deviation).in(language));
     rows.push_back(std::move(cells));
   };
-  add(say(language, says::corner, {{"angle", format_exact(shown.angle_deg)}}), row.corner);
-  add(say(language, says::circle, {{"radius", format_exact(shown.radius_mm)}}), row.circle);
+  add(say(language, says::corner, {{"angle", exact_number(shown.angle_deg)}}), row.corner);
+  add(say(language, says::circle, {{"radius", exact_number(shown.radius_mm)}}), row.circle);
   add(say(language, says::line), row.line);
-  std::vector<std::string> cells = {format_exact(row.feed_mm_per_min), order_text(row, language),
+  std::vector<std::string> cells = {exact_number(row.feed_mm_per_min).in(language), order_text(row, language),
                                     say(language, says::parallel)};
   cells.resize(3 + group.axes.size());
-  cells.push_back(micrometres(row.parallel));
+  cells.push_back(micrometres(row.parallel).in(language));
   rows.push_back(std::move(cells));
 }
 
 std::string limits_text(GroupContour const& group, Language language) {
   auto const& limits = *group.limits;
-  auto const feed = [&](std::optional<double> const& value) {
-    return value ? fmt::format("{:.1f}", *value) : say(language, says::any_feed);
+  auto const feed = [&](std::optional<double> const& value) -> Wording {
+    return value ? format_fixed(*value, 1) : say(language, says::any_feed);
   };
   std::string text = say(language, says::allowed_feed,
-                         {{"tolerance", format_exact(limits.tolerance_mm)},
+                         {{"tolerance", exact_number(limits.tolerance_mm)},
                           {"feed", feed(limits.corner_feed)},
                           {"circle", feed(limits.circle_feed)}}) +
                      "\n";
   if (!limits.has_order) return text;
-  std::string const at = format_exact(group.cases.front().feed_mm_per_min);
+  Wording const at = exact_number(group.cases.front().feed_mm_per_min);
   text += limits.order
               ? say(language, says::allowed_order, {{"feed", at}, {"order", std::to_string(*limits.order)}})
               : say(language, says::no_order, {{"feed", at}});
@@ -149,7 +151,7 @@ std::string contour_text(ShownContour const& shown, Language language) {
     text += say(language, says::group,
                 {{"group", group.name.empty() ? say(language, says::path_group_unnamed) : group.name},
                  {"axes", names},
-                 {"cycle_time", format_exact(shown.cycle_time_us)}}) +
+                 {"cycle_time", exact_number(shown.cycle_time_us)}}) +
             "\n";
     Rows rows = {{say(language, says::feed), say(language, says::order), say(language, says::what)}};
     for (auto const& axis : group.axes) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int figures = 4;
 
-std::string decibel(double magnitude) {
+Wording decibel(double magnitude) {
   constexpr double nothing = 1e-10;
   if (magnitude < nothing) return "< -200 dB";
   return format_rounded(std::round(2000 * std::log10(magnitude)) / 100, figures + 1) + " dB";
@@ -43,19 +43,20 @@ std::vector<DiffLine> DiffWords::effects(image::ChainDifference const& chain) co
   lines.push_back({say(says::delay), time(chain.before.delay_cycles, old_time),
                    time(chain.after.delay_cycles, new_time)});
   lines.push_back({say(says::settling), settling(chain.before, old_time), settling(chain.after, new_time)});
-  lines.push_back({say(says::overshoot), format_rounded(chain.before.overshoot * 100, figures) + " %",
-                   format_rounded(chain.after.overshoot * 100, figures) + " %"});
+  lines.push_back({say(says::overshoot),
+                   format_rounded(chain.before.overshoot * 100, figures).in(language_) + " %",
+                   format_rounded(chain.after.overshoot * 100, figures).in(language_) + " %"});
   for (auto const& gain : chain.gains) {
     lines.push_back({say(says::gain, {{"frequency", format_rounded(gain.frequency.value, figures)}}),
-                     decibel(gain.before), decibel(gain.after)});
+                     decibel(gain.before).in(language_), decibel(gain.after).in(language_)});
   }
-  lines.push_back({say(says::corner, {{"feed", format_exact(shown_.feed_mm_per_min)}}),
+  lines.push_back({say(says::corner, {{"feed", exact_number(shown_.feed_mm_per_min)}}),
                    corner(chain.before, old_time), corner(chain.after, new_time)});
   return lines;
 }
 
-std::string DiffWords::time(double cycles, design::CycleTime cycle_time) {
-  return format_rounded(cycles * cycle_time.seconds() * 1e3, figures) + " ms";
+std::string DiffWords::time(double cycles, design::CycleTime cycle_time) const {
+  return format_rounded(cycles * cycle_time.seconds() * 1e3, figures).in(language_) + " ms";
 }
 
 std::string DiffWords::settling(image::ChainFigures const& chain, design::CycleTime cycle_time) const {
@@ -67,7 +68,7 @@ std::string DiffWords::settling(image::ChainFigures const& chain, design::CycleT
 
 std::string DiffWords::corner(image::ChainFigures const& chain, design::CycleTime cycle_time) const {
   auto const deviation = corner_deviation_um(chain, shown_.feed_mm_per_min, cycle_time);
-  return deviation ? format_rounded(*deviation, figures) + " µm" : "-";
+  return deviation ? format_rounded(*deviation, figures).in(language_) + " µm" : "-";
 }
 
 std::optional<double> corner_deviation_um(image::ChainFigures const& chain, double feed,

@@ -51,8 +51,8 @@ std::string joined(std::vector<std::string> const& words) {
   return text.empty() ? "-" : text;
 }
 
-std::string cycle_time(design::CycleTime time) {
-  return format_exact(time.microseconds()) + " µs";
+std::string cycle_time(design::CycleTime time, Language language) {
+  return exact_number(time.microseconds()).in(language) + " µs";
 }
 
 SentenceRef type_name(machine::AxisType type) {
@@ -124,8 +124,8 @@ std::string DiffWords::nothing(std::string const& before, std::string const& aft
 std::vector<DiffLine> DiffWords::machine() const {
   auto const& difference = shown_.difference;
   std::vector<DiffLine> lines;
-  add_line(lines, say(says::inspect_cycle_time), cycle_time(difference.before.cycle_time),
-           cycle_time(difference.after.cycle_time));
+  add_line(lines, say(says::inspect_cycle_time), cycle_time(difference.before.cycle_time, language_),
+           cycle_time(difference.after.cycle_time, language_));
   for (auto const* const axis : difference.axes_removed) {
     lines.push_back({say(says::axis, {{"axis", axis_name(*axis, *axis)}}), say(says::present), "-"});
   }

@@ -64,7 +64,7 @@ class DiffWords {
   /// One or two.
   [[nodiscard]] std::vector<std::string> places(ParameterChange const& change) const;
   [[nodiscard]] std::vector<DiffLine> effects(image::ChainDifference const& chain) const;
-  [[nodiscard]] static std::string time(double cycles, design::CycleTime cycle_time);
+  [[nodiscard]] std::string time(double cycles, design::CycleTime cycle_time) const;
   [[nodiscard]] std::string settling(image::ChainFigures const& chain, design::CycleTime cycle_time) const;
   [[nodiscard]] std::string corner(image::ChainFigures const& chain, design::CycleTime cycle_time) const;
 

@@ -48,12 +48,12 @@ std::string say(SentenceRef text, Language language, std::vector<Argument> argum
 }
 
 /// "0 ≤", "< P-AXIS-00008": empty where there is no limit.
-std::string limit_text(schema::ListKind kind, schema::Limit const& limit) {
+Wording limit_text(schema::ListKind kind, schema::Limit const& limit) {
   switch (limit.kind) {
     case schema::Limit::Kind::none:
       return {};
     case schema::Limit::Kind::number:
-      return format_exact(limit.number);
+      return exact_number(limit.number);
     case schema::Limit::Kind::parameter:
       return schema::number_text(kind, limit.p_axis);
   }
@@ -61,8 +61,8 @@ std::string limit_text(schema::ListKind kind, schema::Limit const& limit) {
 }
 
 std::string range_text(schema::Parameter const& parameter, Language language) {
-  auto const minimum = limit_text(parameter.kind, parameter.minimum);
-  auto const maximum = limit_text(parameter.kind, parameter.maximum);
+  auto const minimum = limit_text(parameter.kind, parameter.minimum).in(language);
+  auto const maximum = limit_text(parameter.kind, parameter.maximum).in(language);
   if (minimum.empty() && maximum.empty()) return {};
   std::string text = say(says::value, language);
   if (!minimum.empty()) text = minimum + (parameter.minimum.open ? " < " : " ≤ ") + text;
@@ -70,7 +70,7 @@ std::string range_text(schema::Parameter const& parameter, Language language) {
   // The control takes the default even where it is outside.
   auto const standard = schema::default_value(parameter);
   if (!standard || !standard->text.empty() || !schema::is_outside(parameter, standard->number)) return text;
-  return say(says::or_default, language, {{"range", text}, {"default", format_exact(standard->number)}});
+  return say(says::or_default, language, {{"range", text}, {"default", exact_number(standard->number)}});
 }
 
 std::string meaning(schema::Description const& description, Language language) {
@@ -117,11 +117,12 @@ std::string entries_text(schema::Parameter const& parameter, Language language) 
 }
 
 /// "200000 (200 mm/s)".
-std::string default_in_units(schema::Parameter const& parameter) {
-  auto text = default_text(parameter);
+std::string default_in_units(schema::Parameter const& parameter, Language language) {
   auto const value = schema::default_value(parameter);
+  bool const is_number = value && value->text.empty();
+  auto text = (is_number ? Wording::number(default_text(parameter)) : default_text(parameter)).in(language);
   if (!value || value->number == 0 || !validator::is_scaled(parameter.unit_translatory)) return text;
-  return text + " (" + validator::physical(value->number, parameter.unit_translatory) + ")";
+  return text + " (" + validator::physical(value->number, parameter.unit_translatory).in(language) + ")";
 }
 
 std::string joined(std::vector<std::string> const& words) {
@@ -161,7 +162,7 @@ std::string explain_parameter(schema::Catalogue const& catalogue, schema::Parame
   for (auto const& range : ranges_by_type(parameter, language)) row(says::range_by_type, range);
   row(says::symbols, symbols_text(parameter));
   row(says::values, values_text(description, language));
-  row(says::explain_default, parameter.has_default ? default_in_units(parameter) : "");
+  row(says::explain_default, parameter.has_default ? default_in_units(parameter, language) : "");
   row(says::unit, unit_text(parameter, language));
   row(says::restart, description.restart ? say(says::after_restart, language) : "");
   row(says::array, entries_text(parameter, language));

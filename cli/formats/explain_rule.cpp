@@ -8,8 +8,9 @@ constexpr Sentence all_origin{
     "Every code that axisc reports, as printed by `axisc explain --all`.",
     "Alle Codes, die axisc meldet, wie `axisc explain --all --lang de` sie ausgibt."};
 constexpr Sentence message_heading{"Message {number} of the control", "Meldung {number} der Steuerung"};
-constexpr Sentence foretold{"These findings foretell it; `axisc explain` prints the page of each:",
-                            "Diese Befunde sagen sie vorher; `axisc explain` zeigt die Seite zu jedem:"};
+constexpr Sentence foretold{
+    "These findings foretell it; `axisc explain` prints the page of each:",
+    "Diese Befunde kündigen die Meldung vorab an; `axisc explain` zeigt die Seite zu jedem:"};
 constexpr Sentence column_code{"code", "Code"};
 constexpr Sentence column_name{"name", "Name"};
 constexpr Sentence column_severity{"severity", "Schweregrad"};

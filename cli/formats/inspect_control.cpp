@@ -30,7 +30,7 @@ std::string InspectWriter::control_text(std::size_t axis) const {
   auto const& control = image_.axes[axis].control;
   if (!control) return {};
   bool const linear = image_.axes[axis].type == 1;
-  std::string const unit = linear ? "µm/s" : "0.001 °/s";
+  std::string const unit = linear ? "µm/s" : exact(0.001) + " °/s";
   std::string text =
       "\n  " +
       (control->source == axis
@@ -39,10 +39,10 @@ std::string InspectWriter::control_text(std::size_t axis) const {
       "\n    ";
   switch (control->scaling.controller) {
     case machine::PositionController::drive:
-      text += say(says::drive, {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
+      text += say(says::drive, {{"scale", exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
     case machine::PositionController::cnc:
-      text += say(says::cnc, {{"scale", format_exact(control->increments_per_velocity)}, {"unit", unit}});
+      text += say(says::cnc, {{"scale", exact(control->increments_per_velocity)}, {"unit", unit}});
       break;
     case machine::PositionController::unknown:
       text += say(says::unknown);
@@ -57,22 +57,22 @@ std::string InspectWriter::stage_text(image::ImageStage const& stage) const {
   std::string text = "    " +
                      say(says::stage, {{"index", std::to_string(stage.index)},
                                        {"mode", std::string(mode_word(stage.mode))},
-                                       {"weight", format_exact(stage.weight)},
-                                       {"numerator", format_exact(stage.weight_numerator)},
-                                       {"denominator", format_exact(stage.weight_denominator)}}) +
+                                       {"weight", exact(stage.weight)},
+                                       {"numerator", exact(stage.weight_numerator)},
+                                       {"denominator", exact(stage.weight_denominator)}}) +
                      "\n";
   for (std::size_t i = 0; i < stage.filters.size(); ++i) {
     auto const& wanted = stage.filters[i].specification;
-    auto const frequency = format_exact(wanted.frequency.value);
+    auto const frequency = exact(wanted.frequency.value);
     text += "      ";
     if (stage.has_oscillator && i == 0) {
-      text += say(says::oscillator, {{"frequency", frequency}, {"damping", format_exact(wanted.quality)}});
+      text += say(says::oscillator, {{"frequency", frequency}, {"damping", exact(wanted.quality)}});
     } else {
       text += std::string(type_word(wanted.type)) + ", " + std::string(prototype_word(wanted.prototype)) +
               ", " + say(says::inspect_column_order) + " " + std::to_string(wanted.order) + ", " + frequency +
               " Hz";
       if (design::uses_quality(wanted.type)) {
-        text += ", " + say(says::inspect_column_quality) + " " + format_exact(wanted.quality);
+        text += ", " + say(says::inspect_column_quality) + " " + exact(wanted.quality);
       }
     }
     text += "\n";

@@ -118,9 +118,9 @@ std::vector<std::string> InspectWriter::kernel_row(std::size_t index) const {
           say(type_text(wanted.type)),
           std::to_string(wanted.order),
           std::to_string(kernel.design.taps.size()),
-          design::kind_of(wanted.type).uses_frequency ? format_exact(wanted.frequency.value) + " Hz" : "-",
-          design::kind_of(wanted.type).uses_quality ? format_exact(wanted.quality) : "-",
-          format_exact(wanted.share_percent) + " %",
+          design::kind_of(wanted.type).uses_frequency ? exact(wanted.frequency.value) + " Hz" : "-",
+          design::kind_of(wanted.type).uses_quality ? exact(wanted.quality) : "-",
+          exact(wanted.share_percent) + " %",
           delay(kernel.design.group_delay_cycles),
           rounded(kernel.overshoot * 100) + " %",
           rounded(kernel.peak_gain)};
@@ -130,7 +130,7 @@ std::string InspectWriter::kernel_details(std::size_t index) const {
   auto const& kernel = image_.kernels[index];
   std::string text = "\n  " +
                      say(says::kernel_proof, {{"number", std::to_string(index)},
-                                              {"sum", format_exact(kernel.design.kernel_sum)},
+                                              {"sum", exact(kernel.design.kernel_sum)},
                                               {"samples", std::to_string(kernel.self_test_input.size())}}) +
                      "\n    ";
   auto const zeros = design::zero_frequencies(kernel.design, image_.cycle_time);

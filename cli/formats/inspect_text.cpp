@@ -75,7 +75,7 @@ class InspectText : public InspectWriter {
                                            {"bytes", std::to_string(image_.size)},
                                            {"axes", std::to_string(image_.axes.size())}}) +
                        "\n";
-    text += row(says::inspect_cycle_time, format_exact(image_.cycle_time.microseconds()) + " µs");
+    text += row(says::inspect_cycle_time, exact(image_.cycle_time.microseconds()) + " µs");
     text += row(says::compiler, "axisc " + image_.compiler_version);
     text += row(says::image_version, std::to_string(image_.image_version));
     text += row(says::signature, signature(shown));
@@ -176,10 +176,10 @@ class InspectText : public InspectWriter {
             std::string(type_word(type)),
             design::uses_prototype(type) ? std::string(prototype_word(wanted.prototype)) : "-",
             design::computes_order(type) ? "-" : std::to_string(wanted.order),
-            design::uses_frequency(type) ? format_exact(wanted.frequency.value) + " Hz" : "-",
-            design::uses_quality(type) ? format_exact(wanted.quality) : "-",
-            design::uses_time_constant(type) ? format_exact(wanted.time_constant.value) + " µs" : "-",
-            format_exact(wanted.share_percent) + " %",
+            design::uses_frequency(type) ? exact(wanted.frequency.value) + " Hz" : "-",
+            design::uses_quality(type) ? exact(wanted.quality) : "-",
+            design::uses_time_constant(type) ? exact(wanted.time_constant.value) + " µs" : "-",
+            exact(wanted.share_percent) + " %",
             say(says::inspect_delay_value, {{"cycles", rounded(made.group_delay_cycles)},
                                             {"ms", milliseconds(made.group_delay_cycles)}}),
             rounded(filter.overshoot * 100) + " %",

@@ -34,8 +34,12 @@ std::string InspectWriter::row(SentenceRef label, std::string const& value) cons
   return "  " + padded(say(label), label_width) + printable(value) + "\n";
 }
 
-std::string InspectWriter::rounded(double value) {
-  return format_rounded(value, figures);
+std::string InspectWriter::rounded(double value) const {
+  return format_rounded(value, figures).in(language_);
+}
+
+std::string InspectWriter::exact(double value) const {
+  return exact_number(value).in(language_);
 }
 
 std::string InspectWriter::milliseconds(double cycles) const {
@@ -52,10 +56,10 @@ std::string InspectWriter::section(std::size_t index, design::FilterDesign const
   auto const [first, second] = design::poles(section);
   auto const head = say(says::section, {{"number", std::to_string(index + 1)}});
   std::string const below(display_width(head), ' ');
-  return "    " + head + "  b0 " + format_exact(direct.b0) + "  b1 " + format_exact(direct.b1) + "  b2 " +
-         format_exact(direct.b2) + "  a1 " + format_exact(direct.a1) + "  a2 " + format_exact(direct.a2) +
-         "\n    " + below + "  p " + format_exact(section.p) + "  q " + format_exact(section.q) + "  k " +
-         format_exact(section.k) + "  b " + format_exact(section.b) + "\n    " + below + "  " +
+  return "    " + head + "  b0 " + exact(direct.b0) + "  b1 " + exact(direct.b1) + "  b2 " +
+         exact(direct.b2) + "  a1 " + exact(direct.a1) + "  a2 " + exact(direct.a2) + "\n    " + below +
+         "  p " + exact(section.p) + "  q " + exact(section.q) + "  k " + exact(section.k) + "  b " +
+         exact(section.b) + "\n    " + below + "  " +
          say(says::poles, {{"first", pole(first)}, {"second", pole(second)}}) + "\n";
 }
 

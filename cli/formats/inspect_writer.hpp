@@ -23,7 +23,8 @@ class InspectWriter {
  protected:
   [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const;
   [[nodiscard]] std::string row(SentenceRef label, std::string const& value) const;
-  [[nodiscard]] static std::string rounded(double value);
+  [[nodiscard]] std::string rounded(double value) const;
+  [[nodiscard]] std::string exact(double value) const;
   [[nodiscard]] std::string milliseconds(double cycles) const;
   /// "10 cycles (10 ms)"
   [[nodiscard]] std::string delay(double cycles) const;

@@ -93,7 +93,7 @@ class MachineText {
 
   [[nodiscard]] std::string time() const {
     if (!machine_.cycle_time) return line(says::no_cycle_time);
-    std::vector<Argument> arguments{{"time", format_exact(machine_.cycle_time->microseconds())}};
+    std::vector<Argument> arguments{{"time", exact_number(machine_.cycle_time->microseconds())}};
     bool const is_listed =
         machine_.start_up && machine_.start_up->real_time.cycle_time == machine_.cycle_time;
     if (!is_listed) return line(says::cycle_time, std::move(arguments));
@@ -112,8 +112,8 @@ class MachineText {
       validator::EffectiveValue const& number = axis.merged.values.at("kopf.achs_nr");
       rows.push_back({axis.name, number.unusable ? "?" : format_exact(number.value.number),
                       machine_.lists[axis.list].name, say(type(axis.type)),
-                      drive == nullptr ? "?" : std::string(drive->word), channel_of(index), gantry_of(index),
-                      named_in(index)});
+                      drive == nullptr ? "?" : validator::drive_name(*drive).in(language_), channel_of(index),
+                      gantry_of(index), named_in(index)});
     }
     return text_table(rows, 0);
   }

@@ -27,8 +27,8 @@ constexpr Sentence hsc_order{"HSC: 0 ≤ value ≤ 200 cycles; with 0 `time_cons
                              "HSC: 0 ≤ Wert ≤ 200 Zyklen; bei 0 zählt `time_constant`"};
 constexpr Sentence hsc_time{"HSC with order 0: T < value < 200 T", "HSC mit Ordnung 0: T < Wert < 200 T"};
 constexpr Sentence hsc_frequency{"HSC NoVib: 0 < value < 0.5/T", "HSC-NoVib: 0 < Wert < 0,5/T"};
-constexpr Sentence fir_order{"type 4 (time delay): 0 ≤ value ≤ 100",
-                             "Typ 4 (Zeitverzögerung): 0 ≤ Wert ≤ 100"};
+constexpr Sentence fir_order{"0 ≤ value ≤ 200, with type 4 (time delay) ≤ 100",
+                             "0 ≤ Wert ≤ 200, bei Typ 4 (Zeitverzögerung) ≤ 100"};
 constexpr Sentence fir_order_time{"T ≤ value ≤ 200 T, with type 4 (time delay) ≤ 100 T",
                                   "T ≤ Wert ≤ 200 T, bei Typ 4 (Zeitverzögerung) ≤ 100 T"};
 constexpr Sentence fir_frequency{"type 3 (windowed sinc): 0 < value < 0.5/T (500 Hz at T = 1 ms)",
@@ -82,10 +82,11 @@ std::string range_of(design::FilterKind const& kind, std::string_view name, Lang
     return render({.sentence = text, .arguments = std::move(arguments)}, language);
   };
   auto const value = say(says::value);
+  auto const exact = [&](double number) { return exact_number(number).in(language); };
   if (name == "fg_f0" && kind.uses_frequency) return "0 < " + value + " < " + say(says::nyquist);
   if (name == "prototype" && kind.uses_prototype) return say(says::used);
   if (name == "guete" && kind.quality) {
-    return format_exact(kind.quality->lowest) + " ≤ " + value + " ≤ " + format_exact(kind.quality->highest);
+    return exact(kind.quality->lowest) + " ≤ " + value + " ≤ " + exact(kind.quality->highest);
   }
   if (name == "order") {
     if (kind.order.source != design::OrderSource::configured) return say(says::order_of_type);
@@ -93,8 +94,8 @@ std::string range_of(design::FilterKind const& kind, std::string_view name, Lang
   }
   if (name == "time_constant" && kind.time_constant) {
     auto const& range = *kind.time_constant;
-    auto const lowest = range.lowest == 0 ? "0" : range.lowest == 1 ? "T" : format_exact(range.lowest) + " T";
-    return lowest + " ≤ " + value + (std::isinf(range.limit) ? "" : " < " + format_exact(range.limit) + " T");
+    auto const lowest = range.lowest == 0 ? "0" : range.lowest == 1 ? "T" : exact(range.lowest) + " T";
+    return lowest + " ≤ " + value + (std::isinf(range.limit) ? "" : " < " + exact(range.limit) + " T");
   }
   return {};
 }
@@ -142,7 +143,7 @@ std::string unit_name(std::string_view unit, Language language) {
     if (text.starts_with(power)) text.replace(0, std::string_view(power).size(), digits);
   }
   if (language == Language::english) return text;
-  if (auto const point = text.find('.'); point != std::string::npos) text[point] = ',';
+  text = Wording::number(text).in(language);
   for (auto const& [word, german] : unit_words) {
     if (auto const at = text.find(word); at != std::string::npos) text.replace(at, word.size(), german);
   }

@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace axisc::cli::says {
@@ -67,19 +66,19 @@ std::string say(Language language, SentenceRef text, std::vector<Argument> argum
 }
 
 std::string kv_text(std::optional<double> kv, Language language) {
-  if (!kv) return say(language, says::kv_above, {{"kv", format_exact(motion::kv_search_end)}});
+  if (!kv) return say(language, says::kv_above, {{"kv", exact_number(motion::kv_search_end)}});
   if (*kv == 0) return say(language, says::kv_none);
-  return say(language, says::kv_found, {{"kv", fmt::format("{:.1f}", *kv)}});
+  return say(language, says::kv_found, {{"kv", format_fixed(*kv, 1)}});
 }
 
 std::string oscillations_text(ClosedLoopFigures const& figures, Language language) {
   std::vector<std::vector<std::string>> rows = {{say(language, says::frequency), say(language, says::phase),
                                                  say(language, says::without), say(language, says::with)}};
   for (auto const& found : figures.oscillations) {
-    rows.push_back({fmt::format("{:.1f} Hz", found.without.frequency),
+    rows.push_back({format_fixed(found.without.frequency, 1).in(language) + " Hz",
                     say(language, found.phase == MovePhase::travel ? says::travel : says::ramps),
-                    fmt::format("{:.3f}", found.without.amplitude),
-                    found.with ? fmt::format("{:.3f}", *found.with) : "-"});
+                    format_fixed(found.without.amplitude, 3).in(language),
+                    found.with ? format_fixed(*found.with, 3).in(language) : "-"});
   }
   return text_table(rows, 2);
 }
@@ -102,7 +101,7 @@ std::string highest_kv_text(ClosedLoopFigures const& figures, Language language)
                                {{"without", without}, {"with", kv_text(figures.highest_kv_with, language)}})
                          : say(language, says::kv_alone, {{"kv", without}});
   if (!figures.highest_kv_without || !figures.highest_kv_with) {
-    text += " " + say(language, says::kv_searched, {{"kv", format_exact(motion::kv_search_end)}});
+    text += " " + say(language, says::kv_searched, {{"kv", exact_number(motion::kv_search_end)}});
   }
   return text + "\n";
 }
@@ -112,15 +111,15 @@ std::string highest_kv_text(ClosedLoopFigures const& figures, Language language)
 std::string plant_text(ClosedLoopFigures const& figures, Language language) {
   std::string text = say(language, says::axis,
                          {{"axis", figures.axis},
-                          {"distance", format_exact(figures.distance_mm)},
-                          {"feed", fmt::format("{:.0f}", figures.feed_mm_per_min)},
-                          {"kv", format_exact(figures.kv)}}) +
+                          {"distance", exact_number(figures.distance_mm)},
+                          {"feed", format_fixed(figures.feed_mm_per_min, 0)},
+                          {"kv", exact_number(figures.kv)}}) +
                      "\n";
   if (!figures.oscillations.empty()) text += oscillations_text(figures, language);
   if (figures.has_function) {
     text += say(language, says::v_add,
-                {{"velocity", fmt::format("{:.0f}", figures.largest_additive)},
-                 {"limit", fmt::format("{:.0f}", figures.limit)}}) +
+                {{"velocity", format_fixed(figures.largest_additive, 0)},
+                 {"limit", format_fixed(figures.limit, 0)}}) +
             "\n";
   } else {
     text += say(language, says::no_function, {{"axis", figures.axis}}) + "\n";

@@ -112,7 +112,7 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
                     .subject = name(entry, entry.index),
                     .what = {},
                     .status = entry.recorded_status};
-  auto const value = [&] { return std::vector<Argument>{{"value", format_exact(entry.in.at(0))}}; };
+  auto const value = [&] { return std::vector<Argument>{{"value", exact_number(entry.in.at(0))}}; };
   switch (entry.kind) {
     case RecordedKind::reset:
       event.what = say(says::reset, value());
@@ -178,7 +178,7 @@ void ReplayReport::add(ReplayedEntry const& entry) {
 
 std::string ReplayReport::text(std::uint32_t level) const {
   std::string text = say(says::head, {{"cycles", std::to_string(cycles_)},
-                                      {"cycle_time", format_exact(image_.cycle_time.microseconds())},
+                                      {"cycle_time", exact_number(image_.cycle_time.microseconds())},
                                       {"axes", std::to_string(image_.axes.size())},
                                       {"level", std::string(level_name(level))}}) +
                      "\n";

@@ -122,8 +122,8 @@ class TextSummary final : public SummaryWriter {
              render({.sentence = says::total,
                      .arguments = {{"blocks", std::to_string(blocks)},
                                    {"cycles", std::to_string(cycles)},
-                                   {"cycle_time", format_exact(path_.cycle_time.microseconds())},
-                                   {"time", fmt::format("{:.3f}", seconds)}}},
+                                   {"cycle_time", exact_number(path_.cycle_time.microseconds())},
+                                   {"time", format_fixed(seconds, 3)}}},
                     language_) +
              "\n";
     sink_(text_);
@@ -135,7 +135,7 @@ class TextSummary final : public SummaryWriter {
   }
 
   [[nodiscard]] std::vector<std::string> cells(PathSummary const& summary) const {
-    return summary_cells(summary, path_.cycle_time);
+    return summary_cells(summary, path_.cycle_time, language_);
   }
 
   void row(std::string const& name, std::string const& line, std::vector<std::string> const& cells) {
@@ -173,11 +173,12 @@ std::vector<std::string> summary_headings(Language language) {
   return names;
 }
 
-std::vector<std::string> summary_cells(PathSummary const& summary, design::CycleTime cycle_time) {
-  return {fmt::format("{:.4f}", summary.cycles * cycle_time.seconds()),
-          fmt::format("{:.4f}", summary.largest_axis_error() / units_per_um),
-          fmt::format("{:.4f}", summary.deviation / units_per_um),
-          fmt::format("{:.3f}", summary.lag / units_per_um)};
+std::vector<std::string> summary_cells(PathSummary const& summary, design::CycleTime cycle_time,
+                                       Language language) {
+  return {format_fixed(summary.cycles * cycle_time.seconds(), 4).in(language),
+          format_fixed(summary.largest_axis_error() / units_per_um, 4).in(language),
+          format_fixed(summary.deviation / units_per_um, 4).in(language),
+          format_fixed(summary.lag / units_per_um, 3).in(language)};
 }
 
 CycleWriter::CycleWriter(SimulatedPath const& path, TextSink sink) : path_(path), sink_(std::move(sink)) {

@@ -39,7 +39,7 @@ class CycleWriter {
 /// Names and values of a block's or pass' figures: time, axis error, contour deviation, lag.
 [[nodiscard]] std::vector<std::string> summary_headings(Language language);
 [[nodiscard]] std::vector<std::string> summary_cells(motion::PathSummary const& summary,
-                                                     design::CycleTime cycle_time);
+                                                     design::CycleTime cycle_time, Language language);
 
 /// The command that a pass begins with, and whether it exceeds its tolerance.
 [[nodiscard]] std::string pass_name(motion::PassSummary const& summary, Language language);

@@ -13,7 +13,7 @@ struct Placeholder {
 };
 
 /// The placeholders that differ between the languages.
-constexpr std::array<Placeholder, 22> placeholders = {{
+constexpr std::array<Placeholder, 26> placeholders = {{
     {"AXIS", "ACHSE"},
     {"COLUMN", "SPALTE"},
     {"COMMAND", "BEFEHL"},
@@ -25,10 +25,13 @@ constexpr std::array<Placeholder, 22> placeholders = {{
     {"IMAGE", "ABBILD"},
     {"INPUT", "EINGABE"},
     {"KEY", "SCHLÜSSEL"},
+    {"KIND", "ART"},
     {"MACHINE", "MASCHINE"},
+    {"MESSAGE", "MELDUNG"},
     {"MM_PER_MIN", "MM_JE_MIN"},
     {"NEW", "NEU"},
     {"OLD", "ALT"},
+    {"OTHER", "ANDERE"},
     {"OUT", "ZIEL"},
     {"PART", "TEIL"},
     {"PLANT", "STRECKE"},
@@ -36,6 +39,7 @@ constexpr std::array<Placeholder, 22> placeholders = {{
     {"RECORDING", "AUFZEICHNUNG"},
     {"SIZE", "GRÖSSE"},
     {"TIME", "ZEIT"},
+    {"WORD", "WORT"},
 }};
 
 }  // namespace

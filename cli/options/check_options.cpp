@@ -138,7 +138,7 @@ std::optional<design::CycleTime> asked_cycle_time(std::optional<std::string> con
   bool const possible =
       meant && *meant >= design::shortest_cycle_time && *meant <= design::longest_cycle_time;
   throw Failure({.sentence = says::unusual_cycle_time,
-                 .arguments = {{"time", format_exact(time->microseconds()) + " µs"},
+                 .arguments = {{"time", exact_number(time->microseconds()) + " µs"},
                                {"meant", possible ? *word + "ms" : "1ms"}}});
 }
 

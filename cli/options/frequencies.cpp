@@ -32,13 +32,13 @@ std::vector<double> parse_frequencies(std::string const& text, design::CycleTime
     auto const frequency = parse_finite(word);
     if (!frequency || *frequency < 0 || *frequency > nyquist) {
       throw Failure({.sentence = says::bad_frequency,
-                     .arguments = {{"value", word}, {"nyquist", format_exact(nyquist)}}});
+                     .arguments = {{"value", word}, {"nyquist", exact_number(nyquist)}}});
     }
     frequencies.push_back(*frequency);
   }
   if (frequencies.empty()) {
     throw Failure({.sentence = says::bad_frequency,
-                   .arguments = {{"value", text}, {"nyquist", format_exact(nyquist)}}});
+                   .arguments = {{"value", text}, {"nyquist", exact_number(nyquist)}}});
   }
   return frequencies;
 }

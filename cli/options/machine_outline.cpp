@@ -25,10 +25,17 @@ namespace {
 namespace fs = std::filesystem;
 using json_type = nlohmann::json;
 
+/// With `/`, as the machine file's reader gives it.
+std::string file_named(json_type const& text) {
+  auto name = text.get<std::string>();
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
 void add_list(std::vector<std::string>& named, json_type const& object, char const* key) {
   if (!object.is_object()) return;
   auto const found = object.find(key);
-  if (found != object.end() && found->is_string()) named.push_back(found->get<std::string>());
+  if (found != object.end() && found->is_string()) named.push_back(file_named(*found));
 }
 
 void add_programs(std::vector<std::string>& named, json_type const& object) {
@@ -36,7 +43,7 @@ void add_programs(std::vector<std::string>& named, json_type const& object) {
   auto const found = object.find("programs");
   if (found == object.end() || !found->is_array()) return;
   for (auto const& program : *found) {
-    if (program.is_string()) named.push_back(program.get<std::string>());
+    if (program.is_string()) named.push_back(file_named(program));
   }
 }
 

@@ -76,10 +76,6 @@ std::map<std::size_t, image::ChainFigures> figures_of(PlottedImage const& image,
   return by_axis;
 }
 
-std::string cell(std::optional<double> const& value) {
-  return value ? format_rounded(*value, table_digits) : "-";
-}
-
 }  // namespace
 
 pictures::Table chain_table(PlotSubject const& subject, std::vector<double> const& marks) {
@@ -99,6 +95,9 @@ pictures::Table chain_table(PlotSubject const& subject, std::vector<double> cons
   }
   auto const old_figures =
       subject.before ? figures_of(*subject.before, old_axes) : std::map<std::size_t, image::ChainFigures>();
+  auto const cell = [&](std::optional<double> const& value) {
+    return value ? format_rounded(*value, table_digits).in(subject.language) : "-";
+  };
   for (auto const axis : subject.axes) {
     auto const frequencies = frequencies_of(subject, axis, marks);
     std::vector<std::string> quantities = {subject.say(says::table_delay), subject.say(says::table_corner)};

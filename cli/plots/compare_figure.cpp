@@ -82,7 +82,7 @@ class CompareFigure {
     computed_.push_back({say(name), residual, overlay(reading, residual)});
   }
   [[nodiscard]] std::string length(double value) const {
-    return format_rounded(value * recorded_.thousandths, shown_digits);
+    return format_rounded(value * recorded_.thousandths, shown_digits).in(language_);
   }
 
   void add_table(pictures::Figure& figure) const {
@@ -91,7 +91,7 @@ class CompareFigure {
                            say(says::compare_rms, unit), say(says::compare_delay)};
     for (auto const& [name, residual, shown] : computed_) {
       figure.table.rows.push_back({name, length(residual.largest), length(residual.rms),
-                                   format_rounded(residual.delay_cycles, shown_digits)});
+                                   format_rounded(residual.delay_cycles, shown_digits).in(language_)});
       figure.description += (figure.description.empty() ? "" : "; ") + name + ": " +
                             length(residual.largest) + " " + recorded_.unit();
     }

@@ -77,7 +77,7 @@ std::string plane_name(ContourSubject const& subject, ContourCurve const& curve)
   return first == second ? subject.axes[first] : subject.axes[first] + "/" + subject.axes[second];
 }
 
-std::string micrometres(double units) {
+Wording micrometres(double units) {
   return format_rounded(units / motion::units_per_um, shown_digits);
 }
 
@@ -95,9 +95,10 @@ pictures::Table deviation_table(ContourSubject const& subject, std::vector<Conto
   for (std::size_t i = 0; i < curves.size(); ++i) {
     if (curves[i].role == pictures::Role::before) continue;
     std::vector<std::string> row{curves[i].name, plane_name(subject, curves[i])};
-    if (subject.before != nullptr) row.push_back(micrometres(deviations[i - 1]));
-    row.push_back(micrometres(deviations[i]));
-    if (subject.before != nullptr) row.push_back(micrometres(deviations[i] - deviations[i - 1]));
+    if (subject.before != nullptr) row.push_back(micrometres(deviations[i - 1]).in(subject.language));
+    row.push_back(micrometres(deviations[i]).in(subject.language));
+    if (subject.before != nullptr)
+      row.push_back(micrometres(deviations[i] - deviations[i - 1]).in(subject.language));
     table.rows.push_back(std::move(row));
   }
   return table;

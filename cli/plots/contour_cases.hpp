@@ -29,7 +29,7 @@ struct ContourCurve {
 [[nodiscard]] std::string plane_name(ContourSubject const& subject, ContourCurve const& curve);
 
 /// A length of the path in µm, four digits.
-[[nodiscard]] std::string micrometres(double units);
+[[nodiscard]] Wording micrometres(double units);
 
 /// Deviations by case: before, now and the difference where there are two states.
 [[nodiscard]] pictures::Table deviation_table(ContourSubject const& subject,

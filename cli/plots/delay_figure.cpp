@@ -73,7 +73,7 @@ AxisDelay delay_of(PlotSubject const& subject, PlottedImage const& image, std::s
   for (auto const& filter : contents.axes[axis].filters) {
     double const share =
         design::chain_response({&filter.design, 1}, {0}, contents.cycle_time).group_delay_s * 1e3;
-    delay.shares.push_back({.name = filter_label(filter), .milliseconds = share});
+    delay.shares.push_back({.name = filter_label(filter, subject.language), .milliseconds = share});
     delay.total += share;
   }
   auto const& slot = contents.axes[axis].slot;
@@ -101,8 +101,8 @@ std::vector<AxisDelay> delays_of(PlotSubject const& subject) {
 void add_rows(pictures::Table& table, PlotSubject const& subject, AxisDelay const& now,
               AxisDelay const* before) {
   auto const row = [&](std::string const& share, std::optional<double> old, std::optional<double> value) {
-    auto const text = [](std::optional<double> const& shown) {
-      return shown ? format_rounded(*shown, delay_digits) : "-";
+    auto const text = [&](std::optional<double> const& shown) {
+      return shown ? format_rounded(*shown, delay_digits).in(subject.language) : "-";
     };
     std::vector<std::string> cells{now.name, share};
     if (subject.before) cells.push_back(text(old));

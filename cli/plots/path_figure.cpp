@@ -66,7 +66,9 @@ class PathFigure {
     return render({.sentence = text, .arguments = std::move(arguments)}, language_);
   }
 
-  [[nodiscard]] static std::string rounded(double value) { return format_rounded(value, shown_digits); }
+  [[nodiscard]] std::string rounded(double value) const {
+    return format_rounded(value, shown_digits).in(language_);
+  }
 
   [[nodiscard]] double time(Sample const& sample) const { return (sample.cycle + 1) * plot_.cycle_seconds; }
 

@@ -74,9 +74,9 @@ class PlantFigure {
       bool const travels = found.phase == motion::MovePhase::travel;
       figure.table.rows.push_back(
           {say(travels ? SentenceRef(says::plant_travelling) : SentenceRef(says::plant_resting)),
-           format_rounded(found.without.frequency, shown_digits),
-           format_rounded(found.without.amplitude, shown_digits),
-           found.with ? format_rounded(*found.with, shown_digits) : "-"});
+           format_rounded(found.without.frequency, shown_digits).in(language_),
+           format_rounded(found.without.amplitude, shown_digits).in(language_),
+           found.with ? format_rounded(*found.with, shown_digits).in(language_) : "-"});
       auto const& row = figure.table.rows.back();
       figure.description += (figure.description.empty() ? "" : "; ") + row[0] + ": " + row[1] + " Hz, " +
                             row[2] + " → " + row[3] + " m/s²";

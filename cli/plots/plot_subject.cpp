@@ -36,10 +36,12 @@ std::optional<std::size_t> PlotSubject::axis_before(std::size_t axis) const {
   return std::nullopt;
 }
 
-std::string filter_label(image::ImageFilter const& filter) {
+std::string filter_label(image::ImageFilter const& filter, Language language) {
   auto const& wanted = filter.specification;
   std::string text = "filter[" + std::to_string(filter.index) + "] " + std::string(type_word(wanted.type));
-  if (design::uses_frequency(wanted.type)) text += " " + format_exact(wanted.frequency.value) + " Hz";
+  if (design::uses_frequency(wanted.type)) {
+    text += " " + exact_number(wanted.frequency.value).in(language) + " Hz";
+  }
   return text;
 }
 

@@ -92,6 +92,6 @@ struct ContourSubject {
 [[nodiscard]] pictures::Figure circle_figure(ContourSubject const& subject, ContourRequest const& wanted);
 
 /// "filter[0] BANDSTOP 42 Hz".
-[[nodiscard]] std::string filter_label(image::ImageFilter const& filter);
+[[nodiscard]] std::string filter_label(image::ImageFilter const& filter, Language language);
 
 }  // namespace axisc::cli

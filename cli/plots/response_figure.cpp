@@ -169,7 +169,7 @@ class ResponseFigure {
   void add_parts(std::size_t index) {
     auto const cycle_time = contents_.cycle_time;
     for (auto const& filter : contents_.axes[index].filters) {
-      sources_.push_back({.name = filter_label(filter),
+      sources_.push_back({.name = filter_label(filter, subject_.language),
                           .role = pictures::Role::part,
                           .colour = sources_.size(),
                           .response = [&filter, cycle_time](double frequency) {
@@ -313,9 +313,10 @@ class ResponseFigure {
     marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
     for (double const mark : marks) {
       if (mark < figure.x.low || mark > figure.x.high) continue;
-      figure.marks.push_back({.at = mark, .label = format_rounded(mark, digits) + " Hz"});
+      figure.marks.push_back(
+          {.at = mark, .label = format_rounded(mark, digits).in(subject_.language) + " Hz"});
     }
-    figure.marks.push_back({.at = figure.x.high, .label = "0.5/T"});
+    figure.marks.push_back({.at = figure.x.high, .label = Wording::number("0.5/T").in(subject_.language)});
   }
 
   PlotSubject const& subject_;

@@ -143,8 +143,7 @@ class StepFigure {
     std::string text;
     for (auto const& chain : chains_) {
       auto const cycles = chain.figures.settling_cycles.value_or(image::longest_settling);
-      std::string const time =
-          format_rounded(static_cast<double>(cycles) * chain.milliseconds(), shown_digits);
+      Wording const time = format_rounded(static_cast<double>(cycles) * chain.milliseconds(), shown_digits);
       auto const settling =
           chain.figures.settling_cycles ? SentenceRef(says::step_settled) : SentenceRef(says::step_unsettled);
       text += (text.empty() ? "" : "; ") +

@@ -1,5 +1,6 @@
 #include "cli/report/progress.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>
@@ -52,9 +53,9 @@ bool Progress::is_due() {
 
 void Progress::show(double share, double seconds) {
   if (!is_due()) return;
-  draw(share, {.sentence = says::simulate_progress,
-               .arguments = {{"percent", fmt::format("{:.0f}", share * 100)},
-                             {"time", fmt::format("{:.1f}", seconds)}}});
+  draw(share,
+       {.sentence = says::simulate_progress,
+        .arguments = {{"percent", fmt::format("{:.0f}", share * 100)}, {"time", format_fixed(seconds, 1)}}});
 }
 
 void Progress::show(std::size_t done, std::size_t count) {

@@ -28,10 +28,10 @@ namespace {
 
 constexpr int table_digits = 4;
 
-std::string in_um(double units) {
+std::string in_um(double units, Language language) {
   // What is left of nothing by rounding.
   constexpr double nothing = 1e-6;
-  return units < nothing ? "0" : format_rounded(units / motion::units_per_um, table_digits);
+  return units < nothing ? "0" : format_rounded(units / motion::units_per_um, table_digits).in(language);
 }
 
 std::string feed_table(ReportSubject const& subject, std::size_t group) {
@@ -45,8 +45,12 @@ std::string feed_table(ReportSubject const& subject, std::size_t group) {
       subject.say(says::circle_column, {{"radius", format_rounded(subject.contour.radius_mm, table_digits)}}),
       subject.say(says::line_column), subject.say(says::parallel_column)};
   for (auto const& row : predicted.cases) {
-    table.rows.push_back({format_rounded(row.feed_mm_per_min, table_digits), in_um(row.corner.deviation),
-                          in_um(row.circle.deviation), in_um(row.line.deviation), in_um(row.parallel)});
+    std::vector<std::string> cells{format_rounded(row.feed_mm_per_min, table_digits).in(subject.language)};
+    for (double const units :
+         {row.corner.deviation, row.circle.deviation, row.line.deviation, row.parallel}) {
+      cells.push_back(in_um(units, subject.language));
+    }
+    table.rows.push_back(std::move(cells));
   }
   return text_of("p", subject.say(says::filters_are_on)) + "\n" + pictures::table_element(table);
 }

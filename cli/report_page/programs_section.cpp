@@ -41,7 +41,9 @@ pictures::Table pass_table(ReportSubject const& subject, PathRecorder const& rec
   for (auto const& pass : recorder.passes()) {
     auto& row = table.rows.emplace_back();
     row = {std::to_string(table.rows.size()), pass.line == 0 ? std::string() : std::to_string(pass.line)};
-    for (auto& cell : summary_cells(pass, subject.machine->cycle_time)) row.push_back(std::move(cell));
+    for (auto& cell : summary_cells(pass, subject.machine->cycle_time, subject.language)) {
+      row.push_back(std::move(cell));
+    }
     row.push_back(pass_name(pass, subject.language));
   }
   return table;

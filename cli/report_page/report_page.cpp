@@ -75,7 +75,8 @@ std::string facts(ReportSubject const& subject) {
   auto const& contents = subject.plots->contents();
   pictures::Table table;
   table.header = {subject.say(says::facts_head), subject.say(says::facts_value)};
-  table.rows = {{subject.say(says::fact_cycle), format_exact(contents.cycle_time.microseconds()) + " µs"},
+  table.rows = {{subject.say(says::fact_cycle),
+                 exact_number(contents.cycle_time.microseconds()).in(subject.language) + " µs"},
                 {subject.say(says::fact_axes), subject.plots->names()},
                 {subject.say(says::fact_compiler), "axisc " + contents.compiler_version},
                 {subject.say(says::fact_sources), hex(contents.source_digest)}};

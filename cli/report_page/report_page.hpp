@@ -36,7 +36,7 @@ struct ReportSubject {
   }
 };
 
-/// Findings beyond these are counted only: a page that nobody scrolls to its end helps nobody.
+/// Findings beyond these are counted only: longer pages are not read.
 inline constexpr std::size_t most_shown_findings = 500;
 
 /// Counts a finding and keeps it as the page shows it.

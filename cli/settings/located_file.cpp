@@ -19,6 +19,10 @@ std::vector<Message> sentences_of(configuration::JsonProblem const& problem) {
     sentences.push_back({.sentence = axisc::configuration::says::json_did_you_mean,
                          .arguments = {{"suggestion", problem.suggestion}}});
   }
+  if (!problem.number.empty()) {
+    sentences.push_back({.sentence = axisc::configuration::says::json_write_number,
+                         .arguments = {{"replacement", problem.number}}});
+  }
   if (!problem.known_keys.empty()) {
     sentences.push_back({.sentence = axisc::configuration::says::json_known_keys,
                          .arguments = {{"keys", problem.known_keys}}});

@@ -1,4 +1,4 @@
-// `axisc suggest --plant`: what Improved Position Control can do for the axis that swings.
+// `axisc suggest --plant`: what Improved Position Control can do for the vibrating axis.
 //
 // It acts within the position loop of that axis alone: the setpoints of the others stay as they are, and so do their lists.
 #pragma once
@@ -20,7 +20,7 @@ struct DampingAnswer {
   std::string plant_path;
   double kv = 0;  ///< 1/s
   std::variant<tuning::Damping, tuning::NoDampingFound, InGantry> found;
-  std::vector<AxisLines> axes = {};  ///< of the group; without lines but for the axis that swings
+  std::vector<AxisLines> axes = {};  ///< of the group; with lines for the vibrating axis alone
   ListEdits edits = {};
   std::vector<std::string> findings = {};  ///< as those of an Alternative
 

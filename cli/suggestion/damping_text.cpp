@@ -104,7 +104,7 @@ std::string refusal_text(DampingAnswer const& answer, std::string const& axis, t
       arguments.push_back({"resonances", resonances_text(task)});
       break;
     case tuning::NoDamping::still:
-      arguments.push_back({"noticeable", format_exact(tuning::noticeable_swing)});
+      arguments.push_back({"noticeable", exact_number(tuning::noticeable_swing)});
       arguments.push_back({"resonances", resonances_text(task)});
       break;
     case tuning::NoDamping::diverges:
@@ -121,11 +121,11 @@ std::string figures_text(tuning::Damping const& damping, tuning::Task const& tas
   std::vector<std::vector<std::string>> rows{
       {"", say(language, says::without),
        say(language, says::with, {{"number", std::to_string(damping_number)}})}};
-  auto const add = [&](std::string name, std::string without, std::string with) {
-    rows.push_back({std::move(name), std::move(without), std::move(with)});
+  auto const add = [&](std::string name, Wording const& without, Wording const& with) {
+    rows.push_back({std::move(name), without.in(language), with.in(language)});
   };
-  auto const acceleration = [](double value) { return fmt::format("{:.3f}", value); };
-  auto const um = [](double units) { return fmt::format("{:.2f}", units / motion::units_per_um); };
+  auto const acceleration = [](double value) { return format_fixed(value, 3); };
+  auto const um = [](double units) { return format_fixed(units / motion::units_per_um, 2); };
   for (std::size_t i = 0; i < damping.resonances.size(); ++i) {
     auto const& resonance = damping.resonances[i];
     add(say(language, says::vibration, {{"frequency", format_rounded(task.resonances[i].frequency, 4)}}),
@@ -138,8 +138,7 @@ std::string figures_text(tuning::Damping const& damping, tuning::Task const& tas
   add(say(language, says::shift), "", um(damping.shift));
   add(say(language, says::distance), um(damping.error_without), um(damping.error_with));
   constexpr double mm_per_min_of_um_per_s = 0.06;
-  add(say(language, says::additive), "",
-      fmt::format("{:.1f}", damping.additive_velocity * mm_per_min_of_um_per_s));
+  add(say(language, says::additive), "", format_fixed(damping.additive_velocity * mm_per_min_of_um_per_s, 1));
   return text_table(rows, 2);
 }
 
@@ -153,7 +152,7 @@ std::string without_stage_text(tuning::DampedResonance const& resonance, double 
     sentence = says::not_in_plant;
   } else if (!resonance.is_noticeable) {
     sentence = says::still_stage;
-    arguments.push_back({"noticeable", format_exact(tuning::noticeable_swing)});
+    arguments.push_back({"noticeable", exact_number(tuning::noticeable_swing)});
   }
   return "  " + say(language, sentence, std::move(arguments)) + "\n";
 }

@@ -118,7 +118,7 @@ MeasuredResonances measured_resonances(std::string const& path, tuning::SignalCo
   MeasuredResonances answer{
       .kind = measurement.kind, .peaks = std::move(found.peaks), .refusal = std::nullopt};
   if (!found.doubt) return answer;
-  std::string const place =
+  Wording const place =
       found.doubtful_frequency > 0 ? " (" + format_rounded(found.doubtful_frequency, 3) + " Hz)" : "";
   answer.refusal = Message{
       .sentence = doubts[static_cast<std::size_t>(*found.doubt)],

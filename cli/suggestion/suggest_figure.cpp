@@ -8,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
 namespace axisc::cli::says {
 
 constexpr Sentence title{"Suggestions for axis {axis}", "Vorschläge für Achse {axis}"};
@@ -123,8 +121,8 @@ pictures::Figure suggest_figure(Suggestion const& suggestion, Language language)
   figure.title = say(language, says::title, {{"axis", suggestion.axis}});
   for (auto const& resonance : suggestion.task.resonances) {
     constexpr int digits = 4;
-    figure.marks.push_back(
-        {.at = resonance.frequency, .label = format_rounded(resonance.frequency, digits) + " Hz"});
+    figure.marks.push_back({.at = resonance.frequency,
+                            .label = format_rounded(resonance.frequency, digits).in(language) + " Hz"});
     highest = std::max(highest, resonance.frequency);
   }
   for (auto const& shown : settings) {
@@ -132,8 +130,8 @@ pictures::Figure suggest_figure(Suggestion const& suggestion, Language language)
                           say(language, says::described,
                               {{"setting", shown.name},
                                {"chain", tuning::short_name(shown.setting->chain, language)},
-                               {"vibration", fmt::format("{:.1f}", shown.setting->figures.vibration * 100)},
-                               {"delay", fmt::format("{:.1f}", shown.setting->figures.delay * T * 1e3)}});
+                               {"vibration", format_fixed(shown.setting->figures.vibration * 100, 1)},
+                               {"delay", format_fixed(shown.setting->figures.delay * T * 1e3, 1)}});
   }
   figure.x = {.quantity = say(language, says::frequency),
               .unit = "Hz",

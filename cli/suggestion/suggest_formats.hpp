@@ -27,7 +27,7 @@ namespace axisc::cli {
 [[nodiscard]] nlohmann::ordered_json axes_json(std::vector<AxisLines> const& axes);
 
 /// "48 Hz, 112 Hz".
-[[nodiscard]] std::string resonances_text(tuning::Task const& task);
+[[nodiscard]] Wording resonances_text(tuning::Task const& task);
 
 /// "balanced".
 [[nodiscard]] std::string sense_name(tuning::Sense sense, Language language);

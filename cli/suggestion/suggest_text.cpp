@@ -78,8 +78,8 @@ std::string say(Language language, SentenceRef text, std::vector<Argument> argum
   return render({.sentence = text, .arguments = std::move(arguments)}, language);
 }
 
-std::string micrometres(double units) {
-  return fmt::format("{:.2f}", units / motion::units_per_um);
+Wording micrometres(double units) {
+  return format_fixed(units / motion::units_per_um, 2);
 }
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -112,23 +112,25 @@ class Table {
   }
 
  private:
-  using Cell = std::function<std::string(Setting const&)>;
+  using Cell = std::function<Wording(Setting const&)>;
 
   void add(std::string name, Cell const& cell) {
     std::vector<std::string> row{std::move(name)};
-    if (suggestion_.present) row.push_back(cell(*suggestion_.present));
+    if (suggestion_.present) row.push_back(cell(*suggestion_.present).in(language_));
     for (std::size_t i = 0; i < tuning::senses; ++i) {
-      if (suggestion_.proposed.at(i) == i) row.push_back(cell(suggestion_.alternatives.at(i).setting));
+      if (suggestion_.proposed.at(i) == i) {
+        row.push_back(cell(suggestion_.alternatives.at(i).setting).in(language_));
+      }
     }
     rows_.push_back(std::move(row));
   }
-  [[nodiscard]] std::string feed(std::optional<double> const& value) const {
-    return value ? fmt::format("{:.0f}", *value) : say(language_, says::any);
+  [[nodiscard]] Wording feed(std::optional<double> const& value) const {
+    return value ? format_fixed(*value, 0) : say(language_, says::any);
   }
 
   void add_figures() {
     add(say(language_, says::vibration),
-        [](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.vibration * percent); });
+        [](Setting const& setting) { return format_fixed(setting.figures.vibration * percent, 1); });
     for (std::size_t i = 0; i < suggestion_.task.resonances.size(); ++i) {
       auto const frequency = format_rounded(suggestion_.task.resonances[i].frequency, 4);
       add(say(language_, says::amplitude, {{"frequency", frequency}}),
@@ -136,9 +138,9 @@ class Table {
     }
     double const milli = suggestion_.cycle_time.seconds() * 1e3;
     add(say(language_, says::delay),
-        [milli](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.delay * milli); });
+        [milli](Setting const& setting) { return format_fixed(setting.figures.delay * milli, 1); });
     add(say(language_, says::overshoot),
-        [](Setting const& setting) { return fmt::format("{:.1f}", setting.figures.overshoot * percent); });
+        [](Setting const& setting) { return format_fixed(setting.figures.overshoot * percent, 1); });
     add(say(language_, says::corner),
         [](Setting const& setting) { return micrometres(setting.corner.largest_axis_error()); });
     add(say(language_, says::corner_deviation),
@@ -185,8 +187,8 @@ std::string alternative_text(Suggestion const& suggestion, std::size_t index, La
 
 }  // namespace
 
-std::string resonances_text(tuning::Task const& task) {
-  std::string text;
+Wording resonances_text(tuning::Task const& task) {
+  Wording text;
   for (auto const& resonance : task.resonances) {
     text += (text.empty() ? "" : ", ") + format_rounded(resonance.frequency, 4) + " Hz";
   }
@@ -234,11 +236,11 @@ std::string measured_text(MeasuredResonances const& measured, Language language)
   std::string text;
   for (auto const& peak : measured.peaks) {
     text += say(language, peak.coherence ? SentenceRef(says::coherent_peak) : SentenceRef(says::peak),
-                {{"frequency", fmt::format("{:.2f}", peak.frequency)},
-                 {"uncertainty", fmt::format("{:.2f}", peak.frequency_uncertainty)},
-                 {"damping", fmt::format("{:.3f}", peak.damping)},
-                 {"damping_uncertainty", fmt::format("{:.3f}", peak.damping_uncertainty)},
-                 {"coherence", fmt::format("{:.2f}", peak.coherence.value_or(0))}}) +
+                {{"frequency", format_fixed(peak.frequency, 2)},
+                 {"uncertainty", format_fixed(peak.frequency_uncertainty, 2)},
+                 {"damping", format_fixed(peak.damping, 3)},
+                 {"damping_uncertainty", format_fixed(peak.damping_uncertainty, 3)},
+                 {"coherence", format_fixed(peak.coherence.value_or(0), 2)}}) +
             "\n";
   }
   if (measured.kind == tuning::MeasurementKind::spectrum) text += say(language, says::spectrum) + "\n";
@@ -266,9 +268,9 @@ std::string suggest_text(Suggestion const& suggestion, Language language) {
                 figures.overshoot > tuning::largest_overshoot ? SentenceRef(says::overshoots)
                                                               : SentenceRef(says::other_family),
                 {{"chain", tuning::short_name(chain, language)},
-                 {"vibration", fmt::format("{:.1f}", figures.vibration * percent)},
-                 {"delay", fmt::format("{:.1f}", figures.delay * suggestion.cycle_time.seconds() * 1e3)},
-                 {"overshoot", fmt::format("{:.1f}", figures.overshoot * percent)}}) +
+                 {"vibration", format_fixed(figures.vibration * percent, 1)},
+                 {"delay", format_fixed(figures.delay * suggestion.cycle_time.seconds() * 1e3, 1)},
+                 {"overshoot", format_fixed(figures.overshoot * percent, 1)}}) +
             "\n";
   }
   return text;

@@ -54,8 +54,8 @@ void append_control_text(std::string& text, Finding const& finding, Language lan
   }
   if (control.value.empty()) return;
   if (text.size() != begin) text += "; ";
-  std::array value{Argument{.name = "value", .value = control.value}};
-  if (!control.physical.empty()) ((value[0].value += " (") += control.physical) += ')';
+  std::array value{Argument{.name = "value", .value = Wording::number(control.value)}};
+  if (!control.physical.empty()) ((value[0].value += " (") += control.physical) += ")";
   append_rendered(text, says::control_value, value, language, values);
 }
 

@@ -143,7 +143,7 @@ void ProgramFlow::count_repeated(NcBlock const& block) {
 void ProgramFlow::finish() {
   if (state_.ended) return;
   if (subprograms_.is_open()) {
-    // Nothing comes behind it: the program would be empty.
+    // Nothing follows: the program would be empty.
     subprograms_.refuse_open();
   } else if (!loop_.empty()) {
     refuse(loop_.front().block(), says::cannot_simulate_open);

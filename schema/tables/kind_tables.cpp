@@ -64,7 +64,7 @@ class KindTables final : public OwnTables {
     return found == by_number_.end() ? std::span<ParameterId const>{} : found->second;
   }
 
-  /// Limits that others give are looked at where both stand in one list.
+  /// Limits that others give are looked at where both are in one list.
   [[nodiscard]] std::span<Slot const> slots_limited_by_others() const override { return {}; }
 
   [[nodiscard]] ParameterId parameter_of(Slot slot) const override {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr DWORD share_everything = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
 constexpr DWORD most_at_once = 1U << 30U;
-/// Nothing here has bits for groups; what others may do stands in the access list.
+/// Nothing here has bits for groups; the access list says what others may do.
 constexpr unsigned permissions_of_owner = 0600;
 
 HANDLE handle_of(std::intptr_t handle) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -145,6 +146,54 @@ std::size_t characters(std::string_view text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; }));
 }
 
+std::string read(fs::path const& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The texts of the project that people read, with the sources that hold sentences.
+std::vector<fs::path> readable_files() {
+  std::vector<fs::path> files;
+  for (auto at = fs::recursive_directory_iterator(AXISC_SOURCE_DIR); at != fs::recursive_directory_iterator();
+       ++at) {
+    std::string const name = at->path().filename().string();
+    bool const is_foreign = name == "build" || name == "tests" || name == "third_party" ||
+                            name == "node_modules" || name == "dist" || name.starts_with('.');
+    if (at->is_directory() && is_foreign) at.disable_recursion_pending();
+    std::string const extension = at->path().extension().string();
+    for (std::string_view const readable : {".cpp", ".hpp", ".md", ".json", ".ts", ".html", ".js", ".yml"}) {
+      if (extension == readable && !is_foreign) files.push_back(at->path());
+    }
+  }
+  return files;
+}
+
+/// Without what is in backticks, or between lines of three.
+std::string prose_of(std::string_view text) {
+  std::string prose;
+  bool in_code = false;
+  while (!text.empty()) {
+    std::size_t const mark = std::min(text.find('`'), text.size());
+    if (!in_code) prose += text.substr(0, mark);
+    text.remove_prefix(mark);
+    std::size_t const after = std::min(text.find_first_not_of('`'), text.size());
+    if (after > 0) in_code = !in_code;
+    text.remove_prefix(after);
+  }
+  return prose;
+}
+
+/// A number with a decimal point, which is no number of a section; empty where there is none.
+std::string number_with_point(std::string_view german) {
+  static std::regex const number(R"((Abschnitt)?(^|[^\w.])\d+\.\d+(?!\w|\.\w))");
+  std::string const prose = prose_of(german);
+  for (std::sregex_iterator found(prose.begin(), prose.end(), number); found != std::sregex_iterator();
+       ++found) {
+    if (!(*found)[1].matched) return found->str();
+  }
+  return {};
+}
+
 bool has_lines(Definition const& definition) {
   return (definition.english + definition.german).find('\n') != std::string::npos;
 }
@@ -186,6 +235,42 @@ TEST_CASE("a sentence can be read at a glance, and says as much in one language 
     CHECK(std::max(english, german) <= 240);
     // Of words and fragments one may well be twice as long.
     if (std::max(english, german) > 40) CHECK(std::max(english, german) < 2 * std::min(english, german));
+  }
+}
+
+TEST_CASE("no text was read in one encoding and written in another") {
+  auto const files = readable_files();
+  CHECK(files.size() > 800);
+  for (fs::path const& path : files) {
+    std::string const text = read(path);
+    INFO(path);
+    // How UTF-8 looks when it is read as windows-1252: each of its first bytes is one of these letters.
+    for (std::string_view const letter : {"\u00C3", "\u00C2", "\u00E2\u20AC"}) {
+      CHECK(text.find(letter) == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("German texts have decimal commas") {
+  CHECK_FALSE(number_with_point("höchstens 12.5 mm, Abschnitt 3.2").empty());
+  CHECK(number_with_point("`0.5` und 0,5, V3.1.3080.00").empty());
+  for (Definition const& definition : all_definitions()) {
+    // The examples of a command's help are what one types.
+    if (has_lines(definition)) continue;
+    INFO(definition.source << " " << definition.name << ": " << definition.german);
+    CHECK(number_with_point(definition.german).empty());
+  }
+  for (fs::path const& path : readable_files()) {
+    if (path.filename() != "de.md") continue;
+    INFO(path);
+    CHECK(number_with_point(read(path)).empty());
+  }
+  static std::regex const german(R"("de": "([^"]*)") ");
+      std::string const descriptions = read(fs::path(AXISC_SOURCE_DIR) / "schema" / "axis-descriptions.json");
+  for (std::sregex_iterator found(descriptions.begin(), descriptions.end(), german);
+       found != std::sregex_iterator(); ++found) {
+    INFO(found->str(1));
+    CHECK(number_with_point(found->str(1)).empty());
   }
 }
 

@@ -54,3 +54,20 @@ TEST_CASE("a value that looks like a placeholder is not filled again") {
   Message const message{.sentence = order, .arguments = {{"type", "{order}"}, {"order", "{type}"}}};
   CHECK(render(message, Language::english) == "{order} does not know order {type}");
 }
+
+TEST_CASE("numbers have the decimal sign of the reader's language, and in code spans that of lists") {
+  Message const message{.sentence = order,
+                        .arguments = {{"order", Wording::number("0.5 mm")}, {"type", "1.5.lis"}}};
+  CHECK(render(message, Language::english) == "1.5.lis does not know order 0.5 mm");
+  CHECK(render(message, Language::german) == "die Ordnung 0,5 mm kennt 1.5.lis nicht");
+  Message const code{.sentence = unknown, .arguments = {{"name", Wording::number("0.5")}}};
+  CHECK(render(code, Language::german) == "unbekannter Parameter `0.5`");
+}
+
+TEST_CASE("a wording is put together in both languages") {
+  Wording const range = "T = " + Wording::number("0.5") + " ms, " + Wording("none", "keine");
+  CHECK(range.in(Language::english) == "T = 0.5 ms, none");
+  CHECK(range.in(Language::german) == "T = 0,5 ms, keine");
+  CHECK(range == "T = 0.5 ms, none");
+  CHECK(Wording::number("1.2e-07, 3.").in(Language::german) == "1,2e-07, 3.");
+}

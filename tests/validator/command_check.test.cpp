@@ -157,7 +157,27 @@ TEST_CASE("#VIB GUARD") {
         "AX5002 <0> AX5002 <0.5> AX5002 <1.1> AX5002 <-1> AX5002 <0> ");
   CHECK(guard("#VIB GUARD ON [MODE=2.5]") == "AX5002 <2.5> ");
   CHECK(guard("#VIB GUARD ON [ORDER=20 HSC]") == "AX5002 <ORDER> AX5002 <HSC> ");
-  CHECK(guard("#VIB GUARD [ON]") == "AX5002 <ON> ");
+  CHECK(guard("#VIB GUARD [ON]") == "AX5001 <[ON]> ");
+}
+
+TEST_CASE("what is meant for ON or OFF is written so") {
+  auto const better = [](std::string_view text) {
+    return parse_filter_command(text, limits()).mistakes.at(0).better.value_or("");
+  };
+  CHECK(better("#filter on") == "#FILTER ON");
+  CHECK(result("#filter  off") == "AX5001 <#filter  off> ");
+  CHECK(better("#filter  off") == "#FILTER  OFF");
+  CHECK(better("#filter Ein [ORDER=20]") == "#FILTER ON");
+  CHECK(result("#filter on [ORDER=20]") == "AX5001 <#filter on> ");
+  CHECK(better("#filter ON [ORDER=20]") == "#FILTER");
+  CHECK(better("#filter one") == "#FILTER");
+  CHECK(better("#FILTER EIN") == "ON");
+  CHECK(better("#FILTER aus") == "OFF");
+  CHECK(better("#FILTER [ON]") == "ON");
+  CHECK(better("#FILTER [ off ]") == "OFF");
+  CHECK(result("#FILTER [ON ORDER=20]") == "AX5001 <[ON > ");
+  CHECK(better("#FILTER [ON ORDER=20]") == "ON [");
+  CHECK(better("#FILTER [ON") == "ON");
 }
 
 TEST_CASE("whether a command gives an order") {

@@ -298,6 +298,15 @@ TEST_CASE("AX3009: one finding for each parameter that the type ignores") {
   CHECK(lines("filter[0].guete 4").empty());
 }
 
+TEST_CASE("AX3009: a value that another parameter refers to has an effect") {
+  std::string const fir =
+      "filter_fir.enable 1\nfilter_fir.type 1\nfilter_fir.order 10\nfilter_fir.fcut 2.5e1\n";
+  std::string const lowpass =
+      "filter[0].enable 1\nfilter[0].type LOWPASS\nfilter[0].order 2\nfilter[0].fg_f0 ";
+  CHECK(lines(fir + lowpass + "P-AXIS-00585\n").empty());
+  CHECK(lines(fir + lowpass + "20\n") == Lines{"4 AX3009"});
+}
+
 TEST_CASE("AX3009: the default written out is no finding") {
   CHECK(lines(filter("LOWPASS", "1", "filter[0].guete 1.0\nfilter[0].time_constant 10000\n")).empty());
   CHECK(lines(filter("PT1", "1", "filter[0].prototype CRIT_DAMPING\nfilter[0].fg_f0 3.0e1\n")).empty());

@@ -205,3 +205,34 @@ TEST_CASE("a bus in the place of a drive is told the drives that it has") {
           std::string::npos);
   }
 }
+
+TEST_CASE("what is wrong in a machine file has a remedy") {
+  auto const finding = [](std::string const& machine) {
+    return Checked({{"m.json", machine}, {"x.lis", "kopf.achs_nr 1\n"}}, "m.json").result.findings.at(0);
+  };
+  std::string const axes = "\"axes\": [{\"name\": \"X\", \"list\": \"x.lis\"}]";
+  auto const number = [&](std::string const& text) {
+    auto const fix = finding("{" + axes + ", \"cycle_time_us\": " + text + "}").fix;
+    return fix ? fix->edits.at(0).text : "";
+  };
+  CHECK(number("\"1ms\"") == "1000");
+  CHECK(number("\"2 ms\"") == "2000");
+  CHECK(number("\"0.001s\"") == "1000");
+  CHECK(number("\"500µs\"") == "500");
+  CHECK(number("\"1000\"") == "1000");
+  CHECK(number("\"1 h\"").empty());
+  CHECK(number("\"5s\"").empty());
+  Finding const unknown = finding("{" + axes + ", \"groups\": [{\"axes\": [\"Z\"]}]}");
+  CHECK(render(unknown.notes.at(0), Language::english) == "its axes: X");
+  Finding const list = finding("{\"axes\": [{\"name\": \"X\", \"list\": \"./xx.lis\"}]}");
+  CHECK(render(list.help.at(0), Language::english) == "did you mean \"./x.lis\"?");
+  CHECK_FALSE(list.fix);
+}
+
+TEST_CASE("a machine file from Windows names the same lists everywhere") {
+  CHECK(Checked({{"m.json", R"({"axes": [{"name": "X", "list": "sub\\x.lis"}], "cycle_time_us": 1000})"},
+                 {"sub/x.lis", "kopf.achs_nr 1\n"}},
+                "m.json")
+            .found()
+            .empty());
+}

@@ -11,7 +11,7 @@ using tests::Checked;
 using tests::Lines;
 
 struct Said {
-  std::string message, notes, control, fix;
+  std::string message, notes, help, control, fix;
 };
 
 /// The first finding of a list.
@@ -22,6 +22,7 @@ Said said(std::string const& list) {
   Said said;
   said.message = render(finding.message, Language::english);
   for (Message const& note : finding.notes) said.notes += render(note, Language::english);
+  for (Message const& help : finding.help) said.help += render(help, Language::english);
   if (finding.control) said.control = finding.control->message;
   if (finding.fix) said.fix = finding.fix->edits.at(0).text;
   return said;
@@ -59,6 +60,37 @@ TEST_CASE("what is written is quoted as it is written") {
   CHECK(said("filter[0].order -0x10\n").message == "`-0x10` is not a number");
   CHECK_THAT(said("filter[99999999999999999999].order 1\n").message,
              Catch::Matchers::StartsWith("index 99999999999999999999 is out of range"));
+}
+
+TEST_CASE("a value out of range is told the nearest one that is allowed") {
+  CHECK(said("filter[0].guete 0.7\n").help == "the nearest value allowed is `1`");
+  CHECK(said("filter[0].guete 11.5\n").help == "the nearest value allowed is `10`");
+  CHECK(said("filter[0].share_percent 120\n").help == "the nearest value allowed is `100`");
+  CHECK(said("vib_guard.mode 5\n").help == "the nearest value allowed is `4`");
+}
+
+TEST_CASE("a word for a switch is told its number") {
+  for (std::string const word : {"YES", "ein", "True", "JA"})
+    CHECK(said("filter[0].enable " + word + "\n").fix == "1");
+  for (std::string const word : {"NO", "aus", "Falsch"})
+    CHECK(said("filter[0].enable " + word + "\n").fix == "0");
+  CHECK(said("filter[0].enable MAYBE\n").fix.empty());
+}
+
+TEST_CASE("a unit that follows a number directly is taken off, and the number converted") {
+  CHECK(said("filter[0].fg_f0 40Hz\n").fix == "40");
+  CHECK(said("filter[0].fg_f0 0.04kHz\n").fix == "40");
+  CHECK(said("filter[0].time_constant 10ms\n").fix == "10000");
+  CHECK(said("filter[0].fg_f0 40mm\n").fix.empty());
+  CHECK(said("filter[0].fg_f0 Hz\n").fix.empty());
+  CHECK(said("filter[0].guete 4Hz\n").fix.empty());
+}
+
+TEST_CASE("the numbers of a parameter have names in both languages") {
+  Checked const checked("filter_fir.type GAUSS\n");
+  CHECK(
+      render(checked.result.findings.at(0).notes.at(0), Language::german) ==
+      "Werte: Kein Filter (0), Gleitender Mittelwert (1), Gauß (2), Windowed-Sinc (3), Zeitverzögerung (4)");
 }
 
 TEST_CASE("lower limits next to limits that are expressions") {

@@ -55,11 +55,11 @@ std::string short_name(machine::PositionControl const& control, Language languag
     auto const& filter = stage.filters.front();
     std::vector<Argument> arguments{
         {"mode", word_of(stage.mode)},
-        {"frequency", format_exact(filter.frequency.value)},
+        {"frequency", exact_number(filter.frequency.value)},
         {"order", std::to_string(filter.order)},
-        {"quality", format_exact(filter.quality)},
-        {"weight", format_exact(stage.weight_numerator / stage.weight_denominator)}};
-    if (stage.oscillator) arguments.push_back({"damping", format_exact(stage.oscillator->damping)});
+        {"quality", exact_number(filter.quality)},
+        {"weight", exact_number(stage.weight_numerator / stage.weight_denominator)}};
+    if (stage.oscillator) arguments.push_back({"damping", exact_number(stage.oscillator->damping)});
     text += (text.empty() ? "" : " + ") +
             render({.sentence = stage.oscillator ? SentenceRef(says::damped_stage) : SentenceRef(says::stage),
                     .arguments = std::move(arguments)},

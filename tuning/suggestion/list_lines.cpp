@@ -93,22 +93,22 @@ std::string short_name(Chain const& chain, Language language) {
   };
   std::string text;
   auto const append = [&](std::string part, std::optional<std::uint32_t> order,
-                          std::initializer_list<std::pair<bool, std::string>> details) {
+                          std::initializer_list<std::pair<bool, Wording>> details) {
     if (order) part = say(says::order, {{"filter", part}, {"order", std::to_string(*order)}});
     for (auto const& [applies, detail] : details) {
-      if (applies) part += ", " + detail;
+      if (applies) part += ", " + detail.in(language);
     }
     text += (text.empty() ? "" : " + ") + part;
   };
   auto const order_unless = [](bool computed, std::uint32_t order) {
     return computed ? std::nullopt : std::optional(order);
   };
-  auto const quality = [&](double value) { return say(says::quality, {{"quality", format_exact(value)}}); };
+  auto const quality = [&](double value) { return say(says::quality, {{"quality", exact_number(value)}}); };
   for (auto const& filter : chain.filters) {
     append(std::string(design::kind_of(filter.type).word),
            order_unless(design::computes_order(filter.type), filter.order),
-           {{design::uses_frequency(filter.type), format_exact(filter.frequency.value) + " Hz"},
-            {design::uses_time_constant(filter.type), format_exact(filter.time_constant.value) + " µs"},
+           {{design::uses_frequency(filter.type), exact_number(filter.frequency.value) + " Hz"},
+            {design::uses_time_constant(filter.type), exact_number(filter.time_constant.value) + " µs"},
             {design::uses_quality(filter.type), quality(filter.quality)}});
   }
   if (chain.kernel) {
@@ -116,7 +116,7 @@ std::string short_name(Chain const& chain, Language language) {
     auto const& kind = design::kind_of(kernel.type);
     append(say(kernel_names[static_cast<std::size_t>(kernel.type)]),
            order_unless(kind.computes_order, kernel.order),
-           {{kind.uses_frequency, format_exact(kernel.frequency.value) + " Hz"},
+           {{kind.uses_frequency, exact_number(kernel.frequency.value) + " Hz"},
             {kind.uses_quality && kernel.quality != 1, quality(kernel.quality)}});
   }
   return text.empty() ? "-" : text;

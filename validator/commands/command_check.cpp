@@ -9,6 +9,7 @@
 #include "validator/sentences.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace axisc::validator::says {
@@ -22,6 +23,8 @@ constexpr Sentence filter_syntax_expected_keyword{
     "hier wird ein Schlüsselwort oder `]` erwartet, nicht `{text}`"};
 constexpr Sentence filter_syntax_unclosed{"this bracket of `{command}` is not closed",
                                           "diese Klammer von `{command}` ist nicht geschlossen"};
+constexpr Sentence filter_syntax_switch_in_brackets{"`{switch}` is written before the brackets",
+                                                    "`{switch}` steht vor den Klammern"};
 constexpr Sentence filter_syntax_no_value_allowed{"the keyword `{keyword}` takes no value",
                                                   "das Schlüsselwort `{keyword}` nimmt keinen Wert an"};
 constexpr Sentence filter_syntax_no_filter_command{"this is not a #FILTER command",
@@ -47,6 +50,16 @@ using grammar::KeywordValue;
 using grammar::NcCommand;
 
 constexpr std::string_view hsc = "HSC";
+
+/// ON or OFF for a word that means it: in other letters, or in German; empty for other words.
+std::string_view switch_meant(std::string_view word) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words{
+      {{"ON", "ON"}, {"OFF", "OFF"}, {"EIN", "ON"}, {"AN", "ON"}, {"AUS", "OFF"}}};
+  auto const* const known = std::find_if(words.begin(), words.end(), [word](auto const& row) {
+    return ascii::equal_ignoring_case(word, row.first);
+  });
+  return known == words.end() ? std::string_view() : known->second;
+}
 
 SentenceRef text_of(CommandProblemKind kind) {
   switch (kind) {
@@ -76,7 +89,7 @@ class CommandCheck {
     check_structure();
     hsc_ = command_.kind == CommandKind::filter && means_hsc(command_, text_);
     result_.hsc = hsc_;
-    for (std::size_t i = 0; i < command_.keywords.size(); ++i) {
+    for (std::size_t i = check_switch_in_brackets() ? 1 : 0; i < command_.keywords.size(); ++i) {
       if (check_separated(i)) {
         ++i;
       } else {
@@ -114,6 +127,40 @@ class CommandCheck {
     return {.begin = begin, .end = end};
   }
 
+  /// `#filter on`: one fix writes both words.
+  void take_switch(CommandMistake& mistake) {
+    std::string_view const rest = text_.substr(mistake.span.end);
+    std::size_t const begin = std::min(rest.find_first_not_of(" \t"), rest.size());
+    std::size_t const end = std::min(rest.find_first_of(" \t\r\n([;", begin), rest.size());
+    std::string_view const word = rest.substr(begin, end - begin);
+    std::string_view const meant = switch_meant(word);
+    if (meant.empty() || word == meant) return;
+    usable_ = false;
+    mistake.span.end += static_cast<std::uint32_t>(end);
+    mistake.better->append(rest.substr(0, begin)).append(meant);
+    mistake.message.arguments = {{"command", *mistake.better},
+                                 {"text", std::string(slice(text_, mistake.span))}};
+  }
+
+  /// `[ON ORDER=20]`: the switch is before the brackets.
+  bool check_switch_in_brackets() {
+    if (command_.keywords.empty() || command_.keywords[0].kind != KeywordValue::none) return false;
+    Span const name = command_.keywords[0].name;
+    std::string_view const meant = switch_meant(slice(text_, name));
+    std::size_t const opening = text_.substr(0, name.begin).rfind('[');
+    if (meant.empty() || opening == std::string_view::npos) return false;
+    usable_ = false;
+    bool const is_alone = command_.keywords.size() == 1;
+    std::size_t const closing = std::min(text_.find(']', name.end), text_.size() - 1);
+    std::size_t const end = is_alone ? closing + 1 : command_.keywords[1].name.begin;
+    CommandMistake& mistake =
+        add(syntax_mistake,
+            {.begin = static_cast<std::uint32_t>(opening), .end = static_cast<std::uint32_t>(end)},
+            says::filter_syntax_switch_in_brackets, {{"switch", std::string(meant)}});
+    mistake.better = std::string(meant) + (is_alone ? "" : " [");
+    return true;
+  }
+
   void check_structure() {
     if (!command_.problem || follows_keyword_without_value()) return;
     std::string const proper(proper_name(command_.kind));
@@ -121,12 +168,11 @@ class CommandCheck {
                                   {{"command", proper}, {"text", word(command_.problem->span)}});
     if (command_.problem->kind == CommandProblemKind::letter_case) {
       mistake.better = proper;
+      take_switch(mistake);
     } else {
       usable_ = false;
-      std::string_view const written = slice(text_, command_.problem->span);
-      for (std::string_view const known : {"ON", "OFF"}) {
-        if (written != known && ascii::equal_ignoring_case(written, known)) mistake.better = known;
-      }
+      std::string_view const meant = switch_meant(slice(text_, command_.problem->span));
+      if (!meant.empty()) mistake.better = meant;
       Span const keywords = keywords_from(command_.problem->span.begin);
       bool const lacks_brackets = command_.problem->kind == CommandProblemKind::unexpected_text &&
                                   command_.keywords.empty() && !keywords.empty();

@@ -13,14 +13,15 @@ KeywordRange closed(std::string_view keyword, double minimum, double maximum) {
   KeywordRange range;
   range.minimum = minimum;
   range.maximum = maximum;
-  range.text = fmt::format("{} ≤ {} ≤ {}", format_exact(minimum), keyword, format_exact(maximum));
+  range.text =
+      Wording::number(fmt::format("{} ≤ {} ≤ {}", format_exact(minimum), keyword, format_exact(maximum)));
   return range;
 }
 
 KeywordRange at_least(std::string_view keyword, double minimum) {
   KeywordRange range;
   range.minimum = minimum;
-  range.text = fmt::format("{} ≥ {}", keyword, format_exact(minimum));
+  range.text = Wording::number(fmt::format("{} ≥ {}", keyword, format_exact(minimum)));
   return range;
 }
 
@@ -34,8 +35,8 @@ KeywordRange order_time(CommandLimits const& limits) {
   double const cycle = limits.cycle_time.microseconds();
   double const longest = limits.longest_order();
   KeywordRange range = closed("ORDER_TIME", cycle, longest * cycle);
-  range.text = fmt::format("T = {} µs ≤ ORDER_TIME ≤ {} T = {} µs", format_exact(cycle),
-                           format_exact(longest), format_exact(longest * cycle));
+  range.text = Wording::number(fmt::format("T = {} µs ≤ ORDER_TIME ≤ {} T = {} µs", format_exact(cycle),
+                                           format_exact(longest), format_exact(longest * cycle)));
   range.depends_on_cycle_time = true;
   return range;
 }
@@ -43,7 +44,8 @@ KeywordRange order_time(CommandLimits const& limits) {
 KeywordRange below_nyquist(std::string_view keyword, CommandLimits const& limits) {
   KeywordRange range = closed(keyword, 1, limits.nyquist().value);
   range.below_maximum = true;
-  range.text = fmt::format("1 Hz ≤ {} < 0.5/T = {} Hz", keyword, format_rounded(limits.nyquist().value, 6));
+  range.text = Wording::number(
+      fmt::format("1 Hz ≤ {} < 0.5/T = {} Hz", keyword, format_rounded(limits.nyquist().value, 6).written()));
   range.depends_on_cycle_time = true;
   return range;
 }

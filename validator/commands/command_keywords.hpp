@@ -1,6 +1,7 @@
 // The keywords of #FILTER and #VIB GUARD with the ranges of their values.
 #pragma once
 
+#include "diagnostics/wording.hpp"
 #include "grammar/nc_command.hpp"
 #include "validator/commands/command_check.hpp"
 
@@ -24,7 +25,7 @@ struct KeywordRange {
   std::optional<double> maximum;  ///< none: no limit
   bool below_maximum = false;     ///< the maximum itself is not allowed
   bool whole = false;             ///< whole numbers only
-  std::string text;               ///< "0 ≤ ORDER ≤ 200", with the formula where there is one
+  Wording text;                   ///< "0 ≤ ORDER ≤ 200", with the formula where there is one
   bool depends_on_cycle_time = false;
   std::string_view
       control;  ///< the control's message that aborts the program for another value; empty: none known

@@ -68,7 +68,7 @@ void add_range_notes(CommandMistake& mistake, std::string const& name, double va
     if (range.contains(value * 1000)) {
       std::string const replacement = "ORDER_TIME=" + format_exact(value * 1000);
       mistake.help.push_back({.sentence = says::milliseconds_meant,
-                              .arguments = {{"value", format_exact(value)}, {"replacement", replacement}}});
+                              .arguments = {{"value", exact_number(value)}, {"replacement", replacement}}});
     }
   }
   mistake.depends_on_cycle_time = range.depends_on_cycle_time;

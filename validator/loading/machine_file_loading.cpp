@@ -1,3 +1,5 @@
+#include "configuration/sentences.hpp"
+#include "schema/closest_word.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/loading/unreadable_file.hpp"
 #include "validator/sentences.hpp"
@@ -113,6 +115,18 @@ std::optional<std::size_t> Loader::program_named(configuration::LocatedText cons
 
 void Loader::missing(configuration::LocatedText const& name, configuration::FileError error) {
   refuse(name, sentence_of(error));
+  if (error != configuration::FileError::not_found) return;
+  std::string const path = beside(machine_.path, name.text);
+  std::string_view const written = file_name(path);
+  std::vector<std::string> const names = files_.names_in(path.substr(0, path.size() - written.size()));
+  std::string_view const closest =
+      schema::closest_word(written, std::vector<std::string_view>(names.begin(), names.end()));
+  if (closest.empty()) return;
+  // No fix: the name next to it may be another axis' list.
+  machine_.findings.back().help.push_back(
+      {.sentence = configuration::says::json_did_you_mean,
+       .arguments = {
+           {"suggestion", name.text.substr(0, name.text.size() - written.size()) + std::string(closest)}}});
 }
 
 void Loader::refuse(configuration::LocatedText const& name, SentenceRef text) {

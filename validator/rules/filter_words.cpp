@@ -30,24 +30,24 @@ std::string filter_name(FilterView const& filter) {
 std::string symbol_word(EffectiveValue const& value) {
   if (!value.value.text.empty()) return std::string(value.value.text);
   schema::Symbol const* const symbol = schema::symbol_of_number(*value.row, value.value.number);
-  return symbol != nullptr ? std::string(symbol->word) : number(value.value.number);
+  return symbol != nullptr ? std::string(symbol->word) : number(value.value.number).written();
 }
 
-std::string number(double value) {
+Wording number(double value) {
   return format_rounded(value, 6);
 }
 
-std::string percent(double share) {
+Wording percent(double share) {
   double const value = share * 100;
   double const rounded = std::round(value * 10) / 10;
   return std::abs(value) < 0.1 ? format_rounded(value, 2) : format_rounded(rounded, 6);
 }
 
-std::string microseconds(double value) {
+Wording microseconds(double value) {
   return number(value) + " µs";
 }
 
-std::string milliseconds(double value) {
+Wording milliseconds(double value) {
   return number(value / 1e3) + " ms";
 }
 
@@ -72,8 +72,7 @@ void react(Finding& finding, std::string_view control, Message reaction, std::st
 
 void note_default(Finding& finding, EffectiveValue const& value) {
   if (value.set()) return;
-  std::string const standard =
-      value.value.text.empty() ? number(value.value.number) : std::string(value.value.text);
+  Wording const standard = value.value.text.empty() ? number(value.value.number) : value.value.text;
   finding.notes.push_back(
       {says::filter_default, {{"parameter", parameter_name(value)}, {"value", standard}}});
 }

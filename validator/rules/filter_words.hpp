@@ -16,13 +16,13 @@ namespace axisc::validator::checks {
 [[nodiscard]] std::string symbol_word(EffectiveValue const& value);
 
 /// A value for display: six significant digits, integers in full.
-[[nodiscard]] std::string number(double value);
+[[nodiscard]] Wording number(double value);
 /// "10.9" for a share of 0.109: one decimal, two significant digits below a tenth of a percent.
-[[nodiscard]] std::string percent(double share);
+[[nodiscard]] Wording percent(double share);
 /// "1000 µs".
-[[nodiscard]] std::string microseconds(double value);
+[[nodiscard]] Wording microseconds(double value);
 /// "12 ms".
-[[nodiscard]] std::string milliseconds(double value);
+[[nodiscard]] Wording milliseconds(double value);
 
 /// A time in microseconds: "12000 µs (12 ms) are 12 cycles of 1000 µs".
 [[nodiscard]] Message time_in_cycles(double time, design::CycleTime cycle_time);

@@ -43,7 +43,7 @@ std::optional<std::size_t> last_cause(Delays const& delays) {
   return last;
 }
 
-std::string cycles_text(double cycles) {
+Wording cycles_text(double cycles) {
   return format_rounded(std::round(cycles * 1000) / 1000, 6);
 }
 
@@ -55,13 +55,10 @@ Message delay_of(DelayedAxis const& axis) {
            {"shares", shares_text(axis.delay)}}};
 }
 
-std::string shares_text(AxisDelay const& delay) {
-  std::string text;
+Wording shares_text(AxisDelay const& delay) {
+  Wording text;
   for (DelayShare const& share : delay.shares) {
-    text.append(text.empty() ? "`" : ", `")
-        .append(share.filter)
-        .append("` ")
-        .append(cycles_text(share.cycles));
+    text += (text.empty() ? "`" : ", `") + share.filter + "` " + cycles_text(share.cycles);
   }
   return text;
 }

@@ -33,12 +33,12 @@ using Delays = std::vector<DelayedAxis>;
 [[nodiscard]] std::optional<std::size_t> last_cause(Delays const& delays);
 
 /// Cycles for display.
-[[nodiscard]] std::string cycles_text(double cycles);
+[[nodiscard]] Wording cycles_text(double cycles);
 
 /// States the delay of an axis, and what each of its filters contributes.
 [[nodiscard]] Message delay_of(DelayedAxis const& axis);
 /// "`filter[1]` 3.907, `filter_fir` 20".
-[[nodiscard]] std::string shares_text(AxisDelay const& delay);
+[[nodiscard]] Wording shares_text(AxisDelay const& delay);
 
 /// The filter of `axis` whose share differs most from that of the same filter in `other`, and that a list sets, in doubt the
 /// later one; null where `axis` has none.

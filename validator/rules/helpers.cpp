@@ -36,9 +36,9 @@ Fix replace_by(Place place, std::string text, Message title, FixSafety safety) {
   return fix;
 }
 
-std::string range_text(schema::Parameter const& parameter, std::string_view unit, bool physical_units) {
+Wording range_text(schema::Parameter const& parameter, std::string_view unit, bool physical_units) {
   auto const number = [&](schema::Limit const& limit) {
-    return physical_units ? physical(limit.number, unit) : format_exact(limit.number);
+    return physical_units ? physical(limit.number, unit) : exact_number(limit.number);
   };
   schema::Limit const& minimum = parameter.minimum;
   schema::Limit const& maximum = parameter.maximum;
@@ -46,7 +46,7 @@ std::string range_text(schema::Parameter const& parameter, std::string_view unit
   bool const below = minimum.kind == schema::Limit::Kind::number;
   bool const above = maximum.kind == schema::Limit::Kind::number;
   if (!above) return name + (minimum.open ? " > " : " ≥ ") + number(minimum);
-  std::string const upper = name + (maximum.open ? " < " : " ≤ ") + number(maximum);
+  Wording const upper = name + (maximum.open ? " < " : " ≤ ") + number(maximum);
   return below ? number(minimum) + (minimum.open ? " < " : " ≤ ") + upper : upper;
 }
 
@@ -55,12 +55,12 @@ bool is_default_or_off(schema::Parameter const& parameter, double value) {
   return standard && standard->number == value;
 }
 
-std::string allowed_values(schema::Parameter const& parameter) {
-  std::string text;
-  for (schema::Symbol const& symbol :
-       parameter.symbols.empty() ? parameter.number_names : parameter.symbols) {
+Wording allowed_values(schema::Parameter const& parameter) {
+  bool const has_words = !parameter.symbols.empty();
+  Wording text;
+  for (schema::Symbol const& symbol : has_words ? parameter.symbols : parameter.number_names) {
     if (!text.empty()) text += ", ";
-    text += symbol.word;
+    text += has_words ? Wording(symbol.word) : number_name(parameter, symbol);
     if (symbol.number) text += " (" + std::to_string(*symbol.number) + ")";
   }
   return text;

@@ -107,11 +107,11 @@ void for_each_doubtful(AxisContext const& context, Visit visit) {
 }
 
 /// "LOWPASS (1), HIGHPASS (2)": its words, or, where it has none, what its numbers mean.
-[[nodiscard]] std::string allowed_values(schema::Parameter const& parameter);
+[[nodiscard]] Wording allowed_values(schema::Parameter const& parameter);
 
 /// "1 ≤ guete ≤ 10", with one limit "fcut ≥ 1 Hz": the name is the last part of the parameter's.
-[[nodiscard]] std::string range_text(schema::Parameter const& parameter, std::string_view unit,
-                                     bool physical_units);
+[[nodiscard]] Wording range_text(schema::Parameter const& parameter, std::string_view unit,
+                                 bool physical_units);
 
 /// Real lists write "off" as the default value, or as 0 where that is the default.
 [[nodiscard]] bool is_default_or_off(schema::Parameter const& parameter, double value);

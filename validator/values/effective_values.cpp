@@ -143,7 +143,8 @@ EffectiveValue& EffectiveValues::edit(schema::Slot slot) {
   return entry != 0 ? value_at(entry - 1) : add(make_default(catalogue_, slot));
 }
 
-void EffectiveValues::refer(schema::Slot slot, schema::Value value) {
+void EffectiveValues::refer(schema::Slot slot, schema::Slot target, schema::Value value) {
+  edit(target).is_target = true;
   EffectiveValue& entry = edit(slot);
   entry.value = value;
   entry.referenced = true;

@@ -36,6 +36,7 @@ struct EffectiveValue {
   /// the value stay silent: one mistake, one message. `value` is then the last usable one before that line.
   bool unusable = false;
   bool referenced = false;  ///< the value came through a reference to another parameter
+  bool is_target = false;   ///< another parameter takes its value from this one, through a reference
 
   [[nodiscard]] bool set() const { return origin != Origin::internal_default; }
   /// The value token in the list that applies; none for the internal default.
@@ -102,8 +103,8 @@ class EffectiveValues {
 
   /// The entry of a slot for writing. At the first time it is a copy of the internal default, whatever lists say.
   EffectiveValue& edit(schema::Slot slot);
-  /// Sets the value of a reference that was looked up.
-  void refer(schema::Slot slot, schema::Value value);
+  /// Sets the value of a reference that was looked up: that of `target`, or of its default.
+  void refer(schema::Slot slot, schema::Slot target, schema::Value value);
 
  private:
   /// Values lie in blocks that never grow, so that none of them moves.

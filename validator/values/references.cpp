@@ -121,7 +121,7 @@ class Resolver {
     std::string_view const unit = rotary_ ? to.unit_rotary : to.unit_translatory;
     std::string_view const other = rotary_ ? from.unit_rotary : from.unit_translatory;
     if (!unit.empty() && !other.empty() && unit != other) report(slot, ReferenceTrouble::other_unit);
-    values_.refer(slot, *value);
+    values_.refer(slot, target, *value);
   }
 
   void fail(Slot slot, ReferenceTrouble trouble) {

@@ -1,5 +1,7 @@
 #include "validator/views/drive.hpp"
 
+#include "validator/views/units_text.hpp"
+
 #include <algorithm>
 #include <string>
 
@@ -21,6 +23,11 @@ machine::DriveType const* drive_of(LoadedAxis const& axis) {
   EffectiveValue const& type = axis.merged.values.at("kenngr.antr_typ");
   if (type.unusable) return nullptr;
   return find_drive([&](machine::DriveType const& drive) { return drive.number == type.value.number; });
+}
+
+Wording drive_name(machine::DriveType const& drive) {
+  return number_name(row_at("kenngr.antr_typ"),
+                     {.word = drive.word, .number = static_cast<int>(drive.number)});
 }
 
 machine::PositionController position_controller(LoadedAxis const& axis) {

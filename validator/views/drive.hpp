@@ -1,6 +1,7 @@
 // The drive of an axis, and where its position is controlled. The machine file overrides the lists.
 #pragma once
 
+#include "diagnostics/wording.hpp"
 #include "machine/drive_type.hpp"
 #include "validator/loading/loading.hpp"
 
@@ -8,6 +9,9 @@ namespace axisc::validator {
 
 /// The machine file's drive, else that of P-AXIS-00020, set or not; null for a number that is not documented.
 [[nodiscard]] machine::DriveType const* drive_of(LoadedAxis const& axis);
+
+/// As messages call it: "simulation", in German "Antriebssimulation".
+[[nodiscard]] Wording drive_name(machine::DriveType const& drive);
 
 /// Where the position is controlled: from the machine file, else from P-AXIS-00320, else by drive type; unknown for an
 /// open position loop, and if the lists' values cannot be used.

@@ -1,6 +1,7 @@
 #include "validator/views/units_text.hpp"
 
 #include "diagnostics/format_number.hpp"
+#include "schema/descriptions/description.hpp"
 #include "schema/value.hpp"
 
 #include <array>
@@ -54,10 +55,10 @@ std::string_view unit_of(schema::Parameter const& parameter, machine::AxisType t
   return type == machine::AxisType::translatory ? parameter.unit_translatory : parameter.unit_rotary;
 }
 
-std::string physical(double raw, std::string_view unit) {
+Wording physical(double raw, std::string_view unit) {
   UnitRow const row = row_of(unit);
-  std::string text = format_rounded(raw * row.factor, 12);
-  if (!row.name.empty()) text.append(" ").append(row.name);
+  Wording text = format_rounded(raw * row.factor, 12);
+  if (!row.name.empty()) text += " " + std::string(row.name);
   return text;
 }
 
@@ -83,6 +84,15 @@ std::string raw_unit_name(std::string_view unit) {
     if (at != std::string::npos) text.replace(at, replacement.plain.size(), replacement.printed);
   }
   return text;
+}
+
+Wording number_name(schema::Parameter const& parameter, schema::Symbol const& name) {
+  std::string const english(name.word);
+  std::string const number = name.number ? std::to_string(*name.number) : std::string();
+  for (auto const& [value, meaning] : schema::description_of(parameter).values) {
+    if (value == number) return {english, std::string(meaning.in(Language::german))};
+  }
+  return english;
 }
 
 std::string default_text(schema::Parameter const& parameter) {

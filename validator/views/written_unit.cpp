@@ -130,7 +130,7 @@ std::string converted_number(double number, double ratio, bool is_integer) {
   constexpr int digits = 15;
   bool const is_whole = std::abs(value - whole) <= rounding * std::abs(whole);
   if (is_whole) value = whole;
-  return is_whole || !is_integer ? format_rounded(value, digits) : std::string();
+  return is_whole || !is_integer ? format_rounded(value, digits).written() : std::string();
 }
 
 }  // namespace axisc::validator

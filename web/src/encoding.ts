@@ -46,7 +46,7 @@ export function usualEnd(ends: readonly string[]): string {
   return windows * 2 > ends.length ? '\r\n' : '\n';
 }
 
-/** Text of a file that is no text is shown as what it is. */
+/** Binary files are shown as such. */
 export function isBinary(bytes: Uint8Array): boolean {
   return bytes.subarray(0, 8192).includes(0);
 }

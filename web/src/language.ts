@@ -1,4 +1,4 @@
-// Colours of lists: names, numbers, words, comments. What is right or wrong says the program alone.
+// Colours of lists: names, numbers, words, comments. Validation is left to axisc.
 import { HighlightStyle, StreamLanguage, syntaxHighlighting } from '@codemirror/language';
 import { tags } from '@lezer/highlight';
 

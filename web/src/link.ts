@@ -1,4 +1,4 @@
-// A small list in the address of the page, behind its "#": it is not sent to anybody.
+// A small list in the address of the page, after its "#", which browsers do not send.
 export interface Shared {
   name: string;
   text: string;

@@ -105,7 +105,7 @@ export class Program {
     this.send({ kind: 'files', set, removed });
   }
 
-  /** Ends what takes long: nobody waits for it any more. */
+  /** Ends a long run whose result is not wanted any more. */
   interrupt(): void {
     if (this.waiting.size === 0 || performance.now() - this.begun < patience) return;
     this.worker.terminate();

@@ -55,7 +55,7 @@ async function begin(): Promise<(request: Request) => Promise<void>> {
       answer(standing.do(request));
       if (standing.instance.size > largest) service = create();
     } catch (failure) {
-      // Nobody knows what a run that failed has left behind.
+      // What a failed run has left behind is not known.
       answer({ kind: 'failed', id: request.id, reason: reason(failure) });
       service = create();
     }

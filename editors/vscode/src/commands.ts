@@ -5,7 +5,7 @@ import type { BaseLanguageClient } from 'vscode-languageclient';
 const kinds = ['response', 'step', 'delay', 'corner', 'circle'];
 
 async function call(client: BaseLanguageClient, command: string, ...more: string[]): Promise<void> {
-  // A page that is read has no text.
+  // While a page has the focus there is no active text editor.
   const document = (vscode.window.activeTextEditor ?? vscode.window.visibleTextEditors[0])?.document;
   if (document === undefined) {
     void vscode.window.showInformationMessage(vscode.l10n.t('Open a list or a machine file first.'));

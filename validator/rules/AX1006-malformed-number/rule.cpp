@@ -2,6 +2,7 @@
 
 #include "validator/rules/helpers.hpp"
 #include "validator/rules/thousands.hpp"
+#include "validator/views/written_unit.hpp"
 
 namespace axisc::validator::says {
 
@@ -55,6 +56,21 @@ Trouble trouble_of(schema::NumberStatus status) {
   return {.headline = says::headline, .reaction = says::reaction, .control = "", .result = "0"};
 }
 
+/// `40Hz` as 40, `10ms` as the number of the parameter's unit; empty for other texts.
+std::string without_unit(Line const& line, std::string_view value) {
+  std::size_t size = value.size();
+  while (size > 0 && !schema::is_complete_number(value.substr(0, size))) --size;
+  schema::Parameter const* const row = line.reading().row;
+  if (size == 0 || row == nullptr) return {};
+  for (std::string_view const unit : {row->unit_translatory, row->unit_rotary}) {
+    auto const ratio = unit_ratio(value.substr(size), unit);
+    if (!ratio) continue;
+    double const number = schema::read_real(value.substr(0, size)).number;
+    return converted_number(number, *ratio, schema::is_integer(row->type));
+  }
+  return {};
+}
+
 void describe(Finding& finding, Line const& line) {
   std::string const value = line.text(line.assignment().value);
   // A hexadecimal number has neither sign nor exponent.
@@ -72,8 +88,8 @@ void describe(Finding& finding, Line const& line) {
     finding.fix = replace_by(line.place({.begin = at, .end = at}), " ", message(says::blank));
     return;
   }
-  if (status != schema::NumberStatus::leading_zero) return;
-  std::string const shorter = without_leading_zeros(value);
+  std::string const shorter =
+      status == schema::NumberStatus::leading_zero ? without_leading_zeros(value) : without_unit(line, value);
   if (!schema::is_complete_number(shorter)) return;
   finding.fix = replace_by(line.place(line.assignment().value), shorter,
                            message(says::fix, {{"replacement", shorter}}));

@@ -7,6 +7,7 @@
 #include "validator/rules/thousands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace axisc::validator::says {
@@ -38,6 +39,15 @@ SentenceRef headline(schema::Parameter const& parameter) {
 constexpr std::string_view no_boolean = "1019";
 constexpr std::string_view no_number = "1001138";
 
+/// What a word for a switch means, in English or German; empty for other words.
+std::string_view switch_meant(std::string_view word) {
+  constexpr std::array<std::string_view, 7> on{"ON", "YES", "TRUE", "EIN", "AN", "JA", "WAHR"};
+  constexpr std::array<std::string_view, 6> off{"OFF", "NO", "FALSE", "AUS", "NEIN", "FALSCH"};
+  auto const is_word = [word](std::string_view known) { return ascii::equal_ignoring_case(word, known); };
+  if (std::any_of(on.begin(), on.end(), is_word)) return "1";
+  return std::any_of(off.begin(), off.end(), is_word) ? "0" : "";
+}
+
 /// Where its numbers have names, the value was perhaps meant as one of them.
 void name_numbers(Finding& finding, Line const& line, std::string const& value) {
   schema::Parameter const& parameter = *line.reading().row;
@@ -62,6 +72,10 @@ void describe(Finding& finding, Line const& line) {
   if (parameter.type == schema::DataType::boolean) {
     set_reaction(finding, says::no_switch);
     finding.control->message = no_boolean;
+    if (std::string const number(switch_meant(value)); !number.empty()) {
+      finding.fix = replace_by(line.place(line.reading().text), number,
+                               message(says::parameter_fix, {{"replacement", number}}));
+    }
   }
   if (!schema::is_number(parameter.type)) return;
   if (line.assignment().kind != grammar::ValueKind::real) {

@@ -30,14 +30,14 @@ void describe(Finding& finding, schema::Parameter const& row, schema::Slot slot,
               bool positive) {
   name_parameter(finding, row, slot);
   std::string type_name(schema::data_type_name(row.type));
-  finding.message =
-      message_of(says::headline, Argument{"value", std::move(value)}, Argument{"type", type_name});
+  finding.message = message_of(says::headline, Argument{"value", Wording::number(std::move(value))},
+                               Argument{"type", type_name});
   std::string lowest = limit_text(row.type, false);
   std::string highest = limit_text(row.type, true);
   set_reaction(finding, says::reaction, {}, positive ? highest : lowest);
   finding.notes.push_back(message_of(says::range, Argument{"type", std::move(type_name)},
-                                     Argument{"lowest", std::move(lowest)},
-                                     Argument{"highest", std::move(highest)}));
+                                     Argument{"lowest", Wording::number(std::move(lowest))},
+                                     Argument{"highest", Wording::number(std::move(highest))}));
 }
 
 void describe(Finding& finding, AxisContext const& context, schema::Slot slot, std::string value,

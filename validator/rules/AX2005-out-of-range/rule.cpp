@@ -1,10 +1,12 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/helpers.hpp"
 #include "validator/views/units_text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace axisc::validator::says {
 
@@ -18,6 +20,8 @@ constexpr Sentence reports{"it reports the value; what it continues with is not 
 constexpr Sentence corrects{"it corrects the value", "sie korrigiert den Wert"};
 constexpr Sentence switches_off{"it switches Improved Position Control of the axis off",
                                 "sie schaltet die optimierte Lageregelung der Achse ab"};
+constexpr Sentence nearest{"the nearest value allowed is `{value}`",
+                           "der nächste zulässige Wert ist `{value}`"};
 constexpr Sentence file{"limit from {file}", "Grenze aus {file}"};
 
 }  // namespace axisc::validator::says
@@ -59,6 +63,23 @@ void say_reaction(Finding& finding, schema::Parameter const& parameter) {
   finding.control->message = known->message;
 }
 
+/// The value of the range that is nearest to one outside; none where a limit itself is not allowed, and reals
+/// come as near to it as one likes.
+std::optional<double> nearest_allowed(schema::Parameter const& parameter, double value) {
+  schema::Limit const& minimum = parameter.minimum;
+  bool const is_below = minimum.kind == schema::Limit::Kind::number && value <= minimum.number;
+  schema::Limit const& limit = is_below ? minimum : parameter.maximum;
+  if (limit.kind != schema::Limit::Kind::number) return std::nullopt;
+  if (!limit.open) return limit.number;
+  if (!schema::is_integer(parameter.type)) return std::nullopt;
+  return limit.number + (is_below ? 1 : -1);
+}
+
+void say_nearest(Finding& finding, schema::Parameter const& parameter, double value) {
+  auto const nearest = nearest_allowed(parameter, value);
+  if (nearest) finding.help.push_back(message_of(says::nearest, Argument{"value", exact_number(*nearest)}));
+}
+
 void describe(Finding& finding, AxisContext const& context, schema::Slot slot, double value) {
   schema::Parameter const& parameter = context.values.row(slot);
   name_parameter(finding, parameter, slot);
@@ -76,14 +97,16 @@ void describe(Finding& finding, AxisContext const& context, schema::Slot slot, d
   if (!file.empty()) {
     finding.notes.push_back(message_of(says::file, Argument{"file", std::move(file)}));
   }
+  say_nearest(finding, parameter, value);
 }
 
 /// In the numbers of the list: which kind of axis they are for is not known here.
 void describe_line(Finding& finding, Line const& line) {
   Reading const& reading = line.reading();
-  std::string const range = range_text(*reading.row, {}, false);
+  Wording const range = range_text(*reading.row, {}, false);
   finding.message =
       message_of(says::headline, Argument{"parameter", finding.parameter}, Argument{"range", range});
+  say_nearest(finding, *reading.row, reading.value.number);
 }
 
 void out_of_range_in_list(ListContext const& context, Report& report) {

@@ -95,8 +95,8 @@ void add(AxisContext const& context, Report& report, Slot slot, Violation const&
   EffectiveValue const& value = context.values[slot];
   EffectiveValue const& limit = context.values[violation.limit];
   std::string const limit_name = parameter_name(limit);
-  std::string const limit_value = physical(limit.value.number, unit_of(*limit.row, context.type));
-  std::string const own_value = physical(value.value.number, unit_of(*value.row, context.type));
+  Wording const limit_value = physical(limit.value.number, unit_of(*limit.row, context.type));
+  Wording const own_value = physical(value.value.number, unit_of(*value.row, context.type));
   std::string const sign = relation(violation);
   Finding& finding = report.add(
       value, message(says::headline,

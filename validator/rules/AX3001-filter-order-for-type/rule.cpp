@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/sentences.hpp"
@@ -63,7 +64,7 @@ std::optional<AllowedOrder> allowed_order(FilterView const& filter) {
 Finding* check(EffectiveValue const& order, AllowedOrder const& allowed, std::string const& type,
                Report& report) {
   if (order.unusable || !order.set() || allowed.allows(order.value.number)) return nullptr;
-  std::string const limit = number(allowed.highest);
+  std::string const limit = format_exact(allowed.highest);
   bool const up_to = allowed.range == Range::up_to;
   Finding& finding =
       report.add(order, {says::headline, {{"order", number(order.value.number)}, {"type", type}}});

@@ -9,11 +9,15 @@ namespace axisc::validator::says {
 
 constexpr Sentence headline{"{frequency} Hz is not below half the sampling rate, {limit} Hz",
                             "{frequency} Hz liegt nicht unter der halben Abtastrate von {limit} Hz"};
-constexpr Sentence label{"0.5/T = {limit} Hz at T = {cycle}", "0.5/T = {limit} Hz bei T = {cycle}"};
+constexpr Sentence label{"0.5/T = {limit} Hz at T = {cycle}", "0,5/T = {limit} Hz bei T = {cycle}"};
 constexpr Sentence help_millihertz{"the value is in Hz: {value} mHz are `{parameter} {hertz}`",
                                    "der Wert gilt in Hz: {value} mHz sind `{parameter} {hertz}`"};
+constexpr Sentence help_lower{
+    "choose a frequency below {limit} Hz; setpoints that come once per cycle hold nothing above it",
+    "eine Frequenz unter {limit} Hz wählen; Sollwerte, die einmal je Zyklus kommen, enthalten nichts "
+    "darüber"};
 constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz for `{user}`",
-                         "{p_axis}: 0 < f < 0.5/T = {limit} Hz für `{user}`"};
+                         "{p_axis}: 0 < f < 0,5/T = {limit} Hz für `{user}`"};
 
 }  // namespace axisc::validator::says
 
@@ -41,7 +45,7 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
   double const nyquist = axis.cycle_time.nyquist().value;
   for (CharacteristicFrequency const& found : characteristic_frequencies(axis)) {
     if (found.frequency.value.number < nyquist) continue;
-    std::string const limit = number(nyquist);
+    Wording const limit = number(nyquist);
     Finding& finding =
         report.add(found.anchor,
                    {says::headline, {{"frequency", number(found.frequency.value.number)}, {"limit", limit}}});
@@ -57,6 +61,8 @@ void frequency_above_nyquist(AxisContext const& axis, Report& report) {
                               {{"value", number(found.frequency.value.number)},
                                {"parameter", parameter_name(found.frequency)},
                                {"hertz", number(hertz)}}});
+    } else {
+      finding.help.push_back({says::help_lower, {{"limit", limit}}});
     }
     react(finding, message_of(found.filtering), {says::filter_reaction_refused, {}});
   }

@@ -9,7 +9,7 @@ constexpr Sentence headline{"`{user}` cannot work at {frequency} Hz",
                             "`{user}` kann bei {frequency} Hz nicht arbeiten"};
 constexpr Sentence label{"must be above 0 Hz", "muss über 0 Hz liegen"};
 constexpr Sentence limit{"{p_axis}: 0 < f < 0.5/T = {limit} Hz at T = {cycle}",
-                         "{p_axis}: 0 < f < 0.5/T = {limit} Hz bei T = {cycle}"};
+                         "{p_axis}: 0 < f < 0,5/T = {limit} Hz bei T = {cycle}"};
 constexpr Sentence reaction{"it raises the frequency to the lowest allowed one",
                             "sie hebt die Frequenz auf die kleinste zulässige an"};
 

@@ -37,7 +37,7 @@ void time_constant_below_cycle(FilterContext const& context, Report& report) {
   double const cycles = cycle_time.cycles({time.value.number});
   if (cycles >= 1) return;
 
-  std::string const cycle = microseconds(cycle_time.microseconds());
+  Wording const cycle = microseconds(cycle_time.microseconds());
   std::string const type(filter.type_word());
   double const shortest = std::ceil(cycle_time.microseconds());
   double const cut_off = 1e6 / (2 * std::numbers::pi * shortest);

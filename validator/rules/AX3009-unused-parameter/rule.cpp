@@ -75,11 +75,10 @@ struct Candidate {
 
 Finding* check(Candidate const& candidate, std::string const& type, Report& report) {
   EffectiveValue const& parameter = candidate.parameter;
-  if (candidate.used || !configured(parameter)) return nullptr;
+  if (candidate.used || parameter.is_target || !configured(parameter)) return nullptr;
   Finding& finding =
       report.add(parameter, {says::headline, {{"type", type}, {"parameter", parameter_name(parameter)}}});
-  std::string const value =
-      parameter.value.text.empty() ? number(parameter.value.number) : std::string(parameter.value.text);
+  Wording const value = parameter.value.text.empty() ? number(parameter.value.number) : parameter.value.text;
   finding.label = Message{says::label, {{"value", value}}};
   Message users{candidate.users, {{"p_axis", parameter_number(parameter)}}};
   if (candidate.uses != nullptr) users.arguments.push_back({"types", types_with(candidate.uses)});
@@ -106,7 +105,7 @@ void check_filter(FilterView const& filter, Report& report) {
 void check_fir(FirView const& fir, Report& report) {
   if (!fir.configured()) return;
   FirType const type = fir.configured_type();
-  std::string const name = "filter_fir.type " + number(fir.type.value.number);
+  std::string const name = "filter_fir.type " + number(fir.type.value.number).written();
   std::array const candidates{
       Candidate{fir.frequency, type == FirType::windowed_sinc, says::fir_frequency},
       Candidate{fir.quality, type == FirType::gaussian, says::fir_quality},

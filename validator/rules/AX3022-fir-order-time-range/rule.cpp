@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/control_numbers.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/fir_order_time.hpp"
@@ -31,7 +32,7 @@ void fir_order_time_range(AxisContext const& axis, Report& report) {
   if (!uses_order_time(fir)) return;
   bool const short_one = is_too_short(fir, axis.cycle_time);
   if (!short_one && !is_too_long(fir, axis.cycle_time)) return;
-  std::string const order = number(fir.longest_order());
+  std::string const order = format_exact(fir.longest_order());
   double const cycle = axis.cycle_time.microseconds();
   Finding& finding = report.add(
       fir.order_time,

@@ -27,7 +27,8 @@ void fir_order_time_unused(AxisContext const& axis, Report& report) {
   if (fir.order.value_place()) {
     finding.related.push_back({*fir.order.value_place(), {says::order_here, {}}});
   }
-  react(finding, {says::filter_value_ignored, {}}, "filter_fir.order " + number(fir.order.value.number));
+  react(finding, {says::filter_value_ignored, {}},
+        "filter_fir.order " + number(fir.order.value.number).written());
 }
 
 }  // namespace

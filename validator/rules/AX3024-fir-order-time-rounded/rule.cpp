@@ -1,5 +1,6 @@
 #include "validator/engine/rule.hpp"
 
+#include "diagnostics/format_number.hpp"
 #include "validator/rules/filter_words.hpp"
 #include "validator/rules/fir_order_time.hpp"
 #include "validator/views/fir_view.hpp"
@@ -27,7 +28,7 @@ void fir_order_time_rounded(AxisContext const& axis, Report& report) {
   }
   double const nanoseconds = fir.order_time.value.number * 1000;
   if (std::fmod(nanoseconds, axis.cycle_time.nanoseconds) == 0) return;
-  std::string const order = number(fir.resulting_order(axis.cycle_time));
+  std::string const order = format_exact(fir.resulting_order(axis.cycle_time));
   Finding& finding = report.add(fir.order_time, {says::headline, {{"order", order}}});
   finding.label = time_in_cycles(fir.order_time.value.number, axis.cycle_time);
   finding.notes.push_back({says::formula, {{"p_axis", parameter_number(fir.order_time)}}});

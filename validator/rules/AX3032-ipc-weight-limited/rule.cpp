@@ -38,7 +38,7 @@ void ipc_weight_limited(AxisContext const& axis, Report& report) {
     if (denominator.value_place()) {
       finding.related.push_back({*denominator.value_place(), {says::denominator_here, {}}});
     }
-    react(finding, {says::reaction, {}}, number(largest_weight));
+    react(finding, {says::reaction, {}}, number(largest_weight).written());
   }
 }
 

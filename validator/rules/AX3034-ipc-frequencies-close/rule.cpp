@@ -50,12 +50,12 @@ void ipc_frequencies_close(AxisContext const& axis, Report& report) {
   auto const bands = bands_of(axis);
   for (Band const& band : bands) {
     std::vector<Related> earlier;
-    std::string frequencies;
+    Wording frequencies;
     for (Band const& other : bands) {
       bool const is_earlier = *other.frequency.value_place() < *band.frequency.value_place();
       if (!is_earlier || !disturb(other, band)) continue;
-      std::string const frequency = number(other.centre);
-      frequencies.append(frequencies.empty() ? "" : ", ").append(frequency).append(" Hz");
+      Wording const frequency = number(other.centre);
+      frequencies += (frequencies.empty() ? "" : ", ") + frequency + " Hz";
       earlier.push_back(
           {*other.frequency.value_place(),
            {says::other, {{"frequency", frequency}, {"width", format_rounded(2 * other.half_width, 4)}}}});

@@ -7,8 +7,8 @@
 
 namespace axisc::validator::says {
 
-constexpr Sentence headline{"Improved Position Control is not available for the drive type `{drive}`",
-                            "die optimierte Lageregelung gibt es für den Antriebstyp `{drive}` nicht"};
+constexpr Sentence headline{"Improved Position Control is not available for the drive type \"{drive}\"",
+                            "die optimierte Lageregelung gibt es für den Antriebstyp „{drive}“ nicht"};
 constexpr Sentence limit{"{p_axis}: available for SERCOS (2), PROFIDRIVE (3) and CANopen (8)",
                          "{p_axis}: verfügbar für SERCOS (2), PROFIDRIVE (3) und CANopen (8)"};
 
@@ -25,7 +25,7 @@ void ipc_drive_type(AxisContext const& axis, Report& report) {
   machine::DriveType const* const drive = drive_of(loaded(axis));
   if (!view.enabled() || !stated || (drive != nullptr && drive->digital)) return;
   Message message{says::headline,
-                  {{"drive", drive != nullptr ? std::string(drive->word) : number(type.value.number)}}};
+                  {{"drive", drive != nullptr ? drive_name(*drive) : number(type.value.number)}}};
   Finding& finding = named ? report.add(named->place, *type.row, type.slot, std::move(message))
                            : report.add(type, std::move(message));
   finding.notes.push_back({says::limit, {{"p_axis", parameter_number(type)}}});

@@ -65,7 +65,7 @@ class DelayWriter {
     for (Line const& line : lines) {
       EffectiveValue const& value = axis.merged.values.at(line.name);
       if (value.value.number == line.value && !value.unusable) continue;
-      std::string const text = number(line.value);
+      std::string const text = format_exact(line.value);
       if (value.origin == Origin::axis_list && value.value_place()) {
         edits.push_back({*value.value_place(), text});
       } else {
@@ -101,7 +101,7 @@ std::optional<Fix> repair(GroupContext const& context, Delays const& delays) {
     if (!DelayWriter::is_possible(lagging, missing)) return std::nullopt;
     repaired[i].delay.cycles += missing;
     axes.append(axes.empty() ? "" : ", ").append(lagging.axis.name);
-    axes.append(" (").append(number(missing)).append(")");
+    axes.append(" (").append(format_exact(missing)).append(")");
     if (written.insert(lagging.axis.list).second) writer.write(lagging.axis, missing, fix.edits);
   }
   if (spread(repaired) >= noticeable_delay || fix.edits.empty()) return std::nullopt;

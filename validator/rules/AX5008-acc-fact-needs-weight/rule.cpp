@@ -52,7 +52,7 @@ void acc_fact_needs_weight(ProgramContext const& context, Report& report) {
     finding.related.push_back(
         {.place = *value.value_place(),
          .message =
-             message(says::value_here, {{"axis", axis->name}, {"value", format_exact(value.value.number)}})});
+             message(says::value_here, {{"axis", axis->name}, {"value", exact_number(value.value.number)}})});
   }
 }
 

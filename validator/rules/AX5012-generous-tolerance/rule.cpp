@@ -9,8 +9,8 @@ namespace axisc::validator::says {
 constexpr Sentence headline{"AX_DEV allows each axis an error of {millimetres} mm",
                             "AX_DEV erlaubt jeder Achse einen Fehler von {millimetres} mm"};
 constexpr Sentence note{
-    "AX_DEV is in mm, or in inch where the machine file says so; tolerances are some µm: 0.01",
-    "AX_DEV ist in mm, oder in Zoll, wo die Maschinendatei es sagt; üblich sind einige µm: 0.01"};
+    "AX_DEV is in mm, or in inch where the machine file says so; tolerances are some µm: `AX_DEV=0.01`",
+    "AX_DEV ist in mm, oder in Zoll, wo die Maschinendatei es sagt; üblich sind einige µm: `AX_DEV=0.01`"};
 
 }  // namespace axisc::validator::says
 

@@ -33,7 +33,7 @@ class Numbers {
     std::string numbers;
     for (LoadedAxis const& axis : machine_.axes) {
       EffectiveValue const& own = axis.merged.values.at("kopf.achs_nr");
-      if (!own.unusable) numbers += (numbers.empty() ? "" : ", ") + number(own.value.number);
+      if (!own.unusable) numbers += (numbers.empty() ? "" : ", ") + number(own.value.number).written();
     }
     return numbers;
   }

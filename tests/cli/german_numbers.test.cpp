@@ -1,0 +1,107 @@
+// One decimal sign in each German text: the comma. What is to be written into a list or a program keeps the point.
+#include "cli/program.hpp"
+#include "support/catch.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace axisc::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a reader of the picture or page sees.
+std::string without_markup(std::string const& text) {
+  static std::regex const markup(R"(<(script|style)[^]*?</\1>|<[^>]*>)");
+  return std::regex_replace(text, markup, "\n");
+}
+
+/// A line that a list or a program may have: `    filter[0].fg_f0   80.8`, `filter[0].q_factor  1.5 → 2.5`.
+bool is_written_so(std::string const& line) {
+  static std::regex const written(R"(^\s*(\d+ [|+-] ?)?[a-z_]+(\[\d*\])?(\.[a-z_]+(\[\d*\])*)+ .*)");
+  return std::regex_match(line, written);
+}
+
+/// The lines with a number that has a decimal point, outside of code spans, quoted lines and versions.
+std::vector<std::string> lines_with_points(std::string const& text) {
+  static std::regex const code("`[^`]*`|#FILTER[^\\]]*\\]");
+  static std::regex const number(R"((^|[^\w.:=/,])[-+]?\d+\.\d+(?!\w|\.\w))");
+  static std::regex const version(R"((Format|Abschnitt|axisc) \d+\.\d+)");
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    auto const prose = std::regex_replace(std::regex_replace(line, code, ""), version, "");
+    if (std::regex_search(prose, number) && !is_written_so(line)) found.push_back(line);
+  }
+  return found;
+}
+
+std::string read(fs::path const& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+TEST_CASE("what a German number is") {
+  CHECK(lines_with_points("  Verzögerung 0.5 ms").size() == 1);
+  CHECK(lines_with_points("-0.5 mm").size() == 1);
+  CHECK(lines_with_points("Verzögerung 0,5 ms, `fg_f0 0.5`, axisc 0.2.0, Format 1.1, x.lis:1").empty());
+  CHECK(lines_with_points("    filter[0].fg_f0   80.8").empty());
+  CHECK(lines_with_points("#FILTER ON [AX_DEV=0.001 SHARE=12.5]").empty());
+  CHECK(without_markup("<svg d=\"1.5\"><text>2.5</text></svg>") == "\n\n2.5\n\n");
+}
+
+TEST_CASE("German outputs have decimal commas") {
+  std::size_t files = 0;
+  for (auto const& entry : fs::recursive_directory_iterator("tests/cli/data/golden")) {
+    std::string const name = entry.path().filename().string();
+    bool const is_german =
+        name.find(".de.") != std::string::npos || name.ends_with(".de") || name.starts_with("de.");
+    bool const is_data = name.ends_with(".json") || name.ends_with(".sarif") || name.ends_with(".gitlab");
+    if (!is_german || is_data || !entry.is_regular_file()) continue;
+    ++files;
+    std::string const text = read(entry.path());
+    INFO(entry.path());
+    CHECK(lines_with_points(name.ends_with(".svg") ? without_markup(text) : text) ==
+          std::vector<std::string>());
+  }
+  CHECK(files > 25);
+}
+
+TEST_CASE("German answers have decimal commas") {
+  struct Asked {
+    std::string folder;
+    std::vector<std::string> arguments;
+  };
+  std::vector<Asked> const all = {
+      {"samples/mistakes", {"lint", "units.lis", "unsuitable.lis", "--pedantic", "--cycle-time", "125us"}},
+      {"samples/mistakes", {"lint", "without-effect.lis", "references.lis", "typing.lis"}},
+      {"samples/mill", {"lint", "machine.json", "--pedantic"}},
+      {"samples/mill", {"contour", "machine.json", "--feed", "1250.5", "--radius", "12.5"}},
+      {"samples/mill", {"report", "machine.json"}},
+      {"samples/mill", {"plot", "machine.json", "--kind", "response", "--table"}},
+      {"samples/mill", {"plot", "machine.json", "--kind", "delay", "--table"}},
+      {"samples/mill", {"suggest", "machine.json", "--axis", "X", "--resonance", "48.5Hz"}},
+      {".", {"explain", "filter[].guete"}},
+      {".", {"explain", "P-AXIS-00067"}},
+      {".", {"explain", "getriebe[].dynamik.vb_max"}},
+      {".", {"explain", "filter[].time_constant"}},
+  };
+  for (Asked const& asked : all) {
+    auto arguments = asked.arguments;
+    arguments.insert(arguments.end(), {"--lang", "de"});
+    auto const answer = run_axisc(arguments, in_folder(asked.folder));
+    INFO(asked.folder << ": " << arguments.front() << " " << arguments.at(1) << "\n" << answer.err);
+    CHECK_FALSE(answer.out.empty());
+    bool const is_page = answer.out.starts_with("<!");
+    CHECK(lines_with_points(is_page ? without_markup(answer.out) : answer.out) == std::vector<std::string>());
+  }
+}
