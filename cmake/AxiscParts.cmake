@@ -52,7 +52,6 @@ axisc_part("JSON for Modern C++" ${nlohmann_json_VERSION} MIT "https://github.co
 axisc_part(CLI11 ${CLI11_VERSION} BSD-3-Clause "https://github.com/CLIUtils/CLI11" "${debian}/libcli11-dev/copyright")
 if(AXISC_STATIC OR AXISC_COMPILE_LIBRARIES)
   axisc_part(libsodium ${sodium_VERSION} ISC "https://libsodium.org" "${debian}/libsodium-dev/copyright")
-  axisc_part(xxHash ${xxhash_VERSION} BSD-2-Clause "https://xxhash.com" "${debian}/libxxhash-dev/copyright")
   axisc_part(pugixml ${pugixml_VERSION} MIT "https://pugixml.org" "${debian}/libpugixml-dev/copyright")
   string(REGEX MATCH "^[0-9]+" gcc "${CMAKE_CXX_COMPILER_VERSION}")
   axisc_part("GCC runtime libraries" ${CMAKE_CXX_COMPILER_VERSION} "GPL-3.0-or-later WITH GCC-exception-3.1" "https://gcc.gnu.org"

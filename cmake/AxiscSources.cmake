@@ -41,7 +41,6 @@ axisc_debian_version(fmt_VERSION libfmt-dev)
 axisc_debian_version(nlohmann_json_VERSION nlohmann-json3-dev)
 axisc_debian_version(CLI11_VERSION libcli11-dev)
 axisc_debian_version(sodium_VERSION libsodium-dev)
-axisc_debian_version(xxhash_VERSION libxxhash-dev)
 axisc_debian_version(pugixml_VERSION libpugixml-dev)
 
 # axisc_compiled_library(PkgConfig::sodium axisc_sodium FOLDER SOURCE...): the folder with its headers
@@ -54,8 +53,6 @@ endfunction()
 
 axisc_compiled_library(PkgConfig::pugixml axisc_pugixml "${AXISC_LIBRARY_SOURCES}/pugixml/src"
   "${AXISC_LIBRARY_SOURCES}/pugixml/src/pugixml.cpp")
-axisc_compiled_library(PkgConfig::xxhash axisc_xxhash "${AXISC_LIBRARY_SOURCES}/xxhash"
-  "${AXISC_LIBRARY_SOURCES}/xxhash/xxhash.c")
 
 set(sodium "${AXISC_LIBRARY_SOURCES}/libsodium/src/libsodium")
 file(GLOB_RECURSE sodium_sources "${sodium}/*.c")

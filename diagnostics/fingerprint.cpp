@@ -21,20 +21,22 @@ class Hash {
     // A separator, so that two parts cannot be confused.
     mix(0);
   }
-  [[nodiscard]] std::string hexadecimal() const {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) {
-      text += digits[(state_ >> static_cast<unsigned>(shift)) & 0xFU];
-    }
-    return text;
-  }
+  [[nodiscard]] std::uint64_t value() const { return state_; }
 
  private:
   void mix(unsigned char byte) { state_ = (state_ ^ byte) * 0x100000001B3ULL; }
 
   std::uint64_t state_ = 0xCBF29CE484222325ULL;
 };
+
+std::string hexadecimal(std::uint64_t value) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) {
+    text += digits[(value >> static_cast<unsigned>(shift)) & 0xFU];
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -60,13 +62,17 @@ void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources
   for (Finding& finding : findings) finding.occurrence = ++counts[identity_of(finding, sources)];
 }
 
-std::string fingerprint(Identity const& identity, std::uint32_t occurrence) {
+std::uint64_t hash_of(Identity const& identity) {
   Hash hash;
   hash.add(code_text(identity.code));
   hash.add(identity.file);
   hash.add(identity.axis);
   hash.add(identity.parameter);
-  return hash.hexadecimal() + ':' + std::to_string(occurrence);
+  return hash.value();
+}
+
+std::string fingerprint(Identity const& identity, std::uint32_t occurrence) {
+  return hexadecimal(hash_of(identity)) + ':' + std::to_string(occurrence);
 }
 
 std::string fingerprint(Finding const& finding, SourceSet const& sources) {

@@ -1,5 +1,5 @@
-// The identity of a finding, independent of its line and wording: file, axis, parameter path and code. It is the
-// fingerprint in SARIF and GitLab reports and the key of a baseline.
+// The identity of a finding, independent of its line and wording: file, axis, parameter path and code. It is
+// the fingerprint in SARIF and GitLab reports and the key of a baseline.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -25,11 +25,15 @@ struct Identity {
 /// The identity, written into an existing object to reuse its memory.
 void identify(Identity& identity, Finding const& finding, SourceSet const& sources);
 
-/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it before any
-/// finding is hidden.
+/// Counts the findings that share an identity, from 1 in the given order, in `finding.occurrence`. Call it
+/// before any finding is hidden.
 void number_occurrences(std::vector<Finding>& findings, SourceSet const& sources);
 
-/// "39fa2ee980eb94b0:1": a hash of the identity and the occurrence. Must never change, because baselines contain it.
+/// 64 bits: equal identities have the same. A collision becomes likely only with billions of findings.
+[[nodiscard]] std::uint64_t hash_of(Identity const& identity);
+
+/// "39fa2ee980eb94b0:1": hash_of() the identity, and the occurrence. Must never change, because baselines
+/// contain it.
 [[nodiscard]] std::string fingerprint(Identity const& identity, std::uint32_t occurrence);
 [[nodiscard]] std::string fingerprint(Finding const& finding, SourceSet const& sources);
 

@@ -19,9 +19,7 @@ struct FileStatus {
   FileKind kind = FileKind::other;
   std::uint64_t size = 0;
   std::uint64_t device = 0;
-  std::uint64_t inode = 0;           ///< with `device`: which file it is
-  std::int64_t content_changed = 0;  ///< in nanoseconds since 1970
-  std::int64_t status_changed = 0;   ///< of content, name, owner or permissions; in nanoseconds since 1970
+  std::uint64_t inode = 0;  ///< with `device`: which file it is
   unsigned permissions = 0;
   unsigned user = 0;
   unsigned group = 0;
@@ -31,7 +29,6 @@ enum class Access : std::uint8_t {
   read,
   read_now,  ///< a pipe without a writer is not waited for
   write,
-  update_now,  ///< read and write, without waiting
 };
 
 /// A symbolic link as the last component of a path.
@@ -60,10 +57,6 @@ class File {
   [[nodiscard]] static Result<File> open(std::string const& path, Access access, Link link = Link::followed);
   /// A file that was not there.
   [[nodiscard]] static Result<File> create(std::string const& path, Privacy privacy);
-  /// Opens a file for update and makes it where it is missing. Neither follows a link nor waits for a pipe.
-  [[nodiscard]] static Result<File> open_or_create(std::string const& path);
-  /// A file without a name in `folder`: it is gone when it is closed, however the program ends.
-  [[nodiscard]] static Result<File> nameless(std::string const& folder);
   [[nodiscard]] static Result<File> standard_input();
   [[nodiscard]] static Result<File> standard_output();
 
@@ -77,8 +70,6 @@ class File {
   [[nodiscard]] Result<std::size_t> read_at(std::uint64_t offset, std::span<char> buffer) const;
   /// Writes all of `bytes`.
   [[nodiscard]] std::optional<Error> write(std::string_view bytes) const;
-  [[nodiscard]] std::optional<Error> write_at(std::uint64_t offset, std::string_view bytes) const;
-  [[nodiscard]] std::optional<Error> rewind() const;
   /// Returns when the content is on the medium.
   [[nodiscard]] std::optional<Error> sync() const;
   /// Network file systems report a full disk only here.
@@ -88,8 +79,6 @@ class File {
   [[nodiscard]] std::optional<Error> take_over_owner(FileStatus const& other) const;
   /// Access control lists and other extended attributes of the file `path`. Best effort.
   void take_over_attributes(std::string const& path) const;
-  /// False where another process holds the lock; it goes with the file.
-  [[nodiscard]] bool lock() const;
 
  private:
   static constexpr std::intptr_t none = -1;

@@ -42,9 +42,4 @@ struct ProcessName {
 };
 [[nodiscard]] ProcessName process_name();
 
-/// What the linker marked this build of the program with; empty where it did not.
-[[nodiscard]] std::string build_identity();
-/// The program's own file; empty where the system does not tell.
-[[nodiscard]] std::string program_path();
-
 }  // namespace axisc::system

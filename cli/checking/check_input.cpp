@@ -20,34 +20,32 @@ validator::CheckOptions options_for(CheckJob const& job, std::string const& path
 }
 
 JudgedInput judge_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                        ReportFormat const& report_format, SourceSet& sources, TakeFinding const& take) {
-  FindingWriter writer(sources, report_format, take);
+                        CheckedInput& checked, TakeFinding const& take) {
+  auto& sources = checked.sources;
   JudgedInput judged;
   auto const is_shown = [&](Finding const& finding) {
     return !job.shown || validator::key_of(std::string(file_of(finding, sources))) == *job.shown;
   };
-  judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding const& finding) {
+  judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding& finding) {
     bool const is_wanted = !job.quiet || finding.severity != Severity::note;
-    if (is_wanted && is_shown(finding)) writer.add(finding);
+    if (!is_wanted || !is_shown(finding)) return;
+    judged.counts.add(finding.severity);
+    take(std::move(finding), sources);
   });
-  judged.counts = writer.counts();
-  judged.checked.artifacts = writer.artifacts();
-  judged.checked.files = job.shown ? std::vector{*job.shown} : judged.result.files;
-  if (judged.result.unreadable) judged.checked.failure = unreadable(path, *judged.result.unreadable);
+  checked.files = job.shown ? std::vector{*job.shown} : judged.result.files;
+  if (judged.result.unreadable) checked.failure = unreadable(path, *judged.result.unreadable);
   return judged;
 }
 
 CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                         ReportFormat const& report_format, TakeFinding const& take) {
-  SourceSet sources;
-  return judge_input(job, path, files, report_format, sources, take).checked;
-}
-
-CheckedInput check_input(CheckJob const& job, std::string const& path, configuration::Files& files,
-                         ReportFormat const& report_format) {
-  std::deque<WrittenFinding> findings;
-  auto checked = check_input(job, path, files, report_format, keep_in(findings));
-  checked.findings = std::move(findings);
+                         TakeFinding const* take) {
+  CheckedInput checked;
+  TakeFinding const keep = [&checked](Finding&& finding, SourceSet const&) {
+    checked.findings.push_back(std::move(finding));
+  };
+  static_cast<void>(judge_input(job, path, files, checked, take == nullptr ? keep : *take));
+  // Most lists have no finding: what waits for its turn need not keep their text.
+  if (take == nullptr && checked.findings.empty()) checked.sources = {};
   return checked;
 }
 

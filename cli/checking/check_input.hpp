@@ -23,25 +23,20 @@ struct CheckJob {
 /// The job's options with the settings that apply to `path`.
 [[nodiscard]] validator::CheckOptions options_for(CheckJob const& job, std::string const& path);
 
-/// An input whose findings are written.
 struct JudgedInput {
-  CheckedInput checked;           ///< without findings: `take` had them
-  FindingCounts counts;           ///< of those
-  validator::CheckResult result;  ///< the rest of it
+  FindingCounts counts;           ///< of the wanted findings
+  validator::CheckResult result;  ///< the rest
 };
 
 // The functions below may be called by several threads. They throw what must end the whole run.
 
-/// Every finding is passed to `take` as soon as it is written. `sources` receives every text read.
+/// Every wanted finding is passed to `take` as soon as it is known. `checked` receives the sources, the files
+/// and the failure.
 [[nodiscard]] JudgedInput judge_input(CheckJob const& job, std::string const& path,
-                                      configuration::Files& files, ReportFormat const& report_format,
-                                      SourceSet& sources, TakeFinding const& take);
-/// For callers that need only the findings.
+                                      configuration::Files& files, CheckedInput& checked,
+                                      TakeFinding const& take);
+/// For callers that need only the findings: `take` has them, or, where it is null, the result.
 [[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
-                                       configuration::Files& files, ReportFormat const& report_format,
-                                       TakeFinding const& take);
-/// The findings are in the result.
-[[nodiscard]] CheckedInput check_input(CheckJob const& job, std::string const& path,
-                                       configuration::Files& files, ReportFormat const& report_format);
+                                       configuration::Files& files, TakeFinding const* take);
 
 }  // namespace axisc::cli

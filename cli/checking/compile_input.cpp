@@ -43,16 +43,16 @@ CompiledImage image_of(machine::Machine const& machine, CompileJob const& job, s
 
 void compile(CompileJob const& job, std::string const& path, configuration::Files& files,
              CompiledInput& compiled) {
-  SourceSet sources;
-  std::deque<WrittenFinding> findings;
-  auto judged = judge_input(job.check, path, files, job.report_format, sources, keep_in(findings));
-  if (judged.checked.failure) throw Failure(*judged.checked.failure);
+  CheckedInput checked;
+  auto const judged = judge_input(
+      job.check, path, files, checked,
+      [&checked](Finding&& finding, SourceSet const&) { checked.findings.push_back(std::move(finding)); });
+  if (checked.failure) throw Failure(*checked.failure);
   compiled.skipped = judged.result.is_other_list && job.skips_other_lists;
   if (!compiled.skipped) require_cycle_time(path, judged.result);
-  compiled.checked = std::move(judged.checked);
-  compiled.checked.findings = std::move(findings);
+  compiled.checked = std::move(checked);
   if (compiled.skipped || objectionable(job.checking, judged.counts)) return;
-  require_machine(path, judged.result, sources, job.report_format.write.language);
+  require_machine(path, judged.result, compiled.checked.sources, job.language);
   compiled.image = image_of(*judged.result.machine, job, path);
 }
 
@@ -65,35 +65,8 @@ CompiledInput compile_input(CompileJob const& job, std::string const& path, conf
   } catch (Failure const& failure) {
     compiled.checked.failure = failure;
   }
+  if (compiled.checked.findings.empty()) compiled.checked.sources = {};
   return compiled;
-}
-
-std::string to_bytes(CompiledInput const& compiled) {
-  ByteWriter bytes;
-  write_bytes(bytes, compiled.checked);
-  bytes.number(compiled.skipped ? 1 : 0);
-  bytes.number(compiled.image ? 1 : 0);
-  if (compiled.image) {
-    bytes.number(compiled.image->axes);
-    bytes.number(compiled.image->filters);
-    bytes.text(compiled.image->bytes);
-  }
-  return std::move(bytes).take();
-}
-
-std::optional<CompiledInput> read_compiled_input(std::string_view text) {
-  ByteReader bytes(text);
-  auto checked = read_checked_input(bytes);
-  if (!checked) return std::nullopt;
-  CompiledInput compiled{.checked = *std::move(checked), .image = {}, .skipped = bytes.number() != 0};
-  if (bytes.number() != 0) {
-    CompiledImage image;
-    image.axes = static_cast<std::size_t>(bytes.number());
-    image.filters = static_cast<std::size_t>(bytes.number());
-    image.bytes = bytes.text();
-    compiled.image = std::move(image);
-  }
-  return bytes.ok() ? std::optional(std::move(compiled)) : std::nullopt;
 }
 
 }  // namespace axisc::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cli/checking/check_input.hpp"
+#include "cli/options/check_options.hpp"
 #include "codegen/image_writer.hpp"
 
 #include <cstddef>
@@ -14,7 +15,7 @@ struct CompileJob {
   CheckJob check;
   CheckingOptions const& checking;
   codegen::ImageOptions image;
-  ReportFormat report_format;
+  Language language = Language::english;
   codegen::KnownDesigns& designs;  ///< of all inputs of the run
   bool skips_other_lists = false;  ///< instead of refusing them: what else is in a folder
 };
@@ -34,9 +35,5 @@ struct CompiledInput {
 /// May be called by several threads.
 [[nodiscard]] CompiledInput compile_input(CompileJob const& job, std::string const& path,
                                           configuration::Files& files);
-
-// The form stored in a cache; an input with a failure is not stored.
-[[nodiscard]] std::string to_bytes(CompiledInput const& compiled);
-[[nodiscard]] std::optional<CompiledInput> read_compiled_input(std::string_view text);
 
 }  // namespace axisc::cli

@@ -5,6 +5,7 @@
 #include "cli/checking/check_input.hpp"
 #include "cli/checking/identity_paths.hpp"
 #include "cli/files/changeable_files.hpp"
+#include "diagnostics/writers/writers.hpp"
 
 #include <cstdint>
 #include <string>

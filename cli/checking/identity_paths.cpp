@@ -19,12 +19,12 @@ std::string current_folder() {
 
 }  // namespace
 
-IdentityPaths::IdentityPaths(SettingsFinder& settings, FileNames names)
-    : settings_(settings), names_(names), working_folder_(current_folder()), root_(root_of(".")) {}
+IdentityPaths::IdentityPaths(SettingsFinder& settings)
+    : settings_(settings), working_folder_(current_folder()), root_(root_of(".")) {}
 
 std::string const& IdentityPaths::of(std::string const& file) {
   auto const [known, is_new] = paths_.try_emplace(file);
-  if (is_new) known->second = names_ == FileNames::as_given ? path_of(file) : file;
+  if (is_new) known->second = path_of(file);
   return known->second;
 }
 

@@ -4,19 +4,15 @@
 
 #include "cli/settings/settings.hpp"
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 
 namespace axisc::cli {
 
-enum class FileNames : std::uint8_t { as_given, of_identities };
-
 class IdentityPaths {
  public:
-  /// `names` tells what of() is asked for: names of a command line, or names that are those of identities already.
-  explicit IdentityPaths(SettingsFinder& settings, FileNames names = FileNames::as_given);
+  explicit IdentityPaths(SettingsFinder& settings);
 
   /// "-" and files outside of these folders keep their names. Cost: system calls once per folder and file.
   [[nodiscard]] std::string const& of(std::string const& file);
@@ -29,7 +25,6 @@ class IdentityPaths {
   [[nodiscard]] std::string root_of(std::string const& file);
 
   SettingsFinder& settings_;
-  FileNames names_;
   std::string working_folder_;
   std::string root_;  ///< of the working folder
   std::map<std::string, std::string> paths_;

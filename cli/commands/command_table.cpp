@@ -70,7 +70,6 @@ constexpr Sentence lsp_meaning{"language server for editors", "Language-Server f
 
 constexpr Sentence schema_meaning{"print the JSON schema of a kind of file",
                                   "das JSON-Schema einer Dateiart ausgeben"};
-constexpr Sentence merge_meaning{"combine the results of shards", "die Ergebnisse von Teilen zusammenführen"};
 
 }  // namespace axisc::cli::says
 
@@ -78,7 +77,7 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::array<CommandRow, 21> rows = {{{"lint", says::lint_meaning, lint},
+constexpr std::array<CommandRow, 20> rows = {{{"lint", says::lint_meaning, lint},
                                               {"fmt", says::fmt_meaning, fmt},
                                               {"compile", says::compile_meaning, compile},
                                               {"machine", says::machine_meaning, machine},
@@ -93,7 +92,6 @@ constexpr std::array<CommandRow, 21> rows = {{{"lint", says::lint_meaning, lint}
                                               {"compare", says::compare_meaning, compare},
                                               {"replay", says::replay_meaning, replay},
                                               {"diff", says::diff_meaning, diff},
-                                              {"merge", says::merge_meaning, merge},
                                               {"keygen", says::keygen_meaning, keygen},
                                               {"sign", says::sign_meaning, sign},
                                               {"explain", says::explain_meaning, explain},

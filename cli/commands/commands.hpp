@@ -32,7 +32,6 @@ struct Invocation {
 [[nodiscard]] ExitStatus report(Invocation const& invocation);
 [[nodiscard]] ExitStatus replay(Invocation const& invocation);
 [[nodiscard]] ExitStatus diff(Invocation const& invocation);
-[[nodiscard]] ExitStatus merge(Invocation const& invocation);
 [[nodiscard]] ExitStatus keygen(Invocation const& invocation);
 [[nodiscard]] ExitStatus sign(Invocation const& invocation);
 [[nodiscard]] ExitStatus contour(Invocation const& invocation);

@@ -1,22 +1,22 @@
 #include "cli/checking/check_input.hpp"
 #include "cli/checking/fixing.hpp"
 #include "cli/checking/identity_paths.hpp"
+#include "cli/checking/ordered_work.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
-#include "cli/fleet/ordered_work.hpp"
+#include "cli/options/changed_inputs.hpp"
 #include "cli/options/lint_options.hpp"
 #include "cli/options/named_files.hpp"
+#include "cli/report/progress.hpp"
 #include "cli/report/report_context.hpp"
 #include "cli/report/report_stream.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "editor/machine_context.hpp"
-#include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <utility>
 
 namespace axisc::cli::says {
@@ -30,15 +30,15 @@ constexpr Sentence examples{R"(Examples:
   axisc lint x.lis --cycle-time 1ms      one axis
   axisc lint machine.json                all axes of a machine together
   axisc lint axes/                       every list and machine file in a folder
-  axisc lint x.lis --format json         for other programs; sarif, github and gitlab for code hosts
+  axisc lint x.lis --format json         for other programs, jsonl one finding a line; sarif, github and
+                                         gitlab for code hosts
   axisc lint x.lis --fix                 applies the fixes that change nothing for the machine
   axisc lint x.lis --fix=all --diff      shows all fixes as a patch
   axisc lint . --write-baseline known.json
   axisc lint . --baseline known.json     only what is new since then
+  axisc lint --changed-since origin/main what differs from a revision of git, below the working folder
   axisc lint - --stdin-filename axes/x.lis    the text of an editor, judged in the machine of the file
   axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
-  axisc lint . --cache ~/.cache/axisc    again, checking only what has changed
-  axisc lint . --shard 2/8 --format json > 2.json    a part; `axisc merge` combines the parts
 
 A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next;
 `# axisc: allow-file AX3005` silences it in the whole file.
@@ -48,19 +48,22 @@ Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something coul
   axisc lint x.lis --cycle-time 1ms      eine Achse
   axisc lint maschine.json               alle Achsen einer Maschine zusammen
   axisc lint achsen/                     jede Liste und Maschinendatei eines Ordners
-  axisc lint x.lis --format json         für andere Programme; sarif, github und gitlab für Code-Plattformen
+  axisc lint x.lis --format json         für andere Programme, jsonl je Befund eine Zeile; sarif, github und
+                                         gitlab für Code-Plattformen
   axisc lint x.lis --fix                 korrigiert, was für die Maschine nichts ändert
   axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
   axisc lint . --write-baseline bekannt.json
   axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
+  axisc lint --changed-since origin/main was sich von einer Revision von git unterscheidet, im Arbeitsordner
   axisc lint - --stdin-filename achsen/x.lis    der Text eines Editors: Einstellungen und Meldungen wie bei der Datei
   axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
-  axisc lint . --cache ~/.cache/axisc    noch einmal, prüft nur das Geänderte
-  axisc lint . --shard 2/8 --format json > 2.json    ein Teil; `axisc merge` führt die Teile zusammen
 
 Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
 einer Zeile, in der nächsten; `# axisc: allow-file AX3005` in der ganzen Datei.
 Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
+
+constexpr Sentence nothing_changed{"nothing to check: no input differs from {revision}",
+                                   "nichts zu prüfen: keine Eingabe unterscheidet sich von {revision}"};
 
 }  // namespace axisc::cli::says
 
@@ -93,7 +96,7 @@ class Lint {
     report_format_.write = {.language = language, .color = color};
     job_.found = inputs_.found;
     choice_ = fix_choice(options);
-    part_ = choose_part(options.fleet, std::move(inputs_.paths));
+    if (options.changed_since) keep_changed(inputs_, changed_since(*options.changed_since), settings_);
   }
 
   /// The language in the first input's settings; `--lang` is read elsewhere.
@@ -104,20 +107,10 @@ class Lint {
   void speak(Language language) { report_format_.write.language = language; }
 
   [[nodiscard]] ExitStatus print_settings() {
-    for (auto const& path : part_.paths()) {
+    for (auto const& path : inputs_.paths) {
       streams_.out.write(describe_settings(path, job_.options, settings_.schema_files(), settings_.find(path),
                                            report_format_.write.language));
     }
-    return ExitStatus::success;
-  }
-
-  [[nodiscard]] ExitStatus print_key() {
-    prepare();
-    Hasher hasher = run_options();
-    hasher.digest(run_);
-    if (options_.baseline) hasher.text(Baseline::read(*options_.baseline).text());
-    for (auto const& path : part_.paths()) add_files(hasher, job_, path);
-    streams_.out.write(hexadecimal(hasher.finish()) + "\n");
     return ExitStatus::success;
   }
 
@@ -133,16 +126,12 @@ class Lint {
     // Standard output is used for the patch or the fixed standard input.
     bool const out_is_taken = options_.diff || fixed_standard_input_;
     ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
-    for (std::size_t i = 0; i < inputs_.failures.size(); ++i) {
-      if (reports_names(part_)) fail(report, i, inputs_.failures[i]);
-    }
+    for (auto const& failure : inputs_.failures) fail(report, failure);
     check(report);
-    auto const status = status_of(report);
-    report.finish(
-        fixes_, [this](Code code) { return is_judged(options_, job_.options, code); },
-        static_cast<int>(status));
+    report.finish(fixes_, [this](Code code) { return is_judged(options_, job_.options, code); });
+    if (inputs_.paths.empty()) say_nothing_changed();
     if (options_.write_baseline) write_baseline(report);
-    return status;
+    return status_of(report);
   }
 
  private:
@@ -163,21 +152,8 @@ class Lint {
 
   void prepare() {
     if (needs_context(report_format_.format)) report_format_.context = report_context(inputs_.first);
-    if (options_.fleet.asks_for_digests()) run_ = run_digest(job_, report_format_);
     // An invalid settings file ends the run before anything is printed.
-    for (auto const& path : part_.paths()) static_cast<void>(settings_.find(path));
-  }
-
-  /// Options that affect the whole run, not its inputs.
-  [[nodiscard]] Hasher run_options() const {
-    Hasher hasher;
-    hasher.text("lint");
-    hasher.number(options_.checking.werror ? 1 : 0);
-    hasher.number(options_.statistics ? 1 : 0);
-    hasher.number(static_cast<std::uint64_t>(choice_));
-    hasher.number(options_.diff ? 1 : 0);
-    hasher.number(options_.write_baseline ? 1 : 0);
-    return hasher;
+    for (auto const& path : inputs_.paths) static_cast<void>(settings_.find(path));
   }
 
   [[nodiscard]] ReportPlan report_plan() {
@@ -187,99 +163,67 @@ class Lint {
                     .counts_always = true,
                     .baseline = {},
                     .write_baseline = options_.write_baseline.has_value(),
-                    .shard = shard_record(part_, run_options(), run_, job_, options_.checking.werror),
                     .identity_paths = &identity_paths_};
     if (options_.baseline) plan.baseline = Baseline::read(*options_.baseline);
-    if (!plan.shard) return plan;
-    for (auto const& rule : validator::rules()) {
-      if (is_judged(options_, job_.options, rule.code)) continue;
-      plan.shard->unjudged.push_back(static_cast<unsigned>(rule.code));
-    }
     return plan;
   }
 
-  void fail(ReportStream& report, std::size_t order, Failure const& failure) {
+  void fail(ReportStream& report, Failure const& failure) {
     failed_ = true;
     streams_.err.write(failure.line(report_format_.write.language));
-    report.fail(order, failure);
+    report.fail(failure);
+  }
+
+  void say_nothing_changed() {
+    bool const is_for_people =
+        report_format_.format == FindingFormat::text && !options_.checking.quiet && !options_.diff;
+    if (!options_.changed_since || !is_for_people) return;
+    streams_.out.write(
+        render({.sentence = says::nothing_changed, .arguments = {{"revision", *options_.changed_since}}},
+               report_format_.write.language) +
+        "\n");
   }
 
   void check(ReportStream& report) {
-    // The fixed content of a file is not on the disk yet.
-    auto cache = choice_ == FixChoice::none
-                     ? open_cache(options_.fleet, streams_.err, report_format_.write.language)
-                     : nullptr;
-    bool const takes_time = part_.chosen.size() > 1;
+    bool const takes_time = inputs_.paths.size() > 1;
     Progress progress(takes_time && progress_is_seen() && !options_.checking.quiet,
                       report_format_.write.language);
     progress.stand_aside_for(streams_.out);
     progress.stand_aside_for(streams_.err);
-    auto const threads = thread_count(threads_, part_.chosen.size());
+    auto const& paths = inputs_.paths;
+    auto const threads = thread_count(threads_, paths.size());
     // With one thread no finding has to wait for its turn.
-    bool const at_once = cache == nullptr && is_one_by_one(part_.chosen.size(), threads);
-    auto const print = [&report](WrittenFinding const& finding) { report.add(finding); };
-    in_order<CheckedInput>({.count = part_.chosen.size(),
-                            .work =
-                                [&](std::size_t i) {
-                                  auto const& path = part_.path(i);
-                                  return at_once ? checked(path, print) : checked(path, cache.get());
-                                },
-                            .take =
-                                [&](std::size_t i, CheckedInput&& input) {
-                                  auto const number = part_.chosen[i];
-                                  if (input.failure) {
-                                    fail(report, inputs_.failures.size() + number, *input.failure);
-                                  }
-                                  report.add(number, input);
-                                  progress.show(i + 1, part_.chosen.size());
-                                },
-                            .weight = weight_of},
-                           threads);
-    finish_cache(std::move(cache), options_.fleet, streams_.err, report_format_.write.language);
+    bool const at_once = is_one_by_one(paths.size(), threads);
+    TakeFinding const print = [&report](Finding const& finding, SourceSet const& sources) {
+      report.add(finding, sources);
+    };
+    in_order<CheckedInput>(
+        {.count = paths.size(),
+         .work = [&](std::size_t i) { return checked(paths[i], at_once ? &print : nullptr); },
+         .take =
+             [&](std::size_t i, CheckedInput&& input) {
+               if (input.failure) fail(report, *input.failure);
+               report.add(input);
+               progress.show(i + 1, paths.size());
+             },
+         .weight = weight_of},
+        threads);
   }
 
   /// An editor's text is judged in the machine that its file belongs to. Fixes are made in the text alone.
-  [[nodiscard]] CheckedInput check_text(TakeFinding const& take) const {
-    EditedFiles files(job_.edited, false);
-    CheckJob job = job_;
-    auto const machine = editor::machine_of(
-        files, standard_input_, [this](std::string const& path) { return options_for(job_, path); });
-    if (machine != standard_input_) job.shown = standard_input_;
-    return check_input(job, machine, files, report_format_, take);
-  }
   [[nodiscard]] bool is_text_of_machine(std::string const& path) const {
     return options_.stdin_filename && is_standard_input(path) && choice_ == FixChoice::none;
   }
 
-  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const& take) const {
-    if (is_text_of_machine(path)) return check_text(take);
-    EditedFiles files(job_.edited, path == "-");
-    return check_input(job_, path, files, report_format_, take);
-  }
-
-  [[nodiscard]] CheckedInput checked(std::string const& path, ResultCache* cache) const {
-    if (is_text_of_machine(path)) {
-      std::deque<WrittenFinding> findings;
-      auto result = check_text(keep_in(findings));
-      result.findings = std::move(findings);
-      return result;
-    }
-    if (cache == nullptr || is_standard_input(path)) {
-      EditedFiles files(job_.edited, path == "-");
-      return check_input(job_, path, files, report_format_);
-    }
-    CachedInput cached(*cache, input_digest(run_, job_, path), path);
-    if (auto const known = cached.find()) {
-      ByteReader bytes(*known);
-      if (auto result = read_checked_input(bytes)) return *std::move(result);
-    }
-    auto result = check_input(job_, path, cached.files(), report_format_);
-    if (!result.failure) {
-      ByteWriter bytes;
-      write_bytes(bytes, result);
-      cached.keep(std::move(bytes).take());
-    }
-    return result;
+  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
+    bool const belongs_to_machine = is_text_of_machine(path);
+    EditedFiles files(job_.edited, path == "-" && !belongs_to_machine);
+    if (!belongs_to_machine) return check_input(job_, path, files, take);
+    CheckJob job = job_;
+    auto const machine = editor::machine_of(
+        files, standard_input_, [this](std::string const& name) { return options_for(job_, name); });
+    if (machine != standard_input_) job.shown = standard_input_;
+    return check_input(job, machine, files, take);
   }
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
@@ -292,7 +236,7 @@ class Lint {
   /// Writes the fixed files, or prints the patch.
   void apply_fixes(Baseline const& baseline) {
     auto fixed =
-        fix_inputs(job_, part_.paths(), choice_, baseline, identity_paths_, ChangeableFiles(inputs_.named));
+        fix_inputs(job_, inputs_.paths, choice_, baseline, identity_paths_, ChangeableFiles(inputs_.named));
     for (auto const& [path, before] : fixed.original) {
       auto const& after = fixed.edited.at(path);
       if (options_.diff) {
@@ -315,7 +259,7 @@ class Lint {
 
   /// The baseline must not replace what was read.
   void protect(std::vector<std::string> sources) {
-    for (auto const& path : part_.paths()) add_settings_files(settings_, path, sources);
+    for (auto const& path : inputs_.paths) add_settings_files(settings_, path, sources);
     refuse_overwriting({*options_.write_baseline}, sources);
   }
 
@@ -332,10 +276,8 @@ class Lint {
   IdentityPaths identity_paths_{settings_};
   std::optional<unsigned> threads_;
   Inputs inputs_;
-  Part part_;
   CheckJob job_;
   ReportFormat report_format_;
-  Digest run_;
   std::string standard_input_ = "-";  ///< the name that the input has
   FixChoice choice_ = FixChoice::none;
   std::optional<FixFacts> fixes_;
@@ -351,6 +293,7 @@ ExitStatus lint(Invocation const& invocation) {
   CommandLine command_line("lint", says::purpose, says::examples, invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
+  if (options.changed_since && options.named.empty()) options.named = {"."};
   require_sense(command_line, options);
   Lint lint(options, invocation.language, use_color(command_line.color(), system::Stream::output),
             invocation.streams);
@@ -358,7 +301,7 @@ ExitStatus lint(Invocation const& invocation) {
     lint.speak(*language);
   }
   if (options.print_config) return lint.print_settings();
-  return options.fleet.print_key ? lint.print_key() : lint.run();
+  return lint.run();
 }
 
 }  // namespace axisc::cli

@@ -9,19 +9,22 @@
 namespace axisc::cli::says {
 
 constexpr Sentence purpose{
-    R"(Prints the JSON schema (draft 2020-12) of a kind of file that axisc reads. Editors complete and check such files with it.)",
-    R"(Gibt das JSON-Schema (Draft 2020-12) einer Art von Dateien aus, die axisc liest. Editoren vervollständigen und prüfen solche
-Dateien damit.)"};
+    R"(Prints the JSON schema (draft 2020-12) of a kind of file that axisc reads, or of the findings that it writes. Editors
+complete and check such files with it.)",
+    R"(Gibt das JSON-Schema (Draft 2020-12) einer Art von Dateien aus, die axisc liest, oder das der Befunde, die es schreibt.
+Editoren vervollständigen und prüfen solche Dateien damit.)"};
 constexpr Sentence examples{R"(Examples:
   axisc schema machine > machine.schema.json
-  axisc schema settings                  of axisc.json)",
+  axisc schema settings                  of axisc.json
+  axisc schema finding                   of a line that --format jsonl writes)",
                             R"(Beispiele:
   axisc schema machine > machine.schema.json
-  axisc schema settings                  von axisc.json)"};
+  axisc schema settings                  von axisc.json
+  axisc schema finding                   einer Zeile, die --format jsonl schreibt)"};
 constexpr Sentence argument_file_kind{
-    "machine files, settings (axisc.json), plant files, or schema files, which describe parameters",
-    "Maschinendateien, Einstellungen (axisc.json), Streckendateien oder Schemadateien, die Parameter "
-    "beschreiben"};
+    "machine files, settings (axisc.json), plant files, schema files, which describe parameters, or findings",
+    "Maschinendateien, Einstellungen (axisc.json), Streckendateien, Schemadateien, die Parameter "
+    "beschreiben, oder Befunde"};
 
 }  // namespace axisc::cli::says
 
@@ -29,7 +32,7 @@ namespace axisc::cli {
 
 namespace {
 
-constexpr std::string_view kind_argument = "machine|settings|plant|schema";
+constexpr std::string_view kind_argument = "machine|settings|plant|schema|finding";
 
 }  // namespace
 
@@ -43,10 +46,10 @@ ExitStatus schema(Invocation const& invocation) {
   auto const kind =
       std::find_if(kinds.begin(), kinds.end(), [&](JsonFileKind const& each) { return each.name == *word; });
   if (kind == kinds.end()) {
-    throw Failure(
-        {.sentence = says::bad_choice,
-         .arguments = {
-             {"option", "axisc schema"}, {"value", *word}, {"choices", "machine, settings, plant, schema"}}});
+    throw Failure({.sentence = says::bad_choice,
+                   .arguments = {{"option", "axisc schema"},
+                                 {"value", *word},
+                                 {"choices", "machine, settings, plant, schema, finding"}}});
   }
   invocation.streams.out.write(json_schema(kind->shape));
   return ExitStatus::success;

@@ -3,7 +3,7 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/path_identity.hpp"
-#include "cli/fleet/unique_name.hpp"
+#include "cli/files/unique_name.hpp"
 #include "cli/sentences.hpp"
 #include "system/path.hpp"
 

@@ -108,6 +108,7 @@ void declare_checking(CommandLine& command_line, CheckingOptions& options) {
   command_line.choice("--format",
                       {{"text", FindingFormat::text},
                        {"json", FindingFormat::json},
+                       {"jsonl", FindingFormat::jsonl},
                        {"sarif", FindingFormat::sarif},
                        {"github", FindingFormat::github},
                        {"gitlab", FindingFormat::gitlab}},

@@ -2,16 +2,14 @@
 #pragma once
 
 #include "cli/options/command_line.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 #include "validator/check.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace axisc::cli {
-
-enum class FindingFormat : std::uint8_t { text, json, sarif, github, gitlab };
 
 /// As written on the command line.
 struct CheckingOptions {

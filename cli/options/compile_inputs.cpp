@@ -33,7 +33,7 @@ CompileInputs choose_one(CompileOptions const& options) {
   if (named.size() == 1) named.front() = machine_input(named.front());
   if (named.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
   refuse_programs(named);
-  CompileInputs chosen{.part = choose_part({}, std::move(named)),
+  CompileInputs chosen{.paths = std::move(named),
                        .images = {},
                        .failures = {},
                        .notes = {},
@@ -54,7 +54,7 @@ CompileInputs choose_batch(CompileOptions const& options, SettingsFinder& settin
   });
   refuse_programs(inputs.paths);
   auto images = image_names(inputs.paths, options.input_folder.value_or(""), *options.output_folder);
-  return {.part = choose_part(options.fleet, std::move(inputs.paths)),
+  return {.paths = std::move(inputs.paths),
           .images = std::move(images),
           .failures = std::move(inputs.failures),
           .notes = std::move(inputs.notes),

@@ -12,8 +12,8 @@
 namespace axisc::cli {
 
 struct CompileInputs {
-  Part part;
-  std::vector<std::string> images;                    ///< by input; with --print-key there may be none
+  std::vector<std::string> paths;
+  std::vector<std::string> images;                    ///< by input
   std::vector<Failure> failures;                      ///< names of a batch that cannot be used
   std::vector<Message> notes;                         ///< see Inputs
   std::vector<std::string> sources;                   ///< see Inputs

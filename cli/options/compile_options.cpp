@@ -34,8 +34,8 @@ constexpr Sentence option_input_folder{
     "Arbeitsordner)"};
 constexpr Sentence two_outputs{"-o and --output-folder cannot be used together",
                                "-o und --output-folder gehen nicht zusammen"};
-constexpr Sentence needs_output_folder{"{option} needs --output-folder",
-                                       "{option} geht nur mit --output-folder"};
+constexpr Sentence input_folder_alone{"--input-folder needs --output-folder",
+                                      "--input-folder geht nur mit --output-folder"};
 constexpr Sentence argument_compile_inputs{
     "axis lists, machine files (*.json), folders with any of them, @FILE with one name per line, or - for "
     "standard input",
@@ -55,7 +55,6 @@ void declare(CommandLine& command_line, CompileOptions& options) {
   command_line.flag("--strip", options.strip, says::option_strip);
   command_line.value("--image-version", "N", options.image_version, says::option_image_version);
   declare_checking(command_line, options.checking);
-  declare_fleet(command_line, options.fleet);
 }
 
 void require_sense(CommandLine const& command_line, CompileOptions const& options) {
@@ -64,12 +63,9 @@ void require_sense(CommandLine const& command_line, CompileOptions const& option
     throw Failure({.sentence = says::two_outputs, .arguments = {}});
   }
   if (options.is_batch()) return;
-  for (auto const& [given, option] : {std::pair(options.input_folder.has_value(), "--input-folder"),
-                                      {options.fleet.shard.has_value(), "--shard"}}) {
-    if (given) throw Failure({.sentence = says::needs_output_folder, .arguments = {{"option", option}}});
-  }
+  if (options.input_folder) throw Failure({.sentence = says::input_folder_alone, .arguments = {}});
   if (options.inputs.size() > 1) throw Failure({.sentence = says::one_output, .arguments = {}});
-  command_line.require(options.output || options.fleet.print_key, "-o");
+  command_line.require(options.output.has_value(), "-o");
 }
 
 codegen::ImageOptions image_options(CompileOptions const& given) {

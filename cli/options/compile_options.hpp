@@ -2,7 +2,6 @@
 #pragma once
 
 #include "cli/options/check_options.hpp"
-#include "cli/options/fleet_options.hpp"
 #include "codegen/image_writer.hpp"
 
 #include <optional>
@@ -13,7 +12,6 @@ namespace axisc::cli {
 
 struct CompileOptions {
   CheckingOptions checking;
-  FleetOptions fleet;
   std::vector<std::string> inputs;
   std::optional<std::string> output;
   std::optional<std::string> output_folder;

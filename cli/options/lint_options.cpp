@@ -15,6 +15,21 @@ constexpr Sentence statistics_format{"--statistics needs --format text or json",
 constexpr Sentence option_write_baseline{
     "record the findings in this file; they count as accepted, in this run too",
     "die Befunde in dieser Datei festhalten; sie gelten als hingenommen, auch in diesem Lauf"};
+constexpr Sentence option_changed_since{
+    "only what differs from a revision of git: machines of which a file does, and lists of no machine; INPUT "
+    "is the working folder if it is left out",
+    "nur, was sich von einer Revision von git unterscheidet: Maschinen, von denen eine Datei es tut, und "
+    "Listen ohne Maschine; ohne INPUT im Arbeitsordner"};
+constexpr Sentence changed_standard_input{
+    "--changed-since cannot be used with standard input, which is in no revision",
+    "--changed-since geht nicht mit der Standardeingabe, die in keiner Revision steht"};
+constexpr Sentence changed_baseline{
+    "--changed-since cannot be used with --write-baseline, which would record the findings of some inputs "
+    "only; "
+    "write the baseline without it",
+    "--changed-since geht nicht zusammen mit --write-baseline, die nur die Befunde einiger Eingaben "
+    "festhielte; "
+    "die Baseline ohne es schreiben"};
 constexpr Sentence option_statistics{"print how often each code was found (text and json)",
                                      "ausgeben, wie oft jeder Code gefunden wurde (text und json)"};
 constexpr Sentence option_fix{
@@ -29,16 +44,6 @@ constexpr Sentence option_print_config{
     "show which settings apply to each input and where they come from",
     "zeigen, welche Einstellungen für jede Eingabe gelten und woher sie kommen"};
 
-constexpr Sentence shard_fix{
-    "--shard cannot be used with --fix or --diff: machines of several shards may share lists",
-    "--shard geht nicht zusammen mit --fix oder --diff: Maschinen mehrerer Teile können sich Listen teilen"};
-constexpr Sentence shard_baseline{
-    "--shard cannot be used with {option}, which counts the findings of all inputs; give the baseline to "
-    "`axisc "
-    "merge`",
-    "--shard geht nicht zusammen mit {option}, die die Befunde aller Eingaben zählt; die Baseline `axisc "
-    "merge` geben"};
-
 }  // namespace axisc::cli::says
 
 namespace axisc::cli {
@@ -50,24 +55,26 @@ void declare(CommandLine& command_line, LintOptions& options) {
   declare_hook(command_line, options.hook);
   command_line.flag_with_value("--fix", "[=all]", options.fix, says::option_fix);
   command_line.flag("--diff", options.diff, says::option_diff);
+  command_line.value("--changed-since", "REF", options.changed_since, says::option_changed_since);
   command_line.value("--baseline", "FILE", options.baseline, says::option_baseline);
   command_line.value("--write-baseline", "FILE", options.write_baseline, says::option_write_baseline);
   command_line.flag("--statistics", options.statistics, says::option_statistics);
   command_line.flag("--print-config", options.print_config, says::option_print_config);
-  declare_fleet(command_line, options.fleet);
 }
 
 void require_sense(CommandLine const& command_line, LintOptions const& options) {
   command_line.require(!options.named.empty(), "INPUT");
+  if (options.changed_since) {
+    bool const names_standard_input =
+        std::find(options.named.begin(), options.named.end(), "-") != options.named.end();
+    if (names_standard_input || options.stdin_filename) {
+      throw Failure({.sentence = says::changed_standard_input, .arguments = {}});
+    }
+    if (options.write_baseline) throw Failure({.sentence = says::changed_baseline, .arguments = {}});
+  }
   bool const countable =
       options.checking.format == FindingFormat::text || options.checking.format == FindingFormat::json;
   if (options.statistics && !countable) throw Failure({.sentence = says::statistics_format, .arguments = {}});
-  if (!options.fleet.shard) return;
-  if (options.fix || options.diff) throw Failure({.sentence = says::shard_fix, .arguments = {}});
-  for (auto const& [given, option] : {std::pair(options.baseline.has_value(), "--baseline"),
-                                      {options.write_baseline.has_value(), "--write-baseline"}}) {
-    if (given) throw Failure({.sentence = says::shard_baseline, .arguments = {{"option", option}}});
-  }
 }
 
 FixChoice fix_choice(LintOptions const& options) {

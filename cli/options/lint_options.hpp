@@ -3,10 +3,8 @@
 
 #include "cli/checking/fixing.hpp"
 #include "cli/options/check_options.hpp"
-#include "cli/options/fleet_options.hpp"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +12,8 @@ namespace axisc::cli {
 
 struct LintOptions {
   CheckingOptions checking;
-  FleetOptions fleet;
   std::vector<std::string> named;
+  std::optional<std::string> changed_since;
   std::optional<std::string> baseline;
   std::optional<std::string> write_baseline;
   std::optional<std::string> fix;

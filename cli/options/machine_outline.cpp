@@ -73,6 +73,7 @@ MachineOutline start_up_outline(DiskFiles& files, std::string const& path, std::
   auto const folder = system::path_of(path).parent_path();
   auto const start_up = configuration::read_start_up_list(list_text(path, std::move(text)), SourceId{});
   for (auto const* const named : configuration::named_lists(start_up)) {
+    outline.written.push_back(named->text);
     auto const found = configuration::find_list(files, path, named->text);
     if (found) outline.lists.push_back(relative_to(folder, found->path));
   }

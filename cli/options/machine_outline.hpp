@@ -15,6 +15,8 @@ struct MachineOutline {
   // What it names, relative to its own folder.
   std::vector<std::string> lists = {};
   std::vector<std::string> programs = {};
+  /// Of a start-up list: the lists that it names, found or not, as it writes them.
+  std::vector<std::string> written = {};
 };
 
 [[nodiscard]] MachineOutline read_machine_outline(std::string_view json);

@@ -2,7 +2,6 @@
 
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
-#include "cli/files/output_file.hpp"
 
 namespace axisc::cli::says {
 
@@ -38,6 +37,11 @@ SentenceRef reason(system::Refusal refusal) {
 }  // namespace
 
 void Console::write(std::string_view text) {
+  if (text.size() >= piece) {
+    flush();
+    print(text);
+    return;
+  }
   // Reserved at once: a buffer that grew step by step would touch twice the memory.
   if (buffer_.capacity() < piece) buffer_.reserve(2 * piece);
   buffer_ += text;
@@ -46,14 +50,16 @@ void Console::write(std::string_view text) {
 
 void Console::flush() {
   if (buffer_.empty()) return;
+  // Taken out, so that nothing is printed twice after a failure.
+  std::string text = std::exchange(buffer_, {});
+  print(text);
+  text.clear();
+  buffer_ = std::move(text);
+}
+
+void Console::print(std::string_view text) {
   if (before_printing_) before_printing_();
-  if (file_ != nullptr) {
-    file_->write(buffer_);
-    buffer_.clear();
-    return;
-  }
-  auto const error = system::write(stream_, buffer_);
-  buffer_.clear();
+  auto const error = system::write(stream_, text);
   if (!error) return;
   if (error->refusal == system::Refusal::closed_pipe) throw ReaderGone();
   if (stream_ == system::Stream::error) {

@@ -10,15 +10,11 @@
 
 namespace axisc::cli {
 
-class OutputFile;
-
 /// Collects text and writes it in large pieces. A full disk is a Failure, a closed pipe ReaderGone.
 class Console {
  public:
   /// A failure of standard output is reported; a failure of standard error cannot be.
   explicit Console(system::Stream stream) : stream_(stream) {}
-  /// For a file that is written completely or not at all; its owner commits it.
-  explicit Console(OutputFile& file) : file_(&file) {}
   Console(Console const&) = delete;
   Console& operator=(Console const&) = delete;
   ~Console() = default;
@@ -32,8 +28,9 @@ class Console {
   void discard() { buffer_.clear(); }
 
  private:
+  void print(std::string_view text);
+
   system::Stream stream_ = system::Stream::output;
-  OutputFile* file_ = nullptr;
   std::function<void()> before_printing_;
   std::string buffer_;
 };

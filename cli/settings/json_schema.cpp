@@ -1,5 +1,6 @@
 #include "cli/settings/json_schema.hpp"
 
+#include "cli/report/finding_shape.hpp"
 #include "cli/settings/plant_file.hpp"
 #include "cli/settings/schema_file.hpp"
 #include "cli/settings/settings.hpp"
@@ -143,10 +144,11 @@ Json schema_of(JsonShape const& shape) {
 }  // namespace
 
 std::span<JsonFileKind const> json_file_kinds() {
-  static std::array<JsonFileKind, 4> const kinds{{{"machine", configuration::machine_file_shape},
+  static std::array<JsonFileKind, 5> const kinds{{{"machine", configuration::machine_file_shape},
                                                   {"settings", settings_shape},
                                                   {"plant", plant_file_shape},
-                                                  {"schema", schema_file_shape}}};
+                                                  {"schema", schema_file_shape},
+                                                  {"finding", finding_shape}}};
   return kinds;
 }
 

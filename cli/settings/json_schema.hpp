@@ -1,4 +1,5 @@
-// JSON schemas of the files that axisc reads, from the tables that it reads them by.
+// JSON schemas of the files that axisc reads, from the tables that it reads them by, and of the findings that
+// it writes.
 #pragma once
 
 #include "configuration/json_shape.hpp"
@@ -14,7 +15,7 @@ struct JsonFileKind {
   configuration::JsonShape const& shape;
 };
 
-/// Machine, settings, plant and schema files.
+/// Machine, settings, plant and schema files, findings.
 [[nodiscard]] std::span<JsonFileKind const> json_file_kinds();
 
 /// The shape as a JSON schema of draft 2020-12.

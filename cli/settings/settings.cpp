@@ -46,8 +46,6 @@ using configuration::JsonValue;
 using Kind = configuration::JsonShapeKind;
 using enum configuration::JsonPresence;
 
-constexpr std::string_view file_name = "axisc.json";
-
 constexpr JsonShape build_shape{
     .accepts = [](std::string_view text) { return validator::parse_build_version(text).has_value(); },
     .pattern = R"(^[Vv]?[0-9]+\.[0-9]+\.[0-9]+(\.[0-9]+)?$)",
@@ -198,22 +196,6 @@ class RelativeNames {
   std::unordered_map<std::string, std::string> names_;
 };
 
-Digest digest_of_files(std::vector<std::string> const& paths) {
-  Hasher hasher;
-  DiskFiles files;
-  for (auto const& path : paths) {
-    auto const bytes = files.read(path);
-    auto const* const text = std::get_if<std::string>(&bytes);
-    hasher.text(path);
-    hasher.text(text == nullptr ? std::string_view{} : *text);
-  }
-  return hasher.finish();
-}
-
-void require_unchanged(std::vector<std::string> const& paths, Digest const& before) {
-  if (digest_of_files(paths) != before) throw configuration::SourceChanged(paths.front());
-}
-
 /// The path with all links resolved; if it does not exist, as far as it does.
 fs::path canonical_folder(std::string const& folder) {
   if (auto const found = system::real_name(folder)) return system::path_of(*found);
@@ -251,18 +233,8 @@ bool SettingsFinder::wants(std::string const& path) {
   return !is_among(settings->excluded) && (settings->included.empty() || is_among(settings->included));
 }
 
-Digest SettingsFinder::digest(std::string const& input) {
-  if (auto const* const settings = find(input)) return settings->digest;
-  std::lock_guard const lock(mutex_);
-  read_schema_files();
-  return schema_digest_;
-}
-
 void SettingsFinder::read_schema_files() {
-  if (without_settings_) return;
-  schema_digest_ = digest_of_files(schema_files_);
-  without_settings_ = with_schema_files({}, schema_files_);
-  require_unchanged(schema_files_, schema_digest_);
+  if (!without_settings_) without_settings_ = with_schema_files({}, schema_files_);
 }
 
 Settings const* SettingsFinder::find(std::string const& input) {
@@ -282,36 +254,17 @@ Settings const* SettingsFinder::look_for(std::string const& asked) {
   if (known == known_.end()) {
     std::optional<Settings> found;
     for (auto candidate = folder; !found; candidate = candidate.parent_path()) {
-      auto const file = candidate / system::path_of(file_name);
+      auto const file = candidate / system::path_of(settings_file_name);
       if (system::kind_of(system::name_of(file)) == system::FileKind::regular) {
         auto const shown = fs::proximate(file, fs::current_path(error), error);
-        found = read_digested(system::name_of(shown.empty() ? file : shown), system::name_of(candidate));
+        found = read_settings(system::name_of(shown.empty() ? file : shown), system::name_of(candidate));
+        found->catalogue = with_schema_files(found->catalogue, schema_files_);
       }
       if (candidate == candidate.parent_path()) break;
     }
     known = known_.emplace(system::name_of(folder), std::move(found)).first;
   }
   return known->second ? &*known->second : nullptr;
-}
-
-Settings SettingsFinder::read_digested(std::string const& file, std::string const& folder) const {
-  auto const own = digest_of_files({file});
-  auto settings = read_settings(file, folder);
-  settings.catalogue = with_schema_files(settings.catalogue, schema_files_);
-  auto files = settings.schema_files;
-  files.insert(files.end(), schema_files_.begin(), schema_files_.end());
-  Hasher hasher;
-  hasher.digest(own);
-  hasher.digest(digest_of_files(files));
-  if (!settings.paths.empty()) {
-    // Patterns are compared with names below the folder, which depend on where the program runs.
-    std::error_code error;
-    hasher.text(folder);
-    hasher.text(system::name_of(fs::current_path(error)));
-  }
-  settings.digest = hasher.finish();
-  require_unchanged({file}, own);
-  return settings;
 }
 
 void add_settings_files(SettingsFinder& finder, std::string const& input, std::vector<std::string>& files) {

@@ -20,7 +20,6 @@
 // applies. The command line overrides it.
 #pragma once
 
-#include "cli/fleet/digest.hpp"
 #include "configuration/json_shape.hpp"
 #include "diagnostics/finding.hpp"
 #include "schema/catalogue.hpp"
@@ -30,11 +29,14 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace axisc::cli {
+
+inline constexpr std::string_view settings_file_name = "axisc.json";
 
 struct PathSettings {
   std::string pattern;  ///< relative to the folder of the settings
@@ -56,7 +58,6 @@ struct Settings {
   std::vector<std::string> excluded;  ///< patterns of files that are left out there
   std::vector<std::string> schema_files;
   schema::Catalogue catalogue;  ///< with these and those of the command line
-  Digest digest;                ///< of everything above
 };
 
 /// Failure, with line and column, for anything that is not a settings file.
@@ -79,13 +80,10 @@ class SettingsFinder {
   [[nodiscard]] schema::Catalogue catalogue(std::string const& input);
   /// False for a file that `include` and `exclude` leave out where a folder holds it.
   [[nodiscard]] bool wants(std::string const& path);
-  /// Digest of the names and contents of settings and schema files.
-  [[nodiscard]] Digest digest(std::string const& input);
   [[nodiscard]] std::vector<std::string> const& schema_files() const { return schema_files_; }
 
  private:
   void read_schema_files();
-  [[nodiscard]] Settings read_digested(std::string const& file, std::string const& folder) const;
   [[nodiscard]] Settings const* look_for(std::string const& asked);
 
   std::vector<std::string> schema_files_;
@@ -93,7 +91,6 @@ class SettingsFinder {
   std::map<std::string, std::optional<Settings>> known_;    ///< by folder
   std::unordered_map<std::string, Settings const*> asked_;  ///< by folder as inputs write it
   std::optional<schema::Catalogue> without_settings_;       ///< with the command line's files alone
-  Digest schema_digest_;                                    ///< of the command line's files
 };
 
 /// Appends the settings file and the schema files that apply to `input`.

@@ -1,11 +1,11 @@
 #include "diagnostics/location.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
-#include "diagnostics/writers/writers.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 namespace axisc {
 namespace {
@@ -53,18 +53,32 @@ std::string numbers(Location const& location) {
          ",endColumn=" + std::to_string(location.end.column);
 }
 
+class GithubReport final : public ReportWriter {
+ public:
+  GithubReport(Language language, ReportContext context)
+      : language_(language), context_(std::move(context)) {}
+
+  void add(std::string& out, Finding const& finding, SourceSet const& sources,
+           std::string_view /*fingerprint*/) override {
+    ((out += "::") += command_of(finding.severity)) += ' ';
+    if (std::string_view const file = file_of(finding, sources); !file.empty()) {
+      out += "file=" + escaped(shown_path(context_.paths, file), true);
+      if (finding.place) out += numbers(locate(*finding.place, sources));
+      out += ',';
+    }
+    out += "title=" + escaped(code_text(finding.code) + ' ' + std::string(finding.name), true);
+    out += "::" + escaped(whole_message(finding, language_, Values::printable), false) + '\n';
+  }
+
+ private:
+  Language language_;
+  ReportContext context_;
+};
+
 }  // namespace
 
-std::string write_github(Finding const& finding, SourceSet const& sources, ReportContext const& context,
-                         WriteOptions const& options) {
-  std::string line = "::" + std::string(command_of(finding.severity)) + " ";
-  if (std::string_view const file = file_of(finding, sources); !file.empty()) {
-    line += "file=" + escaped(shown_path(context.paths, file), true);
-    if (finding.place) line += numbers(locate(*finding.place, sources));
-    line += ',';
-  }
-  line += "title=" + escaped(code_text(finding.code) + ' ' + std::string(finding.name), true);
-  return line + "::" + escaped(whole_message(finding, options.language, Values::printable), false) + '\n';
+std::unique_ptr<ReportWriter> github_report(WriteOptions const& options, ReportContext context) {
+  return std::make_unique<GithubReport>(options.language, std::move(context));
 }
 
 }  // namespace axisc

@@ -1,12 +1,10 @@
-#include "diagnostics/fingerprint.hpp"
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers/json_stream.hpp"
-#include "diagnostics/writers/report_elements.hpp"
-#include "diagnostics/writers/writers.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -28,39 +26,45 @@ std::string_view severity_of(Severity severity) {
   return "info";
 }
 
-Json as_json(Finding const& finding, SourceSet const& sources, ReportContext const& context,
-             Language language) {
+Json as_json(Finding const& finding, SourceSet const& sources, std::string_view fingerprint,
+             ReportContext const& context, Language language) {
   Location const location = finding.place ? locate(*finding.place, sources) : Location{};
   return {
       {"description", code_text(finding.code) + ": " + render(finding.message, language, Values::as_given)},
       {"check_name", code_text(finding.code)},
-      {"fingerprint", ""},
+      {"fingerprint", fingerprint},
       {"severity", severity_of(finding.severity)},
       {"location",
        {{"path", shown_path(context.paths, file_of(finding, sources))},
         {"lines", {{"begin", location.begin.line}, {"end", location.end.line}}}}}};
 }
 
+class GitlabReport final : public ReportWriter {
+ public:
+  GitlabReport(Language language, ReportContext context)
+      : language_(language), context_(std::move(context)) {}
+
+  void begin(std::string& out) override { out += '['; }
+
+  void add(std::string& out, Finding const& finding, SourceSet const& sources,
+           std::string_view fingerprint) override {
+    out += std::exchange(has_elements_, true) ? ",\n  " : "\n  ";
+    Json const element = as_json(finding, sources, fingerprint, context_, language_);
+    out += escape_invisible(element.dump(-1, ' ', false, Json::error_handler_t::replace));
+  }
+
+  void end(Print const& print, RunFacts const& /*run*/) override { print(has_elements_ ? "\n]\n" : "]\n"); }
+
+ private:
+  Language language_;
+  ReportContext context_;
+  bool has_elements_ = false;
+};
+
 }  // namespace
 
-std::string gitlab_element(Finding const& finding, SourceSet const& sources, ReportContext const& context,
-                           Language language) {
-  // Quotes inside strings are escaped, so this occurs only once.
-  constexpr std::string_view empty = R"("fingerprint":"")";
-  Json const element = as_json(finding, sources, context, language);
-  std::string text = escape_invisible(element.dump(-1, ' ', false, Json::error_handler_t::replace));
-  return "\n  " + text.insert(text.find(empty) + empty.size() - 1, 1, fingerprint_hole);
-}
-
-std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,
-                         ReportContext const& context, WriteOptions const& options) {
-  std::string text = "[";
-  for (Finding const& finding : findings) {
-    if (&finding != &findings.front()) text += ',';
-    text += fill_holes(gitlab_element(finding, sources, context, options.language),
-                       {.fingerprint = fingerprint(finding, sources)});
-  }
-  return text + (findings.empty() ? "]\n" : "\n]\n");
+std::unique_ptr<ReportWriter> gitlab_report(WriteOptions const& options, ReportContext context) {
+  return std::make_unique<GitlabReport>(options.language, std::move(context));
 }
 
 }  // namespace axisc

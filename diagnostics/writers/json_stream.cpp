@@ -65,7 +65,7 @@ std::string escape_invisible(std::string json) {
 
 void JsonStream::key(std::string_view name) {
   begin_line();
-  ((out_ += '"') += name) += "\": ";
+  ((out_ += '"') += name) += is_one_line_ ? "\":" : "\": ";
   has_line_ = true;
 }
 
@@ -133,6 +133,7 @@ void JsonStream::begin_line() {
 }
 
 void JsonStream::break_line() {
+  if (is_one_line_) return;
   constexpr std::string_view line = "\n                                ";
   std::size_t const blanks = std::min(indent_, line.size() - 1);
   out_.append(line.data(), 1 + blanks);

@@ -1,5 +1,5 @@
 // Writes JSON from front to back, without building a tree. The text equals that of nlohmann's dump() with an
-// indentation of two.
+// indentation of two, or without indentation.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,8 @@ class JsonStream {
  public:
   /// Appends to `out` a value whose closing bracket is indented by `indent` blanks.
   JsonStream(std::string& out, std::size_t indent) : out_(out), indent_(indent) {}
+  /// Appends to `out` a value without line breaks and blanks.
+  explicit JsonStream(std::string& out) : out_(out), is_one_line_(true) {}
 
   void begin_object() { open('{'); }
   void end_object() { close('}'); }
@@ -53,7 +55,8 @@ class JsonStream {
   void break_line();
 
   std::string& out_;
-  std::size_t indent_;
+  std::size_t indent_ = 0;
+  bool is_one_line_ = false;
   bool is_first_ = true;  ///< nothing stands in the innermost brackets so far
   bool has_line_ = true;  ///< the value stands behind its key, or is the outermost
 };

@@ -1,8 +1,7 @@
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers/json_layout.hpp"
 #include "diagnostics/writers/json_stream.hpp"
-#include "diagnostics/writers/report_elements.hpp"
-#include "diagnostics/writers/writers.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 
 #include <optional>
 #include <string>
@@ -20,8 +19,8 @@ using Json = nlohmann::ordered_json;
 /// One of the diagnostics.
 class JsonElement {
  public:
-  JsonElement(std::string& text, SourceSet const& sources, Language language)
-      : sources_(sources), language_(language), out_(text, 4) {}
+  JsonElement(JsonStream out, SourceSet const& sources, Language language)
+      : sources_(sources), language_(language), out_(out) {}
 
   void write(Finding const& finding) && {
     out_.begin_object();
@@ -142,11 +141,11 @@ Json as_json(Identity const& identity) {
           {"parameter", identity.parameter}};
 }
 
-Json summary(FindingCounts const& counts, RunFacts const& run) {
+Json summary(RunFacts const& run) {
   Json summary = {{"files", run.files},
-                  {"errors", counts.errors},
-                  {"warnings", counts.warnings},
-                  {"notes", counts.notes}};
+                  {"errors", run.counts.errors},
+                  {"warnings", run.counts.warnings},
+                  {"notes", run.counts.notes}};
   if (run.fixes) summary["fixed"] = run.fixes->applied;
   if (run.baseline) {
     Json stale = Json::array();
@@ -165,38 +164,55 @@ Json statistics(std::vector<CodeCount> const& codes) {
   return rows;
 }
 
+class JsonReport final : public ReportWriter {
+ public:
+  explicit JsonReport(Language language) : language_(language) {}
+
+  void begin(std::string& out) override { out += "{\n  \"version\": 1,\n  \"diagnostics\": ["; }
+
+  void add(std::string& out, Finding const& finding, SourceSet const& sources,
+           std::string_view /*fingerprint*/) override {
+    out += std::exchange(has_elements_, true) ? ",\n    " : "\n    ";
+    JsonElement(JsonStream(out, 4), sources, language_).write(finding);
+  }
+
+  void end(Print const& print, RunFacts const& run) override {
+    std::string out = has_elements_ ? "\n  ],\n  \"summary\": " : "],\n  \"summary\": ";
+    append_indented(out, summary(run), "  ");
+    if (run.statistics) {
+      out += ",\n  \"statistics\": ";
+      append_indented(out, statistics(run.codes), "  ");
+    }
+    print(out + "\n}\n");
+  }
+
+ private:
+  Language language_;
+  bool has_elements_ = false;
+};
+
+class JsonLinesReport final : public ReportWriter {
+ public:
+  explicit JsonLinesReport(Language language) : language_(language) {}
+
+  void add(std::string& out, Finding const& finding, SourceSet const& sources,
+           std::string_view /*fingerprint*/) override {
+    JsonElement(JsonStream(out), sources, language_).write(finding);
+    out += '\n';
+  }
+
+ private:
+  Language language_;
+};
+
 }  // namespace
 
-std::string json_head() {
-  return "{\n  \"version\": 1,\n  \"diagnostics\": [";
+std::unique_ptr<ReportWriter> json_report(WriteOptions const& options) {
+  return std::make_unique<JsonReport>(options.language);
 }
 
-void append_json_element(std::string& text, Finding const& finding, SourceSet const& sources,
-                         Language language) {
-  text += "\n    ";
-  JsonElement(text, sources, language).write(finding);
-}
-
-std::string json_tail(bool has_elements, RunFacts const& run, FindingCounts const& counts,
-                      std::vector<CodeCount> const& codes, std::string_view shard) {
-  std::string text = has_elements ? "\n  ],\n  \"summary\": " : "],\n  \"summary\": ";
-  append_indented(text, summary(counts, run), "  ");
-  if (run.statistics) {
-    text += ",\n  \"statistics\": ";
-    append_indented(text, statistics(codes), "  ");
-  }
-  if (!shard.empty()) text += ",\n  \"shard\": " + std::string(shard);
-  return text + "\n}\n";
-}
-
-std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources, RunFacts const& run,
-                       WriteOptions const& options) {
-  std::string text = json_head();
-  for (Finding const& finding : findings) {
-    if (&finding != &findings.front()) text += ',';
-    append_json_element(text, finding, sources, options.language);
-  }
-  return text + json_tail(!findings.empty(), run, count(findings), count_codes(findings));
+std::unique_ptr<ReportWriter> json_lines_report(WriteOptions const& options) {
+  return std::make_unique<JsonLinesReport>(options.language);
 }
 
 }  // namespace axisc

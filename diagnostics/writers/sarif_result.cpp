@@ -1,8 +1,8 @@
+#include "diagnostics/writers/sarif_result.hpp"
+
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers/json_stream.hpp"
-#include "diagnostics/writers/report_elements.hpp"
 #include "diagnostics/writers/sarif_artifact.hpp"
-#include "diagnostics/writers/writers.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -14,23 +14,22 @@
 namespace axisc {
 namespace {
 
-/// One of the results, with holes.
-class SarifResult {
+class ResultWriter {
  public:
-  SarifResult(std::string& text, SourceSet const& sources, ReportContext const& context, Language language)
-      : sources_(sources), context_(context), language_(language), out_(text, 8) {}
+  ResultWriter(SarifResult& result, SourceSet const& sources, ReportContext const& context, Language language)
+      : result_(result), sources_(sources), context_(context), language_(language), out_(result.text, 8) {}
 
-  void write(Finding const& finding) && {
-    constexpr std::string_view rule_index{&rule_index_hole, 1};
+  void write(Finding const& finding, std::string_view fingerprint) && {
     out_.begin_object();
     out_.member("ruleId", code_text(finding.code));
     out_.key("ruleIndex");
-    out_.raw(rule_index);
+    out_.raw("");
+    result_.rule_index_at = result_.text.size();
     out_.member("level", severity_name(finding.severity));
     write_text("message", whole_message(finding, language_));
     write_location(finding);
     write_related(finding.related);
-    write_fingerprints();
+    write_fingerprints(fingerprint);
     if (finding.fix) write_fix(*finding.fix);
     write_properties(finding);
     out_.end_object();
@@ -119,14 +118,11 @@ class SarifResult {
     out_.end_array();
   }
 
-  void write_fingerprints() {
-    constexpr std::string_view quoted = "\"\x01\"";
-    static_assert(quoted[1] == fingerprint_hole);
+  void write_fingerprints(std::string_view fingerprint) {
     begin_object("partialFingerprints");
     // Code hosts compare the second name only; without it they would hash the line.
     for (std::string_view const name : {"axiscIdentity/v2", "primaryLocationLineHash"}) {
-      out_.key(name);
-      out_.raw(quoted);
+      out_.member(name, fingerprint);
     }
     out_.end_object();
   }
@@ -186,6 +182,7 @@ class SarifResult {
     if (any) out_.end_object();
   }
 
+  SarifResult& result_;
   SourceSet const& sources_;
   ReportContext const& context_;
   Language language_;
@@ -194,10 +191,12 @@ class SarifResult {
 
 }  // namespace
 
-void append_sarif_element(std::string& text, Finding const& finding, SourceSet const& sources,
-                          ReportContext const& context, Language language) {
-  text += "\n        ";
-  SarifResult(text, sources, context, language).write(finding);
+SarifResult sarif_result(Finding const& finding, SourceSet const& sources, std::string_view fingerprint,
+                         ReportContext const& context, Language language) {
+  SarifResult result{.code = finding.code, .text = {}};
+  ResultWriter(result, sources, context, language).write(finding, fingerprint);
+  result.text.shrink_to_fit();
+  return result;
 }
 
 }  // namespace axisc

@@ -1,10 +1,11 @@
 #include "diagnostics/location.hpp"
 #include "diagnostics/writers/json_layout.hpp"
-#include "diagnostics/writers/report_elements.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 #include "diagnostics/writers/sarif_artifact.hpp"
-#include "diagnostics/writers/writers.hpp"
+#include "diagnostics/writers/sarif_result.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,14 +39,81 @@ Json artifact_location(RepositoryPaths const& paths, std::string_view file) {
   return location;
 }
 
-/// The text before the results.
-class SarifHead {
- public:
-  SarifHead(std::set<Code> const& codes, std::vector<Artifact> const& artifacts, ReportContext const& context,
-            Language language)
-      : codes_(codes), artifacts_(artifacts), context_(context), language_(language) {}
+/// A finding about the run as a whole.
+struct Notice {
+  Code code{};
+  Severity severity = Severity::note;
+  std::string sentence;
+};
 
-  [[nodiscard]] std::string write() const {
+/// A source that findings point into.
+struct Artifact {
+  std::string name;
+  Encoding encoding = Encoding::utf8;
+};
+
+class SarifReport final : public ReportWriter {
+ public:
+  SarifReport(Language language, ReportContext context) : language_(language), context_(std::move(context)) {}
+
+  void add(std::string& /*out*/, Finding const& finding, SourceSet const& sources,
+           std::string_view fingerprint) override {
+    codes_.insert(finding.code);
+    keep_sources(finding);
+    results_.push_back(sarif_result(finding, sources, fingerprint, context_, language_));
+  }
+
+  void add_notice(std::string& /*out*/, Finding const& finding, SourceSet const& /*sources*/,
+                  std::string_view /*fingerprint*/) override {
+    codes_.insert(finding.code);
+    keep_sources(finding);
+    notices_.push_back(
+        {.code = finding.code, .severity = finding.severity, .sentence = whole_message(finding, language_)});
+  }
+
+  void add_failure(std::string const& sentence) override { failures_.push_back(sentence); }
+
+  /// Inputs may share a list, and name it by different paths.
+  void end_input(SourceSet const& sources) override {
+    for (SourceId const id : std::exchange(used_, {})) {
+      SourceText const& source = sources[id];
+      if (!shown_.insert(shown_path(context_.paths, source.name())).second) continue;
+      artifacts_.push_back({.name = source.name(), .encoding = source.encoding()});
+    }
+  }
+
+  void end(Print const& print, RunFacts const& /*run*/) override {
+    print(head());
+    bool const is_empty = results_.empty();
+    for (std::string_view separator = "\n        "; !results_.empty(); results_.pop_front()) {
+      SarifResult const& result = results_.front();
+      std::string_view const text = result.text;
+      print(std::exchange(separator, ",\n        "));
+      print(text.substr(0, result.rule_index_at));
+      print(std::to_string(rule_index(result.code)));
+      print(text.substr(result.rule_index_at));
+    }
+    print(is_empty ? "]" : "\n      ]");
+    print("\n    }\n  ]\n}\n");
+  }
+
+ private:
+  void keep_sources(Finding const& finding) {
+    if (finding.place) used_.insert(finding.place->source);
+    for (Related const& related : finding.related) used_.insert(related.place.source);
+  }
+
+  /// Among the rules that the head names.
+  [[nodiscard]] std::size_t rule_index(Code code) const {
+    std::size_t index = 0;
+    for (RuleFacts const& rule : context_.rules) {
+      if (rule.code == code) break;
+      if (codes_.contains(rule.code)) ++index;
+    }
+    return index;
+  }
+
+  [[nodiscard]] std::string head() const {
     std::string text = "{\n  \"$schema\": \"" + std::string(schema) +
                        "\",\n  \"version\": \"2.1.0\",\n  \"runs\": [\n    {\n      \"tool\": ";
     append_indented(text, tool(), "      ");
@@ -58,7 +126,6 @@ class SarifHead {
     return text + ",\n      \"results\": [";
   }
 
- private:
   static void append_member(std::string& text, std::string_view name, Json const& value) {
     text += ",\n      \"" + std::string(name) + "\": ";
     append_indented(text, value, "      ");
@@ -93,15 +160,15 @@ class SarifHead {
 
   [[nodiscard]] Json invocation() const {
     Json notifications = Json::array();
-    for (std::string const& failure : context_.failures) {
+    for (std::string const& failure : failures_) {
       notifications.push_back({{"level", "error"}, {"message", {{"text", failure}}}});
     }
-    for (RunNotice const& notice : context_.notices) {
+    for (Notice const& notice : notices_) {
       notifications.push_back({{"level", severity_name(notice.severity)},
                                {"message", {{"text", notice.sentence}}},
                                {"associatedRule", {{"id", code_text(notice.code)}}}});
     }
-    Json invocation = {{"executionSuccessful", context_.failures.empty()}};
+    Json invocation = {{"executionSuccessful", failures_.empty()}};
     if (!notifications.empty()) invocation["toolExecutionNotifications"] = std::move(notifications);
     return invocation;
   }
@@ -116,65 +183,21 @@ class SarifHead {
     return artifacts;
   }
 
-  std::set<Code> const& codes_;
-  std::vector<Artifact> const& artifacts_;
-  ReportContext const& context_;
   Language language_;
+  ReportContext context_;
+  std::deque<SarifResult> results_;
+  std::set<Code> codes_;     ///< of all findings
+  std::set<SourceId> used_;  ///< by findings of the input at hand
+  std::set<std::string> shown_;
+  std::vector<Artifact> artifacts_;
+  std::vector<Notice> notices_;
+  std::vector<std::string> failures_;
 };
-
-/// The artifacts of all findings; a source that several inputs share is listed once.
-std::vector<Artifact> artifacts_of(std::vector<Finding> const& findings, SourceSet const& sources,
-                                   RepositoryPaths const& paths) {
-  std::set<SourceId> used;
-  for (Finding const& finding : findings) used.merge(sources_of(finding));
-  std::set<std::string> named;
-  std::vector<Artifact> artifacts;
-  for (SourceId const id : used) {
-    SourceText const& source = sources[id];
-    if (named.insert(shown_path(paths, source.name())).second) {
-      artifacts.push_back({source.name(), source.encoding()});
-    }
-  }
-  return artifacts;
-}
 
 }  // namespace
 
-std::string sarif_head(std::set<Code> const& codes, std::vector<Artifact> const& artifacts,
-                       ReportContext const& context, Language language) {
-  return SarifHead(codes, artifacts, context, language).write();
-}
-
-std::string sarif_tail(bool has_elements, std::string_view shard) {
-  std::string text = has_elements ? "\n      ]" : "]";
-  if (!shard.empty()) text += ",\n      \"properties\": {\"axiscShard\": " + std::string(shard) + "}";
-  return text + "\n    }\n  ]\n}\n";
-}
-
-std::size_t rule_index(std::set<Code> const& codes, Code code, ReportContext const& context) {
-  std::size_t index = 0;
-  for (RuleFacts const& rule : context.rules) {
-    if (rule.code == code) break;
-    if (codes.contains(rule.code)) ++index;
-  }
-  return index;
-}
-
-std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& sources,
-                        ReportContext const& context, WriteOptions const& options) {
-  std::set<Code> codes;
-  for (Finding const& finding : findings) codes.insert(finding.code);
-  std::string text =
-      sarif_head(codes, artifacts_of(findings, sources, context.paths), context, options.language);
-  std::string element;
-  for (Finding const& finding : findings) {
-    if (&finding != &findings.front()) text += ',';
-    element.clear();
-    append_sarif_element(element, finding, sources, context, options.language);
-    text += fill_holes(element, {.fingerprint = fingerprint(finding, sources),
-                                 .rule_index = rule_index(codes, finding.code, context)});
-  }
-  return text + sarif_tail(!findings.empty());
+std::unique_ptr<ReportWriter> sarif_report(WriteOptions const& options, ReportContext context) {
+  return std::make_unique<SarifReport>(options.language, std::move(context));
 }
 
 }  // namespace axisc

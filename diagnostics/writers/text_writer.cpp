@@ -2,8 +2,8 @@
 #include "diagnostics/sentences.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/writers/fix_preview.hpp"
+#include "diagnostics/writers/report_writer.hpp"
 #include "diagnostics/writers/shown_line.hpp"
-#include "diagnostics/writers/writers.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -261,17 +261,36 @@ class TextWriter {
   std::size_t gutter_width_ = 1;
 };
 
-}  // namespace
+class TextReport final : public ReportWriter {
+ public:
+  explicit TextReport(WriteOptions const& options) : options_(options) {}
 
-void append_text(std::string& out, Finding const& finding, SourceSet const& sources,
-                 WriteOptions const& options) {
-  TextWriter(out, finding, sources, options).write();
-}
+  void add(std::string& out, Finding const& finding, SourceSet const& sources,
+           std::string_view /*fingerprint*/) override {
+    TextWriter(out, finding, sources, options_).write();
+    out += '\n';
+  }
+
+  void end(Print const& print, RunFacts const& run) override {
+    if (run.statistics && !run.codes.empty()) print(write_text_statistics(run.codes, options_) + "\n");
+    if (!run.has_summary) return;
+    print(write_text_facts(run, options_) + write_text_summary(run.files, run.counts, options_));
+  }
+
+ private:
+  WriteOptions options_;
+};
+
+}  // namespace
 
 std::string write_text(Finding const& finding, SourceSet const& sources, WriteOptions const& options) {
   std::string text;
-  append_text(text, finding, sources, options);
+  TextWriter(text, finding, sources, options).write();
   return text;
+}
+
+std::unique_ptr<ReportWriter> text_report(WriteOptions const& options) {
+  return std::make_unique<TextReport>(options);
 }
 
 }  // namespace axisc

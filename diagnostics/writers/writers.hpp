@@ -1,4 +1,5 @@
-// One writer per output format. They return text, never write it.
+// Findings as text, and what reports of several formats consist of. Everything returns text and never prints
+// it.
 #pragma once
 
 #include "diagnostics/finding.hpp"
@@ -41,7 +42,10 @@ struct RunFacts {
   std::size_t files = 0;
   std::optional<FixFacts> fixes = std::nullopt;
   std::optional<BaselineFacts> baseline = std::nullopt;
-  bool statistics = false;
+  bool statistics = false;            ///< `codes` is wanted
+  FindingCounts counts = {};          ///< of the findings shown
+  std::vector<CodeCount> codes = {};  ///< of those, the most frequent first
+  bool has_summary = true;            ///< text ends with the numbers
 };
 
 /// A rule as described to other tools.
@@ -53,20 +57,11 @@ struct RuleFacts {
   Page page;                 ///< may be empty
 };
 
-/// A finding about the run as a whole, which SARIF tells as a notification of the tool.
-struct RunNotice {
-  Code code{};
-  Severity severity = Severity::note;
-  std::string sentence;
-};
-
 /// Context that formats of code hosts need besides the findings.
 struct ReportContext {
   std::vector<RuleFacts> rules;  ///< by rising code
   std::string version;           ///< of the program: "0.1.0"
   RepositoryPaths paths;
-  std::vector<std::string> failures;  ///< inputs that could not be read, one sentence each
-  std::vector<RunNotice> notices = {};
 };
 
 /// Shape of the text form:
@@ -81,51 +76,27 @@ struct ReportContext {
 ///        = help: …
 ///        = fix: …
 ///     12 + filter[0].time_constant          5000       # dead time of the drive
-/// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret is under its token. Lines above
-/// 160 characters are cut around the caret with "…"; control characters are shown as pictures. Related places follow as
-/// further snippets after ":::", underlined with dashes. A finding without place shows its file only. Ends with a line
-/// end; findings are meant to be separated by an empty line.
+/// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret is under its token.
+/// Lines above 160 characters are cut around the caret with "…"; control characters are shown as pictures.
+/// Related places follow as further snippets after ":::", underlined with dashes. A finding without place
+/// shows its file only. Ends with a line end; findings are meant to be separated by an empty line.
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,
                                      WriteOptions const& options);
-/// Appends the finding as text to `out`.
-void append_text(std::string& out, Finding const& finding, SourceSet const& sources,
-                 WriteOptions const& options);
 
 /// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings".
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
                                              WriteOptions const& options);
 
-/// The lines between the findings and the summary: stale entries of the baseline, and what was fixed. May be empty.
+/// The lines between the findings and the summary: stale entries of the baseline, and what was fixed. May be
+/// empty.
 [[nodiscard]] std::string write_text_facts(RunFacts const& run, WriteOptions const& options);
 
 /// A table, one line per code: count, code, name, and how many of them carry a fix.
 [[nodiscard]] std::string write_text_statistics(std::vector<CodeCount> const& counts,
                                                 WriteOptions const& options);
 
-/// The JSON form of `axisc lint --format json`: all findings and the summary, one document, two-space indentation, a
-/// line end at the end. Strings are well-formed UTF-8 whatever the source contains. Absent properties of a finding are
-/// null (place, parameter, p_axis, axis, control and its parts, fix) or an empty array. `end_column` is the column
-/// after the last character; `notes` holds the label, the notes and the help, in this order. Only if the run has them:
-/// `fixed` and `baseline` in the summary, `statistics` after it. Cost: linear in the findings.
-[[nodiscard]] std::string write_json(std::vector<Finding> const& findings, SourceSet const& sources,
-                                     RunFacts const& run, WriteOptions const& options);
-
-/// SARIF 2.1.0: one run, paths relative to the repository, columns in code points, the pages of the rules as help.
-/// `finding.occurrence` must be numbered. Cost: linear in the findings.
-[[nodiscard]] std::string write_sarif(std::vector<Finding> const& findings, SourceSet const& sources,
-                                      ReportContext const& context, WriteOptions const& options);
-
-/// One workflow command of GitHub Actions, with its line end: "::error file=…,line=…,…,title=…::message".
-[[nodiscard]] std::string write_github(Finding const& finding, SourceSet const& sources,
-                                       ReportContext const& context, WriteOptions const& options);
-
-/// A code quality report of GitLab, one line per finding: errors are major, warnings minor, notes info.
-/// `finding.occurrence` must be numbered.
-[[nodiscard]] std::string write_gitlab(std::vector<Finding> const& findings, SourceSet const& sources,
-                                       ReportContext const& context, WriteOptions const& options);
-
-/// Everything a finding says, for formats that have one message only: the headline, then a line for each of label, notes,
-/// control, help and fix.
+/// Everything a finding says, for formats that have one message only: the headline, then a line for each of
+/// label, notes, control, help and fix.
 [[nodiscard]] std::string whole_message(Finding const& finding, Language language,
                                         Values values = Values::as_given);
 

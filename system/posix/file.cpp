@@ -1,6 +1,5 @@
 #include "system/file.hpp"
 
-#include "system/interruption.hpp"
 #include "system/posix/error.hpp"
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -28,10 +26,6 @@ int descriptor(std::intptr_t handle) {
   return static_cast<int>(handle);
 }
 
-std::int64_t nanoseconds(timespec const& time) {
-  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-}
-
 FileStatus status_from(struct stat const& facts) {
   return {.kind = S_ISREG(facts.st_mode)   ? FileKind::regular
                   : S_ISDIR(facts.st_mode) ? FileKind::folder
@@ -40,8 +34,6 @@ FileStatus status_from(struct stat const& facts) {
           .size = static_cast<std::uint64_t>(facts.st_size),
           .device = facts.st_dev,
           .inode = facts.st_ino,
-          .content_changed = nanoseconds(facts.st_mtim),
-          .status_changed = nanoseconds(facts.st_ctim),
           .permissions = facts.st_mode & permission_bits,
           .user = facts.st_uid,
           .group = facts.st_gid};
@@ -70,8 +62,6 @@ int flags_of(Access access) {
       return O_RDONLY | O_NONBLOCK;
     case Access::write:
       return O_WRONLY;
-    case Access::update_now:
-      return O_RDWR | O_NONBLOCK;
   }
   return O_RDONLY;
 }
@@ -95,18 +85,6 @@ ssize_t repeated(Call call) {
     ssize_t const result = call();
     if (result >= 0 || errno != EINTR) return result;
   }
-}
-
-/// Calls `write` with the rest of the bytes and how many were written until none is left.
-template <typename Write>
-std::optional<Error> write_all(std::string_view bytes, Write write) {
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    ssize_t const written = repeated([&] { return write(bytes.substr(done), done); });
-    if (written < 0) return last_error();
-    done += static_cast<std::size_t>(written);
-  }
-  return std::nullopt;
 }
 
 Result<std::size_t> count_or_error(ssize_t count) {
@@ -135,22 +113,6 @@ Result<File> File::create(std::string const& path, Privacy privacy) {
   // The usual mode comes from the system: asking for the mask would change it for all threads.
   int const opened = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode_of(privacy));
   if (opened < 0) return last_error();
-  return File(opened);
-}
-
-Result<File> File::open_or_create(std::string const& path) {
-  constexpr int flags = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
-  int const opened = ::open(path.c_str(), flags, mode_of(Privacy::usual));
-  if (opened < 0) return last_error();
-  return File(opened);
-}
-
-Result<File> File::nameless(std::string const& folder) {
-  std::string name = folder + "/axisc-XXXXXX";
-  WithoutInterruption const made_and_removed;
-  int const opened = ::mkostemp(name.data(), O_CLOEXEC);
-  if (opened < 0) return last_error();
-  ::unlink(name.c_str());
   return File(opened);
 }
 
@@ -190,19 +152,13 @@ Result<std::size_t> File::read_at(std::uint64_t offset, std::span<char> buffer) 
 }
 
 std::optional<Error> File::write(std::string_view bytes) const {
-  return write_all(bytes, [this](std::string_view rest, std::size_t /*done*/) {
-    return ::write(descriptor(handle_), rest.data(), rest.size());
-  });
-}
-
-std::optional<Error> File::write_at(std::uint64_t offset, std::string_view bytes) const {
-  return write_all(bytes, [this, offset](std::string_view rest, std::size_t done) {
-    return ::pwrite(descriptor(handle_), rest.data(), rest.size(), static_cast<off_t>(offset + done));
-  });
-}
-
-std::optional<Error> File::rewind() const {
-  return error_unless(::lseek(descriptor(handle_), 0, SEEK_SET) >= 0);
+  while (!bytes.empty()) {
+    ssize_t const written =
+        repeated([&] { return ::write(descriptor(handle_), bytes.data(), bytes.size()); });
+    if (written < 0) return last_error();
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return std::nullopt;
 }
 
 std::optional<Error> File::sync() const {
@@ -240,10 +196,6 @@ void File::take_over_attributes(std::string const& path) const {
 #else
   static_cast<void>(path);
 #endif
-}
-
-bool File::lock() const {
-  return ::flock(descriptor(handle_), LOCK_EX | LOCK_NB) == 0;
 }
 
 Result<FileStatus> status_of(std::string const& path, Link link) {

@@ -78,8 +78,4 @@ ProcessName process_name() {
   return {.number = static_cast<std::uint64_t>(::getpid()), .host = host};
 }
 
-std::string program_path() {
-  return "/proc/self/exe";
-}
-
 }  // namespace axisc::system

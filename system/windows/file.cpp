@@ -6,7 +6,6 @@
 
 #include <aclapi.h>
 #include <algorithm>
-#include <atomic>
 #include <sddl.h>
 #include <windows.h>
 
@@ -24,12 +23,6 @@ HANDLE handle_of(std::intptr_t handle) {
 
 std::intptr_t number_of(HANDLE handle) {
   return reinterpret_cast<std::intptr_t>(handle);
-}
-
-/// 100 ns since 1601 as nanoseconds since 1970.
-std::int64_t nanoseconds(LARGE_INTEGER const& time) {
-  constexpr std::int64_t from_1601_to_1970 = 116'444'736'000'000'000;
-  return (time.QuadPart - from_1601_to_1970) * 100;
 }
 
 FileKind kind_of(DWORD attributes) {
@@ -60,20 +53,6 @@ Result<std::size_t> read_some(HANDLE file, std::span<char> buffer, OVERLAPPED* p
   return error_of(error);
 }
 
-std::optional<Error> write_all(HANDLE file, std::string_view bytes, std::optional<std::uint64_t> offset) {
-  while (!bytes.empty()) {
-    DWORD written = 0;
-    auto place = place_at(offset.value_or(0));
-    auto const wanted = static_cast<DWORD>(std::min<std::size_t>(bytes.size(), most_at_once));
-    if (::WriteFile(file, bytes.data(), wanted, &written, offset ? &place : nullptr) == 0) {
-      return last_error();
-    }
-    bytes.remove_prefix(written);
-    if (offset) *offset += written;
-  }
-  return std::nullopt;
-}
-
 /// An access list that names the owner alone and inherits nothing.
 class OwnerOnly {
  public:
@@ -102,9 +81,7 @@ HANDLE opened(std::string const& path, DWORD access, DWORD disposition, DWORD fl
 Result<FileStatus> status_from(HANDLE file) {
   if (::GetFileType(file) != FILE_TYPE_DISK) return FileStatus{.permissions = permissions_of_owner};
   BY_HANDLE_FILE_INFORMATION facts{};
-  FILE_BASIC_INFO times{};
-  if (::GetFileInformationByHandle(file, &facts) == 0 ||
-      ::GetFileInformationByHandleEx(file, FileBasicInfo, &times, sizeof(times)) == 0) {
+  if (::GetFileInformationByHandle(file, &facts) == 0) {
     // A handle that was inherited may be read without being known more of.
     if (::GetLastError() == ERROR_INVALID_HANDLE) return FileStatus{.permissions = permissions_of_owner};
     return last_error();
@@ -113,8 +90,6 @@ Result<FileStatus> status_from(HANDLE file) {
                     .size = std::uint64_t{facts.nFileSizeHigh} << 32U | facts.nFileSizeLow,
                     .device = facts.dwVolumeSerialNumber,
                     .inode = std::uint64_t{facts.nFileIndexHigh} << 32U | facts.nFileIndexLow,
-                    .content_changed = nanoseconds(times.LastWriteTime),
-                    .status_changed = nanoseconds(times.ChangeTime),
                     .permissions = permissions_of_owner};
 }
 
@@ -135,8 +110,7 @@ File::~File() {
 }
 
 Result<File> File::open(std::string const& path, Access access, Link link) {
-  bool const writes = access == Access::write || access == Access::update_now;
-  DWORD const rights = (access == Access::write ? 0 : GENERIC_READ) | (writes ? GENERIC_WRITE : 0);
+  DWORD const rights = access == Access::write ? GENERIC_WRITE : GENERIC_READ;
   DWORD const flags = FILE_FLAG_BACKUP_SEMANTICS | (link == Link::refused ? FILE_FLAG_OPEN_REPARSE_POINT : 0);
   auto* const file = opened(path, rights, OPEN_EXISTING, flags);
   if (file == INVALID_HANDLE_VALUE) return last_error();
@@ -155,26 +129,6 @@ Result<File> File::create(std::string const& path, Privacy privacy) {
                             privacy == Privacy::owner ? owner.get() : nullptr);
   if (file == INVALID_HANDLE_VALUE) return last_error();
   return File(number_of(file));
-}
-
-Result<File> File::open_or_create(std::string const& path) {
-  auto* const file = opened(path, GENERIC_READ | GENERIC_WRITE, OPEN_ALWAYS, FILE_FLAG_OPEN_REPARSE_POINT);
-  if (file == INVALID_HANDLE_VALUE) return last_error();
-  return File(number_of(file));
-}
-
-Result<File> File::nameless(std::string const& folder) {
-  static std::atomic<unsigned> count{0};
-  constexpr int attempts = 1000;
-  for (int i = 0; i < attempts; ++i) {
-    std::string const name = folder + "/axisc-" + std::to_string(::GetCurrentProcessId()) + "-" +
-                             std::to_string(++count) + "-" + std::to_string(::GetTickCount64());
-    auto* const file = opened(name, GENERIC_READ | GENERIC_WRITE | DELETE, CREATE_NEW,
-                              FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE);
-    if (file != INVALID_HANDLE_VALUE) return File(number_of(file));
-    if (::GetLastError() != ERROR_FILE_EXISTS) break;
-  }
-  return last_error();
 }
 
 Result<File> File::standard_input() {
@@ -204,15 +158,13 @@ Result<std::size_t> File::read_at(std::uint64_t offset, std::span<char> buffer) 
 }
 
 std::optional<Error> File::write(std::string_view bytes) const {
-  return write_all(handle_of(handle_), bytes, std::nullopt);
-}
-
-std::optional<Error> File::write_at(std::uint64_t offset, std::string_view bytes) const {
-  return write_all(handle_of(handle_), bytes, offset);
-}
-
-std::optional<Error> File::rewind() const {
-  return error_unless(::SetFilePointerEx(handle_of(handle_), {}, nullptr, FILE_BEGIN) != 0);
+  while (!bytes.empty()) {
+    DWORD written = 0;
+    auto const wanted = static_cast<DWORD>(std::min<std::size_t>(bytes.size(), most_at_once));
+    if (::WriteFile(handle_of(handle_), bytes.data(), wanted, &written, nullptr) == 0) return last_error();
+    bytes.remove_prefix(written);
+  }
+  return std::nullopt;
 }
 
 std::optional<Error> File::sync() const {
@@ -238,13 +190,6 @@ void File::take_over_attributes(std::string const& path) const {
   ::SetSecurityInfo(handle_of(handle_), SE_FILE_OBJECT, DACL_SECURITY_INFORMATION, nullptr, nullptr, list,
                     nullptr);
   ::LocalFree(descriptor);
-}
-
-bool File::lock() const {
-  // Behind every content: locks here keep others from reading and writing.
-  auto place = place_at(std::uint64_t{1} << 62U);
-  return ::LockFileEx(handle_of(handle_), LOCKFILE_EXCLUSIVE_LOCK | LOCKFILE_FAIL_IMMEDIATELY, 0, 1, 0,
-                      &place) != 0;
 }
 
 Result<FileStatus> status_of(std::string const& path, Link link) {

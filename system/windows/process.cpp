@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <windows.h>
 
 namespace axisc::system {
@@ -82,30 +81,6 @@ ProcessName process_name() {
   DWORD size = 256;
   ::GetComputerNameW(host, &size);
   return {.number = ::GetCurrentProcessId(), .host = narrow(host)};
-}
-
-std::string build_identity() {
-  // The linker writes it as the identity of debug information: "RSDS" and 16 bytes.
-  auto const* const base = reinterpret_cast<unsigned char const*>(::GetModuleHandleW(nullptr));
-  auto const* const dos = reinterpret_cast<IMAGE_DOS_HEADER const*>(base);
-  auto const* const headers = reinterpret_cast<IMAGE_NT_HEADERS const*>(base + dos->e_lfanew);
-  auto const& place = headers->OptionalHeader.DataDirectory[IMAGE_DIRECTORY_ENTRY_DEBUG];
-  auto const* const entries = reinterpret_cast<IMAGE_DEBUG_DIRECTORY const*>(base + place.VirtualAddress);
-  constexpr std::size_t word = 4;
-  constexpr std::size_t size = 16;
-  for (std::size_t i = 0; i < place.Size / sizeof(IMAGE_DEBUG_DIRECTORY); ++i) {
-    auto const* const record = base + entries[i].AddressOfRawData;
-    bool const is_identity = entries[i].Type == IMAGE_DEBUG_TYPE_CODEVIEW &&
-                             entries[i].SizeOfData >= word + size && std::memcmp(record, "RSDS", word) == 0;
-    if (is_identity) return {reinterpret_cast<char const*>(record) + word, size};
-  }
-  return {};
-}
-
-std::string program_path() {
-  std::wstring path(32768, L'\0');
-  path.resize(::GetModuleFileNameW(nullptr, path.data(), static_cast<DWORD>(path.size())));
-  return narrow(path);
 }
 
 }  // namespace axisc::system

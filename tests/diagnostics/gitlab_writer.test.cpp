@@ -1,4 +1,3 @@
-#include "diagnostics/writers/writers.hpp"
 #include "report_example.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
@@ -13,7 +12,7 @@ using namespace axisc::test;
 
 TEST_CASE("code quality report of GitLab") {
   ReportExample const example;
-  std::string const text = write_gitlab(example.findings, example.full.sources, example.context, {});
+  std::string const text = example.report(FindingFormat::gitlab);
   check_golden("tests/diagnostics/data/gitlab/findings.en.json", text);
   auto const report = nlohmann::json::parse(text);
   REQUIRE(report.size() == example.findings.size());
@@ -27,5 +26,5 @@ TEST_CASE("code quality report of GitLab") {
 }
 
 TEST_CASE("an empty code quality report is an empty list") {
-  CHECK(write_gitlab({}, {}, {}, {}) == "[]\n");
+  CHECK(whole_report(FindingFormat::gitlab, {}, {}) == "[]\n");
 }

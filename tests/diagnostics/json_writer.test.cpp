@@ -1,7 +1,7 @@
-#include "diagnostics/writers/writers.hpp"
 #include "example_findings.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
+#include "whole_report.hpp"
 
 #include <string>
 #include <vector>
@@ -98,4 +98,16 @@ TEST_CASE("the JSON form has the layout of the library's own indentation") {
   FullExample const example;
   std::string const text = write_json({example.finding, example.finding}, example.sources, {.files = 3}, {});
   CHECK(nlohmann::ordered_json::parse(text).dump(2) + "\n" == text);
+}
+
+TEST_CASE("JSON lines are the objects of the JSON form, one a line") {
+  FullExample const example;
+  auto bare = error_at(place_of(example.sources, example.list, "LOWPASS"), "bare \"quoted\"\n{\x01}");
+  std::vector<Finding> const findings{example.finding, bare};
+  auto const document =
+      nlohmann::ordered_json::parse(write_json(findings, example.sources, {.files = 1}, {}));
+  std::string lines;
+  for (auto const& object : document["diagnostics"]) lines += object.dump() + "\n";
+  CHECK(whole_report(FindingFormat::jsonl, findings, example.sources) == lines);
+  CHECK(whole_report(FindingFormat::jsonl, {}, {}) == "");
 }

@@ -1,9 +1,9 @@
 // Findings and surroundings for the tests of the formats that code hosts read.
 #pragma once
 
-#include "diagnostics/writers/writers.hpp"
 #include "example_findings.hpp"
 #include "support/golden.hpp"
+#include "whole_report.hpp"
 
 #include <string>
 #include <vector>
@@ -25,6 +25,12 @@ struct ReportExample {
   FullExample full;
   std::vector<Finding> findings;
   ReportContext context;
+  std::vector<std::string> failures{"cannot read y.lis"};
+
+  /// All of it.
+  [[nodiscard]] std::string report(FindingFormat format) const {
+    return whole_report(format, findings, full.sources, {}, context, {}, failures);
+  }
 
   ReportExample() {
     Finding without_place;
@@ -51,7 +57,6 @@ struct ReportExample {
          .page = page_of_cycle_time()}};
     context.version = "1.2.3";
     context.paths = {.root = "/repository", .folder = "/repository/axes 1"};
-    context.failures = {"cannot read y.lis"};
   }
 };
 

@@ -14,6 +14,7 @@ write_list() {  # NAME FREQUENCY [COMMENT]
     "$2" "${3:-}" >"$1.lis"
 }
 build_with() { ninja -f "$1" >out.log || { cat out.log >&2; fail "the build failed"; }; }
+is_at_rest() { ninja "$@" >rest.log && grep -q "no work to do" rest.log || fail "there is work for ever: $(cat rest.log)"; }
 # Names of the files that are newer than the file "before".
 newer() { find "$@" -name '*.axim' -newer before | sort | paste -sd' '; }
 mark() {
@@ -23,68 +24,85 @@ mark() {
 }
 expect() { [ "$2" = "$3" ] || fail "$1: expected '$3', got '$2'"; }
 
-for name in a b c; do write_list "$name" 20; done
+mkdir -p mill lathe/listen
+for name in mill/x mill/y lathe/listen/z; do write_list $name 20; done
+printf '{"cycle_time_us": 1000, "axes": [{"name": "X", "list": "x.lis"}]}' >mill/machine.json
+printf 'zahl_mds 1\nachs_mds[0] ./listen/z.lis\n' >lathe/listen/hochlauf.lis
+echo '{"cycle_time_us": 1000}' >axisc.json
 example="$source/examples/ninja/build.ninja"
 build_with "$example"
-expect "first build" "$(find delivered -name '*.axim' | sort | paste -sd' ')" "delivered/a.axim delivered/b.axim delivered/c.axim"
+expect "first build" "$(find delivered -name '*.axim' | sort | paste -sd' ')" "delivered/lathe.axim delivered/mill.axim"
+is_at_rest -f "$example"
 
-build_with "$example"
-grep -q "no work to do" out.log || fail "a second build did something: $(cat out.log)"
-
-# A list that means something else: one image is written, one delivered.
+# A list that means something else: the image of its machine is written and delivered.
 mark
-write_list b 30
+write_list mill/x 30
 build_with "$example"
-expect "a value changed" "$(newer images delivered)" "delivered/b.axim images/b.axim"
-
-# A list that is only touched: the batch runs, no image is written, nothing follows.
+expect "a value changed" "$(newer images delivered)" "delivered/mill.axim images/mill.axim"
 mark
-touch c.lis
+write_list lathe/listen/z 30
+build_with "$example"
+expect "a value of a controller changed" "$(newer images delivered)" "delivered/lathe.axim images/lathe.axim"
+
+# A list that is only touched: no image is written, nothing follows.
+mark
+touch mill/x.lis lathe/listen/z.lis
 build_with "$example"
 expect "touched" "$(newer images delivered)" ""
-build_with "$example"
-grep -q "no work to do" out.log || fail "after a touch there is work for ever"
+is_at_rest -f "$example"
 
 # A comment is a part of the list, and an image holds the digest of its sources: it says which list it was made of. So the
 # image is another one.
 mark
-write_list b 30 '( slower'
+write_list mill/x 30 '( slower'
 build_with "$example"
-expect "a comment changed" "$(newer images delivered)" "delivered/b.axim images/b.axim"
+expect "a comment changed" "$(newer images delivered)" "delivered/mill.axim images/mill.axim"
 # A stripped image holds that digest as well.
 sed 's/^options = .*/& --strip/' "$example" >strip.ninja
 build_with strip.ninja
 mark
-write_list b 30 '( slower than before'
+write_list mill/x 30 '( slower than before'
 build_with strip.ninja
-expect "a comment changed, stripped" "$(newer images delivered)" "delivered/b.axim images/b.axim"
+expect "a comment changed, stripped" "$(newer images delivered)" "delivered/mill.axim images/mill.axim"
 
-# Settings and schema files are not named by any list; the program names them in the rules.
-echo '{"build": "V3.1.3080.00"}' >axisc.json
-build_with strip.ninja
+# Settings are not named by any list; the program names them in the rules. Not in a pipe: where grep is done first, ninja fails.
+grep -q axisc.json <<<"$(ninja -f strip.ninja -t deps images/mill.axim)" || fail "the settings are no dependency"
 mark
-touch a.lis
+echo '{"cycle_time_us": 1000, "disable": ["AX4007"]}' >axisc.json
 build_with strip.ninja
-# Not in a pipe: where grep is done first, ninja fails.
-grep -q axisc.json <<<"$(ninja -f strip.ninja -t deps images/a.axim)" || fail "the settings are no dependency"
-mark
-echo '{"build": "V3.1.3080.00", "disable": ["AX4007"]}' >axisc.json
-build_with strip.ninja
-grep -q "batch 1" out.log || fail "changed settings went unnoticed"
+grep -q "image images/mill.axim" out.log || fail "changed settings went unnoticed"
 expect "settings that change no image" "$(newer images delivered)" ""
 
-# An error stops the batch; the images of the other lists are there, and of this one the old image stays.
+# An error stops its machine; the other image is made, and the old one of this machine stays.
 mark
-printf 'filter[0].order 99\nEnde\n' >a.lis
-write_list c 40
-if ninja -f strip.ninja >out.log 2>&1; then fail "a list with errors was compiled"; fi
+printf 'filter[0].order 99\nEnde\n' >mill/x.lis
+write_list lathe/listen/z 40
+if ninja -k 0 -f strip.ninja >out.log 2>&1; then fail "a list with errors was compiled"; fi
 grep -q "AX3001" out.log || fail "the finding is not shown"
-expect "with an error" "$(newer images)" "images/c.axim"
+expect "with an error" "$(newer images)" "images/lathe.axim"
 
-# The generator makes the same for a whole folder.
-mkdir -p plant/line\ 1
-mv a.lis b.lis c.lis plant
-write_list plant/a 20
-cp plant/a.lis "plant/line 1/x.lis"
-(cd plant && BATCH=2 "$source/examples/ninja/generate.sh" >build.ninja && ninja >../out.log)
-expect "generated" "$(cd plant/images && find . -name '*.axim' | sort | paste -sd'|')" "./a.axim|./b.axim|./c.axim|./line 1/x.axim"
+# The generator makes one image per machine, and one for a list that no machine names.
+plant="$folder/plant: 1 # \$a"
+mkdir -p "$plant/line 1"
+cp -r "$source/samples/controller" "$source/samples/mill" "$source/samples/tutorial" "$plant"
+cp -r "$source/samples/controller" "$plant/line 1/lathe"
+cp axisc.json "$plant"
+write_list "$plant/alone" 20
+cd "$plant"
+"$source/examples/ninja/generate.sh" --strip >build.ninja 2>generate.log || { cat generate.log >&2; fail "nothing was generated"; }
+expect "generated" "$(grep -c '^build ' build.ninja)" "$(find images -name '*.axim' | wc -l)"
+find images -name '*.axim' | sort >images.log
+grep -qx "images/controller/listen/hochlauf.axim" images.log || fail "the controller has no image"
+grep -qx "images/line 1/lathe/listen/hochlauf.axim" images.log || fail "the controller in a folder with a blank has no image"
+grep -qx "images/mill/machine.axim" images.log || fail "the machine file has no image"
+grep -qx "images/alone.axim" images.log || fail "the list of no machine has no image"
+! grep -q "achsmds" images.log || fail "a list of a machine has an image of its own"
+ninja >out.log || { cat out.log >&2; fail "what was generated cannot be built"; }
+is_at_rest
+touch controller/listen/achsmds1.lis
+ninja >out.log
+is_at_rest
+rm -r images
+ninja >out.log
+find images -name '*.axim' | sort | cmp - images.log || fail "the edges make other images than the generator"
+is_at_rest

@@ -1,5 +1,5 @@
 // Any bytes as a list or as a machine file: findings, never a crash; every place lies inside its source.
-#include "diagnostics/writers/writers.hpp"
+#include "diagnostics/whole_report.hpp"
 #include "validator/check.hpp"
 
 #include <cstddef>
@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
         if (axisc::write_text(finding, sources, {.language = language, .color = false}).empty()) std::abort();
       }
     }
-    if (axisc::write_json(result.findings, sources, {.files = 1}, {}).empty()) std::abort();
+    if (axisc::test::write_json(result.findings, sources, {.files = 1}, {}).empty()) std::abort();
   }
   return 0;
 }

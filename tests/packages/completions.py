@@ -24,7 +24,7 @@ LINES = [
     ("axisc help cont\t", "<help><contour>"),
     ("axisc lint ach\t", "<lint><achsen.lis>"),
     ("axisc lint --baseline ach\t", "<lint><--baseline><achsen.lis>"),
-    ("axisc lint --cache ord\t", "<lint><--cache><ordner"),
+    ("axisc compile --output-folder ord\t", "<compile><--output-folder><ordner"),
 ]
 
 

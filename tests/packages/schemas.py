@@ -41,12 +41,18 @@ FILES = {
     "settings": [],
     "plant": ["samples/motion/rack/plant.json"],
     "schema": ["schema/axis-parameters.json"],
+    "finding": [],
 }
-EXAMPLES = {"settings": {"cycle_time_us": 250, "disable": ["AX4007"], "severity": {"AX3013": "error"}}}
+FINDINGS = subprocess.run([AXISC, "lint", "samples/mistakes", "--format", "jsonl"], cwd=SOURCES, capture_output=True, text=True)
+EXAMPLES = {
+    "settings": [{"cycle_time_us": 250, "disable": ["AX4007"], "severity": {"AX3013": "error"}}],
+    "finding": [json.loads(line) for line in FINDINGS.stdout.splitlines()],
+}
 MISTAKES = {
     "machine": [misspelt("axes"), lambda d: d.update(cycle_time_us="1ms"), lambda d: d.update(axes=[])],
     "settings": [misspelt("disable"), lambda d: d.update(cycle_time_us=0), lambda d: d["severity"].update(AX3013="fatal")],
     "plant": [misspelt("plants"), lambda d: d["plants"][0].pop("name"), lambda d: d["plants"][0].update(load_mass_kg=-1)],
+    "finding": [misspelt("code"), lambda d: d.update(severity="fatal"), lambda d: d.update(line=0), lambda d: d.pop("fix")],
     "schema": [misspelt("parameters"), lambda d: d.update(version=2), lambda d: d["parameters"][0].update(type="FLOAT")],
 }
 
@@ -57,7 +63,7 @@ for kind, paths in FILES.items():
     assert schema["$schema"] == "https://json-schema.org/draft/2020-12/schema"
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    documents = [read(path) for path in paths] + ([EXAMPLES[kind]] if kind in EXAMPLES else [])
+    documents = [read(path) for path in paths] + EXAMPLES.get(kind, [])
     assert documents, kind
     for document in documents:
         validator.validate(document)

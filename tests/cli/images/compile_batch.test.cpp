@@ -154,8 +154,6 @@ TEST_CASE("names that cannot be are usage errors, and nothing is written") {
   };
   check({"line", "--output-folder", "out"},
         "line/axis1.json and line/axis1.lis would both be written to out/line/axis1.axim");
-  // The other one may lie in another shard: it is found all the same.
-  check({"line", "--output-folder", "out", "--shard", "1/50"}, "would both be written");
   check({"mill", "--output-folder", "out", "--input-folder", "line"}, "is not below");
   check({"-", "--output-folder", "out"}, "an image from standard input has no name");
   check({"mill", "--output-folder", "out", "-o", "x.axim"}, "cannot be used together");
@@ -174,27 +172,10 @@ TEST_CASE("a batch without any input that is there fails cleanly") {
   }
 }
 
-TEST_CASE("the shards of a batch write every image once") {
-  Plant const plant;
-  REQUIRE(plant.compile({".", "--output-folder", "whole"}).status == 0);
-  std::size_t count = 0;
-  for (int i = 1; i <= 3; ++i) {
-    auto const part = "part" + std::to_string(i);
-    REQUIRE(plant.compile({"line", "mill", "--output-folder", part, "--shard", std::to_string(i) + "/3"})
-                .status == 0);
-    if (!fs::exists(plant.folder / part)) continue;
-    for (auto const& [name, time] : plant.images(part)) {
-      ++count;
-      CHECK(plant.folder.read(part + "/" + name) == plant.folder.read("whole/" + name));
-    }
-  }
-  CHECK(count == 10);
-}
-
 TEST_CASE("findings of a batch come in input order, for every number of threads") {
   Plant const plant;
   for (int i = 1; i <= 9; i += 2) plant.folder.write("line/axis" + std::to_string(i) + ".lis", mistakes());
-  for (std::string const format : {"text", "json", "sarif", "github", "gitlab"}) {
+  for (std::string const format : {"text", "json", "jsonl", "sarif", "github", "gitlab"}) {
     auto const one = plant.compile({".", "--output-folder", "one", "-j", "1", "--format", format});
     auto const eight = plant.compile({".", "--output-folder", "eight", "-j", "8", "--format", format});
     CHECK(one.status == 1);

@@ -5,7 +5,7 @@
 
 namespace axisc::cli {
 
-/// 32 hexadecimal digits: different for every call, in every process, on every host.
+/// Letters, digits and dashes: different for every call, in every process, on every host.
 [[nodiscard]] std::string unique_name();
 
 }  // namespace axisc::cli

@@ -24,7 +24,8 @@ struct OrderedTasks {
   std::function<std::size_t(Result const&)> weight;  ///< bytes of a result
 };
 
-/// Finished results that have not been taken occupy at most about this much memory; beyond it the threads wait.
+/// Finished results that have not been taken occupy at most about this much memory; beyond it the threads
+/// wait.
 inline constexpr std::size_t most_waiting_bytes = std::size_t{16} << 20U;
 
 /// The threads of one call of in_order().
@@ -149,8 +150,8 @@ class OrderedWork {
   return threads <= 1 || count <= 1;
 }
 
-/// Memory: that of `threads` results at work, and most_waiting_bytes of finished ones. What `work` throws for the lowest
-/// index is thrown here, after the results before it were taken and all threads have ended.
+/// Memory: that of `threads` results at work, and most_waiting_bytes of finished ones. What `work` throws for
+/// the lowest index is thrown here, after the results before it were taken and all threads have ended.
 template <class Result>
 void in_order(OrderedTasks<Result> const& tasks, unsigned threads) {
   if (is_one_by_one(tasks.count, threads)) {
