@@ -3,7 +3,7 @@
 #include "configuration/machine_file.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
-#include "configuration/xml_list_kind.hpp"
+#include "configuration/xml/xml_list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "validator/loading/loader.hpp"
 #include "validator/loading/loading.hpp"
@@ -82,15 +82,22 @@ std::vector<MachineSearch::Machine> const& MachineSearch::machines_in(Buffers& f
 
 std::string MachineSearch::machine_of(Buffers& files, std::string const& path) {
   if (is_machine(files, path)) return path;
+  auto const wanted = validator::key_of(path);
   auto folder = path;
   for (int i = 0; i < most_folders && folder.size() > 1; ++i) {
     if (folder.ends_with('/')) folder.pop_back();
     folder.resize(folder.size() - validator::file_name(folder).size());
     for (auto const& machine : machines_in(files, folder)) {
-      if (machine.reads(files, path)) return machine.path;
+      if (machine.reads(files, wanted)) return machine.path;
     }
   }
   return path;
+}
+
+std::string machine_of(configuration::Files& files, std::string const& path, OptionsOf const& options) {
+  Documents const none;
+  Buffers buffers(none, files);
+  return MachineSearch(options).machine_of(buffers, path);
 }
 
 }  // namespace axisc::editor

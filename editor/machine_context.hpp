@@ -22,9 +22,9 @@ class MachineSearch {
   /// `options` outlives the search.
   explicit MachineSearch(OptionsOf const& options) : options_(options) {}
 
-  /// The input whose check covers the file: the nearest machine file or start-up list, in the file's folder or above, that
-  /// reads it; the file itself where there is none, and where it is a machine. Machine files come before start-up lists.
-  /// `path` is normalised.
+  /// The input whose check covers the file: the nearest machine file or start-up list, in the file's folder
+  /// or above, that reads it; the file itself where there is none, and where it is a machine. Machine files
+  /// come before start-up lists.
   [[nodiscard]] std::string machine_of(Buffers& files, std::string const& path);
   /// What the machines found so far were read from.
   void note_readers(Readers& readers) const;
@@ -45,5 +45,9 @@ class MachineSearch {
   OptionsOf const& options_;
   std::map<std::string, std::vector<Machine>> machines_;  ///< by folder
 };
+
+/// The same of a single file.
+[[nodiscard]] std::string machine_of(configuration::Files& files, std::string const& path,
+                                     OptionsOf const& options);
 
 }  // namespace axisc::editor

@@ -38,9 +38,8 @@ constexpr Sentence option_constant_velocity{
     "überall mit dem Vorschub fahren: keine Rampen, keine langsameren Ecken, kein AX_DEV"};
 constexpr Sentence option_max_cycles{
     "most NC cycles that are simulated (default: 100000000, or 10000000 where every cycle is written)",
-    "höchste Zahl simulierter NC-Zyklen (Standardwert: 100000000, oder 10000000, wo jeder Zyklus geschrieben wird)"};
-constexpr Sentence bad_count{"--max-cycles needs a count above 0, not \"{value}\"",
-                             "--max-cycles braucht eine Anzahl über 0, nicht \"{value}\""};
+    "höchste Zahl simulierter NC-Zyklen (Standardwert: 100000000, "
+    "oder 10000000, wo jeder Zyklus geschrieben wird)"};
 constexpr Sentence option_progress{
     "show progress even where standard error is not a terminal",
     "Fortschritt auch zeigen, wenn die Standardfehlerausgabe kein Terminal ist"};
@@ -94,7 +93,8 @@ std::uint64_t most_cycles(SimulateOptions const& options) {
   }
   auto const count = parse_count(*options.most_cycles);
   if (!count || *count == 0) {
-    throw Failure({.sentence = says::bad_count, .arguments = {{"value", *options.most_cycles}}});
+    throw Failure({.sentence = says::bad_count,
+                   .arguments = {{"option", "--max-cycles"}, {"value", *options.most_cycles}}});
   }
   return *count;
 }

@@ -8,9 +8,9 @@
 #include "cli/files/image_file.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
+#include "cli/inputs/inputs.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/plots/picture_output.hpp"
 #include "cli/sentences.hpp"
@@ -68,9 +68,9 @@ constexpr Sentence of_measured{"--in and --out belong to --measured", "--in und 
 constexpr Sentence option_plant{
     "drive and mechanics of the axis (JSON): compare Improved Position Control too",
     "Antrieb und Mechanik der Achse (JSON): auch die optimierte Lageregelung vergleichen"};
-constexpr Sentence option_tolerance{"allowed axis error in mm, on the circle and as AX_DEV (default: 0.01)",
+constexpr Sentence option_tolerance{"allowed axis error in mm, on the circle and as AX_DEV (default: 10 µm)",
                                     "erlaubter Achsfehler in mm, auf dem Kreis und als AX_DEV (Standardwert: "
-                                    "0.01)"};
+                                    "10 µm)"};
 constexpr Sentence option_feed{"feed rate in mm/min (default: 4000)",
                                "Vorschub in mm/min (Standardwert: 4000)"};
 constexpr Sentence option_radius{

@@ -97,9 +97,9 @@ ChangedFiles changed_since(std::string const& revision) {
       git({"diff", "--name-status", "--no-renames", "--no-ext-diff", "-z", revision, "--"});
   for (std::string_view rest = differing; !rest.empty();) {
     auto const status = next_part(rest);
-    std::string path(next_part(rest));
-    if (status == "D") changed.gone.push_back(path);
-    changed.paths.insert(std::move(path));
+    std::string name(next_part(rest));
+    if (status == "D") changed.gone.push_back(name);
+    changed.paths.insert(std::move(name));
   }
   auto const unknown = git({"ls-files", "--others", "--exclude-standard", "-z"});
   for (std::string_view rest = unknown; !rest.empty();) {

@@ -11,9 +11,9 @@ namespace axisc::cli::says {
 
 constexpr Sentence bad_resonance{
     "--resonance needs one to three frequencies below {nyquist} Hz (0.5/T), each perhaps with a damping "
-    "ratio below 1, such as 48Hz or 48Hz:0.03,112Hz, not \"{value}\"",
+    "ratio below 1, such as `48Hz` or `48Hz:0.03,112Hz`, not \"{value}\"",
     "--resonance braucht eine bis drei Frequenzen unter {nyquist} Hz (0,5/T), jede vielleicht mit einem "
-    "Dämpfungsgrad unter 1, etwa 48Hz oder 48Hz:0.03,112Hz, nicht \"{value}\""};
+    "Dämpfungsgrad unter 1, etwa `48Hz` oder `48Hz:0.03,112Hz`, nicht \"{value}\""};
 
 }  // namespace axisc::cli::says
 

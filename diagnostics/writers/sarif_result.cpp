@@ -191,12 +191,11 @@ class ResultWriter {
 
 }  // namespace
 
-SarifResult sarif_result(Finding const& finding, SourceSet const& sources, std::string_view fingerprint,
-                         ReportContext const& context, Language language) {
-  SarifResult result{.code = finding.code, .text = {}};
+void write_sarif_result(SarifResult& result, Finding const& finding, SourceSet const& sources,
+                        std::string_view fingerprint, ReportContext const& context, Language language) {
+  result.code = finding.code;
+  result.text.clear();
   ResultWriter(result, sources, context, language).write(finding, fingerprint);
-  result.text.shrink_to_fit();
-  return result;
 }
 
 }  // namespace axisc

@@ -16,9 +16,8 @@ struct SarifResult {
   std::size_t rule_index_at = 0;  ///< where it belongs in `text`
 };
 
-/// Indented as in a run of the document.
-[[nodiscard]] SarifResult sarif_result(Finding const& finding, SourceSet const& sources,
-                                       std::string_view fingerprint, ReportContext const& context,
-                                       Language language);
+/// Replaces `result`, whose memory serves again. Indented as in a run of the document.
+void write_sarif_result(SarifResult& result, Finding const& finding, SourceSet const& sources,
+                        std::string_view fingerprint, ReportContext const& context, Language language);
 
 }  // namespace axisc

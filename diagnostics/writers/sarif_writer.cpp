@@ -60,7 +60,8 @@ class SarifReport final : public ReportWriter {
            std::string_view fingerprint) override {
     codes_.insert(finding.code);
     keep_sources(finding);
-    results_.push_back(sarif_result(finding, sources, fingerprint, context_, language_));
+    write_sarif_result(written_, finding, sources, fingerprint, context_, language_);
+    results_.push_back(written_);
   }
 
   void add_notice(std::string& /*out*/, Finding const& finding, SourceSet const& /*sources*/,
@@ -185,6 +186,7 @@ class SarifReport final : public ReportWriter {
 
   Language language_;
   ReportContext context_;
+  SarifResult written_;  ///< the last one
   std::deque<SarifResult> results_;
   std::set<Code> codes_;     ///< of all findings
   std::set<SourceId> used_;  ///< by findings of the input at hand

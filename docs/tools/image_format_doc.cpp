@@ -240,10 +240,11 @@ the axis' `peak_gain` is the product of the chain's and the kernel's, its `delay
 `peak_gain` is true for the recursion in real numbers on the stored coefficients: it is the sum of |h| over the cycles that were
 followed, a bound of what rounding may have taken from it, and a bound of all that the states can still put out. Where 2^21 cycles
 do not suffice (characteristic frequencies below some millionths of 1/T) the last one counts, and `peak_gain` may be several times
-the largest amplification that a setpoint reaches; `axisc inspect` then says "at most". `overshoot` is that of the cycles followed.
+the largest amplification that a setpoint reaches; so may the product with a kernel's. `axisc inspect` then says "at most".
+`overshoot` is that of the cycles followed.
 
-Images of axisc 0.2.0 and before have the sum alone, without the bounds: usually by less than 2e-12 too low, by up to half
-where the filter is so slow. A loader cannot tell them from others, so compile such machines again.
+Images of axisc 0.2.0 and before have the sum alone, without the bounds: usually by less than 2e-12 too low, far too low where the
+filter is so slow. A loader refuses the grossest of them only, so compile such machines again.
 
 ## What a loader refuses
 

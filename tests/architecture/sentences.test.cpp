@@ -265,8 +265,8 @@ TEST_CASE("German texts have decimal commas") {
     INFO(path);
     CHECK(number_with_point(read(path)).empty());
   }
-  static std::regex const german(R"("de": "([^"]*)") ");
-      std::string const descriptions = read(fs::path(AXISC_SOURCE_DIR) / "schema" / "axis-descriptions.json");
+  static std::regex const german(R"x("de": "([^"]*)")x");
+  std::string const descriptions = read(fs::path(AXISC_SOURCE_DIR) / "schema" / "axis-descriptions.json");
   for (std::sregex_iterator found(descriptions.begin(), descriptions.end(), german);
        found != std::sregex_iterator(); ++found) {
     INFO(found->str(1));

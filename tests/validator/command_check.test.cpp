@@ -177,7 +177,8 @@ TEST_CASE("what is meant for ON or OFF is written so") {
   CHECK(better("#FILTER [ off ]") == "OFF");
   CHECK(result("#FILTER [ON ORDER=20]") == "AX5001 <[ON > ");
   CHECK(better("#FILTER [ON ORDER=20]") == "ON [");
-  CHECK(better("#FILTER [ON") == "ON");
+  CHECK(result("#FILTER [ON") == "AX5002 <ON> ");
+  CHECK(better("#FILTER ON ON").empty());
 }
 
 TEST_CASE("whether a command gives an order") {

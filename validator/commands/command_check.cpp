@@ -149,10 +149,11 @@ class CommandCheck {
     std::string_view const meant = switch_meant(slice(text_, name));
     std::size_t const opening = text_.substr(0, name.begin).rfind('[');
     if (meant.empty() || opening == std::string_view::npos) return false;
-    usable_ = false;
     bool const is_alone = command_.keywords.size() == 1;
-    std::size_t const closing = std::min(text_.find(']', name.end), text_.size() - 1);
-    std::size_t const end = is_alone ? closing + 1 : command_.keywords[1].name.begin;
+    std::size_t const after = std::min(text_.find_first_not_of(" \t", name.end), text_.size());
+    if (is_alone && text_.substr(after, 1) != "]") return false;
+    usable_ = false;
+    std::size_t const end = is_alone ? after + 1 : command_.keywords[1].name.begin;
     CommandMistake& mistake =
         add(syntax_mistake,
             {.begin = static_cast<std::uint32_t>(opening), .end = static_cast<std::uint32_t>(end)},
@@ -171,8 +172,9 @@ class CommandCheck {
       take_switch(mistake);
     } else {
       usable_ = false;
-      std::string_view const meant = switch_meant(slice(text_, command_.problem->span));
-      if (!meant.empty()) mistake.better = meant;
+      std::string_view const written = slice(text_, command_.problem->span);
+      std::string_view const meant = switch_meant(written);
+      if (!meant.empty() && meant != written) mistake.better = meant;
       Span const keywords = keywords_from(command_.problem->span.begin);
       bool const lacks_brackets = command_.problem->kind == CommandProblemKind::unexpected_text &&
                                   command_.keywords.empty() && !keywords.empty();

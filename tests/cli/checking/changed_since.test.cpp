@@ -1,6 +1,6 @@
 // `axisc lint --changed-since`: what differs from a revision of git.
 #include "cli/files/disk_files.hpp"
-#include "cli/options/machine_outline.hpp"
+#include "cli/inputs/machine_outline.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"
@@ -76,8 +76,9 @@ class Repository {
     auto const outcome = lint({"--changed-since", "base", "--format", "json"}, folder);
     INFO(outcome.err);
     REQUIRE(outcome.err.empty());
+    auto const report = nlohmann::json::parse(outcome.out);
     std::set<std::string> files;
-    for (auto const& finding : nlohmann::json::parse(outcome.out)["diagnostics"]) {
+    for (auto const& finding : report["diagnostics"]) {
       if (finding["file"].is_string()) files.insert(finding["file"].get<std::string>());
     }
     return files;
@@ -200,7 +201,7 @@ TEST_CASE("--changed-since says what is missing") {
     CHECK_THAT(outcome.err, Contains(reason));
   };
   refuses({"--changed-since", "nowhere"}, "git cannot compare with \"nowhere\": bad revision 'nowhere'");
-  refuses({"--changed-since="}, "needs a revision of git");
+  refuses({"--changed-since="}, "needs a value");
   refuses({"--changed-since=--output=stolen"}, "needs a revision of git");
   refuses({"-", "--changed-since", "base"}, "cannot be used with standard input");
   refuses({"--changed-since", "base", "--write-baseline", "known.json"},
@@ -244,5 +245,5 @@ TEST_CASE("what a machine is made of is known without checking it") {
       CHECK(known.contains(fs::weakly_canonical(file)));
     }
   }
-  CHECK(machines > 10);
+  CHECK(machines > 5);
 }

@@ -358,8 +358,8 @@ TEST_CASE("what differs in one axis is told alike among many and alone") {
     for (std::size_t i = first; i < end; ++i) {
       auto const name = std::to_string(i);
       folder.write(side + name + ".lis", lists[i]);
-      axes += (axes.empty() ? "" : ", ") + R"({"name": "A)" + name + R"(", "list": ")" + side + name +
-              R"(.lis"})";
+      axes += std::string(axes.empty() ? "" : ", ") + R"({"name": "A)" + name + R"(", "list": ")" + side +
+              name + R"(.lis"})";
     }
     folder.write(side + ".json", R"({"machine": "m", "cycle_time_us": 1000, "axes": [)" + axes + "]}");
   };

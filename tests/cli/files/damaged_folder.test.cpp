@@ -108,7 +108,7 @@ TEST_CASE("files of the samples that are cut off are told", "[damage]") {
 }
 
 TEST_CASE("machine.json is a machine file, whatever is in it", "[damage]") {
-  for (std::string const bytes :
+  for (std::string const& bytes :
        {std::string("{}"), std::string("[]"), std::string("null"), std::string("\n"),
         std::string("version https://git-lfs.github.com/spec/v1\n"), std::string("<<<<<<< HEAD\n") + machine,
         std::string(R"({"machine": "m", "axis": [{"name": "X", "list": "gone.lis"}]})")}) {
@@ -154,7 +154,7 @@ TEST_CASE("what says itself that it is something else is passed over without a w
 }
 
 TEST_CASE("JSON that is cut off or not text is named, as nobody can tell what it was", "[damage]") {
-  for (std::string const bytes :
+  for (std::string const& bytes :
        {std::string(), std::string("{\"mach"), std::string("{\"a\": 1,\n"), std::string(200, '\x01')}) {
     auto const outcome = lint_beside_sound_list("mill.json", bytes);
     CHECK(outcome.status == 0);
@@ -174,7 +174,7 @@ TEST_CASE("a list of unknown kind warns, unless its comments or somebody says wh
   auto const there = in_folder(folder.path());
   folder.write("d/ok.lis", "filter[0].enable 0\n");
   std::vector<std::string> const lint{"lint", "d", "--cycle-time", "1ms"};
-  for (std::string const bytes :
+  for (std::string const& bytes :
        {std::string("filter[0],enable=1\nfilter[0],order=99x\n<<<<<<< HEAD\n"), std::string(),
         std::string("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
         std::string("\xC2\xA0"

@@ -57,7 +57,7 @@ TEST_CASE("files of the kernel are not read, by whatever name", "[posix]") {
   std::string const setting = "/sys/kernel/mm/transparent_hugepage/enabled";
   fs::create_symlink(secret, folder / "link.lis");
   fs::create_symlink("/proc", folder / "away");
-  for (std::string const name : {secret, setting, std::string("link.lis"), std::string("away/self/environ"),
+  for (std::string const& name : {secret, setting, std::string("link.lis"), std::string("away/self/environ"),
                                  std::string("/proc/self/cmdline")}) {
     if (!fs::exists(fs::path(name).is_absolute() ? name : folder / name)) continue;
     INFO(name);

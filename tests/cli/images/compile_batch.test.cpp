@@ -77,14 +77,14 @@ TEST_CASE("a list of another kind has no image") {
     arguments.insert(arguments.begin(), {"compile", "--cycle-time", "1ms"});
     return run_axisc(arguments, in_folder(folder.path()));
   };
-  auto const batch = compile({"lists", "--output-folder", "out", "--depfile", "out.d", "--cache", "cache"});
+  auto const batch = compile({"lists", "--output-folder", "out", "--depfile", "out.d"});
   CHECK(batch.status == 0);
   CHECK_THAT(batch.err, !Catch::Matchers::Contains("[AX") &&
                             Catch::Matchers::EndsWith("images: 1 written, 0 unchanged, 0 not written\n"));
   CHECK(fs::exists(folder / "out/lists/x.axim"));
   CHECK_FALSE(fs::exists(folder / "out/lists/wz.axim"));
   CHECK_THAT(folder.read("out.d"), !Catch::Matchers::Contains("wz"));
-  auto const again = compile({"lists", "--output-folder", "out", "--cache", "cache"});
+  auto const again = compile({"lists", "--output-folder", "out"});
   CHECK(again.status == 0);
   CHECK_THAT(again.err, Catch::Matchers::EndsWith("images: 0 written, 1 unchanged, 0 not written\n"));
   auto const alone = compile({"lists/wz.lis", "-o", "wz.axim"});

@@ -41,7 +41,7 @@ void peak_gain(AxisContext const& axis, Report& report) {
   double const gain = figures.peak_gain_bound;
   if (gain <= noticeable || !std::isfinite(gain)) return;  // AX6001 reports what never settles
   bool const is_summed_up = gain <= figures.peak_gain * (1 + as_printed);
-  std::string const printed = format_rounded(gain, 3);
+  Wording const printed = format_rounded(gain, 3);
   FilterView const& last = *chain.back().filter;
   Finding& finding =
       report.add(last.anchor(last.enable),

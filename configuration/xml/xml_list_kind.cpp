@@ -1,6 +1,6 @@
-#include "configuration/xml_list_kind.hpp"
+#include "configuration/xml/xml_list_kind.hpp"
 
-#include "configuration/xml_document.hpp"
+#include "configuration/xml/xml_document.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "cli/options/image_names.hpp"
+#include "cli/inputs/image_names.hpp"
 
 #include "cli/failure.hpp"
 #include "system/path.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/files/changed_files.hpp"
-#include "cli/options/inputs.hpp"
+#include "cli/inputs/inputs.hpp"
 #include "cli/settings/settings.hpp"
 
 namespace axisc::cli {

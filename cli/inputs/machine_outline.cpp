@@ -1,4 +1,4 @@
-#include "cli/options/machine_outline.hpp"
+#include "cli/inputs/machine_outline.hpp"
 
 #include "cli/files/disk_files.hpp"
 #include "configuration/channel_list.hpp"
@@ -7,8 +7,8 @@
 #include "configuration/machine_file_name.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/start_up_list.hpp"
-#include "configuration/xml_list.hpp"
-#include "configuration/xml_list_kind.hpp"
+#include "configuration/xml/xml_list.hpp"
+#include "configuration/xml/xml_list_kind.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 

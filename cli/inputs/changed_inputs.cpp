@@ -1,7 +1,7 @@
-#include "cli/options/changed_inputs.hpp"
+#include "cli/inputs/changed_inputs.hpp"
 
 #include "cli/files/path_identity.hpp"
-#include "cli/options/machine_outline.hpp"
+#include "cli/inputs/machine_outline.hpp"
 #include "diagnostics/ascii.hpp"
 #include "system/path.hpp"
 

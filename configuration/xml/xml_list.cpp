@@ -1,9 +1,9 @@
-#include "configuration/xml_list.hpp"
+#include "configuration/xml/xml_list.hpp"
 
 #include "configuration/project_file.hpp"
-#include "configuration/xml_list_kind.hpp"
-#include "configuration/xml_parameter.hpp"
-#include "configuration/xml_sentences.hpp"
+#include "configuration/xml/xml_list_kind.hpp"
+#include "configuration/xml/xml_parameter.hpp"
+#include "configuration/xml/xml_sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"
 #include "diagnostics/windows_1252.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "cli/failure.hpp"
+#include "cli/inputs/inputs.hpp"
 #include "cli/options/compile_options.hpp"
-#include "cli/options/inputs.hpp"
 #include "cli/settings/settings.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "cli/options/glob.hpp"
+#include "cli/inputs/glob.hpp"
 
 #include <vector>
 

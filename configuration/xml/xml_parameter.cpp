@@ -1,4 +1,4 @@
-#include "configuration/xml_parameter.hpp"
+#include "configuration/xml/xml_parameter.hpp"
 
 #include "diagnostics/ascii.hpp"
 #include "schema/catalogue.hpp"

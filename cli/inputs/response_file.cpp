@@ -1,4 +1,4 @@
-#include "cli/options/response_file.hpp"
+#include "cli/inputs/response_file.hpp"
 
 #include "cli/failure.hpp"
 #include "cli/files/disk_files.hpp"

@@ -1,4 +1,4 @@
-#include "cli/options/named_files.hpp"
+#include "cli/inputs/named_files.hpp"
 
 #include "diagnostics/sentences.hpp"
 
