@@ -43,5 +43,11 @@ constinit Sentence const blocks_constant{
     "axis {axis} of group {group} does not follow a constant velocity: a filter blocks the constant part",
     "Achse {axis} der Gruppe {group} folgt keiner konstanten Geschwindigkeit: ein Filter sperrt den "
     "Gleichanteil"};
+constinit Sentence const no_velocities{
+    "nothing in {file} uses velocities; --port setpoint or --port interface can be fed",
+    "nichts in {file} verwendet Geschwindigkeiten; möglich sind --port setpoint und --port interface"};
+constinit Sentence const no_interface_filter{
+    "none of the requested axes in {file} has a filter on its additional interface",
+    "keine der verlangten Achsen in {file} hat einen Filter auf der Zusatzschnittstelle"};
 
 }  // namespace axisc::cli::says

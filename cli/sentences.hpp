@@ -23,5 +23,7 @@ extern Sentence const option_lang;
 extern Sentence const option_cycle_time;
 extern Sentence const option_baseline;
 extern Sentence const blocks_constant;
+extern Sentence const no_velocities;
+extern Sentence const no_interface_filter;
 
 }  // namespace axisc::cli::says

@@ -1,8 +1,8 @@
 #include "configuration/project_file.hpp"
 
 #include "configuration/machine_file.hpp"
-#include "configuration/xml/xml_document.hpp"
-#include "configuration/xml/xml_sentences.hpp"
+#include "configuration/sentences.hpp"
+#include "configuration/xml_document.hpp"
 #include "diagnostics/ascii.hpp"
 
 #include <algorithm>

@@ -13,5 +13,9 @@ constinit Sentence const json_write_number{"write {replacement}, without quotes"
                                            "{replacement} schreiben, ohne Anführungszeichen"};
 constinit Sentence const json_repeated_value{R"("{value}" is in "{key}" twice)",
                                              R"("{value}" steht zweimal in "{key}")"};
+constinit Sentence const xml_spelling{
+    "{written} is not read, because names in XML have one spelling, without a prefix; write {meant}",
+    "{written} wird nicht gelesen, denn Namen in XML haben eine einzige Schreibweise, ohne Präfix; {meant} "
+    "schreiben"};
 
 }  // namespace axisc::configuration::says

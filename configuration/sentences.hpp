@@ -11,5 +11,6 @@ extern Sentence const json_missing_key;
 extern Sentence const json_cycle_time;
 extern Sentence const json_write_number;
 extern Sentence const json_repeated_value;
+extern Sentence const xml_spelling;  ///< of a name in another letter case, or with a prefix
 
 }  // namespace axisc::configuration::says

@@ -80,6 +80,22 @@ void LookAhead::forget() {
   kept_blocks_ = 0;
 }
 
+/// At rest there is no block on one side.
+Corner LookAhead::corner_between(PathBlock const* before, PathBlock const* after, bool is_sharp) const {
+  auto const covers = [&](PathBlock const* block) {
+    return block != nullptr && (block->path.arc() != nullptr || !monitor_.alike());
+  };
+  Corner corner;
+  corner.covers_before = covers(before);
+  corner.covers_after = covers(after);
+  corner.turns = is_sharp || corner.is_whole();
+  for (auto const* const block : {before, after}) {
+    if (block != nullptr) corner.at.fastest = std::max(corner.at.fastest, block->velocity);
+  }
+  corner.around.fastest = corner.at.fastest;
+  return corner;
+}
+
 /// Corners of blocks that were in the window already keep what is known of them.
 void LookAhead::collect_corners() {
   if (has_end_corner_) corners_.pop_back();
@@ -95,46 +111,42 @@ void LookAhead::collect_corners() {
     }
     auto const& block = blocks_[i];
     auto const& before = i > 0 ? blocks_[i - 1] : last_block_;
-    Corner corner;
-    corner.place = places_[i];
     bool const moves = i > 0 || velocity_ > 0;
-    corner.bends = block.path.arc() != nullptr || (moves && before.path.arc() != nullptr);
     Point const turn = minus(block.direction_in(), before.direction_out());
-    corner.turns = corner.bends || (moves && std::any_of(turn.begin(), turn.end(),
-                                                         [](double u) { return std::abs(u) > no_turn; }));
-    corner.fastest = moves ? std::max(before.velocity, block.velocity) : block.velocity;
-    corners_.push_back(corner);
+    bool const is_sharp =
+        moves && std::any_of(turn.begin(), turn.end(), [](double u) { return std::abs(u) > no_turn; });
+    corners_.push_back(corner_between(moves ? &before : nullptr, &block, is_sharp));
+    corners_.back().place = places_[i];
   }
-  auto const& last = blocks_.back();
-  Corner end;
-  end.place = places_.back();
-  end.bends = end.turns = last.path.arc() != nullptr;
-  end.fastest = last.velocity;
-  corners_.push_back(end);
+  corners_.push_back(corner_between(&blocks_.back(), nullptr, false));
+  corners_.back().place = places_.back();
   has_end_corner_ = true;
 }
 
-std::pair<double, double> LookAhead::plateau_of(std::size_t index) const {
-  auto const& corner = corners_[index];
-  double from = corner.place;
-  double to = corner.place;
-  if (corner.wide) {
-    from = index > 0 ? (from + corners_[index - 1].place) / 2 : places_.front();
-    to = index + 1 < corners_.size() ? (to + corners_[index + 1].place) / 2 : places_.back();
+/// Stretches of the path that are passed no faster than a velocity: from, to, velocity, index of the corner.
+template <class Take>
+void LookAhead::for_each_plateau(Take take) const {
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    auto const& corner = corners_[i];
+    if (corner.at.limits()) {
+      double const aside = corner.at.velocity * monitor_.plateau();
+      take(corner.place - aside, corner.place + aside, corner.at.velocity, i);
+    }
+    if (!corner.around.limits()) continue;
+    bool const before = corner.covers_before && i > 0;
+    bool const after = corner.covers_after && i + 1 < corners_.size();
+    take(before ? (corners_[i - 1].place + corner.place) / 2 : corner.place,
+         after ? (corner.place + corners_[i + 1].place) / 2 : corner.place, corner.around.velocity, i);
   }
-  double const aside = corner.velocity * monitor_.plateau();
-  return {from - aside, to + aside};
 }
 
 void LookAhead::cut_into_stretches() {
   cuts_ = places_;
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    if (corners_[i].velocity == unlimited) continue;
-    auto const [from, to] = plateau_of(i);
+  for_each_plateau([this](double from, double to, double /*velocity*/, std::size_t /*corner*/) {
     for (double const end : {from, to}) {
       if (end > 0 && end < places_.back()) cuts_.push_back(end);
     }
-  }
+  });
   std::sort(cuts_.begin(), cuts_.end());
   stretches_.clear();
   std::size_t block = 0;
@@ -159,16 +171,17 @@ void LookAhead::limit_by_plateaus() {
   cuts_.clear();
   double place = 0;
   for (auto const& stretch : stretches_) cuts_.push_back(place += stretch.piece.length);
-  for (std::size_t i = 0; i < corners_.size(); ++i) {
-    if (corners_[i].velocity == unlimited) continue;
-    auto const [begin, end] = plateau_of(i);
+  for_each_plateau([this](double begin, double end, double velocity, std::size_t corner) {
+    bool const is_for_stop = corner + 1 == corners_.size();
     auto at = static_cast<std::size_t>(std::upper_bound(cuts_.begin(), cuts_.end(), begin + no_length) -
                                        cuts_.begin());
     for (; at < stretches_.size() && cuts_[at] - stretches_[at].piece.length < end - no_length; ++at) {
       auto& piece = stretches_[at].piece;
-      piece.velocity_limit = std::min(piece.velocity_limit, corners_[i].velocity);
+      if (!(piece.velocity_limit > velocity)) continue;
+      piece.velocity_limit = velocity;
+      if (is_for_stop) touched_ = std::min(touched_, at);
     }
-  }
+  });
 }
 
 /// False where the path would have to brake harder than it can.
@@ -190,7 +203,6 @@ bool LookAhead::choose_velocities() {
     double const next = velocities_[i + 1];
     return std::sqrt(next * next + 2 * piece.acceleration * piece.length);
   };
-  touched_ = count;
   for (std::size_t i = count; i-- > 1;) {
     double const braking = before(i);
     if (touched_ == i + 1 && braking <= velocities_[i]) touched_ = i;
@@ -216,6 +228,7 @@ bool LookAhead::choose_velocities() {
 
 void LookAhead::make_plan() {
   cut_into_stretches();
+  touched_ = stretches_.size();
   if (monitor_.active()) limit_by_plateaus();
   feasible_ = choose_velocities();
 }

@@ -62,7 +62,9 @@ class LookAhead {
 
   [[nodiscard]] double tolerated(Arc const& arc);
   void collect_corners();
-  [[nodiscard]] std::pair<double, double> plateau_of(std::size_t index) const;
+  [[nodiscard]] Corner corner_between(PathBlock const* before, PathBlock const* after, bool is_sharp) const;
+  template <class Take>
+  void for_each_plateau(Take take) const;
   void cut_into_stretches();
   void limit_by_plateaus();
   [[nodiscard]] bool choose_velocities();
@@ -87,9 +89,9 @@ class LookAhead {
   Point position_{};  ///< behind the last block
   std::uint64_t next_index_ = 1;
   std::deque<PathBlock> blocks_;
-  PathBlock last_block_;         ///< the one before the window
-  double velocity_ = 0;          ///< at the beginning of the window
-  bool feasible_ = true;         ///< the plan begins with that velocity
+  PathBlock last_block_;  ///< the one before the window
+  double velocity_ = 0;   ///< at the beginning of the window
+  bool feasible_ = true;  ///< the plan begins with that velocity
   /// Those passed lately at places below 0, then the beginning of each block, then the end.
   std::vector<Corner> corners_;
   bool has_end_corner_ = false;

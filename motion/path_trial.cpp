@@ -129,19 +129,37 @@ void PathTrial::run(std::span<TimedPiece const> path, std::span<TriedCorner> cor
     }
     point.block = walk.nearest(place);
     auto& corner = corners[point.block];
-    bool const counts = corner.whole || std::abs(cycle - corner.time) <= reach_;
-    if (counts) corner.fastest = std::max(corner.fastest, point.velocity);
+    if (std::abs(cycle - corner.time) <= reach_) {
+      corner.fastest = std::max(corner.fastest, point.velocity);
+    } else if (corner.whole) {
+      corner.far_fastest = std::max(corner.far_fastest, point.velocity);
+    }
     meter_.cycle(point, filtered);
   }
   meter_.finish();
 }
 
+bool PathTrial::is_near(TriedCorner const& corner, double time) const {
+  return std::abs(time - corner.time) <= reach();
+}
+
 void PathTrial::measured(MeasuredPoint const& point) {
-  auto& corner = corners_[point.point.block];
+  auto const at = point.point.block;
   double const error = *std::max_element(point.axis_error.begin(), point.axis_error.end());
-  corner.error = std::max(corner.error, error);
   double const time = time_of_first_ + static_cast<double>(point.point.cycle);
-  if (std::abs(time - corner.time) > reach()) corner.far_error = std::max(corner.far_error, error);
+  auto* corner = &corners_[at];
+  // A neighbour whose kernels reach further bends what is beyond this corner's.
+  if (corner->whole && !is_near(*corner, time)) {
+    if (at > 0 && is_near(corners_[at - 1], time)) {
+      corner = &corners_[at - 1];
+    } else if (at + 1 < corners_.size() && is_near(corners_[at + 1], time)) {
+      corner = &corners_[at + 1];
+    } else {
+      corner->far_error = std::max(corner->far_error, error);
+      return;
+    }
+  }
+  corner->error = std::max(corner->error, error);
 }
 
 }  // namespace axisc::motion

@@ -33,12 +33,12 @@ struct TimedPiece {
 
 /// A corner, to which the points of the path are counted that are nearest to it along the path.
 struct TriedCorner {
-  double place = 0;    ///< position units
-  double time = 0;     ///< cycles
-  bool whole = false;  ///< all of these points count, not only those within the kernels' reach
-  double error = 0;    ///< the largest axis error found, position units
-  double far_error = 0;  ///< the same beyond the kernels' reach
-  double fastest = 0;  ///< path velocity where points count, units per cycle
+  double place = 0;                       ///< position units
+  double time = 0;                        ///< cycles
+  bool whole = false;                     ///< points beyond the kernels' reach count apart
+  double error = 0;                       ///< the largest axis error found, position units
+  double fastest = 0;                     ///< path velocity within the kernels' reach, units per cycle
+  double far_error = 0, far_fastest = 0;  ///< the same beyond it
 };
 
 /// What to measure of a path.
@@ -69,6 +69,7 @@ class PathTrial final : private MeasuredSink {
 
  private:
   void measured(MeasuredPoint const& point) override;
+  [[nodiscard]] bool is_near(TriedCorner const& corner, double time) const;
 
   GroupRuntime* runtime_;
   std::span<ChainAnswer const> answers_;

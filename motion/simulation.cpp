@@ -28,7 +28,8 @@ Simulation::Simulation(GroupRuntime runtime, GroupRuntime probe, PathLimits path
 void Simulation::learn_answers() {
   auto answered = chain_answers(probe_);
   if (auto const* const missing = std::get_if<NoAnswer>(&answered)) {
-    failure_ = SimulationFailure{.status = AXISRT_OK, .command = {}, .blocking_axis = missing->axis, .endless_line = {}};
+    failure_ = SimulationFailure{
+        .status = AXISRT_OK, .command = {}, .blocking_axis = missing->axis, .endless_line = {}};
     answers_.assign(runtime_.axis_count(), {});
     return;
   }
@@ -66,7 +67,8 @@ void Simulation::command(FilterChange const& change) {
   static_cast<void>(probe_.reset({}));
   auto const status = std::max(runtime_.command(change.command), probe_.command(change.command));
   if (status != AXISRT_OK) {
-    failure_ = SimulationFailure{.status = status, .command = change.text, .blocking_axis = {}, .endless_line = {}};
+    failure_ =
+        SimulationFailure{.status = status, .command = change.text, .blocking_axis = {}, .endless_line = {}};
     return;
   }
   learn_answers();

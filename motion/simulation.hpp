@@ -65,9 +65,9 @@ class SimulationListener {
 
 /// Why a simulation ended early.
 struct SimulationFailure {
-  axisrt_status status = AXISRT_OK;          ///< of a step or command
-  std::string command;                       ///< that the runtime refused
-  std::optional<std::size_t> blocking_axis;  ///< whose filters block the constant part
+  axisrt_status status = AXISRT_OK;           ///< of a step or command
+  std::string command;                        ///< that the runtime refused
+  std::optional<std::size_t> blocking_axis;   ///< whose filters block the constant part
   std::optional<std::uint32_t> endless_line;  ///< of the block or dwell that exceeds the cycles of the limits
 };
 
@@ -120,9 +120,9 @@ class Simulation final : public PathListener, private SampleSink, private Measur
   Interpolator interpolator_;
   bool constant_velocity_;
   LookAhead look_ahead_;
-  ContourPoint last_{};  ///< the setpoint that was given last
+  ContourPoint last_{};          ///< the setpoint that was given last
   std::uint32_t last_line_ = 0;  ///< of the block that moved last
-  bool settled_ = true;  ///< the filters have come to rest there
+  bool settled_ = true;          ///< the filters have come to rest there
   double tolerance_ = 0;
   double acceleration_factor_ = 1;
   PassSummary pass_;

@@ -9,16 +9,6 @@ namespace axisc::motion {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they may still be a
-/// little larger. A velocity is found where it leaves errors between the next two, so that a few more or less do no harm
-/// when the path passes a corner at another time in its cycle. The last one is aimed at.
-constexpr double largest = 0.997;
-constexpr double largest_found = 0.989;
-constexpr double smallest_found = 0.975;
-constexpr double aimed_at = 0.982;
-/// Corners are raised in the first plans only; then they are lowered until every one holds.
-constexpr int refining_rounds = 12;
-constexpr int most_raises = 6;
 /// So often the path ahead is slowed down for a corner behind the machine.
 constexpr int most_tries_behind = 20;
 /// And so often for any.
@@ -27,8 +17,6 @@ constexpr int patient_rounds = 60;
 constexpr std::size_t proved_together = 16;
 constexpr double beside_worse = 0.9;
 constexpr double same_phase = 1e-7;
-/// A smaller power of the velocity says that something else than this corner's velocity makes the error.
-constexpr double least_growth = 0.3;
 
 std::uint64_t mixed(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
@@ -56,15 +44,6 @@ double phase_of(double time) {
 bool is_same_phase(double a, double b) {
   double const apart = std::abs(a - b);
   return std::min(apart, 1 - apart) < same_phase;
-}
-
-/// Power of the velocity with which the error grows, from the last two trials; 1 where they do not tell.
-double growth(Corner const& corner, double velocity) {
-  if (!(corner.velocity_before > 0) || !(corner.error_before > 0) || !(corner.error > 0)) return 1;
-  double const apart = std::log(velocity / corner.velocity_before);
-  if (std::abs(apart) < 1e-4) return 1;
-  double const power = std::log(corner.error / corner.error_before) / apart;
-  return power > least_growth ? std::min(power, 3.0) : 1;
 }
 
 /// √(Σ C²), cycles: see the header.
@@ -124,7 +103,7 @@ void ToleranceMonitor::sign(TriedPath const& path, std::span<Corner const> corne
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     double from = corners[cells_[i]].time;
     double to = from;
-    if (is_whole(corners[cells_[i]])) {
+    if (corners[cells_[i]].is_whole()) {
       from = i > 0 ? corners[cells_[i - 1]].time : path.valid_from;
       to = i + 1 < cells_.size() ? corners[cells_[i + 1]].time : pieces.back().end();
     }
@@ -140,7 +119,7 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
   wanted_.assign(cells_.size(), 0);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
-    tried_.push_back({.place = corner.place, .time = corner.time, .whole = is_whole(corner)});
+    tried_.push_back({.place = corner.place, .time = corner.time, .whole = corner.is_whole()});
     bool const is_proved = corner.proved && is_same_phase(corner.phase, phase_of(corner.time));
     wanted_[i] = corner.tried_path != signatures_[i] || (trial == Trial::proof && !is_proved) ? 1 : 0;
   }
@@ -174,16 +153,18 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
       last = std::max(last, to(next));
     }
     // A corner bends most where it lies on a cycle: found so, its velocity holds for any time.
-    bool const is_slowed = corners[cells_[i]].velocity != unlimited;
+    bool const is_slowed = corners[cells_[i]].at.limits();
     bool const aligns = trial == Trial::search && is_slowed;
     trial_->run(path.pieces, tried_,
                 {.from = first,
                  .to = last,
                  .phase = aligns ? phase_of(tried_[i].time) : 0,
                  .looks_between = trial == Trial::proof});
-    bool const exceeds = std::any_of(
-        tried_.begin() + static_cast<std::ptrdiff_t>(i), tried_.begin() + static_cast<std::ptrdiff_t>(next),
-        [&](TriedCorner const& cell) { return cell.error > largest * tolerance_; });
+    bool const exceeds =
+        std::any_of(tried_.begin() + static_cast<std::ptrdiff_t>(i),
+                    tried_.begin() + static_cast<std::ptrdiff_t>(next), [&](TriedCorner const& cell) {
+                      return std::max(cell.error, cell.far_error) > largest_share * tolerance_;
+                    });
     i = next;
     if (trial != Trial::proof || !exceeds) continue;
     // Slowed down, these corners shift the time at which the path passes all later ones.
@@ -193,138 +174,107 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto& corner = corners[cells_[i]];
     if (wanted_[i] != 0) {
-      corner.error = tried_[i].error;
-      corner.far_error = tried_[i].far_error;
-      corner.tried_fastest = tried_[i].fastest;
-      corner.tried_velocity = std::min(corner.velocity, tried_[i].fastest);
+      corner.at.take(tried_[i].error, tried_[i].fastest);
+      corner.around.take(tried_[i].far_error, tried_[i].far_fastest);
       corner.tried_path = signatures_[i];
       corner.proved = trial == Trial::proof;
       corner.phase = phase_of(corner.time);
     } else {
-      corner.error = std::max(corner.error, tried_[i].error);
+      corner.at.error = std::max(corner.at.error, tried_[i].error);
+      corner.around.error = std::max(corner.around.error, tried_[i].far_error);
     }
   }
 }
 
-/// A plateau within the kernels' reach does not mend it.
-bool ToleranceMonitor::needs_more(Corner const& corner) const {
-  if (!trial_->alike()) return corner.lowered > 0 && corner.error > 0.9 * corner.error_before;
-  if (corner.far_error > largest_found * tolerance_) return true;
-  double const slower = corner.velocity_before > 0 ? corner.tried_velocity / corner.velocity_before : 1;
-  return slower < 0.95 && corner.error > std::pow(slower, least_growth) * corner.error_before;
+/// What nothing slows down need not leave room.
+bool ToleranceMonitor::exceeds(VelocitySearch const& search, double limit) const {
+  return search.error > (search.limits() ? limit : largest_share) * tolerance_;
 }
 
-bool ToleranceMonitor::lower(Corner& corner) const {
-  // What a slower corner does not mend, a slower path around it does.
-  if (is_whole(corner) && !corner.wide && needs_more(corner)) {
-    corner.wide = true;
-    corner.velocity = unlimited;
-    corner.tried_velocity = corner.tried_fastest;
-    corner.kept = corner.velocity_before = 0;
-    corner.exceeded = unlimited;
+bool ToleranceMonitor::lower(Corner& corner, double limit) const {
+  // On an arc the error grows with the square of the velocity, on a line that axes leave with the velocity itself.
+  double const power = trial_->alike() ? 2 : 1;
+  bool changes = false;
+  bool is_far = exceeds(corner.around, limit);
+  if (exceeds(corner.at, limit)) {
+    bool const is_elsewhere = corner.is_whole() && corner.at.is_vain();
+    if (!is_elsewhere) changes = corner.at.lower(tolerance_, floor_, 1);
+    if (!changes && corner.is_whole()) {
+      corner.at.velocity_before = 0;
+      corner.around.error = std::max(corner.around.error, corner.at.error);
+      is_far = true;
+    }
   }
-  if (corner.velocity <= floor_) {
-    if (corner.wide) return false;
-    corner.wide = true;
-    return true;
-  }
-  ++corner.lowered;
-  double const from = corner.tried_velocity > 0 ? std::min(corner.tried_velocity, corner.velocity)
-                                                : std::min(corner.fastest, corner.velocity);
-  double next = from * std::pow(aimed_at * tolerance_ / corner.error, 1 / growth(corner, from));
-  corner.exceeded = std::min(corner.exceeded, from);
-  if (corner.kept >= from) corner.kept = 0;
-  if (corner.lowered <= refining_rounds) {
-    if (next <= corner.kept) next = (corner.kept + from) / 2;
-  } else {
-    // Each time a little harder, so that this comes to its end.
-    next *= std::max(0.5, 1 - 0.02 * (corner.lowered - refining_rounds));
-  }
-  corner.velocity_before = from;
-  corner.error_before = corner.error;
-  corner.velocity = std::max(floor_, std::min(next, 0.998 * from));
-  return true;
+  if (is_far) changes = corner.around.lower(tolerance_, floor_, power) || changes;
+  return changes;
 }
 
-/// Half the velocity everywhere. False where the floor has been reached.
 bool ToleranceMonitor::slow_down(std::span<Corner> corners) const {
   double fastest = 0;
   for (auto const& corner : corners) {
-    if (!corner.passed) fastest = std::max(fastest, std::min(corner.velocity, corner.fastest));
+    bool const is_covered = corner.covers_before && corner.covers_after;
+    fastest =
+        std::max(fastest, std::min(corner.around.fastest, is_covered ? corner.around.velocity : unlimited));
   }
   bool changes = false;
   for (auto& corner : corners) {
-    if (corner.passed) continue;
-    changes = changes || !corner.wide || corner.velocity > floor_;
-    corner.wide = true;
-    corner.velocity = std::min(corner.velocity, std::max(floor_, fastest / 2));
+    corner.covers_before = corner.covers_after = true;
+    for (auto* const search : {&corner.at, &corner.around}) {
+      double const slower = std::min(search->velocity, std::max(floor_, fastest / 2));
+      changes = changes || slower < search->velocity;
+      search->velocity = slower;
+    }
   }
   return changes;
 }
 
 double ToleranceMonitor::largest_around(std::span<Corner const> corners, std::size_t cell) const {
   auto const& corner = corners[cells_[cell]];
-  double const aside = std::min(corner.velocity, corner.fastest) * plateau_;
+  double const aside = std::min(corner.at.velocity, corner.at.fastest) * plateau_;
   double found = 0;
   for (std::size_t i = cell; i-- > 0 && corner.place - corners[cells_[i]].place < aside;) {
-    found = std::max(found, corners[cells_[i]].error);
+    found = std::max(found, corners[cells_[i]].at.error);
   }
   for (std::size_t i = cell + 1; i < cells_.size() && corners[cells_[i]].place - corner.place < aside; ++i) {
-    found = std::max(found, corners[cells_[i]].error);
+    found = std::max(found, corners[cells_[i]].at.error);
   }
   return found;
 }
 
-bool ToleranceMonitor::raise(std::span<Corner> corners, std::size_t cell) const {
-  auto& corner = corners[cells_[cell]];
-  bool const slows_the_path = corner.tried_velocity >= 0.999 * corner.velocity;
-  if (corner.passed || corner.raised >= most_raises || !slows_the_path) return false;
-  corner.kept = std::max(corner.kept, corner.velocity);
-  if (corner.exceeded <= corner.kept) corner.exceeded = unlimited;
-  if (corner.exceeded < corner.kept * 1.004) return false;
-  // A neighbour that is at the tolerance needs this plateau, too.
-  if (largest_around(corners, cell) > smallest_found * tolerance_) return false;
-  ++corner.raised;
-  double const share = std::clamp(aimed_at * tolerance_ / std::max(corner.error, 1e-9), 1.0, 4.0);
-  double next = corner.velocity * std::pow(share, 1.0 / growth(corner, corner.velocity));
-  if (next >= corner.exceeded) next = (corner.kept + corner.exceeded) / 2;
-  corner.velocity_before = corner.velocity;
-  corner.error_before = corner.error;
-  if (next >= corner.fastest) next = unlimited;
-  corner.velocity = next;
-  return true;
-}
-
 ToleranceMonitor::Change ToleranceMonitor::adjust(std::span<Corner> corners, double limit,
                                                   bool raises) const {
-  bool exceeded = false;
-  bool lowers = false;
-  std::vector<std::size_t> lowered;
+  std::vector<std::size_t> exceeding;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     auto const& corner = corners[cells_[i]];
-    // What nothing slows down need not leave room.
-    double const allowed = corner.velocity == unlimited ? largest : limit;
-    if (!(corner.error > allowed * tolerance_)) continue;
-    exceeded = true;
-    // Beside a corner that is worse, its plateau may do.
-    if (corner.error >= beside_worse * largest_around(corners, i)) lowered.push_back(cells_[i]);
+    if (exceeds(corner.at, limit) || exceeds(corner.around, limit)) exceeding.push_back(i);
   }
-  for (auto const i : lowered) lowers = lower(corners[i]) || lowers;
-  if (exceeded && !lowers) return Change::stuck;
-  bool raised = false;
-  for (std::size_t i = 0; raises && i < cells_.size(); ++i) {
+  // Beside a corner that is worse, its plateau may do.
+  auto const others = std::stable_partition(exceeding.begin(), exceeding.end(), [&](std::size_t i) {
     auto const& corner = corners[cells_[i]];
-    bool const is_slow = corner.velocity != unlimited && corner.error < smallest_found * tolerance_;
-    if (is_slow && raise(corners, i)) raised = true;
+    return exceeds(corner.around, limit) || corner.at.error >= beside_worse * largest_around(corners, i);
+  });
+  bool changes = false;
+  auto const lower_cell = [&](std::size_t i) { changes = lower(corners[cells_[i]], limit) || changes; };
+  std::for_each(exceeding.begin(), others, lower_cell);
+  if (!changes) std::for_each(others, exceeding.end(), lower_cell);
+  if (!exceeding.empty() && !changes) return Change::stuck;
+  for (std::size_t i = 0; raises && i < cells_.size(); ++i) {
+    auto& corner = corners[cells_[i]];
+    if (corner.passed) continue;
+    bool const is_slow = corner.at.limits() && corner.at.error < smallest_found * tolerance_;
+    // A neighbour that is at the tolerance needs this plateau, too.
+    bool const is_free = is_slow && largest_around(corners, i) <= smallest_found * tolerance_;
+    if (is_free && corner.at.raise(tolerance_)) changes = true;
+    if (corner.around.raise(tolerance_)) changes = true;
   }
-  return exceeded || raised ? Change::some : Change::none;
+  return changes ? Change::some : Change::none;
 }
 
 ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::span<Corner> corners,
                                                   int round) {
   cells_.clear();
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (corners[i].turns || !trial_->alike()) cells_.push_back(i);
+    if (corners[i].turns) cells_.push_back(i);
   }
   if (path.pieces.empty() || cells_.empty()) return Verdict::keeps;
   if (round == 0) proving_ = false;
@@ -332,12 +282,12 @@ ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::sp
   // First what is passed otherwise; where that holds, everything as the machine will pass it.
   measure(path, corners, Trial::search);
   bool const refines = round <= refining_rounds && !proving_;
-  auto change = adjust(corners, proving_ ? largest : largest_found, refines);
+  auto change = adjust(corners, proving_ ? largest_share : largest_found, refines);
   if (change == Change::none) {
     proving_ = true;
     unproved_ = false;
     measure(path, corners, Trial::proof);
-    change = adjust(corners, largest, false);
+    change = adjust(corners, largest_share, false);
     if (change == Change::none) return unproved_ ? Verdict::changed : Verdict::keeps;
   }
   if (change == Change::stuck || round > patient_rounds + 2 * static_cast<int>(corners.size())) {
@@ -345,7 +295,8 @@ ToleranceMonitor::Verdict ToleranceMonitor::judge(TriedPath const& path, std::sp
     return slow_down(corners) ? Verdict::changed : Verdict::exceeds;
   }
   bool const is_lost = std::any_of(corners.begin(), corners.end(), [](Corner const& corner) {
-    return corner.lowered > (corner.passed ? most_tries_behind : most_tries);
+    int const most = corner.passed ? most_tries_behind : most_tries;
+    return corner.at.lowered > most || corner.around.lowered > most;
   });
   return is_lost ? Verdict::fails : Verdict::changed;
 }

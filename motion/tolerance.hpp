@@ -4,8 +4,8 @@
 // exceed the tolerance, planned and tried again, until none does. So a corner never relies on another one that a slower
 // path moves out of reach, and nothing is slower that keeps the tolerance anyway. A slow corner's velocity holds on a plateau
 // of h cycles to either side, where its kernels' R is 0, and one cycle more, because setpoints on either side of a corner may
-// lie away from it. Where that does not do (an arc that is bent everywhere, axes that are out of step on straight lines), the
-// plateau covers all that is nearer to this corner than to others.
+// lie away from it. Beyond that reach an arc is bent, and axes that are out of step leave straight lines: there another
+// velocity is found, for all that is nearer to this corner than to others.
 //
 // This comes to an end, and the tolerance is kept. Let b_k be a chain's answer to an impulse, Σ b_k = 1, and D any delay. A
 // path that moves by at most v in every cycle that the chain sees passes within
@@ -20,6 +20,7 @@
 
 #include "motion/feed_limits.hpp"
 #include "motion/path_trial.hpp"
+#include "motion/velocity_search.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,25 +33,23 @@ namespace axisc::motion {
 
 /// The beginning of a block or the end of the path, and how fast the path may be around it.
 struct Corner {
-  double place = 0;    ///< along the path, units
-  bool turns = false;  ///< the direction changes, here or on an arc that begins or ends here
-  bool bends = false;  ///< such an arc
-  double fastest = 0;  ///< most that the blocks beside it allow, units per cycle
-  double velocity = std::numeric_limits<double>::infinity();  ///< of its plateau; infinite: none
-  bool wide = false;  ///< the plateau covers everything that is nearer to this corner than to others
+  double place = 0;  ///< along the path, units
+  bool turns =
+      false;  ///< the path may leave the programmed one here: points of it are counted to this corner
+  /// Which sides the search `around` it covers: an arc is bent everywhere, and so is every block where axes are unlike.
+  bool covers_before = false, covers_after = false;
+  VelocitySearch at;      ///< within the kernels' reach
+  VelocitySearch around;  ///< all that is nearer to this corner than to others
 
   bool passed = false;  ///< the machine is beyond it
   double time = 0;      ///< when the path planned last passes it, cycles
-  /// What was tried last, and its result.
+  /// What was tried last.
   std::uint64_t tried_path = 0;
   bool proved = false;  ///< at the time at which the machine will pass it
   double phase = 0;     ///< of that time in its cycle
-  double error = 0, far_error = 0;  ///< far: beyond the kernels' reach
-  double tried_velocity = 0, tried_fastest = 0;
-  /// How the velocity was searched.
-  double kept = 0, exceeded = std::numeric_limits<double>::infinity();
-  double error_before = 0, velocity_before = 0;
-  int lowered = 0, raised = 0;
+
+  /// Tried up to the corners beside it, not only within reach.
+  [[nodiscard]] bool is_whole() const { return covers_before || covers_after; }
 };
 
 struct TriedPath {
@@ -68,6 +67,8 @@ class ToleranceMonitor {
                    std::function<void()> working = {});
 
   [[nodiscard]] bool active() const { return trial_ != nullptr; }
+  /// All axes have the same chain: straight lines stay straight.
+  [[nodiscard]] bool alike() const { return trial_->alike(); }
   /// Cycles on either side of a corner.
   [[nodiscard]] double plateau() const { return plateau_; }
   /// Cycles around a point of the path within which another plan changes what is measured there.
@@ -101,14 +102,10 @@ class ToleranceMonitor {
     stuck,  ///< a corner exceeds the tolerance and cannot be passed more slowly
   };
   [[nodiscard]] Change adjust(std::span<Corner> corners, double limit, bool raises) const;
-  /// Points of the path that belong to the corner are tried up to the corners beside it, not only within reach.
-  [[nodiscard]] bool is_whole(Corner const& corner) const { return corner.bends || !trial_->alike(); }
-  [[nodiscard]] bool needs_more(Corner const& corner) const;
-  /// False where it is as slow as it may be already.
-  bool lower(Corner& corner) const;
-  /// Of a path that begins at rest.
+  [[nodiscard]] bool exceeds(VelocitySearch const& search, double limit) const;
+  bool lower(Corner& corner, double limit) const;
+  /// Half the velocity everywhere, of a path that begins at rest. False where the floor has been reached.
   [[nodiscard]] bool slow_down(std::span<Corner> corners) const;
-  [[nodiscard]] bool raise(std::span<Corner> corners, std::size_t cell) const;
   /// The largest error of the corners that a plateau of this one covers.
   [[nodiscard]] double largest_around(std::span<Corner const> corners, std::size_t cell) const;
 

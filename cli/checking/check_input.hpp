@@ -3,7 +3,7 @@
 
 #include "cli/checking/checked_input.hpp"
 #include "cli/checking/edited_files.hpp"
-#include "cli/inputs/inputs.hpp"
+#include "cli/options/inputs.hpp"
 #include "cli/settings/settings.hpp"
 #include "validator/check.hpp"
 

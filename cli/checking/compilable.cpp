@@ -1,7 +1,7 @@
 #include "cli/checking/compilable.hpp"
 
 #include "cli/failure.hpp"
-#include "cli/inputs/machine_outline.hpp"
+#include "cli/options/machine_outline.hpp"
 #include "cli/sentences.hpp"
 
 #include <optional>

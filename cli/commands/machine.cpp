@@ -2,9 +2,9 @@
 #include "cli/commands/sentences.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/formats/machine_formats.hpp"
-#include "cli/inputs/inputs.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/inputs.hpp"
 #include "cli/sentences.hpp"
 
 #include <algorithm>

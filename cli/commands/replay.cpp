@@ -7,6 +7,7 @@
 #include "cli/files/protected_files.hpp"
 #include "cli/formats/replay_report.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/report/answer_output.hpp"
 #include "cli/report/csv.hpp"
 
 #include <cstdint>
@@ -37,8 +38,6 @@ constexpr Sentence argument_recording{
 constexpr Sentence option_output{
     "write the recorded setpoints and outputs of every cycle to this CSV file",
     "die aufgezeichneten Sollwerte und Ausgaben jedes Zyklus in diese CSV-Datei schreiben"};
-constexpr Sentence option_format{"report format: text or json (default: text)",
-                                 "Berichtsformat: text oder json (Standardwert: text)"};
 
 constexpr Sentence recording{
     "{file} is not a recording, is of another version, or is damaged ({status}); take the dump again",
@@ -59,11 +58,9 @@ namespace axisc::cli {
 
 namespace {
 
-enum class ReplayFormat : std::uint8_t { text, json };
-
 struct ReplayOptions {
   std::optional<std::string> image, recording, output;
-  ReplayFormat format = ReplayFormat::text;
+  presentation::Format format = presentation::Format::text;
 };
 
 [[nodiscard]] Failure unusable_recording(std::string const& path, axisrt_status status) {
@@ -126,8 +123,7 @@ ExitStatus replay(Invocation const& invocation) {
   command_line.argument("IMAGE.axim", options.image, says::argument_image);
   command_line.argument("RECORDING", options.recording, says::argument_recording);
   command_line.value("-o,--output", "FILE.csv", options.output, says::option_output);
-  command_line.choice("--format", {{"text", ReplayFormat::text}, {"json", ReplayFormat::json}},
-                      options.format, says::option_format);
+  declare_format(command_line, options.format);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.image.has_value(), "IMAGE.axim");
   command_line.require(options.recording.has_value(), "RECORDING");
@@ -136,7 +132,7 @@ ExitStatus replay(Invocation const& invocation) {
   if (options.output) refuse_overwriting({*options.output}, {*options.image, *options.recording});
   std::optional<CycleTable> table;
   if (options.output) table.emplace(*options.output, image.contents);
-  ReplayReport report(image.contents, invocation.language);
+  ReplayReport report(image.contents);
   image::ReplayedEntry entry;
   while (recording.next(entry)) {
     report.add(entry);
@@ -144,9 +140,7 @@ ExitStatus replay(Invocation const& invocation) {
   }
   if (recording.damaged()) throw unusable_recording(*options.recording, AXISRT_BAD_RECORDING);
   if (table) table->commit();
-  auto const level = recording.level();
-  invocation.streams.out.write(options.format == ReplayFormat::json ? report.json(level)
-                                                                    : report.text(level));
+  print(report.answer(recording.level()), options.format, invocation, command_line);
   return report.differences() == 0 ? ExitStatus::success : ExitStatus::findings;
 }
 

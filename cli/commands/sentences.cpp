@@ -4,12 +4,6 @@ namespace axisc::cli::says {
 
 constinit Sentence const bad_number{"{option} needs a number, not \"{value}\"",
                                     "{option} braucht eine Zahl, nicht \"{value}\""};
-constinit Sentence const no_velocities{
-    "nothing in {file} uses velocities; --port setpoint or --port interface can be fed",
-    "nichts in {file} verwendet Geschwindigkeiten; möglich sind --port setpoint und --port interface"};
-constinit Sentence const no_interface_filter{
-    "none of the requested axes in {file} has a filter on its additional interface",
-    "keine der verlangten Achsen in {file} hat einen Filter auf der Zusatzschnittstelle"};
 constinit Sentence const argument_input{
     "one axis list or machine file (*.json), or - for standard input",
     "eine Achsliste oder Maschinendatei (*.json), oder - für die Standardeingabe"};

@@ -6,8 +6,6 @@
 namespace axisc::cli::says {
 
 extern Sentence const bad_number;
-extern Sentence const no_velocities;
-extern Sentence const no_interface_filter;
 extern Sentence const argument_input;
 extern Sentence const argument_image;
 extern Sentence const option_at;

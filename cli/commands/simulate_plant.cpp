@@ -19,8 +19,10 @@ constexpr Sentence bad_move{
     "--move braucht ACHSE:MM oder ACHSE:MM:MM_JE_MIN mit einem Weg ungleich 0, nicht \"{value}\""};
 
 constexpr Sentence slow_move{
-    "--move would take {cycles} NC cycles, and at most {most} are simulated: a higher velocity or a shorter way is needed",
-    "--move würde {cycles} NC-Zyklen dauern, höchstens {most} werden simuliert: nötig ist eine höhere Geschwindigkeit "
+    "--move would take {cycles} NC cycles, and at most {most} are simulated: a higher velocity or a shorter "
+    "way is needed",
+    "--move würde {cycles} NC-Zyklen dauern, höchstens {most} werden simuliert: nötig ist eine höhere "
+    "Geschwindigkeit "
     "oder ein kürzerer Weg"};
 
 }  // namespace axisc::cli::says
@@ -106,8 +108,9 @@ PlantRun run_plant(PlantRequest const& request, CheckedMachine const& checked, b
   constexpr double most_cycles = 5e6;
   double const cycles = 2 * std::abs(wanted.distance_mm) * motion::units_per_mm / (feed * T);
   if (!(cycles <= most_cycles)) {
-    throw Failure({.sentence = says::slow_move,
-                   .arguments = {{"cycles", format_rounded(cycles, 3)}, {"most", format_rounded(most_cycles, 1)}}});
+    throw Failure(
+        {.sentence = says::slow_move,
+         .arguments = {{"cycles", format_rounded(cycles, 3)}, {"most", format_rounded(most_cycles, 1)}}});
   }
   motion::AxisMove const move{.axis = index,
                               .distance = wanted.distance_mm * motion::units_per_mm,

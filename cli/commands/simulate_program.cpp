@@ -19,9 +19,11 @@ constexpr Sentence simulation_bank{"the image has no kernels for `{command}`",
                                    "das Abbild hat keine Kerne für `{command}`"};
 
 constexpr Sentence too_many_cycles{
-    "here the program exceeds {cycles} NC cycles ({time} s), the most that are simulated; check the feed rates and dwells, "
+    "here the program exceeds {cycles} NC cycles ({time} s), the most that are simulated; check the feed "
+    "rates and dwells, "
     "or allow more with --max-cycles",
-    "hier überschreitet das Programm {cycles} NC-Zyklen ({time} s), mehr werden nicht simuliert; Vorschübe und "
+    "hier überschreitet das Programm {cycles} NC-Zyklen ({time} s), mehr werden nicht simuliert; Vorschübe "
+    "und "
     "Verweilzeiten prüfen oder mit --max-cycles mehr erlauben"};
 
 constexpr Sentence tolerance_exceeded{

@@ -3,7 +3,7 @@
 #include "cli/checking/machine_input.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/path_machine.hpp"
-#include "cli/inputs/inputs.hpp"
+#include "cli/options/inputs.hpp"
 #include "validator/values/list_reader.hpp"
 #include "validator/views/drive.hpp"
 

@@ -1,6 +1,6 @@
 #include "cli/files/changeable_files.hpp"
 
-#include "cli/inputs/machine_outline.hpp"
+#include "cli/options/machine_outline.hpp"
 #include "system/path.hpp"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 
 #include "cli/checking/compilable.hpp"
 #include "cli/checking/machine_input.hpp"
-#include "cli/inputs/inputs.hpp"
 #include "cli/options/check_options.hpp"
+#include "cli/options/inputs.hpp"
 #include "codegen/image_writer.hpp"
 #include "validator/commands/command_check.hpp"
 

@@ -1,19 +1,21 @@
 #include "cli/formats/replay_report.hpp"
 
 #include "cli/files/image_file.hpp"
-#include "cli/report/json_text.hpp"
-#include "cli/report/text_table.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <bit>
 
-#include <nlohmann/json.hpp>
-
 namespace axisc::cli::says {
 
-constexpr Sentence head{"{cycles} cycles of {cycle_time} µs, {axes} axes, instruction set {level}",
-                        "{cycles} Zyklen zu {cycle_time} µs, {axes} Achsen, Befehlssatz {level}"};
+constexpr Sentence title{"replay of {cycles} cycles", "Wiederholung von {cycles} Zyklen"};
+constexpr Sentence cycle_time{"NC cycle time", "NC-Zykluszeit"};
+constexpr Sentence axes{"axes", "Achsen"};
+constexpr Sentence instruction_set{"instruction set", "Befehlssatz"};
 constexpr Sentence cycle{"cycle", "Zyklus"};
+constexpr Sentence last_cycle{"last cycle", "letzter Zyklus"};
+constexpr Sentence subject{"axis or channel", "Achse oder Kanal"};
+constexpr Sentence call{"call", "Aufruf"};
+constexpr Sentence status{"status", "Status"};
 constexpr Sentence reset{"reset to {value}", "zurückgesetzt auf {value}"};
 constexpr Sentence reset_interface{"additional interface reset to {value}",
                                    "Zusatzschnittstelle zurückgesetzt auf {value}"};
@@ -25,7 +27,6 @@ constexpr Sentence differs{
     "{recorded}, here {computed}",
     "{count} Aufrufe ergaben etwas anderes als die Steuerung, der erste in Zyklus {cycle}: {axis} gab "
     "{recorded} aus, hier {computed}"};
-constexpr Sentence more{"and {count} more", "und {count} weitere"};
 
 }  // namespace axisc::cli::says
 
@@ -35,9 +36,9 @@ namespace {
 
 using image::RecordedKind;
 using image::ReplayedEntry;
-using nlohmann::ordered_json;
+using namespace presentation;
 
-/// Most rows of the text; a recording with many events has thousands.
+/// Most rows that people see; a recording with many events has thousands.
 constexpr std::size_t most_rows = 200;
 
 std::string_view level_name(std::uint32_t level) {
@@ -82,10 +83,6 @@ std::string command_text(axisrt_filter_command const& command) {
 
 }  // namespace
 
-std::string ReplayReport::say(SentenceRef text, std::vector<Argument> arguments) const {
-  return render({.sentence = text, .arguments = std::move(arguments)}, language_);
-}
-
 std::string ReplayReport::name(ReplayedEntry const& entry, std::size_t axis) const {
   if (axis >= image_.axes.size()) return std::to_string(axis);
   std::string const label = axis_label(image_, axis);
@@ -98,7 +95,7 @@ void ReplayReport::add_event(ReplayEvent event) {
   for (auto before = events_.rbegin(); before != events_.rend() && before->last + 1 >= event.first;
        ++before) {
     bool const goes_on = before->subject == event.subject && before->status == event.status &&
-                         before->what.empty() && event.what.empty();
+                         before->what.is_nothing() && event.what.is_nothing();
     if (!goes_on) continue;
     before->last = event.last;
     return;
@@ -112,19 +109,21 @@ void ReplayReport::add_call(ReplayedEntry const& entry) {
                     .subject = name(entry, entry.index),
                     .what = {},
                     .status = entry.recorded_status};
-  auto const value = [&] { return std::vector<Argument>{{"value", exact_number(entry.in.at(0))}}; };
+  auto const at = [&entry](SentenceRef words) {
+    return Words(words, {{"value", Quantity{.value = entry.in.at(0), .digits = Digits::exact()}}});
+  };
   switch (entry.kind) {
     case RecordedKind::reset:
-      event.what = say(says::reset, value());
+      event.what = at(says::reset);
       break;
     case RecordedKind::reset_interface:
-      event.what = say(says::reset_interface, value());
+      event.what = at(says::reset_interface);
       break;
     case RecordedKind::reset_velocity:
-      event.what = say(says::reset_velocity);
+      event.what = Words(says::reset_velocity);
       break;
     case RecordedKind::rebase:
-      event.what = say(says::rebase, value());
+      event.what = at(says::rebase);
       break;
     default:
       event.what = command_text(entry.command);
@@ -176,54 +175,52 @@ void ReplayReport::add(ReplayedEntry const& entry) {
   compare(entry);
 }
 
-std::string ReplayReport::text(std::uint32_t level) const {
-  std::string text = say(says::head, {{"cycles", std::to_string(cycles_)},
-                                      {"cycle_time", exact_number(image_.cycle_time.microseconds())},
-                                      {"axes", std::to_string(image_.axes.size())},
-                                      {"level", std::string(level_name(level))}}) +
-                     "\n";
-  std::vector<std::vector<std::string>> rows;
+Document ReplayReport::answer(std::uint32_t level) const {
+  Table events{.key = "events",
+               .columns = {{.key = "first_cycle", .label = says::cycle, .is_head = true},
+                           {.key = "last_cycle", .label = says::last_cycle, .is_head = true},
+                           {.key = "subject", .label = says::subject, .is_head = true},
+                           {.key = "call", .label = says::call},
+                           {.key = "status", .label = says::status, .audience = Audience::programs},
+                           {.key = {}, .label = says::status, .audience = Audience::people}},
+               .rows = {},
+               .most_shown = most_rows};
   for (auto const& event : events_) {
-    if (rows.size() == most_rows) break;
-    std::string const until = event.last > event.first ? "-" + std::to_string(event.last) : "";
-    rows.push_back({say(says::cycle) + " " + std::to_string(event.first) + until, event.subject, event.what,
-                    event.status == AXISRT_OK ? "" : axisrt_status_name(event.status)});
+    auto const* const status = axisrt_status_name(event.status);
+    events.rows.push_back({event.first, event.last, event.subject, event.what, status,
+                           event.status == AXISRT_OK ? Value() : Value(status)});
   }
-  text += text_table(rows, 2);
-  if (events_.size() > rows.size()) {
-    text += "  " + say(says::more, {{"count", std::to_string(events_.size() - rows.size())}}) + "\n";
+  Document answer{
+      .version = 2,
+      .title = Words(says::title, {{"cycles", cycles_}}),
+      .blocks = {Facts{{data("cycles", cycles_),
+                        {.key = "cycle_time_us",
+                         .label = says::cycle_time,
+                         .value = Quantity{.value = image_.cycle_time.microseconds(),
+                                           .unit = Unit::microsecond,
+                                           .digits = Digits::exact()}},
+                        {.key = "axis_count", .label = says::axes, .value = image_.axes.size()},
+                        {.key = "level", .label = says::instruction_set, .value = level_name(level)},
+                        data("differences", differences_)}},
+                 std::move(events)},
+      .csv_table = "events"};
+  if (!first_difference_) {
+    answer.blocks.emplace_back(Paragraph{says::same});
+    return answer;
   }
-  if (!first_difference_) return text + say(says::same) + "\n";
-  return text +
-         say(says::differs, {{"count", std::to_string(differences_)},
-                             {"cycle", std::to_string(first_difference_->cycle)},
-                             {"axis", first_difference_->subject},
-                             {"recorded", json_number(first_difference_->recorded)},
-                             {"computed", json_number(first_difference_->computed)}}) +
-         "\n";
-}
-
-std::string ReplayReport::json(std::uint32_t level) const {
-  ordered_json events = ordered_json::array();
-  for (auto const& event : events_) {
-    ordered_json row = {{"first_cycle", event.first}, {"last_cycle", event.last}, {"subject", event.subject}};
-    if (!event.what.empty()) row["call"] = event.what;
-    row["status"] = axisrt_status_name(event.status);
-    events.push_back(std::move(row));
-  }
-  ordered_json document = {{"version", 1},
-                           {"cycles", cycles_},
-                           {"cycle_time_us", image_.cycle_time.microseconds()},
-                           {"level", level_name(level)},
-                           {"events", std::move(events)},
-                           {"differences", differences_}};
-  if (first_difference_) {
-    document["first_difference"] = {{"cycle", first_difference_->cycle},
-                                    {"subject", first_difference_->subject},
-                                    {"recorded", first_difference_->recorded},
-                                    {"computed", first_difference_->computed}};
-  }
-  return json_document(document);
+  auto const number = [](double value) { return Quantity{.value = value, .digits = Digits::exact()}; };
+  auto const& first = *first_difference_;
+  answer.blocks.emplace_back(Section{
+      .key = "first_difference",
+      .title = {},
+      .blocks = {Facts{{data("cycle", first.cycle), data("subject", first.subject),
+                        data("recorded", number(first.recorded)), data("computed", number(first.computed))}},
+                 Paragraph{Words(says::differs, {{"count", differences_},
+                                                 {"cycle", first.cycle},
+                                                 {"axis", first.subject},
+                                                 {"recorded", number(first.recorded)},
+                                                 {"computed", number(first.computed)}})}}});
+  return answer;
 }
 
 }  // namespace axisc::cli

@@ -1,9 +1,9 @@
 // Report on a recording: what happened in which cycle, and where the replay differs.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "image/image_contents.hpp"
 #include "image/recording.hpp"
+#include "presentation/document.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -15,8 +15,8 @@ namespace axisc::cli {
 /// An event, in one or several consecutive cycles.
 struct ReplayEvent {
   std::uint64_t first = 0, last = 0;
-  std::string subject;  ///< axis or channel
-  std::string what;     ///< "#FILTER ON [ORDER=20]"; empty for a status alone
+  std::string subject;       ///< axis or channel
+  presentation::Value what;  ///< "#FILTER ON [ORDER=20]"; nothing for a status alone
   axisrt_status status = AXISRT_OK;
 };
 
@@ -28,19 +28,16 @@ struct ReplayDifference {
 
 class ReplayReport {
  public:
-  ReplayReport(image::ImageContents const& image, Language language) : image_(image), language_(language) {}
+  explicit ReplayReport(image::ImageContents const& image) : image_(image) {}
 
   void add(image::ReplayedEntry const& entry);
   [[nodiscard]] std::uint64_t cycles() const { return cycles_; }
   [[nodiscard]] std::uint64_t differences() const { return differences_; }
-  [[nodiscard]] std::vector<ReplayEvent> const& events() const { return events_; }
 
-  /// As text.
-  [[nodiscard]] std::string text(std::uint32_t level) const;
-  [[nodiscard]] std::string json(std::uint32_t level) const;
+  /// `level` is the axisrt_level of the recording.
+  [[nodiscard]] presentation::Document answer(std::uint32_t level) const;
 
  private:
-  [[nodiscard]] std::string say(SentenceRef text, std::vector<Argument> arguments = {}) const;
   [[nodiscard]] std::string name(image::ReplayedEntry const& entry, std::size_t axis) const;
   void add_event(ReplayEvent event);
   void add_call(image::ReplayedEntry const& entry);
@@ -48,7 +45,6 @@ class ReplayReport {
   void compare(image::ReplayedEntry const& entry);
 
   image::ImageContents const& image_;
-  Language language_;
   std::uint64_t cycles_ = 0;
   std::uint64_t differences_ = 0;
   std::optional<ReplayDifference> first_difference_;

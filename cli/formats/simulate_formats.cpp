@@ -73,7 +73,8 @@ class JsonSummary final : public SummaryWriter {
                ", \"command\": " + (summary.command.empty() ? "null" : json_string(summary.command)) +
                ", \"line\": " + (summary.line == 0 ? "null" : std::to_string(summary.line)) +
                ", \"blocks\": " + std::to_string(summary.blocks) + ", " + figures_json(summary, path_) +
-               ", \"tolerance_um\": " + (summary.tolerance ? json_number(*summary.tolerance / units_per_um) : "null") +
+               ", \"tolerance_um\": " +
+               (summary.tolerance ? json_number(*summary.tolerance / units_per_um) : "null") +
                ", \"tolerance_kept\": " + kept + "}";
   }
 

@@ -14,6 +14,10 @@ constexpr Sentence summary_warnings_one{"{count} warning", "{count} Warnung"};
 constexpr Sentence summary_warnings_many{"{count} warnings", "{count} Warnungen"};
 constexpr Sentence summary_notes_one{"{count} note", "{count} Hinweis"};
 constexpr Sentence summary_notes_many{"{count} notes", "{count} Hinweise"};
+constexpr Sentence summary_failures_one{"{count} input could not be checked",
+                                        "{count} Eingabe war nicht prüfbar"};
+constexpr Sentence summary_failures_many{"{count} inputs could not be checked",
+                                         "{count} Eingaben waren nicht prüfbar"};
 constexpr Sentence summary_nothing{"no findings", "keine Befunde"};
 
 }  // namespace axisc::says
@@ -29,7 +33,8 @@ std::string counted(std::size_t number, SentenceRef one, SentenceRef many, Langu
 
 }  // namespace
 
-std::string write_text_summary(std::size_t files, FindingCounts const& counts, WriteOptions const& options) {
+std::string write_text_summary(std::size_t files, FindingCounts const& counts, WriteOptions const& options,
+                               std::size_t failures) {
   Painter const paint(options.color);
   Language const language = options.language;
   std::string found;
@@ -41,6 +46,7 @@ std::string write_text_summary(std::size_t files, FindingCounts const& counts, W
   add(counts.errors, says::summary_errors_one, says::summary_errors_many, Style::error);
   add(counts.warnings, says::summary_warnings_one, says::summary_warnings_many, Style::warning);
   add(counts.notes, says::summary_notes_one, says::summary_notes_many, Style::note);
+  add(failures, says::summary_failures_one, says::summary_failures_many, Style::error);
   if (found.empty()) found = render({.sentence = says::summary_nothing, .arguments = {}}, language);
   return counted(files, says::summary_files_one, says::summary_files_many, language) + ": " + found + '\n';
 }

@@ -271,14 +271,17 @@ class TextReport final : public ReportWriter {
     out += '\n';
   }
 
+  void add_failure(std::string const& /*sentence*/) override { ++failures_; }
+
   void end(Print const& print, RunFacts const& run) override {
     if (run.statistics && !run.codes.empty()) print(write_text_statistics(run.codes, options_) + "\n");
     if (!run.has_summary) return;
-    print(write_text_facts(run, options_) + write_text_summary(run.files, run.counts, options_));
+    print(write_text_facts(run, options_) + write_text_summary(run.files, run.counts, options_, failures_));
   }
 
  private:
   WriteOptions options_;
+  std::size_t failures_ = 0;
 };
 
 }  // namespace

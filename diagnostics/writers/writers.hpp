@@ -83,9 +83,10 @@ struct ReportContext {
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,
                                      WriteOptions const& options);
 
-/// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings".
+/// The last line, with its line end: "2 files: 3 errors, 1 warning", "1 file: no findings". `failures` inputs could not
+/// be checked, so that nothing is known about them.
 [[nodiscard]] std::string write_text_summary(std::size_t files, FindingCounts const& counts,
-                                             WriteOptions const& options);
+                                             WriteOptions const& options, std::size_t failures = 0);
 
 /// The lines between the findings and the summary: stale entries of the baseline, and what was fixed. May be
 /// empty.

@@ -190,13 +190,14 @@ axisrt_status check_chain(ImageView const& view, uint32_t axis, uint32_t port, u
 axisrt_status check_contents(ImageView const& view) {
   return first_failure(
       [&] { return check_cycle_time(view.header()); },
+      // Before the proofs: an unstable filter has none that could be true.
+      [&] {
+        return check_each(view.coefficients, [](auto section, uint32_t) { return check_section(section); });
+      },
       [&] {
         return check_each(view.filters, [&](auto filter, uint32_t) { return check_filter(view, filter); });
       },
       [&] { return check_axes_and_chains(view); }, [&] { return check_kernels(view); },
-      [&] {
-        return check_each(view.coefficients, [](auto section, uint32_t) { return check_section(section); });
-      },
       [&] { return check_each(view.self_tests, [](auto sample, uint32_t) { return check_sample(sample); }); },
       [&] { return check_each(view.lists, [&](auto list, uint32_t) { return check_list(view, list); }); },
       [&] {

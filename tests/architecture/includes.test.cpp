@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",   "schema",     "design",
-                                       "machine", "configuration", "validator", "codegen",    "image",
-                                       "runtime", "motion",        "tuning",    "comparison", "pictures",
-                                       "editor",  "cli",           "recordings"};
+std::set<std::string> const folders = {"system",  "diagnostics",   "grammar",    "schema",      "design",
+                                       "machine", "configuration", "validator",  "codegen",     "image",
+                                       "runtime", "motion",        "tuning",     "comparison",  "pictures",
+                                       "editor",  "cli",           "recordings", "presentation"};
 
 /// What each folder may include, beside itself: the picture of the architecture.
 std::map<std::string, std::set<std::string>> const may_include = {
@@ -36,6 +36,7 @@ std::map<std::string, std::set<std::string>> const may_include = {
      {"motion", "image", "codegen", "machine", "configuration", "validator", "design", "schema", "grammar",
       "pictures", "diagnostics"}},
     {"pictures", {"diagnostics"}},
+    {"presentation", {"pictures", "diagnostics"}},
     {"comparison", {"design", "diagnostics"}},
     {"recordings", {"diagnostics"}},
     {"tuning", {"motion", "recordings", "image", "codegen", "machine", "design", "diagnostics", "runtime"}},

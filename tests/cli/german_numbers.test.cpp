@@ -18,14 +18,24 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a reader of the picture or page sees.
-std::string without_markup(std::string const& text) {
-  static std::regex const markup(R"(<(script|style)[^]*?</\1>|<[^>]*>)");
-  return std::regex_replace(text, markup, "\n");
+std::string without_markup(std::string_view text) {
+  std::string seen;
+  while (!text.empty()) {
+    std::size_t const tag = std::min(text.find('<'), text.size());
+    seen.append(text.substr(0, tag)).append("\n");
+    text.remove_prefix(tag);
+    std::string_view end = ">";
+    if (text.starts_with("<script")) end = "</script>";
+    if (text.starts_with("<style")) end = "</style>";
+    text.remove_prefix(std::min(text.find(end), text.size()));
+    text.remove_prefix(std::min(end.size(), text.size()));
+  }
+  return seen;
 }
 
 /// A line that a list or a program may have: `    filter[0].fg_f0   80.8`, `filter[0].q_factor  1.5 → 2.5`.
 bool is_written_so(std::string const& line) {
-  static std::regex const written(R"(^\s*(\d+ [|+-] ?)?[a-z_]+(\[\d*\])?(\.[a-z_]+(\[\d*\])*)+ .*)");
+  static std::regex const written(R"(^\s*(\d+ [|+-] ?)?[a-z_]\w*(\[\d*\])?(\.[a-z_]\w*(\[\d*\])*)+ .*)");
   return std::regex_match(line, written);
 }
 
@@ -56,7 +66,7 @@ TEST_CASE("what a German number is") {
   CHECK(lines_with_points("Verzögerung 0,5 ms, `fg_f0 0.5`, axisc 0.2.0, Format 1.1, x.lis:1").empty());
   CHECK(lines_with_points("    filter[0].fg_f0   80.8").empty());
   CHECK(lines_with_points("#FILTER ON [AX_DEV=0.001 SHARE=12.5]").empty());
-  CHECK(without_markup("<svg d=\"1.5\"><text>2.5</text></svg>") == "\n\n2.5\n\n");
+  CHECK(without_markup("<svg d=\"1.5\"><text>2.5</text></svg><style>3.5</style>") == "\n\n2.5\n\n\n");
 }
 
 TEST_CASE("German outputs have decimal commas") {

@@ -108,7 +108,8 @@ TEST_CASE("kernels, channels and banks are read back", "[image]") {
   for (std::size_t i = 0; i < 23; ++i) CHECK(kernel.design.taps[i] == Approx(design.taps[i]).margin(1e-15));
   CHECK(kernel.peak_gain == 1);
   CHECK(kernel.overshoot == 0);
-  CHECK(kernel.tail_gain == Approx(11).epsilon(1e-14));
+  CHECK(kernel.tail_gain >= 11);
+  CHECK(kernel.tail_gain <= 11 * (1 + 1e-12));
   CHECK(kernel.self_test_input.size() == 32 + 22);
   CHECK(kernel.self_test_output.size() == 32 + 22);
   CHECK(contents.axes[0].delay_cycles == Approx(11 + 5).epsilon(1e-2));  // and the PT1

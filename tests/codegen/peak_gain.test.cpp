@@ -100,24 +100,24 @@ double summed_up(std::vector<FilterDesign> const& chain, std::uint64_t cycles) {
 
 TEST_CASE("peak gains of random chains are not below the sum, and hardly above", "[proof]") {
   test::Random random(20261124);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 60; ++i) {
     std::vector<FilterSpecification> specifications;
     for (std::uint32_t k = 1 + random.below(3); k > 0; --k) {
       FilterSpecification one = filter(
           static_cast<FilterType>(1 + random.below(5)), static_cast<Prototype>(1 + random.below(3)),
-          1 + random.below(3), std::exp(random.between(std::log(2), std::log(400))), random.between(1, 10));
+          1 + random.below(3), std::exp(random.between(std::log(4), std::log(400))), random.between(1, 10));
       if (random.below(4) == 0) one.share_percent = random.between(1, 100);
       if (random.below(6) == 0) one.type = FilterType::time_delay;
       specifications.push_back(one);
     }
     CAPTURE(i);
     auto const chain = chain_of(specifications, {1'000'000});
-    double const sum = summed_up(chain, 40'000);
+    double const sum = summed_up(chain, 60'000);
     double const stated = prove_chain(chain).peak_gain;
     CHECK(stated >= sum * (1 - 1e-15));
-    CHECK(stated <= sum * (1 + 1e-7));
+    CHECK(stated <= sum * (1 + 1e-7) + 1e-12);
     for (FilterDesign const& one : chain) {
-      double const sum_of_one = summed_up({one}, 40'000);
+      double const sum_of_one = summed_up({one}, 60'000);
       CHECK(prove_filter(one).peak_gain >= sum_of_one * (1 - 1e-15));
       CHECK(prove_filter(one).peak_gain <= sum_of_one * (1 + 1e-9));
     }
@@ -136,7 +136,7 @@ TEST_CASE("a peak gain that takes too long to sum up is an upper bound", "[proof
     auto const chain = chain_of({filter(FilterType::bandpass, Prototype::butterworth, 3, 1.1e-3, 2.7),
                                  {.type = FilterType::pt2, .time_constant = {1e6}}},
                                 {1'000'000});
-    double const sum = summed_up(chain, 12'000'000);
+    double const sum = summed_up(chain, 5'000'000);
     CHECK(sum > 1.4);
     CHECK(prove_chain(chain).peak_gain >= sum);
     CHECK(prove_chain(chain).peak_gain < 5 * sum);
@@ -144,14 +144,14 @@ TEST_CASE("a peak gain that takes too long to sum up is an upper bound", "[proof
   SECTION("a notch of 0.05 Hz at 125 us") {
     auto const chain =
         chain_of({filter(FilterType::bandstop, Prototype::butterworth, 3, 0.05, 10)}, {125'000});
-    double const sum = summed_up(chain, 12'000'000);
+    double const sum = summed_up(chain, 8'000'000);
     CHECK(sum == Approx(3.357).epsilon(1e-3));
     CHECK(prove_chain(chain).peak_gain >= sum);
     CHECK(prove_chain(chain).peak_gain < 2 * sum);
   }
   SECTION("a low-pass at the limit of AX6001") {
     // Of critical damping: h >= 0, so that Σ|h| = H(1) = 1.
-    for (double const frequency : {1e-5, 1e-6, 3e-7}) {
+    for (double const frequency : {1e-5, 1e-6, 6e-8}) {
       auto const chain =
           chain_of({filter(FilterType::lowpass, Prototype::critical_damping, 6, frequency)}, {1'000'000});
       CAPTURE(frequency);
@@ -172,7 +172,7 @@ TEST_CASE("setpoints within v are never implausible, also through a filter slowe
   auto const chain = chain_of(specifications, cycle_time);
   std::vector<bool> rises;
   Impulse impulse(chain);
-  for (int n = 0; n < 6'000'000; ++n) rises.push_back(impulse.next() >= 0);
+  for (int n = 0; n < 3'000'000; ++n) rises.push_back(impulse.next() >= 0);
 
   image::RuntimeHost runtime = test::runtime_for(write_image(machine, {}));
   double const v = 5000;

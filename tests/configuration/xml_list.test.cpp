@@ -1,7 +1,7 @@
 // Update and template files: elements named by a parameter's number become lines of a list, shown where the file says them.
-#include "configuration/xml/xml_list.hpp"
+#include "configuration/xml_list.hpp"
 
-#include "configuration/xml/xml_list_kind.hpp"
+#include "configuration/xml_names.hpp"
 #include "support/catch.hpp"
 
 #include <string>

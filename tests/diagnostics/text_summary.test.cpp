@@ -12,6 +12,9 @@ TEST_CASE("the summary counts files and findings") {
   CHECK(english(1, {.notes = 5}) == "1 file: 5 notes\n");
   CHECK(english(1, {}) == "1 file: no findings\n");
   CHECK(english(0, {}) == "0 files: no findings\n");
+  CHECK(write_text_summary(2, {}, {}, 1) == "2 files: 1 input could not be checked\n");
+  CHECK(write_text_summary(2, {.errors = 1}, {.language = Language::german}, 3) ==
+        "2 Dateien: 1 Fehler, 3 Eingaben waren nicht prüfbar\n");
 }
 
 TEST_CASE("the summary in German") {

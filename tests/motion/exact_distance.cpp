@@ -82,26 +82,13 @@ class SearchedPath {
   }
 
   /// Largest component of the vector to the nearest point between two cycles.
-  [[nodiscard]] double component(Place const& point, std::size_t from, std::size_t to) const {
-    double squared = std::numeric_limits<double>::infinity();
-    double largest = 0;
+  [[nodiscard]] double component(Place const& point, std::size_t from, std::size_t to) {
     to = std::min(to, points_.size() - 1);
-    // First the boxes in the middle, which are likely to be near.
-    for (std::size_t b = from / box_size; b * box_size < to; ++b) {
-      if (boxes_[b].squared_distance(point) >= squared) continue;
-      for (std::size_t i = std::max(from, b * box_size); i < std::min(to, (b + 1) * box_size); ++i) {
-        Place const way = minus(points_[i + 1], points_[i]);
-        double const length = dot(way, way);
-        double const along = length > 0 ? std::clamp(dot(minus(point, points_[i]), way) / length, 0.0, 1.0) : 0;
-        Place away{};
-        for (std::size_t axis = 0; axis < 3; ++axis) away[axis] = points_[i][axis] + along * way[axis] - point[axis];
-        double const here = dot(away, away);
-        if (here >= squared) continue;
-        squared = here;
-        largest = std::max({std::abs(away[0]), std::abs(away[1]), std::abs(away[2])});
-      }
-    }
-    return largest;
+    Nearest nearest;
+    // Likely where the last point was found; most of the others are then seen to be further away.
+    look(point, likely_, from, to, nearest);
+    for (std::size_t box = from / box_size; box * box_size < to; ++box) look(point, box, from, to, nearest);
+    return nearest.component;
   }
 
  private:
@@ -116,9 +103,33 @@ class SearchedPath {
       return sum;
     }
   };
+  struct Nearest {
+    double squared = std::numeric_limits<double>::infinity();
+    double component = 0;
+  };
+
+  void look(Place const& point, std::size_t box, std::size_t from, std::size_t to, Nearest& nearest) {
+    if (boxes_[box].squared_distance(point) >= nearest.squared) return;
+    for (std::size_t i = std::max(from, box * box_size); i < std::min(to, (box + 1) * box_size); ++i) {
+      Place const way = minus(points_[i + 1], points_[i]);
+      double const length = dot(way, way);
+      double const along = length > 0 ? std::clamp(dot(minus(point, points_[i]), way) / length, 0.0, 1.0) : 0;
+      Place away{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        away[axis] = points_[i][axis] + along * way[axis] - point[axis];
+      }
+      double const here = dot(away, away);
+      if (here >= nearest.squared) continue;
+      likely_ = box;
+      nearest = {.squared = here,
+                 .component = std::max({std::abs(away[0]), std::abs(away[1]), std::abs(away[2])})};
+    }
+  }
+
   static constexpr std::size_t box_size = 16;
   std::vector<Place> const& points_;
   std::vector<Box> boxes_;
+  std::size_t likely_ = 0;
 };
 
 }  // namespace
@@ -135,17 +146,20 @@ Place Leg::at(double share) const {
 }
 
 Followed follow(std::vector<Leg> const& contour, std::vector<Place> const& setpoints,
-                std::vector<Place> const& filtered, int points_between) {
+                std::vector<Place> const& filtered, Neighbourhood neighbourhood, int points_between) {
   std::vector<Place> path(1, contour.front().from);
   path.insert(path.end(), filtered.begin(), filtered.end());
-  SearchedPath const searched(path);
+  SearchedPath searched(path);
   Followed found;
-  // A point may be nearest to what comes out much later, or before: but not to another passage of the same place.
-  constexpr std::size_t longest = 1200;
   auto const look = [&](std::size_t leg, double share, std::size_t cycle) {
-    std::size_t const from = cycle > longest / 2 ? cycle - longest / 2 : 0;
-    found.axis_error =
-        std::max(found.axis_error, searched.component(contour[leg].at(share), from, cycle + longest));
+    int const before = static_cast<int>(cycle);
+    auto const from = static_cast<std::size_t>(std::max(0, before + neighbourhood.first));
+    auto const to = static_cast<std::size_t>(std::max(1, before + 1 + neighbourhood.last));
+    double const error = searched.component(contour[leg].at(share), std::min(from, path.size() - 2), to);
+    if (error <= found.axis_error) return;
+    found.axis_error = error;
+    found.leg = leg;
+    found.share = share;
   };
   OnContour at;
   look(0, 0, 0);
@@ -155,7 +169,8 @@ Followed follow(std::vector<Leg> const& contour, std::vector<Place> const& setpo
       double const from = leg == at.leg ? at.share : 0;
       double const to = leg == next.leg ? next.share : 1;
       if (from == to && leg == at.leg && at.leg == next.leg) continue;
-      for (int i = 0; i <= points_between + 1; ++i) look(leg, from + (to - from) * i / (points_between + 1), n);
+      for (int i = 0; i <= points_between + 1; ++i)
+        look(leg, from + (to - from) * i / (points_between + 1), n);
     }
     at = next;
   }

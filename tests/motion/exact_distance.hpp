@@ -1,5 +1,5 @@
 // How far a filtered path is from a contour of lines and arcs, written down plainly, without any code of the folder under
-// test: every place is looked for along the whole filtered path, and between setpoints, too.
+// test; places between setpoints are looked at, too.
 #pragma once
 
 #include "plain_geometry.hpp"
@@ -21,13 +21,23 @@ struct Leg {
 };
 
 struct Followed {
-  double axis_error = 0;  ///< largest component of the vectors from points of the contour to the nearest filtered ones
-  double off = 0;         ///< farthest setpoint from the contour
+  double axis_error =
+      0;  ///< largest component of the vectors from points of the contour to the nearest filtered ones
+  std::size_t leg = 0;  ///< where, and at which share of it
+  double share = 0;
+  double off = 0;  ///< farthest setpoint from the contour
+};
+
+/// Cycles between a setpoint and what may belong to it in the filtered path: the chains' delay and reach. A place that is
+/// passed twice has two neighbourhoods.
+struct Neighbourhood {
+  int first = 0, last = 0;
 };
 
 /// `setpoints` begin behind the beginning of the first leg, where the axes rest, and end on the last one; `filtered` belong to
 /// the same cycles. All of them in one unit.
 [[nodiscard]] Followed follow(std::vector<Leg> const& contour, std::vector<Place> const& setpoints,
-                              std::vector<Place> const& filtered, int points_between = 3);
+                              std::vector<Place> const& filtered, Neighbourhood neighbourhood,
+                              int points_between = 3);
 
 }  // namespace axisc::test

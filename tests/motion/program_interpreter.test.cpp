@@ -126,7 +126,7 @@ TEST_CASE("a word that could only count by leaving out another one is refused") 
   CHECK(interpret("G02 F60 X1 R1 R2\n").problems == Lines{"1:15 AX9008 R2"});
   CHECK(interpret("G01 F600 F700 X1\n").problems == Lines{"1:10 AX9008 F700"});
   CHECK(interpret("G01 F600 X1 F=600\n").problems == Lines{"1:13 AX9008 F"});
-  CHECK(interpret("G95 S500 S600 F0.1 X1\n").problems == Lines{"1:10 AX9008 S600"});
+  CHECK(interpret("G95 S500 S600 F0.1 X1\n").problems == Lines{"1:10 AX9008 S600", "1:5 AX9007 S500"});
   CHECK(interpret("G04 X1 X2\n").problems == Lines{"1:8 AX9008 X2"});
   CHECK(interpret("G01 F60 X1 G04 X2\n").problems == Lines{"1:12 AX9008 G04"});
   CHECK(interpret("G01 F60 X1\nX2\nG02 X3 R1\nX4 R1\n").problems.empty());

@@ -297,7 +297,7 @@ TEST_CASE("Improved Position Control is written with all its parameters") {
   CHECK(short_name(control, Language::english) ==
         "INDIRECT 11.4 Hz, order 1, quality 2, damping 0.8, weight 1.75");
   CHECK(short_name(control, Language::german) ==
-        "INDIRECT 11.4 Hz, Ordnung 1, Güte 2, Dämpfung 0.8, Gewicht 1.75");
+        "INDIRECT 11,4 Hz, Ordnung 1, Güte 2, Dämpfung 0,8, Gewicht 1,75");
 }
 
 }  // namespace axisc::tuning

@@ -453,9 +453,9 @@ TEST_CASE("AX6005: filters too slow to sum up their peak gain get an upper bound
   // After ten seconds this notch has hardly begun; its peak gain is 3.357.
   Run const run(
       filter("BANDSTOP", "3", "filter[0].prototype BUTTERWORTH\nfilter[0].fg_f0 0.05\nfilter[0].guete 10\n"),
-      {.cycle_us = 125, .pedantic = true});
-  REQUIRE(run.lines() == Lines{"1 AX6003", "1 AX6005", "3 AX6004"});
-  Finding const& finding = run.findings()[1];
+      {.cycle_us = 125, .pedantic = true, .disabled = {Code{6003}}});
+  REQUIRE(run.lines() == Lines{"1 AX6005", "3 AX6004"});
+  Finding const& finding = run.findings()[0];
   CHECK(english(finding.message).find("by a factor of up to ") != std::string::npos);
   std::string const label = english(*finding.label);
   std::string const before = "peak gain Σ|h| ≤ ";

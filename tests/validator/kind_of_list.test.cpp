@@ -139,7 +139,6 @@ TEST_CASE("only names of another kind of list are mended, and catalogues that kn
 
 TEST_CASE("values of other lists are words that are joined, words with digits, lists of numbers and paths") {
   std::string const list =
-      "zahl_mds                     1\n"
       "sercos_lwl_baudrate[0]       2MBAUD\n"
       "error_protocol_mode          REPORT | REPORT_EXTENDED |PRINT   ( comment\n"
       "error_filter[0].reason       20804,20805,21209\n"

@@ -199,7 +199,7 @@ double largest_swing(Drive const& drive, SwingBand const& band, double negligibl
       open.push_back({.part = &part, .from = begin, .to = i + 1 == pieces ? to : begin + width});
     }
   }
-  double largest = 0;
+  double largest = swing_at_least(drive, band);
   std::vector<double> bounds;
   std::vector<Interval> halves;
   while (!open.empty()) {

@@ -1,8 +1,8 @@
 #include "validator/loading/loader.hpp"
 
 #include "configuration/machine_file_name.hpp"
-#include "configuration/xml/xml_list.hpp"
-#include "configuration/xml/xml_list_kind.hpp"
+#include "configuration/xml_list.hpp"
+#include "configuration/xml_names.hpp"
 #include "diagnostics/ascii.hpp"
 #include "grammar/axis_list.hpp"
 #include "system/path.hpp"

@@ -1,6 +1,6 @@
 // `axisc lint --changed-since`: what differs from a revision of git.
 #include "cli/files/disk_files.hpp"
-#include "cli/inputs/machine_outline.hpp"
+#include "cli/options/machine_outline.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"

@@ -42,13 +42,13 @@ bool is_root(std::string const& name) {
          file == "hochlauf.tsproj";
 }
 
-/// Every sample that is a machine. `mistakes` has errors as it is.
+/// Every sample that is a machine. `mistakes` and `tutorial` have errors as they are.
 std::vector<Configuration> configurations() {
   std::vector<Configuration> found;
   auto const samples = fs::path(AXISC_SOURCE_DIR) / "samples";
   for (auto const& entry : fs::recursive_directory_iterator(samples)) {
     auto const name = entry.path().lexically_relative(samples).generic_string();
-    if (!is_root(name) || name.starts_with("mistakes/")) continue;
+    if (!is_root(name) || name.starts_with("mistakes/") || name.starts_with("tutorial/")) continue;
     auto folder = entry.path().parent_path();
     // The programs of a controller lie beside the folder of its lists.
     if (fs::exists(folder.parent_path() / "prog")) folder = folder.parent_path();

@@ -1,4 +1,4 @@
-#include "cli/inputs/glob.hpp"
+#include "cli/options/glob.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"

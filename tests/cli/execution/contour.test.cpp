@@ -158,8 +158,9 @@ TEST_CASE("a channel deviates as in a machine that has no other channel") {
       lathe + ", " + mill);
   auto const both_mill = contour(there, {"--group", "mill"});
   auto const both_lathe = contour(there, {"--group", "lathe", "--order", "10"});
-  write(axis("X", "x.lis") + ", " + axis("Y", "y.lis"), mill);
+  // In the same order: a corner leads from the first axis to the second.
+  write(axis("Y", "y.lis") + ", " + axis("X", "x.lis"), mill);
   CHECK(contour(there, {"--group", "mill"}) == both_mill);
-  write(axis("C", "x.lis") + ", " + axis("Z", "z.lis"), lathe);
+  write(axis("Z", "z.lis") + ", " + axis("C", "x.lis"), lathe);
   CHECK(contour(there, {"--group", "lathe", "--order", "10"}) == both_lathe);
 }

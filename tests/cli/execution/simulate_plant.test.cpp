@@ -139,7 +139,8 @@ TEST_CASE("mistakes of plant files and moves") {
     static_cast<void>(error("{}", move));
   }
   // 800 mm at 1 nm/min.
-  auto const slow = run_axisc({"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move", "X:800:0.000001"});
+  auto const slow = run_axisc(
+      {"simulate", rack + "machine.json", "--plant", rack + "plant.json", "--move", "X:800:0.000001"});
   CHECK(slow.status == 2);
   CHECK_THAT(slow.err, Catch::Matchers::Contains("NC cycles"));
 }

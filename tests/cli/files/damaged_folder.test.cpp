@@ -175,7 +175,7 @@ TEST_CASE("a list of unknown kind warns, unless its comments or somebody says wh
   folder.write("d/ok.lis", "filter[0].enable 0\n");
   std::vector<std::string> const lint{"lint", "d", "--cycle-time", "1ms"};
   for (std::string const& bytes :
-       {std::string("filter[0],enable=1\nfilter[0],order=99x\n<<<<<<< HEAD\n"), std::string(),
+       {std::string("filter[0],enable=1\nfilter[0],order=99x\n<<<<<<< HEAD\n"),
         std::string("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n"),
         std::string("\xC2\xA0"
                     "filter[0].order 99\n")}) {

@@ -1,6 +1,6 @@
-#include "cli/inputs/inputs.hpp"
+#include "cli/options/inputs.hpp"
 
-#include "cli/inputs/machine_outline.hpp"
+#include "cli/options/machine_outline.hpp"
 #include "cli/temporary_folder.hpp"
 
 #include <algorithm>

@@ -41,8 +41,8 @@ constexpr std::string_view no_number = "1001138";
 
 /// What a word for a switch means, in English or German; empty for other words.
 std::string_view switch_meant(std::string_view word) {
-  constexpr std::array<std::string_view, 7> on{"ON", "YES", "TRUE", "EIN", "AN", "JA", "WAHR"};
-  constexpr std::array<std::string_view, 6> off{"OFF", "NO", "FALSE", "AUS", "NEIN", "FALSCH"};
+  constexpr std::array<std::string_view, 6> on{"ON", "YES", "EIN", "AN", "JA", "WAHR"};
+  constexpr std::array<std::string_view, 5> off{"OFF", "NO", "AUS", "NEIN", "FALSCH"};
   auto const is_word = [word](std::string_view known) { return ascii::equal_ignoring_case(word, known); };
   if (std::any_of(on.begin(), on.end(), is_word)) return "1";
   return std::any_of(off.begin(), off.end(), is_word) ? "0" : "";

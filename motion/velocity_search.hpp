@@ -1,0 +1,51 @@
+// How fast a place of a path may be passed so that it keeps the tolerance: found by trial, because neighbours take part.
+//
+// A velocity that exceeds the tolerance is lowered by the power with which the last two trials' errors grew with it, one that
+// stays too far below is raised, until `most_raises`; from then on it is only lowered, each time a little harder.
+#pragma once
+
+#include <limits>
+
+namespace axisc::motion {
+
+/// Shares of the tolerance. Errors above the first are too large; between the points that are looked at they may still be a
+/// little larger. A velocity is found where it leaves errors between the next two, so that a few more or less do no harm
+/// when the path passes a place at another time in its cycle. The last one is aimed at.
+inline constexpr double largest_share = 0.997;
+inline constexpr double largest_found = 0.989;
+inline constexpr double smallest_found = 0.975;
+inline constexpr double aimed_at = 0.982;
+
+/// The first lowerings take back what is known to keep the tolerance; those after them come to their end.
+inline constexpr int refining_rounds = 12;
+inline constexpr int most_raises = 6;
+
+struct VelocitySearch {
+  double velocity = std::numeric_limits<double>::infinity();  ///< units per cycle; infinite: not limited
+  double fastest = 0;                                         ///< most that the blocks allow
+
+  double error = 0;           ///< of the last trial, units
+  double tried_fastest = 0;   ///< of the path where the trial looked
+  double tried_velocity = 0;  ///< the same, as far as this search limits it
+
+  double kept = 0, exceeded = std::numeric_limits<double>::infinity();
+  double error_before = 0, velocity_before = 0;
+  int lowered = 0, raised = 0;
+
+  [[nodiscard]] bool limits() const { return velocity != std::numeric_limits<double>::infinity(); }
+  /// The result of a trial.
+  void take(double found, double fastest_there);
+  /// The error did not fall with the velocity: something else makes it.
+  [[nodiscard]] bool is_vain() const;
+  /// Below a velocity it need not go. `power` of the velocity with which the error grows, as long as no two trials say.
+  /// False where it is as low already.
+  bool lower(double tolerance, double floor, double power);
+  /// The trial exceeded nothing, and this velocity slowed the path down more than it must. False where no more is to be
+  /// gained.
+  bool raise(double tolerance);
+
+ private:
+  [[nodiscard]] double growth(double now, double power) const;
+};
+
+}  // namespace axisc::motion

@@ -1,0 +1,98 @@
+// An answer, described once: facts, tables, paragraphs and figures as data. writers.hpp writes it in every format.
+#pragma once
+
+#include "pictures/figure.hpp"
+#include "presentation/value.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace axisc::presentation {
+
+/// Whom a part of an answer is for. People read text, Markdown and HTML, programs read JSON and CSV.
+enum class Audience : std::uint8_t { all, people, programs };
+
+/// One value under a name. Keys are snake_case and end with the suffix of their unit.
+struct Field {
+  std::string key;
+  Words label;
+  Value value;
+  Audience audience = Audience::all;
+};
+
+/// A field that only programs read.
+[[nodiscard]] Field data(std::string key, Value value);
+
+/// In JSON members of the enclosing object.
+struct Facts {
+  std::vector<Field> fields;
+};
+
+struct Column {
+  std::string key;
+  Words label;
+  Unit unit = Unit::none;  ///< of all its numbers; the heading shows it
+  std::string member =
+      {};  ///< where columns of one key form an object in JSON: its member; "key.member" in CSV
+  Audience audience = Audience::all;
+  bool is_head = false;  ///< says what a row is about: repeated where a wide table is divided
+};
+
+/// In JSON an array of objects, in CSV rows.
+struct Table {
+  std::string key;
+  std::vector<Column> columns;
+  std::vector<std::vector<Value>> rows;  ///< as many values as columns
+  Audience audience = Audience::all;
+  std::size_t most_shown =
+      static_cast<std::size_t>(-1);  ///< rows that people see; then how many more there are
+};
+
+/// A sentence for people; what programs need of it is a field.
+struct Paragraph {
+  Words words;
+};
+
+/// Lines that stay as they are, such as a part of a list. In JSON one string.
+struct Verbatim {
+  std::string key;
+  std::string text;
+  Audience audience = Audience::all;
+};
+
+struct Picture {
+  pictures::Figure figure;
+};
+
+struct Section;
+struct Sections;
+using Block = std::variant<Facts, Table, Paragraph, Verbatim, Picture, Section, Sections>;
+
+/// In JSON an object; one without a key adds its members to the enclosing object.
+struct Section {
+  std::string key;
+  std::optional<Words> title;
+  std::vector<Block> blocks;
+  /// What tells it from its neighbours: first members in JSON, first columns in CSV; for people the title says it.
+  std::vector<Field> identity = {};
+  Audience audience = Audience::all;
+};
+
+/// Sections of one kind; in JSON an array.
+struct Sections {
+  std::string key;
+  std::vector<Section> items;
+};
+
+struct Document {
+  int version = 1;  ///< of the JSON form
+  Words title;
+  std::vector<Block> blocks;
+  std::string csv_table = {};  ///< key of the tables that CSV has; empty: this answer has no CSV
+};
+
+}  // namespace axisc::presentation

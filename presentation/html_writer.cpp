@@ -1,0 +1,130 @@
+#include "pictures/page.hpp"
+#include "pictures/svg_text.hpp"
+#include "presentation/shown_table.hpp"
+#include "presentation/writers.hpp"
+
+#include <algorithm>
+
+namespace axisc::presentation {
+
+namespace {
+
+using pictures::escaped;
+
+/// A sentence's `code` as elements.
+std::string inline_html(std::string_view text) {
+  std::string html;
+  while (!text.empty()) {
+    auto const begin = text.find('`');
+    auto const end = begin == std::string_view::npos ? begin : text.find('`', begin + 1);
+    if (end == std::string_view::npos) break;
+    html += escaped(text.substr(0, begin)) + "<code>" + escaped(text.substr(begin + 1, end - begin - 1)) +
+            "</code>";
+    text.remove_prefix(end + 1);
+  }
+  return html + escaped(text);
+}
+
+bool has_picture(std::vector<Block> const& blocks);
+
+bool has_picture(Block const& block) {
+  if (auto const* const section = std::get_if<Section>(&block)) return has_picture(section->blocks);
+  if (auto const* const sections = std::get_if<Sections>(&block)) {
+    return std::any_of(sections->items.begin(), sections->items.end(),
+                       [](Section const& section) { return has_picture(section.blocks); });
+  }
+  return std::holds_alternative<Picture>(block);
+}
+
+bool has_picture(std::vector<Block> const& blocks) {
+  return std::any_of(blocks.begin(), blocks.end(), [](Block const& block) { return has_picture(block); });
+}
+
+class HtmlWriter {
+ public:
+  HtmlWriter(int level, Language language) : level_(level), language_(language) {}
+
+  std::string write(std::vector<Block> const& all) {
+    blocks(all);
+    return std::move(html_);
+  }
+
+  void operator()(Facts const& facts) {
+    std::string rows;
+    for (auto const& field : facts.fields) {
+      if (!is_for_people(field.audience)) continue;
+      rows += R"(<tr><th scope="row">)" + inline_html(text_of(field.label, language_)) + "</th><td>" +
+              inline_html(text_of(field.value, language_)) + "</td></tr>\n";
+    }
+    if (!rows.empty()) html_ += "<table tabindex=\"0\"><tbody>\n" + rows + "</tbody></table>\n";
+  }
+  void operator()(Table const& table) {
+    if (!is_for_people(table.audience) || table.rows.empty()) return;
+    auto const shown = shown_table(table, language_);
+    html_ += R"(<table tabindex="0"><thead><tr>)";
+    for (auto const& heading : shown.headings) {
+      html_ += R"(<th scope="col">)" + inline_html(heading) + "</th>";
+    }
+    html_ += "</tr></thead><tbody>\n";
+    for (auto const& row : shown.rows) {
+      html_ += "<tr>";
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        html_ += (shown.is_right[i] ? R"(<td class="number">)" : "<td>") + inline_html(row[i]) + "</td>";
+      }
+      html_ += "</tr>\n";
+    }
+    html_ += "</tbody></table>\n";
+    if (!shown.more.empty()) html_ += "<p>" + escaped(shown.more) + "</p>\n";
+  }
+  void operator()(Paragraph const& paragraph) {
+    html_ += "<p>" + inline_html(text_of(paragraph.words, language_)) + "</p>\n";
+  }
+  void operator()(Verbatim const& verbatim) {
+    if (!is_for_people(verbatim.audience) || verbatim.text.empty()) return;
+    html_ += R"(<pre tabindex="0">)" + escaped(verbatim.text) + "</pre>\n";
+  }
+  void operator()(Picture const& picture) { html_ += pictures::figure_element(picture.figure, language_); }
+  void operator()(Section const& section) {
+    if (!is_for_people(section.audience)) return;
+    if (section.title) {
+      auto const tag = "h" + std::to_string(std::min(level_, 6));
+      html_ += "<" + tag + ">" + inline_html(text_of(*section.title, language_)) + "</" + tag + ">\n";
+      ++level_;
+    }
+    blocks(section.blocks);
+    if (section.title) --level_;
+  }
+  void operator()(Sections const& sections) {
+    for (auto const& section : sections.items) (*this)(section);
+  }
+
+ private:
+  void blocks(std::vector<Block> const& all) {
+    for (auto const& block : all) std::visit(*this, block);
+  }
+
+  int level_;
+  Language language_;
+  std::string html_;
+};
+
+}  // namespace
+
+std::string html_of(std::vector<Block> const& blocks, int level, WriterOptions const& options) {
+  return HtmlWriter(level, options.language).write(blocks);
+}
+
+std::string write_html(Document const& document, WriterOptions const& options) {
+  auto const title = text_of(document.title, options.language);
+  std::string html = "<!doctype html>\n<html lang=\"";
+  html += options.language == Language::german ? "de" : "en";
+  html += "\"><head><meta charset=\"utf-8\">\n";
+  html += R"(<meta name="viewport" content="width=device-width,initial-scale=1">)";
+  html += "\n<title>" + escaped(title) + "</title>\n<style>\n" + pictures::page_style();
+  html += "</style></head>\n<body><main>\n<h1>" + inline_html(title) + "</h1>\n" +
+          html_of(document.blocks, 2, options) + "</main>\n";
+  if (has_picture(document.blocks)) html += pictures::zoom_part(options.language);
+  return html + "</body></html>\n";
+}
+
+}  // namespace axisc::presentation

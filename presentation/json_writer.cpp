@@ -1,0 +1,122 @@
+#include "diagnostics/writers/json_stream.hpp"
+#include "presentation/shown_table.hpp"
+#include "presentation/writers.hpp"
+
+namespace axisc::presentation {
+
+namespace {
+
+class JsonWriter {
+ public:
+  JsonWriter(std::string& out, Language language) : json_(out, 0), language_(language) {}
+
+  void write(Document const& document) {
+    json_.begin_object();
+    json_.member("version", static_cast<std::uint64_t>(document.version));
+    members(document.blocks);
+    json_.end_object();
+  }
+
+  void operator()(Facts const& facts) { fields(facts.fields); }
+  void operator()(Table const& table) {
+    if (!is_for_programs(table.audience)) return;
+    json_.key(table.key);
+    json_.begin_array();
+    for (auto const& row : table.rows) object(table.columns, row);
+    json_.end_array();
+  }
+  void operator()(Paragraph const& /*paragraph*/) {}
+  void operator()(Verbatim const& verbatim) {
+    if (!is_for_programs(verbatim.audience)) return;
+    json_.key(verbatim.key);
+    json_.string(verbatim.text);
+  }
+  void operator()(Picture const& /*picture*/) {}
+  void operator()(Section const& section) {
+    if (!is_for_programs(section.audience)) return;
+    if (section.key.empty()) {
+      fields(section.identity);
+      members(section.blocks);
+      return;
+    }
+    json_.key(section.key);
+    object(section);
+  }
+  void operator()(Sections const& sections) {
+    json_.key(sections.key);
+    json_.begin_array();
+    for (auto const& section : sections.items) object(section);
+    json_.end_array();
+  }
+
+  void operator()(Nothing const& /*nothing*/) { json_.null(); }
+  void operator()(bool value) { json_.boolean(value); }
+  void operator()(std::int64_t value) { json_.raw(std::to_string(value)); }
+  void operator()(Quantity const& quantity) { json_.raw(json_number(quantity.value)); }
+  void operator()(std::string const& text) { json_.string(text); }
+  void operator()(Symbol const& symbol) { json_.string(symbol.symbol); }
+  void operator()(Words const& words) { json_.string(text_of(words, language_)); }
+  void operator()(Names const& names) {
+    json_.begin_array();
+    for (auto const& name : names) json_.string(name);
+    json_.end_array();
+  }
+
+ private:
+  void members(std::vector<Block> const& blocks) {
+    for (auto const& block : blocks) std::visit(*this, block);
+  }
+  void fields(std::vector<Field> const& all) {
+    for (auto const& field : all) {
+      if (is_for_programs(field.audience)) member(field.key, field.value);
+    }
+  }
+  void member(std::string_view key, Value const& value) {
+    json_.key(key);
+    std::visit(*this, value.form());
+  }
+  void object(Section const& section) {
+    json_.begin_object();
+    fields(section.identity);
+    members(section.blocks);
+    json_.end_object();
+  }
+  /// Neighbouring columns of one key with different members are one object.
+  void object(std::vector<Column> const& columns, std::vector<Value> const& row) {
+    json_.begin_object();
+    std::string_view open;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      auto const& column = columns[i];
+      if (!is_for_programs(column.audience)) continue;
+      if (!open.empty() && (column.member.empty() || column.key != open)) {
+        json_.end_object();
+        open = {};
+      }
+      if (column.member.empty()) {
+        member(column.key, row[i]);
+        continue;
+      }
+      if (open.empty()) {
+        json_.key(column.key);
+        json_.begin_object();
+        open = column.key;
+      }
+      member(column.member, row[i]);
+    }
+    if (!open.empty()) json_.end_object();
+    json_.end_object();
+  }
+
+  JsonStream json_;
+  Language language_;
+};
+
+}  // namespace
+
+std::string write_json(Document const& document, WriterOptions const& options) {
+  std::string text;
+  JsonWriter(text, options.language).write(document);
+  return text + "\n";
+}
+
+}  // namespace axisc::presentation

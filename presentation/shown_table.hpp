@@ -1,0 +1,25 @@
+// Which parts of a document people and programs see, and tables as people see them.
+#pragma once
+
+#include "presentation/document.hpp"
+
+namespace axisc::presentation {
+
+[[nodiscard]] constexpr bool is_for_people(Audience audience) {
+  return audience != Audience::programs;
+}
+[[nodiscard]] constexpr bool is_for_programs(Audience audience) {
+  return audience != Audience::people;
+}
+
+/// A table as people see it: headings with units, cells as text.
+struct ShownTable {
+  std::vector<std::string> headings;
+  std::vector<bool> is_right;  ///< columns of numbers
+  std::vector<bool> is_head;   ///< see Column
+  std::vector<std::vector<std::string>> rows;
+  std::string more;  ///< says how many rows are not shown; empty for a whole table
+};
+[[nodiscard]] ShownTable shown_table(Table const& table, Language language);
+
+}  // namespace axisc::presentation

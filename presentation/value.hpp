@@ -1,0 +1,98 @@
+// Values of an answer, and sentences about them. Neither knows its language: it is chosen when they are written.
+#pragma once
+
+#include "presentation/quantity.hpp"
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace axisc::presentation {
+
+struct NamedValue;
+
+/// A sentence with values in its placeholders.
+struct Words {
+  SentenceRef sentence;
+  std::vector<NamedValue> values = {};
+
+  // Not explicit: most labels are a sentence without values.
+  Words(Sentence const& only) : sentence(only) {}
+  Words(SentenceRef only) : sentence(only) {}
+  Words(SentenceRef with, std::vector<NamedValue> filled) : sentence(with), values(std::move(filled)) {}
+};
+
+/// There is no value: null for programs; for people the reason, or "-", or an empty cell.
+struct Nothing {
+  std::optional<Words> reason = {};
+};
+
+/// A member of a closed set: a symbol for programs, words for people.
+struct Symbol {
+  std::string_view symbol;
+  Words words;
+};
+
+using Names = std::vector<std::string>;
+
+/// What a field or a cell holds. Texts are foreign, names and the like: people see their printable form.
+class Value {
+ public:
+  using Form = std::variant<Nothing, bool, std::int64_t, Quantity, std::string, Symbol, Words, Names>;
+
+  Value() = default;
+  Value(Nothing nothing) : form_(std::move(nothing)) {}
+  // Not explicit: rows of tables are written as lists of values.
+  Value(Quantity quantity) : form_(quantity) {}
+  Value(std::string text) : form_(std::move(text)) {}
+  Value(char const* text) : form_(std::string(text)) {}
+  Value(std::string_view text) : form_(std::string(text)) {}
+  Value(Symbol symbol) : form_(std::move(symbol)) {}
+  Value(Words words) : form_(std::move(words)) {}
+  Value(Names names) : form_(std::move(names)) {}
+  template <std::integral Number>
+  Value(Number number) {
+    if constexpr (std::same_as<Number, bool>) {
+      form_ = number;
+    } else {
+      form_ = static_cast<std::int64_t>(number);
+    }
+  }
+
+  [[nodiscard]] Form const& form() const { return form_; }
+  /// For people it stands at the right of its column.
+  [[nodiscard]] bool is_number() const {
+    return std::holds_alternative<Quantity>(form_) || std::holds_alternative<std::int64_t>(form_);
+  }
+  [[nodiscard]] bool is_nothing() const { return std::holds_alternative<Nothing>(form_); }
+  /// Nothing, and no reason to show.
+  [[nodiscard]] bool is_blank() const {
+    auto const* const nothing = std::get_if<Nothing>(&form_);
+    return nothing != nullptr && !nothing->reason;
+  }
+
+ private:
+  Form form_;
+};
+
+/// The value of a placeholder.
+struct NamedValue {
+  std::string_view name;
+  Value value;
+};
+
+enum class Units : std::uint8_t {
+  shown,
+  in_heading,  ///< the heading of the column has it
+};
+
+/// For people: one line, printable.
+[[nodiscard]] std::string text_of(Value const& value, Language language, Units units = Units::shown);
+[[nodiscard]] std::string text_of(Words const& words, Language language);
+
+}  // namespace axisc::presentation

@@ -1,0 +1,76 @@
+#include "presentation/writers.hpp"
+
+#include "presentation/example_document.hpp"
+#include "presentation/text_layout.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
+
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+using namespace axisc;
+using namespace axisc::presentation;
+
+namespace {
+
+std::string written(Format format, Language language = Language::english, std::size_t width = 80) {
+  return write(test::example_document(), format, {.language = language, .width = width});
+}
+
+}  // namespace
+
+TEST_CASE("a document is written in every format and both languages") {
+  for (auto const& [format, name] : {std::pair(Format::text, "text"),
+                                     {Format::json, "json"},
+                                     {Format::csv, "csv"},
+                                     {Format::markdown, "md"},
+                                     {Format::html, "html"}}) {
+    for (auto const& [language, code] : {std::pair(Language::english, "en"), {Language::german, "de"}}) {
+      test::check_golden(std::string("tests/presentation/data/example.") + code + "." + name,
+                         written(format, language));
+    }
+  }
+}
+
+TEST_CASE("JSON has the values as they were computed, in every language") {
+  auto const json = nlohmann::json::parse(written(Format::json, Language::german));
+  CHECK(json == nlohmann::json::parse(written(Format::json)));
+  CHECK(json["version"] == 2);
+  CHECK(json["axes"][0] == "X");
+  CHECK(json["type"] == "R");
+  CHECK(json["synchronous"] == false);
+  CHECK(json["groups"][0]["group"] == "K1");
+  CHECK(json["groups"][0]["table"][0]["axis_error_um"]["X"] == 191.58149999);
+  CHECK(json["groups"][0]["table"][1]["axis_error_um"]["X"].is_null());
+  CHECK(json["groups"][0]["table"][1]["axis_error_um"].size() == 2);
+  CHECK(json["gantries"].is_array());
+}
+
+TEST_CASE("CSV begins with what tells the sections apart, and every row has all columns") {
+  std::istringstream lines(written(Format::csv));
+  std::string header;
+  std::getline(lines, header);
+  CHECK(header.starts_with("group,feed_mm_per_min,contour,axis_error_um.X,"));
+  std::string first;
+  std::getline(lines, first);
+  CHECK(first == "K1,4000,corner,191.58149999,-0.0004");
+}
+
+TEST_CASE("text fits the width") {
+  for (std::size_t const width : {64U, 80U, 120U}) {
+    for (auto const language : {Language::english, Language::german}) {
+      std::istringstream lines(written(Format::text, language, width));
+      for (std::string line; std::getline(lines, line);) {
+        INFO(line);
+        CHECK(display_width(line) <= width);
+      }
+    }
+  }
+}
+
+TEST_CASE("foreign text stays text") {
+  CHECK(written(Format::text).find('\x1b') == std::string::npos);
+  CHECK(written(Format::html).find("<b>") == std::string::npos);
+  CHECK(written(Format::markdown).find("\n| 12.5 | \\<b\\>a\\|b\"c,") != std::string::npos);
+}
