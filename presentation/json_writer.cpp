@@ -6,6 +6,13 @@ namespace axisc::presentation {
 
 namespace {
 
+/// A foreign name as a key.
+std::string escaped_key(std::string_view name) {
+  std::string quoted;
+  JsonStream(quoted, 0).string(name);
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 class JsonWriter {
  public:
   JsonWriter(std::string& out, Language language) : json_(out, 0), language_(language) {}
@@ -101,7 +108,7 @@ class JsonWriter {
         json_.begin_object();
         open = column.key;
       }
-      member(column.member, row[i]);
+      member(escaped_key(column.member), row[i]);
     }
     if (!open.empty()) json_.end_object();
     json_.end_object();
