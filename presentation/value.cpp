@@ -40,6 +40,15 @@ struct TextForm {
 
 }  // namespace
 
+Words::Words(Sentence const& only) : sentence(only) {}
+Words::Words(SentenceRef only) : sentence(only) {}
+Words::Words(SentenceRef with, std::vector<NamedValue> filled) : sentence(with), values(std::move(filled)) {}
+Words::Words(Words const& other) = default;
+Words::Words(Words&& other) noexcept = default;
+Words& Words::operator=(Words const& other) = default;
+Words& Words::operator=(Words&& other) noexcept = default;
+Words::~Words() = default;
+
 std::string text_of(Value const& value, Language language, Units units) {
   return std::visit(TextForm{.language = language, .units = units}, value.form());
 }

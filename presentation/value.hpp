@@ -19,12 +19,18 @@ struct NamedValue;
 /// A sentence with values in its placeholders.
 struct Words {
   SentenceRef sentence;
-  std::vector<NamedValue> values = {};
+  std::vector<NamedValue> values;
 
   // Not explicit: most labels are a sentence without values.
-  Words(Sentence const& only) : sentence(only) {}
-  Words(SentenceRef only) : sentence(only) {}
-  Words(SentenceRef with, std::vector<NamedValue> filled) : sentence(with), values(std::move(filled)) {}
+  Words(Sentence const& only);
+  Words(SentenceRef only);
+  Words(SentenceRef with, std::vector<NamedValue> filled);
+  // In the source, where the values' type is complete.
+  Words(Words const& other);
+  Words(Words&& other) noexcept;
+  Words& operator=(Words const& other);
+  Words& operator=(Words&& other) noexcept;
+  ~Words();
 };
 
 /// There is no value: null for programs; for people the reason, or "-", or an empty cell.
