@@ -55,8 +55,9 @@ std::string text_of(Value const& value, Language language, Units units) {
 
 std::string text_of(Words const& words, Language language) {
   Message message{.sentence = words.sentence, .arguments = {}};
-  for (auto const& [name, value] : words.values)
+  for (auto const& [name, value] : words.values) {
     message.arguments.push_back({name, text_of(value, language)});
+  }
   return render(message, language, Values::as_given);
 }
 
