@@ -7,6 +7,7 @@
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/terminal.hpp"
 #include "diagnostics/utf8.hpp"
+#include "presentation/csv_field.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -156,23 +157,11 @@ void CsvReader::refuse_column(std::size_t index, std::string_view known) const {
 }
 
 std::string csv_name(std::string_view name) {
-  bool const is_formula =
-      !name.empty() && std::string_view("=+-@").find(name.front()) != std::string_view::npos;
-  return (is_formula ? "'" : "") + printable(name);
+  return presentation::csv_text(name);
 }
 
 void append_csv_name(std::string& line, std::string_view name) {
-  std::string const shown_name = csv_name(name);
-  if (shown_name.find_first_of(",\"") == std::string::npos) {
-    line += shown_name;
-    return;
-  }
-  line += '"';
-  for (char const character : shown_name) {
-    if (character == '"') line += '"';
-    line += character;
-  }
-  line += '"';
+  presentation::append_csv_field(line, csv_name(name));
 }
 
 void append_csv_row(std::string& text, std::span<double const> row) {

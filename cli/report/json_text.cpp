@@ -1,9 +1,7 @@
 #include "cli/report/json_text.hpp"
 
-#include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/json_stream.hpp"
-
-#include <cmath>
+#include "presentation/quantity.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +17,7 @@ std::string json_document(nlohmann::ordered_json const& json) {
 }
 
 std::string json_number(double value) {
-  return std::isfinite(value) ? format_exact(value) : "null";
+  return presentation::json_number(value);
 }
 
 }  // namespace axisc::cli

@@ -1,15 +1,14 @@
 #include "cli/report/text_table.hpp"
 
 #include "diagnostics/terminal.hpp"
-#include "diagnostics/utf8.hpp"
+#include "presentation/text_layout.hpp"
 
 #include <algorithm>
 
 namespace axisc::cli {
 
 std::size_t display_width(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return !is_continuation_byte(byte); }));
+  return presentation::display_width(text);
 }
 
 std::string padded(std::string_view text, std::size_t width) {
