@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/checking/check_input.hpp"
-#include "cli/options/check_options.hpp"
+#include "cli/options/checking_options.hpp"
 #include "codegen/image_writer.hpp"
 
 #include <cstddef>

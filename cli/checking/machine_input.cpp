@@ -2,7 +2,6 @@
 
 #include "cli/checking/compilable.hpp"
 #include "cli/files/disk_files.hpp"
-#include "cli/options/report_format.hpp"
 
 #include <utility>
 #include <variant>
@@ -11,31 +10,29 @@
 namespace axisc::cli {
 
 std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
-                                                    configuration::Files& files, Invocation const& invocation,
-                                                    bool color) {
+                                                    configuration::Files& files, ErrorSink const& errors) {
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  return check_machine(job, path, files, invocation, color, sources, loaded);
+  return check_machine(job, path, files, errors, sources, loaded);
 }
 
 std::optional<validator::CheckResult> check_machine(CheckJob const& job, std::string const& path,
-                                                    configuration::Files& files, Invocation const& invocation,
-                                                    bool color, SourceSet& sources,
+                                                    configuration::Files& files, ErrorSink const& errors,
+                                                    SourceSet& sources,
                                                     std::optional<validator::LoadedMachine>& loaded) {
   auto const options = options_for(job, path);
   auto read = validator::load(files, path, options, sources);
   if (auto const* const error = std::get_if<configuration::FileError>(&read)) throw unreadable(path, *error);
   loaded = std::get<validator::LoadedMachine>(std::move(read));
-  std::vector<Finding> errors;
-  auto result = validator::check(*loaded, files, options, sources, [&errors](Finding& finding) {
-    if (finding.severity == Severity::error) errors.push_back(std::move(finding));
+  std::vector<Finding> found;
+  auto result = validator::check(*loaded, files, options, sources, [&found](Finding& finding) {
+    if (finding.severity == Severity::error) found.push_back(std::move(finding));
   });
-  if (!errors.empty()) {
-    invocation.streams.err.write(
-        texts_of(errors, sources, {.language = invocation.language, .color = color}));
+  if (!found.empty()) {
+    errors.take(found, sources);
     return std::nullopt;
   }
-  require_machine(path, result, sources, invocation.language);
+  require_machine(path, result, sources, errors.language);
   return result;
 }
 

@@ -2,7 +2,7 @@
 #include "cli/checking/ordered_work.hpp"
 #include "cli/checking/written_image.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
 #include "cli/options/compile_inputs.hpp"

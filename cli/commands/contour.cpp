@@ -1,5 +1,5 @@
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
+#include "cli/options/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/path_machine.hpp"
@@ -8,6 +8,8 @@
 #include "cli/options/command_line.hpp"
 #include "cli/sentences.hpp"
 #include "diagnostics/format_number.hpp"
+#include "cli/report/printed_errors.hpp"
+#include "cli/options/check_options.hpp"
 
 #include <algorithm>
 
@@ -91,8 +93,8 @@ ExitStatus contour(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
   auto const wanted = read_contour_words(options.words);
-  auto const checked = checked_machine(*options.machine, options.cycle_time, invocation,
-                                       use_color(command_line.color(), system::Stream::error));
+  auto const checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
+                                       printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
   auto const first = chosen_group(machine, options.group, *options.machine);

@@ -7,6 +7,7 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/quantities.hpp"
 #include "cli/sentences.hpp"
+#include "cli/report/printed_errors.hpp"
 
 #include <map>
 #include <memory>
@@ -141,9 +142,9 @@ void warn_of_same_list(ComparedMachine const& before, ComparedMachine const& aft
 std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invocation const& invocation,
                                 bool color) {
   Sides sides;
-  sides.before = compared_machine(options.inputs.front(), job, invocation, color);
+  sides.before = compared_machine(options.inputs.front(), job, printed_errors(invocation, color));
   sides.after = options.inputs.size() == 1 ? sides.before
-                                           : compared_machine(options.inputs.back(), job, invocation, color);
+                                           : compared_machine(options.inputs.back(), job, printed_errors(invocation, color));
   if (!sides.before || !sides.after) return std::nullopt;
   warn_of_same_list(*sides.before, *sides.after, invocation);
   // A list alone does not say its NC cycle time: that of the other side counts.
@@ -151,7 +152,7 @@ std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invoca
   auto& unknown = sides.before->cycle_time_known ? sides.after : sides.before;
   if (known.cycle_time_known && !unknown->cycle_time_known && unknown->image && unknown->input != "-") {
     job.options.cycle_time = known.cycle_time;
-    unknown = compared_machine(unknown->input, job, invocation, color);
+    unknown = compared_machine(unknown->input, job, printed_errors(invocation, color));
   }
   return sides;
 }
@@ -187,7 +188,7 @@ ExitStatus diff(Invocation const& invocation) {
   job.options.cycle_time = asked_cycle_time(options.cycle_time);
   job.settings = &settings;
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const sides = load_sides(options, job, invocation, color);
+  auto const sides = load_sides(options, job, printed_errors(invocation, color));
   if (!sides) return ExitStatus::findings;
 
   auto const difference = compare(options, *sides);

@@ -4,7 +4,7 @@
 #include "cli/commands/lsp_pages.hpp"
 #include "cli/failure.hpp"
 #include "cli/formats/explain_formats.hpp"
-#include "cli/options/check_options.hpp"
+#include "cli/options/checking_options.hpp"
 
 #include <utility>
 

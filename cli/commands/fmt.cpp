@@ -3,7 +3,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/files/changeable_files.hpp"
 #include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/path_identity.hpp"
 #include "cli/options/check_options.hpp"

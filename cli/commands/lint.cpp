@@ -4,7 +4,7 @@
 #include "cli/checking/ordered_work.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/protected_files.hpp"
 #include "cli/options/changed_inputs.hpp"
@@ -125,7 +125,8 @@ class Lint {
     }
     // Standard output is used for the patch or the fixed standard input.
     bool const out_is_taken = options_.diff || fixed_standard_input_;
-    ReportStream report(std::move(plan), out_is_taken ? streams_.err : streams_.out);
+    Console& printed = out_is_taken ? streams_.err : streams_.out;
+    ReportStream report(std::move(plan), [&printed](std::string_view text) { printed.write(text); });
     for (auto const& failure : inputs_.failures) fail(report, failure);
     check(report);
     report.finish(fixes_, [this](Code code) { return is_judged(options_, job_.options, code); });

@@ -1,5 +1,5 @@
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
+#include "cli/options/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/execution/recorded_switches.hpp"
 #include "cli/files/compiled_input.hpp"
@@ -11,12 +11,14 @@
 #include "cli/options/timed_commands.hpp"
 #include "cli/plots/compare_figure.hpp"
 #include "cli/plots/path_figure.hpp"
-#include "cli/plots/picture_output.hpp"
+#include "cli/report/picture_output.hpp"
 #include "cli/plots/plant_figure.hpp"
 #include "cli/plots/plots.hpp"
 #include "cli/plots/plotted_groups.hpp"
 #include "cli/sentences.hpp"
 #include "system/path.hpp"
+#include "cli/report/printed_errors.hpp"
+#include "cli/options/check_options.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -231,7 +233,7 @@ struct Plotted {
 
 std::optional<Plotted> plotted(PlotOptions const& options, std::string const& path,
                                Invocation const& invocation, bool color) {
-  auto input = compiled_input(path, options.cycle_time, invocation, color);
+  auto input = compiled_input(path, asked_cycle_time(options.cycle_time), printed_errors(invocation, color));
   if (!input) return std::nullopt;
   auto host = start_runtime(path, input->image);
   bool const at_once = options.kind != Kind::compare;
@@ -284,7 +286,7 @@ std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& w
 
 /// None after mistakes in the program, which are printed.
 std::optional<pictures::Figure> followed_path(PlotOptions const& options, machine::Machine machine,
-                                              Invocation const& invocation) {
+                                              Invocation const& invocation, bool color) {
   auto const group = chosen_group(machine, options.group, *options.input);
   std::vector<std::string> axes;
   for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
@@ -300,14 +302,12 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
     *tolerance *= um_per_mm;
   }
   ProgramRequest const request{.machine_path = *options.input,
-                               .program_path = *options.program,
-                               .group = options.group,
-                               .output = std::nullopt};
+                               .program_path = *options.program};
   ProgramLines program(request.program_path);
-  auto const problems = to_standard_error(invocation);
-  if (!survey_program(program, request, machine, group, invocation.language, problems)) return std::nullopt;
+  auto const problems = printed_problems(invocation, color);
+  if (!survey_program(program, request, machine, group, problems)) return std::nullopt;
   PathRecorder recorder(plane.first, plane.second);
-  static_cast<void>(follow_program(program, request, machine, group, recorder, invocation.language));
+  static_cast<void>(follow_program(program, request, machine, group, recorder));
   return path_figure(recorder,
                      {.program = system::name_of(system::path_of(*options.program).filename()),
                       .axes = {axes[plane.first], axes[plane.second]},
@@ -345,12 +345,11 @@ ExitStatus plot(Invocation const& invocation) {
     auto const& machine = machine_of(options, now->input, "plant");
     auto const run = run_plant({.machine_path = *options.input,
                                 .plant_path = *options.plant,
-                                .move = *options.move,
-                                .output = std::nullopt},
+                                .move = *options.move},
                                machine, false);
     figure = plant_figure(run, invocation.language);
   } else if (options.kind == Kind::path) {
-    auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation);
+    auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation, color);
     if (!found) return ExitStatus::findings;
     figure = *std::move(found);
   } else if (options.kind == Kind::compare) {

@@ -1,10 +1,10 @@
 #include "cli/checking/compilable.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/commands/contour_words.hpp"
+#include "cli/options/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/comparison/machine_difference.hpp"
 #include "cli/files/disk_files.hpp"
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/files/output_file.hpp"
 #include "cli/files/path_machine.hpp"
 #include "cli/files/protected_files.hpp"
@@ -14,6 +14,7 @@
 #include "cli/options/report_format.hpp"
 #include "cli/report_page/report_page.hpp"
 #include "cli/sentences.hpp"
+#include "cli/report/printed_errors.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -104,8 +105,8 @@ struct Earlier {
 
   /// Errors are printed.
   void read(ReportOptions const& options, CheckJob const& job, Invocation const& invocation, bool color) {
-    before = compared_machine(*options.before, job, invocation, color);
-    after = compared_machine(*options.input, job, invocation, color);
+    before = compared_machine(*options.before, job, printed_errors(invocation, color));
+    after = compared_machine(*options.input, job, printed_errors(invocation, color));
     if (!before || !after) return;
     difference.emplace(compare_machines(*before, *after, false));
     if (before->image) host.emplace(start_runtime(*options.before, *before->image));

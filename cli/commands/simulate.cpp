@@ -7,6 +7,8 @@
 #include "cli/options/quantities.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
+#include "cli/report/printed_errors.hpp"
+#include "cli/options/check_options.hpp"
 
 namespace axisc::cli::says {
 
@@ -112,23 +114,23 @@ ExitStatus simulate(Invocation const& invocation) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto checked = checked_machine(*options.machine, options.cycle_time, invocation, color);
+  auto checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time), printed_errors(invocation, color));
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {
-    return simulate_plant({.machine_path = *options.machine,
-                           .plant_path = *options.plant,
-                           .move = *options.move,
+    return simulate_plant({.request = {.machine_path = *options.machine,
+                                       .plant_path = *options.plant,
+                                       .move = *options.move},
                            .output = options.output,
                            .format = options.format},
                           *checked, invocation);
   }
-  return simulate_program({.machine_path = *options.machine,
-                           .program_path = *options.program,
+  return simulate_program({.request = {.machine_path = *options.machine,
+                                       .program_path = *options.program,
+                                       .constant_velocity = options.constant_velocity,
+                                       .most_cycles = most_cycles(options)},
                            .group = options.group,
                            .output = options.output,
                            .format = options.format,
-                           .constant_velocity = options.constant_velocity,
-                           .most_cycles = most_cycles(options),
                            .show_progress = options.progress || (!options.no_progress && progress_is_seen()),
                            .color = color},
                           *std::move(checked), invocation);

@@ -12,7 +12,7 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/inputs.hpp"
 #include "cli/options/quantities.hpp"
-#include "cli/plots/picture_output.hpp"
+#include "cli/report/picture_output.hpp"
 #include "cli/sentences.hpp"
 #include "cli/suggestion/damping_formats.hpp"
 #include "cli/suggestion/measured_resonances.hpp"
@@ -22,6 +22,7 @@
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/build_version.hpp"
+#include "cli/report/printed_errors.hpp"
 
 #include <algorithm>
 
@@ -351,8 +352,8 @@ ExitStatus suggest(Invocation const& invocation) {
   DiskFiles disk(path == "-");
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(job, path, disk, invocation,
-                                     use_color(command_line.color(), system::Stream::error), sources, loaded);
+  auto const checked = check_machine(job, path, disk,
+                                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)), sources, loaded);
   if (!checked) return ExitStatus::findings;
   require_cycle_time(path, *checked);
   auto const& machine = *checked->machine;

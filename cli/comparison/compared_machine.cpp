@@ -186,7 +186,7 @@ std::string ComparedMachine::written(validator::EffectiveValue const& value) con
 }
 
 std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
-                                                  Invocation const& invocation, bool color) {
+                                                  ErrorSink const& errors) {
   auto side = std::make_unique<ComparedMachine>();
   side->input = input;
   auto const path = machine_input(input);
@@ -202,7 +202,7 @@ std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, Chec
     return side;
   }
   HeldFiles files(disk, path, std::get<std::string>(std::move(read)));
-  auto const result = check_machine(job, path, files, invocation, color, side->sources, side->loaded);
+  auto const result = check_machine(job, path, files, errors, side->sources, side->loaded);
   if (result) side->image = image_of(*result->machine, path);
   if (side->loaded->axes.empty()) return nullptr;
   FromLists(*side).fill();

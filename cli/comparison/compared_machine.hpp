@@ -1,8 +1,7 @@
 // One side of a comparison: a machine from its lists or from an image, in the terms that both have.
 #pragma once
 
-#include "cli/checking/check_input.hpp"
-#include "cli/commands/commands.hpp"
+#include "cli/checking/machine_input.hpp"
 #include "cli/files/image_file.hpp"
 #include "validator/loading/loading.hpp"
 
@@ -67,9 +66,9 @@ struct ComparedMachine {
   [[nodiscard]] std::string written(validator::EffectiveValue const& value) const;
 };
 
-/// Reads a list, a machine file, a start-up list, the only machine in a folder, or an image. Errors are printed, and
+/// Reads a list, a machine file, a start-up list, the only machine in a folder, or an image. `errors` takes errors, and
 /// what can be read is compared nevertheless; null where that is no axis. Failure for what cannot be read or compiled.
 [[nodiscard]] std::unique_ptr<ComparedMachine> compared_machine(std::string const& input, CheckJob const& job,
-                                                                Invocation const& invocation, bool color);
+                                                                ErrorSink const& errors);
 
 }  // namespace axisc::cli

@@ -26,10 +26,9 @@ bool may_be_image(std::string const& input) {
 }  // namespace
 
 std::optional<InputImage> compiled_input(std::string const& input,
-                                         std::optional<std::string> const& cycle_time,
-                                         Invocation const& invocation, bool color) {
+                                         std::optional<design::CycleTime> cycle_time, ErrorSink const& errors) {
   if (may_be_image(input)) return InputImage{.image = load_image(input), .machine = {}};
-  auto checked = checked_machine(input, cycle_time, invocation, color);
+  auto checked = checked_machine(input, cycle_time, errors);
   if (!checked) return std::nullopt;
   auto image = image_of(checked->machine, input);
   return InputImage{.image = std::move(image), .machine = std::move(checked)};

@@ -1,7 +1,6 @@
 // An image, or the image of a machine that is compiled in memory.
 #pragma once
 
-#include "cli/commands/commands.hpp"
 #include "cli/files/image_file.hpp"
 #include "cli/files/path_machine.hpp"
 
@@ -15,10 +14,10 @@ struct InputImage {
   std::optional<CheckedMachine> machine;  ///< that it was compiled from; an image is read as it is
 };
 
-/// Of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image. Errors in lists are
-/// printed, and then there is none. Failure for what cannot be read or compiled.
+/// Of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image. After errors in lists
+/// there is none. Failure for what cannot be read or compiled.
 [[nodiscard]] std::optional<InputImage> compiled_input(std::string const& input,
-                                                       std::optional<std::string> const& cycle_time,
-                                                       Invocation const& invocation, bool color);
+                                                       std::optional<design::CycleTime> cycle_time,
+                                                       ErrorSink const& errors);
 
 }  // namespace axisc::cli

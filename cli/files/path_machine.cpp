@@ -2,7 +2,6 @@
 
 #include "cli/checking/compilable.hpp"
 #include "cli/checking/machine_input.hpp"
-#include "cli/options/check_options.hpp"
 #include "cli/options/inputs.hpp"
 #include "codegen/image_writer.hpp"
 #include "validator/commands/command_check.hpp"
@@ -37,15 +36,14 @@ validator::CommandLimits command_limits(machine::Machine const& machine, machine
 }
 
 std::optional<CheckedMachine> checked_machine(std::string const& input,
-                                              std::optional<std::string> const& cycle_time,
-                                              Invocation const& invocation, bool color) {
+                                              std::optional<design::CycleTime> cycle_time, ErrorSink const& errors) {
   auto const path = machine_input(input);
   SettingsFinder settings;
   CheckJob job;
-  job.options.cycle_time = asked_cycle_time(cycle_time);
+  job.options.cycle_time = cycle_time;
   job.settings = &settings;
   auto disk = std::make_unique<DiskFiles>(path == "-");
-  auto result = check_machine(job, path, *disk, invocation, color);
+  auto result = check_machine(job, path, *disk, errors);
   if (!result) return std::nullopt;
   require_cycle_time(path, *result);
   add_settings_files(settings, path, result->files);

@@ -1,7 +1,7 @@
 // The machine whose paths `contour` and `simulate` follow: checked, compiled, and ready for the runtime.
 #pragma once
 
-#include "cli/commands/commands.hpp"
+#include "cli/checking/machine_input.hpp"
 #include "cli/files/disk_files.hpp"
 #include "cli/files/image_file.hpp"
 #include "machine/machine.hpp"
@@ -22,11 +22,11 @@ struct CheckedMachine {
   std::vector<std::string> files;  ///< that were read
 };
 
-/// Checks a list, a machine file, a start-up list, or the only machine in a folder; findings of severity error go to standard error, and nothing is returned. Failure for
-/// an unreadable file and for an unknown NC cycle time.
+/// Checks a list, a machine file, a start-up list, or the only machine in a folder; after errors nothing is returned.
+/// Failure for an unreadable file and for an unknown NC cycle time.
 [[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& input,
-                                                            std::optional<std::string> const& cycle_time,
-                                                            Invocation const& invocation, bool color);
+                                                            std::optional<design::CycleTime> cycle_time,
+                                                            ErrorSink const& errors);
 
 /// The image of a machine, in memory.
 [[nodiscard]] ImageFile image_of(machine::Machine const& machine, std::string const& path);

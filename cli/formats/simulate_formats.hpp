@@ -5,7 +5,9 @@
 #include "diagnostics/message.hpp"
 #include "motion/simulation.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,8 @@ namespace axisc::cli {
 
 /// Receives text piece by piece.
 using TextSink = std::function<void(std::string_view)>;
+
+enum class SimulateFormat : std::uint8_t { text, csv, json };
 
 struct SimulatedPath {
   std::string group;

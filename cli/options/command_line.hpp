@@ -97,7 +97,4 @@ class CommandLine {
   std::unique_ptr<Parser> parser_;
 };
 
-/// "a,b,c" without blanks around the parts; empty parts are left out.
-[[nodiscard]] std::vector<std::string> split_list(std::string_view text, char separator = ',');
-
 }  // namespace axisc::cli

@@ -1,7 +1,7 @@
 #include "cli/options/lint_options.hpp"
 
 #include "cli/failure.hpp"
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/sentences.hpp"
 #include "validator/engine/rule.hpp"
 

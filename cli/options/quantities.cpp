@@ -61,4 +61,17 @@ std::optional<design::CycleTime> parse_cycle_time(std::string_view text) {
   return design::CycleTime{static_cast<std::uint32_t>(whole)};
 }
 
+std::vector<std::string> split_list(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    auto const comma = std::min(text.find(separator), text.size());
+    auto part = text.substr(0, comma);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
+    while (!part.empty() && part.back() == ' ') part.remove_suffix(1);
+    if (!part.empty()) parts.emplace_back(part);
+  }
+  return parts;
+}
+
 }  // namespace axisc::cli

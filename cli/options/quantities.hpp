@@ -23,4 +23,7 @@ namespace axisc::cli {
 /// it is a whole number of nanoseconds from 1 ns to 1 s.
 [[nodiscard]] std::optional<design::CycleTime> parse_cycle_time(std::string_view text);
 
+/// "a,b,c" without blanks around the parts; empty parts are left out.
+[[nodiscard]] std::vector<std::string> split_list(std::string_view text, char separator = ',');
+
 }  // namespace axisc::cli

@@ -1,7 +1,7 @@
 // The output format of a run's findings.
 #pragma once
 
-#include "cli/options/check_options.hpp"
+#include "cli/options/checking_options.hpp"
 #include "diagnostics/writers/report_writer.hpp"
 
 #include <string>

@@ -1,7 +1,6 @@
 // An NC program's path, drawn.
 #pragma once
 
-#include "cli/commands/commands.hpp"
 #include "motion/simulation.hpp"
 #include "pictures/figure.hpp"
 

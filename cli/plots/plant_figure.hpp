@@ -1,7 +1,7 @@
 // An axis in its closed loop, drawn.
 #pragma once
 
-#include "cli/commands/simulate_plant.hpp"
+#include "cli/execution/plant_run.hpp"
 #include "pictures/figure.hpp"
 
 namespace axisc::cli {

@@ -16,9 +16,9 @@ bool needs_occurrences(ReportPlan const& plan) {
 
 }  // namespace
 
-ReportStream::ReportStream(ReportPlan plan, Console& out)
+ReportStream::ReportStream(ReportPlan plan, TextSink out)
     : plan_(std::move(plan)),
-      out_(out),
+      out_(std::move(out)),
       writer_(report_writer(plan_.report_format.format, plan_.report_format.write,
                             std::move(plan_.report_format.context))),
       numbers_(needs_occurrences(plan_)) {
@@ -70,7 +70,7 @@ void ReportStream::write(Finding const& finding, SourceSet const& sources, std::
 }
 
 void ReportStream::print() {
-  out_.write(text_);
+  out_(text_);
   text_.clear();
 }
 
@@ -147,7 +147,7 @@ std::optional<BaselineFacts> ReportStream::baseline_facts(std::function<bool(Cod
 
 void ReportStream::finish(std::optional<FixFacts> fixes, std::function<bool(Code)> const& judged) {
   bool const has_numbers = plan_.counts_always || counts_.total() > 0;
-  writer_->end([this](std::string_view text) { out_.write(text); },
+  writer_->end(out_,
                {.files = files_.size(),
                 .fixes = std::move(fixes),
                 .baseline = baseline_facts(judged),

@@ -5,7 +5,6 @@
 #include "cli/checking/checked_input.hpp"
 #include "cli/checking/identity_paths.hpp"
 #include "cli/options/report_format.hpp"
-#include "cli/report/console.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -14,11 +13,15 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
 namespace axisc::cli {
+
+/// Receives text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
 
 struct ReportPlan {
   ReportFormat report_format;
@@ -32,7 +35,7 @@ struct ReportPlan {
 
 class ReportStream {
  public:
-  ReportStream(ReportPlan plan, Console& out);
+  ReportStream(ReportPlan plan, TextSink out);
 
   /// A finding of the input that will be added next.
   void add(Finding const& finding, SourceSet const& sources);
@@ -64,7 +67,7 @@ class ReportStream {
   [[nodiscard]] std::vector<CodeCount> frequent_codes() const;
 
   ReportPlan plan_;
-  Console& out_;
+  TextSink out_;
   std::unique_ptr<ReportWriter> writer_;
   std::string text_;              ///< that was written and not printed yet
   bool numbers_;                  ///< identities matter to the format or the baseline

@@ -1,5 +1,6 @@
-#include "cli/commands/simulate_program.hpp"
+#include "cli/execution/followed_program.hpp"
 #include "cli/failure.hpp"
+#include "diagnostics/writers/writers.hpp"
 #include "cli/files/program_lines.hpp"
 #include "cli/formats/simulate_formats.hpp"
 #include "cli/plots/path_figure.hpp"
@@ -58,17 +59,19 @@ std::string followed(ReportSubject const& subject, std::size_t channel, std::str
   auto const own = std::find(part.groups.begin(), part.groups.end(), channel);
   auto const group = static_cast<std::size_t>(own - part.groups.begin());
   ProgramRequest const request{
-      .machine_path = subject.input, .program_path = path, .group = std::nullopt, .output = std::nullopt};
+      .machine_path = subject.input, .program_path = path};
   ProgramLines program(path);
   std::string problems;
-  auto const note = [&problems](std::string const& text) { problems += text; };
-  if (!survey_program(program, request, machine, group, subject.language, note)) {
+  TakeProblem const note = [&](Finding const& problem, SourceSet const& sources) {
+    problems += write_text(problem, sources, {.language = subject.language, .color = false}) + "\n";
+  };
+  if (!survey_program(program, request, machine, group, note)) {
     return text_of("p", subject.say(says::not_followed)) + "\n" + preformatted(problems);
   }
   auto const& axes = machine.groups[group].axes;
   std::size_t const up = axes.size() > 1 ? 1 : 0;
   PathRecorder recorder(0, up);
-  static_cast<void>(follow_program(program, request, machine, group, recorder, subject.language));
+  static_cast<void>(follow_program(program, request, machine, group, recorder));
   std::string text = preformatted(problems) + pictures::table_element(pass_table(subject, recorder));
   if (recorder.pass_count() > recorder.passes().size()) {
     text += text_of("p", subject.say(says::more_passes, {{"shown", std::to_string(recorder.passes().size())},

@@ -3,7 +3,7 @@
 #include "cli/codes.hpp"
 #include "cli/failure.hpp"
 #include "cli/files/disk_files.hpp"
-#include "cli/options/environment.hpp"
+#include "cli/settings/language_word.hpp"
 #include "cli/options/finding_codes.hpp"
 #include "cli/options/glob.hpp"
 #include "cli/options/machine_outline.hpp"

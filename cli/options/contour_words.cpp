@@ -1,4 +1,4 @@
-#include "cli/commands/contour_words.hpp"
+#include "cli/options/contour_words.hpp"
 
 #include "cli/failure.hpp"
 #include "cli/files/path_machine.hpp"

@@ -1,4 +1,4 @@
-#include "cli/files/named_files.hpp"
+#include "cli/options/named_files.hpp"
 
 #include "diagnostics/sentences.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/plots/picture_output.hpp"
+#include "cli/report/picture_output.hpp"
 
 #include "cli/failure.hpp"
 #include "cli/files/output_file.hpp"
