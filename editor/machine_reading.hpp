@@ -1,9 +1,9 @@
 // A machine as the open documents and the disk have it at one moment: read once, checked once, however many requests ask.
 #pragma once
 
+#include "axisc/workspace/buffers.hpp"
+#include "axisc/workspace/machine_search.hpp"
 #include "diagnostics/finding.hpp"
-#include "editor/buffers.hpp"
-#include "editor/machine_context.hpp"
 #include "editor/open_list.hpp"
 #include "validator/loading/loading.hpp"
 

@@ -121,7 +121,8 @@ Json Server::refer(Json const& params) {
 
 // A row of the table holds a member. NOLINTNEXTLINE(readability-make-member-function-const)
 Json Server::refuse_renaming(Json const& /*params*/) {
-  throw NoPage(render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
+  throw RequestRefused(
+      render({.sentence = says::names_of_the_control, .arguments = {}}, surroundings_.language));
 }
 
 Json Server::lines_setting(Document const& asked, std::size_t offset, LinesOf of) {

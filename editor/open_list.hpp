@@ -1,7 +1,7 @@
 // The list that a request is about, read with its machine.
 #pragma once
 
-#include "editor/buffers.hpp"
+#include "axisc/workspace/buffers.hpp"
 #include "grammar/axis_list.hpp"
 #include "validator/loading/loading.hpp"
 

@@ -1,8 +1,8 @@
 // Places as the protocol writes them.
 #pragma once
 
+#include "axisc/workspace/buffers.hpp"
 #include "diagnostics/source_text.hpp"
-#include "editor/buffers.hpp"
 #include "editor/text_positions.hpp"
 
 #include <cstdint>

@@ -1,9 +1,9 @@
+#include "axisc/workspace/uri.hpp"
 #include "configuration/start_up_list.hpp"
 #include "editor/edited_text.hpp"
 #include "editor/open_list.hpp"
 #include "editor/requests.hpp"
 #include "editor/server.hpp"
-#include "editor/uri.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>

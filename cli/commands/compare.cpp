@@ -1,14 +1,14 @@
+#include "axisc/answers/comparison/compare_formats.hpp"
+#include "axisc/answers/execution/recorded_axis.hpp"
+#include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/checking/compiled_input.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/recorded_axis.hpp"
-#include "cli/execution/recorded_switches.hpp"
-#include "cli/files/compiled_input.hpp"
-#include "cli/formats/compare_formats.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/report/printed_errors.hpp"
 #include "cli/sentences.hpp"
 #include "image/image_readings.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/options/check_options.hpp"
 
 namespace axisc::cli::says {
 
@@ -115,8 +115,9 @@ ExitStatus compare(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   command_line.require(options.recording.has_value(), "RECORDING.csv");
-  auto const input = compiled_input(*options.input, asked_cycle_time(options.cycle_time),
-                                    printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  auto const input =
+      compiled_input(*options.input, asked_cycle_time(options.cycle_time),
+                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
   auto const axis = recorded_axis(image, options.axis, *options.input);

@@ -1,15 +1,15 @@
-#include "cli/checking/depfile.hpp"
-#include "cli/checking/ordered_work.hpp"
-#include "cli/checking/written_image.hpp"
+#include "axisc/checking/depfile.hpp"
+#include "axisc/checking/ordered_work.hpp"
+#include "axisc/checking/report_context.hpp"
+#include "axisc/checking/report_stream.hpp"
+#include "axisc/checking/written_image.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/options/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/report/progress.hpp"
-#include "cli/report/report_context.hpp"
-#include "cli/report/report_stream.hpp"
 
 #include <array>
 #include <utility>
@@ -116,7 +116,7 @@ class Compile {
                          .baseline = {},
                          .write_baseline = false,
                          .identity_paths = &identity_paths_},
-                        streams_.err);
+                        [this](std::string_view text) { streams_.err.write(text); });
     if (!options_.checking.quiet) streams_.err.write(note_lines(notes_, job_.language));
     for (auto const& failure : name_failures_) fail(report, failure);
     compile_all(report);

@@ -1,15 +1,15 @@
+#include "axisc/answers/contour/contour_formats.hpp"
+#include "axisc/answers/contour/contour_groups.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/environment/failure.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/options/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/formats/contour_formats.hpp"
-#include "cli/formats/contour_groups.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/contour_words.hpp"
+#include "cli/report/printed_errors.hpp"
 #include "cli/sentences.hpp"
 #include "diagnostics/format_number.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/options/check_options.hpp"
 
 #include <algorithm>
 
@@ -93,8 +93,9 @@ ExitStatus contour(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
   auto const wanted = read_contour_words(options.words);
-  auto const checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
-                                       printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  auto const checked =
+      checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
+                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
   auto const first = chosen_group(machine, options.group, *options.machine);

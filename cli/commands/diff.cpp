@@ -1,13 +1,13 @@
+#include "axisc/answers/difference/diff_formats.hpp"
+#include "axisc/answers/difference/machine_difference.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/files/path_identity.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/comparison/machine_difference.hpp"
-#include "cli/files/path_identity.hpp"
-#include "cli/formats/diff_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/sentences.hpp"
 #include "cli/report/printed_errors.hpp"
+#include "cli/sentences.hpp"
 
 #include <map>
 #include <memory>
@@ -143,8 +143,9 @@ std::optional<Sides> load_sides(DiffOptions const& options, CheckJob job, Invoca
                                 bool color) {
   Sides sides;
   sides.before = compared_machine(options.inputs.front(), job, printed_errors(invocation, color));
-  sides.after = options.inputs.size() == 1 ? sides.before
-                                           : compared_machine(options.inputs.back(), job, printed_errors(invocation, color));
+  sides.after = options.inputs.size() == 1
+                    ? sides.before
+                    : compared_machine(options.inputs.back(), job, printed_errors(invocation, color));
   if (!sides.before || !sides.after) return std::nullopt;
   warn_of_same_list(*sides.before, *sides.after, invocation);
   // A list alone does not say its NC cycle time: that of the other side counts.
@@ -188,7 +189,7 @@ ExitStatus diff(Invocation const& invocation) {
   job.options.cycle_time = asked_cycle_time(options.cycle_time);
   job.settings = &settings;
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto const sides = load_sides(options, job, printed_errors(invocation, color));
+  auto const sides = load_sides(options, job, invocation, color);
   if (!sides) return ExitStatus::findings;
 
   auto const difference = compare(options, *sides);

@@ -1,9 +1,9 @@
-#include "cli/codes.hpp"
+#include "axisc/answers/inspect/inspect_formats.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/key_file.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/key_file.hpp"
-#include "cli/formats/inspect_formats.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {

@@ -1,6 +1,6 @@
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/key_file.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/key_file.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {

@@ -1,19 +1,19 @@
-#include "cli/checking/check_input.hpp"
-#include "cli/checking/fixing.hpp"
-#include "cli/checking/identity_paths.hpp"
-#include "cli/checking/ordered_work.hpp"
+#include "axisc/checking/check_input.hpp"
+#include "axisc/checking/fixing.hpp"
+#include "axisc/checking/identity_paths.hpp"
+#include "axisc/checking/ordered_work.hpp"
+#include "axisc/checking/report_context.hpp"
+#include "axisc/checking/report_stream.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/changed_inputs.hpp"
+#include "axisc/workspace/machine_search.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/options/named_files.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
-#include "cli/options/changed_inputs.hpp"
 #include "cli/options/lint_options.hpp"
+#include "cli/options/named_files.hpp"
 #include "cli/report/progress.hpp"
-#include "cli/report/report_context.hpp"
-#include "cli/report/report_stream.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
-#include "editor/machine_context.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>
@@ -221,8 +221,8 @@ class Lint {
     EditedFiles files(job_.edited, path == "-" && !belongs_to_machine);
     if (!belongs_to_machine) return check_input(job_, path, files, take);
     CheckJob job = job_;
-    auto const machine = editor::machine_of(
-        files, standard_input_, [this](std::string const& name) { return options_for(job_, name); });
+    auto const machine = machine_of(files, standard_input_,
+                                    [this](std::string const& name) { return options_for(job_, name); });
     if (machine != standard_input_) job.shown = standard_input_;
     return check_input(job, machine, files, take);
   }

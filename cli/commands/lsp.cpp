@@ -1,6 +1,6 @@
-#include "cli/commands/commands.hpp"
-#include "cli/commands/editor_session.hpp"
-#include "cli/failure.hpp"
+#include "cli/commands/lsp.hpp"
+
+#include "axisc/environment/failure.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "editor/framing.hpp"
@@ -44,12 +44,12 @@ constexpr Sentence no_frame{
 
 namespace axisc::cli {
 
-std::unique_ptr<EditorSession> editor_session(Invocation const& invocation) {
+std::unique_ptr<editor::Session> editor_session(Invocation const& invocation) {
   CommandLine command_line("lsp", says::purpose, says::examples, invocation.language);
   CheckingOptions given;
   declare_control(command_line, given);
   if (command_line.answers(invocation)) return nullptr;
-  return std::make_unique<EditorSession>(check_options(given), invocation.language);
+  return std::make_unique<editor::Session>(check_options(given), invocation.language);
 }
 
 ExitStatus lsp(Invocation const& invocation) {

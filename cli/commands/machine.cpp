@@ -1,10 +1,10 @@
+#include "axisc/answers/machine/machine_formats.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/formats/machine_formats.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
 #include "cli/sentences.hpp"
 
 #include <algorithm>

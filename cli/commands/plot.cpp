@@ -1,24 +1,24 @@
+#include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/answers/figures/compare_figure.hpp"
+#include "axisc/answers/figures/path_figure.hpp"
+#include "axisc/answers/figures/plant_figure.hpp"
+#include "axisc/answers/figures/plots.hpp"
+#include "axisc/answers/figures/plotted_groups.hpp"
+#include "axisc/asked/frequencies.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/asked/timed_commands.hpp"
+#include "axisc/checking/compiled_input.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/options/contour_words.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/recorded_switches.hpp"
-#include "cli/files/compiled_input.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/frequencies.hpp"
-#include "cli/options/quantities.hpp"
-#include "cli/options/timed_commands.hpp"
-#include "cli/plots/compare_figure.hpp"
-#include "cli/plots/path_figure.hpp"
+#include "cli/options/contour_words.hpp"
 #include "cli/report/picture_output.hpp"
-#include "cli/plots/plant_figure.hpp"
-#include "cli/plots/plots.hpp"
-#include "cli/plots/plotted_groups.hpp"
+#include "cli/report/printed_errors.hpp"
 #include "cli/sentences.hpp"
 #include "system/path.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/options/check_options.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -301,8 +301,7 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, machin
     constexpr double um_per_mm = 1000;
     *tolerance *= um_per_mm;
   }
-  ProgramRequest const request{.machine_path = *options.input,
-                               .program_path = *options.program};
+  ProgramRequest const request{.machine_path = *options.input, .program_path = *options.program};
   ProgramLines program(request.program_path);
   auto const problems = printed_problems(invocation, color);
   if (!survey_program(program, request, machine, group, problems)) return std::nullopt;
@@ -343,10 +342,9 @@ ExitStatus plot(Invocation const& invocation) {
   pictures::Figure figure;
   if (options.kind == Kind::plant) {
     auto const& machine = machine_of(options, now->input, "plant");
-    auto const run = run_plant({.machine_path = *options.input,
-                                .plant_path = *options.plant,
-                                .move = *options.move},
-                               machine, false);
+    auto const run =
+        run_plant({.machine_path = *options.input, .plant_path = *options.plant, .move = *options.move},
+                  machine, false);
     figure = plant_figure(run, invocation.language);
   } else if (options.kind == Kind::path) {
     auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation, color);

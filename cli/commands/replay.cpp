@@ -1,14 +1,14 @@
-#include "cli/codes.hpp"
+#include "axisc/answers/replay/replay_report.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/files/csv.hpp"
+#include "axisc/files/disk_files.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/disk_files.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
-#include "cli/formats/replay_report.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/report/answer_output.hpp"
-#include "cli/report/csv.hpp"
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
+#include "axisc/answers/execution/response_answer.hpp"
+#include "axisc/asked/frequencies.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/response_answer.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/frequencies.hpp"
 #include "cli/report/answer_output.hpp"
 
 namespace axisc::cli::says {

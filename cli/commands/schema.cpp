@@ -1,8 +1,8 @@
+#include "axisc/environment/failure.hpp"
+#include "axisc/settings/json_schema.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/sentences.hpp"
-#include "cli/settings/json_schema.hpp"
 
 #include <algorithm>
 

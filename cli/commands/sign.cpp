@@ -1,9 +1,9 @@
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/key_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/key_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/command_line.hpp"
 
 namespace axisc::cli::says {

@@ -1,14 +1,14 @@
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/path_machine.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/commands/simulate_plant.hpp"
 #include "cli/commands/simulate_program.hpp"
-#include "cli/files/path_machine.hpp"
+#include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/quantities.hpp"
+#include "cli/report/printed_errors.hpp"
 #include "cli/report/progress.hpp"
 #include "cli/sentences.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/options/check_options.hpp"
 
 namespace axisc::cli::says {
 
@@ -114,15 +114,15 @@ ExitStatus simulate(Invocation const& invocation) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time), printed_errors(invocation, color));
+  auto checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
+                                 printed_errors(invocation, color));
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {
-    return simulate_plant({.request = {.machine_path = *options.machine,
-                                       .plant_path = *options.plant,
-                                       .move = *options.move},
-                           .output = options.output,
-                           .format = options.format},
-                          *checked, invocation);
+    return simulate_plant(
+        {.request = {.machine_path = *options.machine, .plant_path = *options.plant, .move = *options.move},
+         .output = options.output,
+         .format = options.format},
+        *checked, invocation);
   }
   return simulate_program({.request = {.machine_path = *options.machine,
                                        .program_path = *options.program,

@@ -1,8 +1,8 @@
 #include "cli/commands/simulate_plant.hpp"
 
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
-#include "cli/formats/plant_formats.hpp"
+#include "axisc/answers/simulation/plant_formats.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 
 namespace axisc::cli {
 

@@ -1,9 +1,9 @@
 // `axisc simulate --plant`.
 #pragma once
 
+#include "axisc/answers/simulation/plant_run.hpp"
+#include "axisc/answers/simulation/simulate_formats.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/execution/plant_run.hpp"
-#include "cli/formats/simulate_formats.hpp"
 
 #include <optional>
 #include <string>

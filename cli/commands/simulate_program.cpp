@@ -1,7 +1,7 @@
 #include "cli/commands/simulate_program.hpp"
 
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
 #include "cli/report/printed_errors.hpp"
 #include "cli/report/progress.hpp"
 

@@ -1,10 +1,10 @@
 // `axisc simulate --program`.
 #pragma once
 
+#include "axisc/answers/simulation/followed_program.hpp"
+#include "axisc/answers/simulation/simulate_formats.hpp"
+#include "axisc/checking/path_machine.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/execution/followed_program.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/formats/simulate_formats.hpp"
 
 #include <optional>
 #include <string>

@@ -1,28 +1,28 @@
-#include "cli/checking/compilable.hpp"
-#include "cli/checking/machine_input.hpp"
+#include "axisc/answers/execution/group_chains.hpp"
+#include "axisc/answers/suggestion/damping_formats.hpp"
+#include "axisc/answers/suggestion/measured_resonances.hpp"
+#include "axisc/answers/suggestion/resonance_words.hpp"
+#include "axisc/answers/suggestion/suggest_figure.hpp"
+#include "axisc/answers/suggestion/suggest_formats.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/compilable.hpp"
+#include "axisc/checking/machine_input.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/changeable_files.hpp"
+#include "axisc/files/image_file.hpp"
+#include "axisc/files/output_file.hpp"
+#include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
-#include "cli/execution/group_chains.hpp"
-#include "cli/failure.hpp"
-#include "cli/files/changeable_files.hpp"
-#include "cli/files/image_file.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/files/protected_files.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/options/inputs.hpp"
-#include "cli/options/quantities.hpp"
 #include "cli/report/picture_output.hpp"
+#include "cli/report/printed_errors.hpp"
 #include "cli/sentences.hpp"
-#include "cli/suggestion/damping_formats.hpp"
-#include "cli/suggestion/measured_resonances.hpp"
-#include "cli/suggestion/resonance_words.hpp"
-#include "cli/suggestion/suggest_figure.hpp"
-#include "cli/suggestion/suggest_formats.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/build_version.hpp"
-#include "cli/report/printed_errors.hpp"
 
 #include <algorithm>
 
@@ -352,8 +352,9 @@ ExitStatus suggest(Invocation const& invocation) {
   DiskFiles disk(path == "-");
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
-  auto const checked = check_machine(job, path, disk,
-                                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)), sources, loaded);
+  auto const checked = check_machine(
+      job, path, disk, printed_errors(invocation, use_color(command_line.color(), system::Stream::error)),
+      sources, loaded);
   if (!checked) return ExitStatus::findings;
   require_cycle_time(path, *checked);
   auto const& machine = *checked->machine;

@@ -1,7 +1,7 @@
 // Options that `lint` and `compile` share: those of the check and the format of its findings.
 #pragma once
 
-#include "cli/options/checking_options.hpp"
+#include "axisc/checking/checking_options.hpp"
 #include "cli/options/command_line.hpp"
 
 #include <optional>

@@ -1,11 +1,12 @@
 #include "cli/options/command_line.hpp"
 
+#include "axisc/answers/text_table.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/version.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/failure.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/report/text_table.hpp"
 #include "cli/sentences.hpp"
-#include "cli/version.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>

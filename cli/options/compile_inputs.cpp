@@ -1,7 +1,7 @@
 #include "cli/options/compile_inputs.hpp"
 
-#include "cli/options/image_names.hpp"
-#include "cli/options/machine_outline.hpp"
+#include "axisc/workspace/image_names.hpp"
+#include "axisc/workspace/machine_outline.hpp"
 #include "cli/options/sentences.hpp"
 #include "cli/sentences.hpp"
 

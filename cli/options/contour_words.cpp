@@ -1,8 +1,8 @@
 #include "cli/options/contour_words.hpp"
 
-#include "cli/failure.hpp"
-#include "cli/files/path_machine.hpp"
-#include "cli/options/quantities.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/path_machine.hpp"
+#include "axisc/environment/failure.hpp"
 
 namespace axisc::cli::says {
 

@@ -1,7 +1,7 @@
 // Options that say which contours are predicted.
 #pragma once
 
-#include "cli/formats/contour_groups.hpp"
+#include "axisc/answers/contour/contour_groups.hpp"
 #include "cli/options/command_line.hpp"
 
 #include <cstdint>

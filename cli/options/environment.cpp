@@ -1,6 +1,6 @@
 #include "cli/options/environment.hpp"
 
-#include "cli/settings/language_word.hpp"
+#include "axisc/settings/language_word.hpp"
 
 namespace axisc::cli {
 

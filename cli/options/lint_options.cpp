@@ -1,6 +1,6 @@
 #include "cli/options/lint_options.hpp"
 
-#include "cli/failure.hpp"
+#include "axisc/environment/failure.hpp"
 #include "cli/options/named_files.hpp"
 #include "cli/sentences.hpp"
 #include "validator/engine/rule.hpp"

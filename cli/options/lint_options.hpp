@@ -1,7 +1,7 @@
 // The command line of `axisc lint`.
 #pragma once
 
-#include "cli/checking/fixing.hpp"
+#include "axisc/checking/fixing.hpp"
 #include "cli/options/check_options.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "cli/report/console.hpp"
 
-#include "cli/codes.hpp"
-#include "cli/failure.hpp"
+#include "axisc/environment/codes.hpp"
+#include "axisc/environment/failure.hpp"
 
 namespace axisc::cli::says {
 

@@ -1,8 +1,8 @@
 #include "cli/report/picture_output.hpp"
 
-#include "cli/failure.hpp"
-#include "cli/files/output_file.hpp"
-#include "cli/report/text_table.hpp"
+#include "axisc/answers/text_table.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/output_file.hpp"
 #include "pictures/braille.hpp"
 #include "pictures/page.hpp"
 #include "pictures/svg.hpp"

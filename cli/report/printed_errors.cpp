@@ -1,12 +1,13 @@
 #include "cli/report/printed_errors.hpp"
 
-#include "cli/options/report_format.hpp"
+#include "axisc/checking/report_format.hpp"
 
 namespace axisc::cli {
 
 ErrorSink printed_errors(Invocation const& invocation, bool color) {
   return {.language = invocation.language,
-          .take = [&err = invocation.streams.err, write = WriteOptions{.language = invocation.language, .color = color}](
+          .take = [&err = invocation.streams.err,
+                   write = WriteOptions{.language = invocation.language, .color = color}](
                       std::vector<Finding> const& errors, SourceSet const& sources) {
             err.write(texts_of(errors, sources, write));
           }};

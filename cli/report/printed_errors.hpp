@@ -1,9 +1,9 @@
 // Errors that prevent a machine or stop a program, as `lint` prints them.
 #pragma once
 
-#include "cli/checking/machine_input.hpp"
+#include "axisc/answers/simulation/followed_program.hpp"
+#include "axisc/checking/machine_input.hpp"
 #include "cli/commands/commands.hpp"
-#include "cli/execution/followed_program.hpp"
 
 namespace axisc::cli {
 

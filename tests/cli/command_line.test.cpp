@@ -1,15 +1,17 @@
 #include "cli/options/command_line.hpp"
 
-#include "cli/checking/depfile.hpp"
-#include "cli/failure.hpp"
+#include "axisc/asked/quantities.hpp"
+#include "axisc/checking/depfile.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/environment/version.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/sentences.hpp"
-#include "cli/version.hpp"
 #include "support/catch.hpp"
 
 #include <array>
 #include <cstdlib>
 
+using namespace axisc;
 using namespace axisc;
 using namespace axisc::cli;
 
@@ -134,8 +136,8 @@ TEST_CASE("help is as wide as the terminal") {
 }
 
 TEST_CASE("lists are split at commas") {
-  CHECK(split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
-  CHECK(split_list("").empty());
+  CHECK(axisc::split_list(" a, b ,,c,") == std::vector<std::string>{"a", "b", "c"});
+  CHECK(axisc::split_list("").empty());
 }
 
 TEST_CASE("dependency rules are escaped for make") {

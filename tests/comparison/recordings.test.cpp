@@ -1,7 +1,7 @@
 // Recordings that tests/comparison/recordings.py stored, computed by another program.
-#include "cli/failure.hpp"
-#include "cli/files/byte_source.hpp"
-#include "cli/files/recorded_columns.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/byte_source.hpp"
+#include "axisc/files/recorded_columns.hpp"
 #include "comparison/turns.hpp"
 #include "comparison/verdict.hpp"
 #include "support/catch.hpp"
@@ -15,7 +15,7 @@ constexpr design::CycleTime cycle_time{1'000'000};
 
 Recording stored(std::string const& name) {
   auto const path = std::string(AXISC_SOURCE_DIR "/tests/comparison/data/") + name + ".csv";
-  auto recorded = cli::read_recorded_columns(path, cli::open_source(path), {}, cycle_time);
+  auto recorded = read_recorded_columns(path, open_source(path), {}, cycle_time);
   CHECK(recorded.input_name == "setpoint");
   CHECK(recorded.output_name == "filtered");
   CHECK(recorded.recording.input.size() == 900);
@@ -52,11 +52,11 @@ Configured kernel(design::KernelType type, std::uint32_t order, double share = 1
               .type = type, .order = order, .frequency = {30}, .share_percent = share}};
 }
 
-cli::RecordedColumns read(std::string const& text, cli::WantedColumns const& wanted = {}) {
-  return cli::read_recorded_columns("scope.csv", recordings::source_of(text), wanted, cycle_time);
+RecordedColumns read(std::string const& text, WantedColumns const& wanted = {}) {
+  return read_recorded_columns("scope.csv", recordings::source_of(text), wanted, cycle_time);
 }
 
-std::vector<double> inputs(std::string const& text, cli::WantedColumns const& wanted = {}) {
+std::vector<double> inputs(std::string const& text, WantedColumns const& wanted = {}) {
   return read(text, wanted).recording.input.values();
 }
 
@@ -158,16 +158,16 @@ TEST_CASE("columns are read with decimal commas and decimal points") {
   CHECK(inputs("a;b\n1,5;2\n2;3,25\n") == std::vector<double>{1.5, 2});
   CHECK(outputs("a,b\n1.5,2\n2,3.25\n") == std::vector<double>{2, 3.25});
   CHECK(outputs("1\t2\r\n3\t4\r\nEOF\r\n") == std::vector<double>{2, 4});
-  CHECK_THROWS_AS(read("a;b\n1,5;2\n2.5;3\n"), cli::Failure);
-  CHECK_THROWS_AS(read("a;b\n1;2\n2\n"), cli::Failure);
-  CHECK_THROWS_AS(read("a;b\n"), cli::Failure);
-  CHECK_THROWS_AS(read(""), cli::Failure);
+  CHECK_THROWS_AS(read("a;b\n1,5;2\n2.5;3\n"), Failure);
+  CHECK_THROWS_AS(read("a;b\n1;2\n2\n"), Failure);
+  CHECK_THROWS_AS(read("a;b\n"), Failure);
+  CHECK_THROWS_AS(read(""), Failure);
 }
 
 TEST_CASE("columns are chosen by name or number") {
   CHECK(inputs("a;b;c\n1;2;3\n4;5;6\n", {"c", "1"}) == std::vector<double>{3, 6});
-  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n", {"a", "d"}), cli::Failure);
-  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n"), cli::Failure);
+  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n", {"a", "d"}), Failure);
+  CHECK_THROWS_AS(read("a;b;c\n1;2;3\n"), Failure);
 }
 
 TEST_CASE("the time shows lost and repeated rows") {
@@ -176,7 +176,7 @@ TEST_CASE("the time shows lost and repeated rows") {
   CHECK(recorded.recording.output.values() == std::vector<double>{0, 2, 4, 6});
   CHECK(recorded.recording.gaps == std::vector<std::size_t>{2});
   CHECK(recorded.repeated == 1);
-  CHECK_THROWS_AS(read("time;a;b\n0;0;0\n0.5;1;2\n"), cli::Failure);
+  CHECK_THROWS_AS(read("time;a;b\n0;0;0\n0.5;1;2\n"), Failure);
 }
 
 }  // namespace

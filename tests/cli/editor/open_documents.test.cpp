@@ -25,17 +25,12 @@ using Json = nlohmann::json;
 class Desk {
  public:
   explicit Desk(std::map<std::string, std::string> disk)
-      : disk_(std::move(disk)),
-        server_({.disk = disk_,
-                 .options =
-                     [this](std::string const&) {
-                       ++read;
-                       validator::CheckOptions options;
-                       options.cycle_time = design::CycleTime{1'000'000};
-                       return options;
-                     },
-                 .explain = {},
-                 .pages = {}}) {
+      : disk_(std::move(disk)), server_({.disk = disk_, .options = [this](std::string const&) {
+                                           ++read;
+                                           validator::CheckOptions options;
+                                           options.cycle_time = design::CycleTime{1'000'000};
+                                           return options;
+                                         }}) {
     tell({{"id", 1}, {"method", "initialize"}, {"params", Json::object()}});
   }
 
