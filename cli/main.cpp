@@ -5,7 +5,7 @@
 #include "cli/commands/command_table.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "schema/closest_word.hpp"
 #include "system/process.hpp"
 

@@ -107,7 +107,7 @@ std::string const& Server::machine_of(Document const& document) {
   auto const known = machines_.find(document.uri);
   if (known != machines_.end()) return known->second;
   auto files = buffers();
-  return machines_[document.uri] = search_.machine_of(files, document.path);
+  return machines_[document.uri] = search_.machine_of(files, document.path).machine;
 }
 
 Buffers Server::buffers() {

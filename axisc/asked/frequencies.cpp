@@ -2,7 +2,6 @@
 
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
-#include "cli/options/command_line.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>

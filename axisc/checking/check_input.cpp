@@ -1,8 +1,8 @@
 #include "axisc/checking/check_input.hpp"
 
 #include "diagnostics/location.hpp"
-#include "validator/loading/loader.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace axisc {
@@ -23,16 +23,23 @@ JudgedInput judge_input(CheckJob const& job, std::string const& path, configurat
                         CheckedInput& checked, TakeFinding const& take) {
   auto& sources = checked.sources;
   JudgedInput judged;
+  auto const shown = job.shown.find(path);
   auto const is_shown = [&](Finding const& finding) {
-    return !job.shown || validator::key_of(std::string(file_of(finding, sources))) == *job.shown;
+    if (shown == job.shown.end()) return true;
+    auto const& names = shown->second;
+    return std::find(names.begin(), names.end(), file_of(finding, sources)) != names.end();
   };
   judged.result = validator::check(files, path, options_for(job, path), sources, [&](Finding& finding) {
     bool const is_wanted = !job.quiet || finding.severity != Severity::note;
-    if (!is_wanted || !is_shown(finding)) return;
+    if (!is_wanted) return;
+    if (!is_shown(finding)) {
+      checked.elsewhere.add(finding.severity);
+      return;
+    }
     judged.counts.add(finding.severity);
     take(std::move(finding), sources);
   });
-  checked.files = job.shown ? std::vector{*job.shown} : judged.result.files;
+  checked.files = shown == job.shown.end() ? judged.result.files : shown->second;
   if (judged.result.unreadable) checked.failure = unreadable(path, *judged.result.unreadable);
   return judged;
 }

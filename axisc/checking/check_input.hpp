@@ -16,8 +16,8 @@ struct CheckJob {
   bool quiet = false;               ///< without notes
   EditedBytes edited;               ///< read instead of the files
   SettingsFinder* settings = nullptr;
-  std::optional<std::string> shown = std::nullopt;  ///< the only file of the input whose findings are wanted
-  std::unordered_map<std::string, FoundInput> found;  ///< see Inputs::found
+  std::unordered_map<std::string, std::vector<std::string>> shown = {};  ///< see Inputs::shown
+  std::unordered_map<std::string, FoundInput> found;                     ///< see Inputs::found
 };
 
 /// The job's options with the settings that apply to `path`.

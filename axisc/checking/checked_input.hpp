@@ -16,7 +16,8 @@ namespace axisc {
 struct CheckedInput {
   SourceSet sources;               ///< that the findings point into
   std::deque<Finding> findings;    ///< in output order; without those that were taken at once
-  std::vector<std::string> files;  ///< that were read
+  FindingCounts elsewhere;         ///< in files of the machine that are not shown
+  std::vector<std::string> files;  ///< that were read, or of them those that are shown
   std::optional<Failure> failure;  ///< then there is nothing else
 };
 

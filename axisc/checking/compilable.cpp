@@ -2,7 +2,7 @@
 
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/sentences.hpp"
-#include "axisc/workspace/machine_outline.hpp"
+#include "diagnostics/ascii.hpp"
 
 #include <optional>
 
@@ -63,7 +63,7 @@ std::optional<SentenceRef> sentence_of(validator::Obstacle obstacle) {
 }  // namespace
 
 void require_cycle_time(std::string const& input, validator::CheckResult const& result) {
-  bool const is_machine = has_extension(input, ".json");
+  bool const is_machine = ascii::has_extension(input, ".json");
   if (result.is_other_list) throw Failure({.sentence = says::other_list, .arguments = {{"file", input}}});
   // What is wrong with the machine is reported first: the cycle time may be part of it.
   bool const lacks_more =
@@ -79,7 +79,7 @@ std::optional<Failure> refusal(std::string const& input, validator::CheckResult 
     return Failure({.sentence = sentence, .arguments = {{"file", input}}});
   };
   if (result.is_other_list) return said(says::other_list);
-  if (has_extension(input, ".nc")) return said(says::nc_program);
+  if (ascii::has_extension(input, ".nc")) return said(says::nc_program);
   if (auto const sentence = sentence_of(result.obstacle)) return said(*sentence);
   if (result.not_compiled.empty()) return std::nullopt;
   auto const& first = result.not_compiled.front();

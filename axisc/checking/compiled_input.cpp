@@ -25,11 +25,10 @@ bool may_be_image(std::string const& input) {
 
 }  // namespace
 
-std::optional<InputImage> compiled_input(std::string const& input,
-                                         std::optional<design::CycleTime> cycle_time,
-                                         ErrorSink const& errors) {
+std::optional<InputImage> compiled_input(MachineRequest const& request, ErrorSink const& errors) {
+  auto const& input = request.input;
   if (may_be_image(input)) return InputImage{.image = load_image(input), .machine = {}};
-  auto checked = checked_machine(input, cycle_time, errors);
+  auto checked = checked_machine(request, errors);
   if (!checked) return std::nullopt;
   auto image = image_of(checked->machine, input);
   return InputImage{.image = std::move(image), .machine = std::move(checked)};

@@ -12,12 +12,15 @@ namespace axisc {
 struct InputImage {
   ImageFile image;
   std::optional<CheckedMachine> machine;  ///< that it was compiled from; an image is read as it is
+
+  /// Of a list in its machine, see CheckedMachine.
+  [[nodiscard]] std::optional<std::string> axis() const { return machine ? machine->axis : std::nullopt; }
+  [[nodiscard]] std::optional<std::string> group() const { return machine ? machine->group : std::nullopt; }
 };
 
 /// Of a list, a machine file, a start-up list, a project, the only machine in a folder, or an image. After errors in lists
 /// there is none. Failure for what cannot be read or compiled.
-[[nodiscard]] std::optional<InputImage> compiled_input(std::string const& input,
-                                                       std::optional<design::CycleTime> cycle_time,
+[[nodiscard]] std::optional<InputImage> compiled_input(MachineRequest const& request,
                                                        ErrorSink const& errors);
 
 }  // namespace axisc

@@ -4,7 +4,7 @@
 #include "axisc/checking/baseline.hpp"
 #include "axisc/checking/check_input.hpp"
 #include "axisc/checking/identity_paths.hpp"
-#include "axisc/files/changeable_files.hpp"
+#include "axisc/workspace/changeable_files.hpp"
 #include "diagnostics/writers/writers.hpp"
 
 #include <cstdint>

@@ -35,21 +35,47 @@ validator::CommandLimits command_limits(machine::Machine const& machine, machine
   return limits;
 }
 
-std::optional<CheckedMachine> checked_machine(std::string const& input,
-                                              std::optional<design::CycleTime> cycle_time,
-                                              ErrorSink const& errors) {
-  auto const path = machine_input(input);
+Belonging machine_of_input(MachineRequest const& request, CheckJob const& job, configuration::Files& files) {
+  auto const path = machine_input(request.input);
+  if (request.alone || path == "-") return {.machine = path, .name = path};
+  return machine_of(files, path, [&job](std::string const& input) { return options_for(job, input); });
+}
+
+std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded, SourceSet const& sources,
+                                        std::string const& list) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < loaded.axes.size(); ++i) {
+    if (sources[loaded.lists[loaded.axes[i].list].list.source].name() != list) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+std::optional<CheckedMachine> checked_machine(MachineRequest const& request, ErrorSink const& errors) {
   SettingsFinder settings;
   CheckJob job;
-  job.options.cycle_time = cycle_time;
+  job.options.cycle_time = request.cycle_time;
   job.settings = &settings;
-  auto disk = std::make_unique<DiskFiles>(path == "-");
-  auto result = check_machine(job, path, *disk, errors);
+  auto disk = std::make_unique<DiskFiles>(request.input == "-");
+  auto const [path, list] = machine_of_input(request, job, *disk);
+  SourceSet sources;
+  std::optional<validator::LoadedMachine> loaded;
+  auto result = check_machine(job, path, *disk, errors, sources, loaded);
   if (!result) return std::nullopt;
   require_cycle_time(path, *result);
   add_settings_files(settings, path, result->files);
-  return CheckedMachine{
+  CheckedMachine checked{
       .disk = std::move(disk), .machine = *std::move(result->machine), .files = std::move(result->files)};
+  if (path == list) return checked;
+  auto const axis = axis_of_list(*loaded, sources, list);
+  if (!axis) return checked;
+  checked.axis = checked.machine.axes[*axis].name;
+  for (auto const& group : checked.machine.groups) {
+    bool const has_axis = std::find(group.axes.begin(), group.axes.end(), *axis) != group.axes.end();
+    if (has_axis) checked.group = group.name;
+  }
+  return checked;
 }
 
 ImageFile image_of(machine::Machine const& machine, std::string const& path) {

@@ -4,6 +4,7 @@
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/image_file.hpp"
+#include "axisc/workspace/machine_search.hpp"
 #include "machine/machine.hpp"
 #include "motion/group_runtime.hpp"
 #include "motion/program/interpreter.hpp"
@@ -20,12 +21,28 @@ struct CheckedMachine {
   std::unique_ptr<DiskFiles> disk;  ///< from which the machine reads its NC programs again
   machine::Machine machine;
   std::vector<std::string> files;  ///< that were read
+  /// Where the input is a list of one axis of this machine: the axis, and its channel.
+  std::optional<std::string> axis = {}, group = {};
 };
 
-/// Checks a list, a machine file, a start-up list, or the only machine in a folder; after errors nothing is returned.
-/// Failure for an unreadable file and for an unknown NC cycle time.
-[[nodiscard]] std::optional<CheckedMachine> checked_machine(std::string const& input,
-                                                            std::optional<design::CycleTime> cycle_time,
+struct MachineRequest {
+  std::string input;  ///< as the user names it
+  std::optional<design::CycleTime> cycle_time = {};
+  bool alone = false;  ///< a list by itself, not in its machine
+};
+
+/// The machine of an input: of a folder the only one in it, of a list the one that it belongs to. Failure for a folder with
+/// none, or with several.
+[[nodiscard]] Belonging machine_of_input(MachineRequest const& request, CheckJob const& job,
+                                         configuration::Files& files);
+
+/// The axis that the list of that name makes; none where it makes none or several.
+[[nodiscard]] std::optional<std::size_t> axis_of_list(validator::LoadedMachine const& loaded,
+                                                      SourceSet const& sources, std::string const& list);
+
+/// Checks a list, a machine file, a start-up list, or the only machine in a folder; a list is judged in its machine. After
+/// errors nothing is returned. Failure for an unreadable file and for an unknown NC cycle time.
+[[nodiscard]] std::optional<CheckedMachine> checked_machine(MachineRequest const& request,
                                                             ErrorSink const& errors);
 
 /// The image of a machine, in memory.

@@ -4,13 +4,13 @@
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
+#include "axisc/settings/glob.hpp"
 #include "axisc/settings/language_word.hpp"
 #include "axisc/settings/located_file.hpp"
 #include "axisc/settings/schema_file.hpp"
 #include "axisc/settings/sentences.hpp"
-#include "axisc/workspace/glob.hpp"
-#include "axisc/workspace/machine_outline.hpp"
 #include "configuration/json_reading.hpp"
+#include "diagnostics/ascii.hpp"
 #include "system/file.hpp"
 #include "system/path.hpp"
 
@@ -278,7 +278,7 @@ void add_settings_files(SettingsFinder& finder, std::string const& input, std::v
 validator::CheckOptions with_settings(validator::CheckOptions options, Settings const& settings,
                                       std::string const& input) {
   // A machine file has its own cycle time, which only the command line overrides.
-  if (!options.cycle_time && !has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
+  if (!options.cycle_time && !ascii::has_extension(input, ".json")) options.cycle_time = settings.cycle_time;
   if (!options.build) options.build = settings.build;
   options.readings = settings.readings;
   options.catalogue = settings.catalogue;
@@ -286,7 +286,7 @@ validator::CheckOptions with_settings(validator::CheckOptions options, Settings 
   options.severities = settings.severities;
   auto const names = std::make_shared<RelativeNames>(settings.folder);
   for (auto const& rule : settings.paths) {
-    bool const tells_kind = !options.kind && rule.kind && !has_extension(input, ".json");
+    bool const tells_kind = !options.kind && rule.kind && !ascii::has_extension(input, ".json");
     if (tells_kind && matches_glob(rule.pattern, names->of(input))) options.kind = rule.kind;
     options.paths.push_back(
         {.covers = [names, pattern = rule.pattern](

@@ -101,7 +101,7 @@ class Changes {
       return true;
     }
     // A machine file names places. A control looks for the lists of a start-up list in several.
-    if (has_extension(input, ".json")) return false;
+    if (ascii::has_extension(input, ".json")) return false;
     return std::any_of(changed_.gone.begin(), changed_.gone.end(), [&](std::string const& gone) {
       return is_below(gone, folder_of(own)) ||
              std::any_of(outline.written.begin(), outline.written.end(), [&gone](std::string const& written) {

@@ -3,11 +3,12 @@
 #include "axisc/environment/codes.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/path_identity.hpp"
-#include "axisc/workspace/glob.hpp"
+#include "axisc/settings/glob.hpp"
 #include "axisc/workspace/machine_outline.hpp"
 #include "axisc/workspace/response_file.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/xml_names.hpp"
+#include "diagnostics/ascii.hpp"
 #include "system/folder.hpp"
 #include "system/path.hpp"
 #include "system/process.hpp"
@@ -76,14 +77,15 @@ bool is_before(std::string const& left, std::string const& right) {
 }
 
 bool has_input_name(std::string const& name) {
-  return has_extension(name, ".lis") || has_extension(name, ".json") || has_extension(name, ".nc") ||
-         configuration::is_project_name(name) || configuration::is_xml_name(name);
+  return ascii::has_extension(name, ".lis") || ascii::has_extension(name, ".json") ||
+         ascii::has_extension(name, ".nc") || configuration::is_project_name(name) ||
+         configuration::is_xml_name(name);
 }
 
 /// What says itself that it is no list and no machine: other JSON and XML files, and projects without a CNC.
 bool is_something_else(Found const& file) {
-  bool const says_itself = has_extension(file.path, ".json") || configuration::is_xml_name(file.path) ||
-                           configuration::is_project_name(file.path);
+  bool const says_itself = ascii::has_extension(file.path, ".json") ||
+                           configuration::is_xml_name(file.path) || configuration::is_project_name(file.path);
   return says_itself && !file.outline.is_machine && !file.outline.is_xml_list;
 }
 
@@ -131,7 +133,7 @@ class Expansion {
     Known of_machine_files;
     for (bool const machine_files : {true, false}) {
       for (auto& input : found_) {
-        if (has_extension(input.path, ".json") != machine_files) continue;
+        if (ascii::has_extension(input.path, ".json") != machine_files) continue;
         auto const named = identities_of(input, input.outline.lists);
         if (machine_files) of_machine_files.insert(named.begin(), named.end());
         input.is_replaced = !machine_files && std::any_of(named.begin(), named.end(), [&](auto const& list) {
@@ -166,16 +168,17 @@ class Expansion {
   [[nodiscard]] static bool is_wanted(Found const& input, std::string const& identity, Known const& lists,
                                       Known const& programs, Known& taken) {
     if (!taken.insert(identity).second) return false;
-    if (has_extension(input.path, ".json")) return true;
+    if (ascii::has_extension(input.path, ".json")) return true;
     if (input.outline.is_machine) return !input.is_replaced;
-    return !(has_extension(input.path, ".nc") ? programs : lists).contains(identity);
+    return !(ascii::has_extension(input.path, ".nc") ? programs : lists).contains(identity);
   }
 
   /// In its folder or in one above.
   [[nodiscard]] bool is_beside_start_up_list(Found const& input) const {
-    bool const is_list = !input.outline.is_machine && !has_extension(input.path, ".nc");
+    bool const is_list = !input.outline.is_machine && !ascii::has_extension(input.path, ".nc");
     return is_list && std::any_of(found_.begin(), found_.end(), [&input](Found const& other) {
-             if (!other.outline.is_machine || other.is_replaced || has_extension(other.path, ".json")) {
+             if (!other.outline.is_machine || other.is_replaced ||
+                 ascii::has_extension(other.path, ".json")) {
                return false;
              }
              auto const folder = system::name_of(system::path_of(other.path).parent_path());

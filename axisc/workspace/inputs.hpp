@@ -26,8 +26,10 @@ struct Inputs {
   std::vector<std::string> named;  ///< files and folders that the command line or a response file names
   std::vector<std::string>
       sources;  ///< files that may be read: all inputs, what machine files name, response files
-  std::unordered_map<std::string, FoundInput>
-      found;  ///< of `paths`, those that nobody named: folders hold them
+  std::unordered_map<std::string, FoundInput> found;  ///< of `paths`, those that folders hold
+  /// Of machines that stand for files of theirs: the names of these files, as the machine reads them. All others are shown
+  /// completely.
+  std::unordered_map<std::string, std::vector<std::string>> shown;
 };
 
 /// How the names of files are taken.

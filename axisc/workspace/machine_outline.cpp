@@ -164,11 +164,11 @@ bool may_be_start_up_list(DiskFiles& files, std::string const& path) {
 
 MachineOutline outline_of(std::string const& path) {
   DiskFiles files;
-  bool const is_json = has_extension(path, ".json");
+  bool const is_json = ascii::has_extension(path, ".json");
   bool const is_project = configuration::is_project_name(path);
   bool const is_xml = configuration::is_xml_name(path);
   if (!is_json && !is_project && !is_xml &&
-      (path == "-" || has_extension(path, ".nc") || !may_be_start_up_list(files, path))) {
+      (path == "-" || ascii::has_extension(path, ".nc") || !may_be_start_up_list(files, path))) {
     return {};
   }
   auto bytes = files.read(path);
@@ -197,11 +197,6 @@ MachineOutline read_machine_outline(std::string_view json) {
     for (auto const& group : document["groups"]) add_programs(outline.programs, group);
   }
   return outline;
-}
-
-bool has_extension(std::string_view path, std::string_view extension) {
-  if (path.size() <= extension.size()) return false;
-  return ascii::equal_ignoring_case(path.substr(path.size() - extension.size()), extension);
 }
 
 }  // namespace axisc

@@ -26,7 +26,4 @@ struct MachineOutline {
 /// list, its first 64 KiB are searched.
 [[nodiscard]] MachineOutline outline_of(std::string const& path);
 
-/// True for a name that ends in `extension` (".json"), in upper or lower case.
-[[nodiscard]] bool has_extension(std::string_view path, std::string_view extension);
-
 }  // namespace axisc

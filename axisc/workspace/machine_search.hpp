@@ -1,4 +1,4 @@
-// The machine that an open file belongs to.
+// The machine that a file belongs to: the one answer for every face.
 #pragma once
 
 #include "axisc/workspace/asked_files.hpp"
@@ -7,7 +7,7 @@
 
 #include <functional>
 #include <map>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,16 +16,23 @@ namespace axisc {
 /// The options with which `lint` checks an input.
 using OptionsOf = std::function<validator::CheckOptions(std::string const& path)>;
 
+/// The input whose check covers a file, and the name by which that input reads it.
+struct Belonging {
+  std::string machine;  ///< the file itself where no machine reads it
+  std::string name;     ///< of the file, as findings of the machine name it
+};
+
 /// Looks into every list of the folders once, however many files are asked for.
 class MachineSearch {
  public:
   /// `options` outlives the search.
   explicit MachineSearch(OptionsOf const& options) : options_(options) {}
 
-  /// The input whose check covers the file: the nearest machine file or start-up list, in the file's folder
-  /// or above, that reads it; the file itself where there is none, and where it is a machine. Machine files
-  /// come before start-up lists.
-  [[nodiscard]] std::string machine_of(Buffers& files, std::string const& path);
+  /// The nearest machine file, project or start-up list, in the file's folder or above, that reads it; the file itself where
+  /// there is none, and where it is a machine. Machine files come before start-up lists. With `from`, a folder ("" or with
+  /// `/` at the end), only folders above it are searched.
+  [[nodiscard]] Belonging machine_of(Buffers& files, std::string const& path,
+                                     std::optional<std::string> const& from = std::nullopt);
   /// What the machines found so far were read from.
   void note_readers(Readers& readers) const;
   /// Where files may have changed.
@@ -34,11 +41,13 @@ class MachineSearch {
  private:
   struct Machine {
     std::string path;
-    std::set<std::string> keys;  ///< of the files that it reads
+    std::map<std::string, std::string> names;  ///< of the files that it reads, by their keys
     std::multimap<std::string, std::string> by_name;
     AskedFiles asked;
 
-    [[nodiscard]] bool reads(configuration::Files& files, std::string const& wanted) const;
+    /// The name by which it reads the file.
+    [[nodiscard]] std::optional<std::string> name_of(configuration::Files& files,
+                                                     std::string const& wanted) const;
   };
   [[nodiscard]] std::vector<Machine> const& machines_in(Buffers& files, std::string const& folder);
 
@@ -47,7 +56,7 @@ class MachineSearch {
 };
 
 /// The same of a single file.
-[[nodiscard]] std::string machine_of(configuration::Files& files, std::string const& path,
-                                     OptionsOf const& options);
+[[nodiscard]] Belonging machine_of(configuration::Files& files, std::string const& path,
+                                   OptionsOf const& options);
 
 }  // namespace axisc

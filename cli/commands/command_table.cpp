@@ -1,6 +1,6 @@
 #include "cli/commands/command_table.hpp"
 
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <array>
 

@@ -6,8 +6,8 @@
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "image/image_readings.hpp"
 
 namespace axisc::cli::says {
@@ -66,6 +66,7 @@ struct CompareOptions {
   std::vector<std::string> commands;
   WantedColumns columns;
   RecordedUnit unit = RecordedUnit::recognised;
+  bool alone = false;
   Format format = Format::text;
   Emitted emitted = Emitted::nothing;
 };
@@ -83,6 +84,7 @@ void declare(CommandLine& command_line, CompareOptions& options) {
                        {"incr", RecordedUnit::increments}},
                       options.unit, says::option_recorded_unit);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.values("--at", "CYCLE:COMMAND", options.commands, says::option_switched);
   command_line.choice("--emit", {{"settings", Emitted::settings}}, options.emitted, says::option_emit);
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
@@ -115,12 +117,12 @@ ExitStatus compare(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");
   command_line.require(options.recording.has_value(), "RECORDING.csv");
-  auto const input =
-      compiled_input(*options.input, asked_cycle_time(options.cycle_time),
-                     printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  auto const input = compiled_input(
+      {.input = *options.input, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!input) return ExitStatus::findings;
   auto const& image = input->image.contents;
-  auto const axis = recorded_axis(image, options.axis, *options.input);
+  auto const axis = recorded_axis(image, options.axis ? options.axis : input->axis(), *options.input);
   auto const commands =
       read_timed_commands(options.commands, input->image, *options.input, invocation.language);
   auto recorded = compare_axis(image, axis, *options.recording, options.columns, options.unit,

@@ -9,7 +9,7 @@
 #include "cli/options/compile_inputs.hpp"
 #include "cli/options/compile_options.hpp"
 #include "cli/options/named_files.hpp"
-#include "cli/report/progress.hpp"
+#include "cli/terminal/progress.hpp"
 
 #include <array>
 #include <utility>

@@ -7,8 +7,8 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/contour_words.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "diagnostics/format_number.hpp"
 
 #include <algorithm>
@@ -50,6 +50,7 @@ enum class Format : std::uint8_t { text, csv, json };
 struct ContourOptions {
   std::optional<std::string> machine, cycle_time, filter, group;
   ContourWords words;
+  bool alone = false;
   Format format = Format::text;
 };
 
@@ -59,6 +60,7 @@ void declare(CommandLine& command_line, ContourOptions& options) {
   command_line.value("--filter", "COMMAND", options.filter, says::option_filter);
   command_line.value("--group", "NAME", options.group, says::option_group);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.choice("--format", {{"text", Format::text}, {"csv", Format::csv}, {"json", Format::json}},
                       options.format, says::option_format);
 }
@@ -93,12 +95,13 @@ ExitStatus contour(Invocation const& invocation) {
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
   auto const wanted = read_contour_words(options.words);
-  auto const checked =
-      checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
-                      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
+  auto const checked = checked_machine(
+      {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, use_color(command_line.color(), system::Stream::error)));
   if (!checked) return ExitStatus::findings;
   auto const& machine = checked->machine;
-  auto const first = chosen_group(machine, options.group, *options.machine);
+  auto const& chosen = options.group ? options.group : checked->group;
+  auto const first = chosen_group(machine, chosen, *options.machine);
 
   ShownContour shown{.cycle_time_us = machine.cycle_time.microseconds(),
                      .angle_deg = wanted.angle_deg,
@@ -113,7 +116,7 @@ ExitStatus contour(Invocation const& invocation) {
                               : filters_on();
     shown.groups.push_back(predict_contour(
         {.machine = machine, .group = i, .commands = commands, .path = *options.machine}, wanted));
-    if (options.group) break;
+    if (chosen) break;
   }
   switch (options.format) {
     case Format::text:

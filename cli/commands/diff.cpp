@@ -6,8 +6,8 @@
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 
 #include <map>
 #include <memory>

@@ -1,19 +1,20 @@
 #include "axisc/checking/ordered_work.hpp"
 #include "axisc/environment/codes.hpp"
-#include "axisc/files/changeable_files.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/path_identity.hpp"
 #include "axisc/settings/settings.hpp"
+#include "axisc/workspace/changeable_files.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "axisc/workspace/machine_outline.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/named_files.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "configuration/project_file.hpp"
 #include "configuration/xml_names.hpp"
+#include "diagnostics/ascii.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "system/file.hpp"
 #include "system/path.hpp"
@@ -74,7 +75,7 @@ namespace {
 
 /// NC programs are not lists, and XML is not aligned: their layout is up to their author.
 bool keeps_layout(std::string const& path) {
-  return has_extension(path, ".nc") || configuration::is_xml_name(path);
+  return ascii::has_extension(path, ".nc") || configuration::is_xml_name(path);
 }
 
 struct FmtOptions {
@@ -96,7 +97,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     if (known.insert(identities.of(list)).second) lists.push_back(std::move(list));
   };
   for (auto const& input : inputs) {
-    if (has_extension(input, ".nc")) continue;
+    if (ascii::has_extension(input, ".nc")) continue;
     auto const outline = outline_of(input);
     if (!outline.is_machine || configuration::is_project_name(input)) {
       add(input);
@@ -104,7 +105,7 @@ std::vector<std::string> lists_of(std::vector<std::string> const& inputs) {
     }
     auto const folder = system::path_of(input).parent_path();
     for (auto const& named : outline.lists) {
-      if (keeps_layout(named) || has_extension(named, ".json")) continue;
+      if (keeps_layout(named) || ascii::has_extension(named, ".json")) continue;
       add(system::name_of(folder / system::path_of(named)));
     }
   }

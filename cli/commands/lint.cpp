@@ -8,11 +8,11 @@
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
 #include "axisc/workspace/changed_inputs.hpp"
-#include "axisc/workspace/machine_search.hpp"
+#include "axisc/workspace/judged_inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/lint_options.hpp"
 #include "cli/options/named_files.hpp"
-#include "cli/report/progress.hpp"
+#include "cli/terminal/progress.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/loader.hpp"
 
@@ -62,6 +62,14 @@ Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in 
 einer Zeile, in der nächsten; `# axisc: allow-file AX3005` in der ganzen Datei.
 Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
 
+constexpr Sentence judged_in{
+    "{file}{more} was judged in {machine}, which names it; --alone judges it by itself",
+    "{file}{more} wurde in {machine} beurteilt, wo die Datei genannt ist; --alone beurteilt sie für sich"};
+constexpr Sentence judged_in_with_errors{
+    "{file}{more} was judged in {machine}, which has errors in other files: {errors}; `axisc lint {machine}` "
+    "shows them",
+    "{file}{more} wurde in {machine} beurteilt; dort haben andere Dateien Fehler: {errors}; `axisc lint "
+    "{machine}` zeigt sie"};
 constexpr Sentence nothing_changed{"nothing to check: no input differs from {revision}",
                                    "nichts zu prüfen: keine Eingabe unterscheidet sich von {revision}"};
 
@@ -116,6 +124,7 @@ class Lint {
 
   [[nodiscard]] ExitStatus run() {
     read_standard_input();
+    find_machines();
     prepare();
     if (options_.write_baseline) protect(inputs_.sources);
     auto plan = report_plan();
@@ -130,6 +139,9 @@ class Lint {
     for (auto const& failure : inputs_.failures) fail(report, failure);
     check(report);
     report.finish(fixes_, [this](Code code) { return is_judged(options_, job_.options, code); });
+    if (!machine_notes_.empty()) {
+      streams_.err.write(note_lines(machine_notes_, report_format_.write.language));
+    }
     if (inputs_.paths.empty()) say_nothing_changed();
     if (options_.write_baseline) write_baseline(report);
     return status_of(report);
@@ -147,6 +159,13 @@ class Lint {
   void read_standard_input() {
     if (!options_.stdin_filename) return;
     job_.edited.emplace(standard_input_, read_whole("-"));
+  }
+
+  void find_machines() {
+    if (options_.alone) return;
+    EditedFiles files(job_.edited, false);
+    judge_in_machines(inputs_, files, [this](std::string const& path) { return options_for(job_, path); });
+    job_.shown = inputs_.shown;
   }
 
   [[nodiscard]] bool is_standard_input(std::string const& path) const { return path == standard_input_; }
@@ -205,26 +224,31 @@ class Lint {
              [&](std::size_t i, CheckedInput&& input) {
                if (input.failure) fail(report, *input.failure);
                report.add(input);
+               say_machine(paths[i], input);
                progress.show(i + 1, paths.size());
              },
          .weight = weight_of},
         threads);
   }
 
-  /// An editor's text is judged in the machine that its file belongs to. Fixes are made in the text alone.
-  [[nodiscard]] bool is_text_of_machine(std::string const& path) const {
-    return options_.stdin_filename && is_standard_input(path) && choice_ == FixChoice::none;
+  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
+    EditedFiles files(job_.edited, path == "-");
+    return check_input(job_, path, files, take);
   }
 
-  [[nodiscard]] CheckedInput checked(std::string const& path, TakeFinding const* take) const {
-    bool const belongs_to_machine = is_text_of_machine(path);
-    EditedFiles files(job_.edited, path == "-" && !belongs_to_machine);
-    if (!belongs_to_machine) return check_input(job_, path, files, take);
-    CheckJob job = job_;
-    auto const machine = machine_of(files, standard_input_,
-                                    [this](std::string const& name) { return options_for(job_, name); });
-    if (machine != standard_input_) job.shown = standard_input_;
-    return check_input(job, machine, files, take);
+  /// Who names a list reads what the list is judged by, and that there is more to mend.
+  void say_machine(std::string const& path, CheckedInput const& input) {
+    auto const shown = inputs_.shown.find(path);
+    bool const is_for_people = report_format_.format == FindingFormat::text && !options_.checking.quiet;
+    if (shown == inputs_.shown.end() || !is_for_people || options_.stdin_filename) return;
+    auto const& names = shown->second;
+    auto const errors = input.elsewhere.errors;
+    machine_notes_.push_back(
+        {.sentence = errors == 0 ? says::judged_in : says::judged_in_with_errors,
+         .arguments = {{"machine", path},
+                       {"file", names.front()},
+                       {"more", names.size() == 1 ? std::string() : " +" + std::to_string(names.size() - 1)},
+                       {"errors", std::to_string(errors)}}});
   }
 
   [[nodiscard]] ExitStatus status_of(ReportStream const& report) const {
@@ -282,6 +306,7 @@ class Lint {
   std::string standard_input_ = "-";  ///< the name that the input has
   FixChoice choice_ = FixChoice::none;
   std::optional<FixFacts> fixes_;
+  std::vector<Message> machine_notes_;
   bool would_change_ = false;
   bool fixed_standard_input_ = false;
   bool failed_ = false;

@@ -5,7 +5,7 @@
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <algorithm>
 #include <variant>

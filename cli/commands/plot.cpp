@@ -1,4 +1,5 @@
 #include "axisc/answers/execution/recorded_switches.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 #include "axisc/answers/figures/compare_figure.hpp"
 #include "axisc/answers/figures/path_figure.hpp"
 #include "axisc/answers/figures/plant_figure.hpp"
@@ -6,7 +7,6 @@
 #include "axisc/answers/figures/plotted_groups.hpp"
 #include "axisc/asked/frequencies.hpp"
 #include "axisc/asked/quantities.hpp"
-#include "axisc/asked/timed_commands.hpp"
 #include "axisc/checking/compiled_input.hpp"
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
@@ -15,9 +15,9 @@
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
 #include "cli/options/contour_words.hpp"
-#include "cli/report/picture_output.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/picture_output.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "system/path.hpp"
 
 #include <algorithm>
@@ -114,6 +114,7 @@ struct PlotOptions {
   RecordedUnit unit = RecordedUnit::recognised;
   PictureTarget target;
   std::vector<std::string> marks, commands;
+  bool alone = false;
   Kind kind = Kind::response;
   ResponsePlot response;
   ContourWords contour;
@@ -161,6 +162,7 @@ void declare(CommandLine& command_line, PlotOptions& options) {
   command_line.choice("--format", {{"svg", PictureFormat::svg}, {"html", PictureFormat::html}},
                       options.target.format, says::option_picture_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
 /// "48" or "48Hz".
@@ -233,7 +235,9 @@ struct Plotted {
 
 std::optional<Plotted> plotted(PlotOptions const& options, std::string const& path,
                                Invocation const& invocation, bool color) {
-  auto input = compiled_input(path, asked_cycle_time(options.cycle_time), printed_errors(invocation, color));
+  auto input = compiled_input(
+      {.input = path, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, color));
   if (!input) return std::nullopt;
   auto host = start_runtime(path, input->image);
   bool const at_once = options.kind != Kind::compare;
@@ -252,9 +256,10 @@ pictures::Figure contour_figure(PlotOptions const& options, InputImage const& no
       throw Failure({.sentence = says::order_of_image, .arguments = {{"file", **path}}});
     }
   }
-  auto chains = group_chains(now, options.group, wanted, *options.input);
+  auto chains = group_chains(now, options.group ? options.group : now.group(), wanted, *options.input);
   auto earlier = before != nullptr
-                     ? std::optional(group_chains(*before, options.group, wanted, *options.before))
+                     ? std::optional(group_chains(*before, options.group ? options.group : before->group(),
+                                                  wanted, *options.before))
                      : std::nullopt;
   ContourSubject const subject{.now = chains,
                                .before = earlier ? &*earlier : nullptr,
@@ -285,9 +290,10 @@ std::pair<std::size_t, std::size_t> plane_of(std::optional<std::string> const& w
 }
 
 /// None after mistakes in the program, which are printed.
-std::optional<pictures::Figure> followed_path(PlotOptions const& options, machine::Machine machine,
+std::optional<pictures::Figure> followed_path(PlotOptions const& options, CheckedMachine const& checked,
                                               Invocation const& invocation, bool color) {
-  auto const group = chosen_group(machine, options.group, *options.input);
+  auto machine = checked.machine;
+  auto const group = chosen_group(machine, options.group ? options.group : checked.group, *options.input);
   std::vector<std::string> axes;
   for (auto const axis : machine.groups[group].axes) axes.push_back(machine.axes[axis].name);
   auto const plane = plane_of(options.plane, axes);
@@ -339,6 +345,7 @@ ExitStatus plot(Invocation const& invocation) {
   if (options.before && !before) return ExitStatus::findings;
 
   auto const& contents = now->input.image.contents;
+  auto const& named_axis = options.axis ? options.axis : now->input.axis();
   pictures::Figure figure;
   if (options.kind == Kind::plant) {
     auto const& machine = machine_of(options, now->input, "plant");
@@ -347,11 +354,11 @@ ExitStatus plot(Invocation const& invocation) {
                   machine, false);
     figure = plant_figure(run, invocation.language);
   } else if (options.kind == Kind::path) {
-    auto found = followed_path(options, machine_of(options, now->input, "path").machine, invocation, color);
+    auto found = followed_path(options, machine_of(options, now->input, "path"), invocation, color);
     if (!found) return ExitStatus::findings;
     figure = *std::move(found);
   } else if (options.kind == Kind::compare) {
-    auto const axis = recorded_axis(contents, options.axis, *options.input);
+    auto const axis = recorded_axis(contents, named_axis, *options.input);
     auto const commands =
         read_timed_commands(options.commands, now->input.image, *options.input, invocation.language);
     auto const found = compare_axis(contents, axis, *options.recording, options.columns, options.unit,
@@ -367,7 +374,7 @@ ExitStatus plot(Invocation const& invocation) {
         .now = {.file = now->input.image, .host = now->host},
         .before = before ? std::optional(PlottedImage{.file = before->input.image, .host = before->host})
                          : std::nullopt,
-        .axes = chosen_axes(contents, options.axis),
+        .axes = chosen_axes(contents, named_axis),
         .is_switched = !options.commands.empty(),
         .language = invocation.language};
     figure = options.kind == Kind::response ? response_figure(subject, options.response)

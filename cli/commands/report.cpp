@@ -13,8 +13,8 @@
 #include "cli/options/command_line.hpp"
 #include "cli/options/contour_words.hpp"
 #include "cli/options/named_files.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -53,6 +53,7 @@ namespace {
 
 struct ReportOptions {
   std::optional<std::string> input, before, output, cycle_time;
+  bool alone = false;
   ContourWords contour;
 };
 
@@ -62,20 +63,10 @@ void declare(CommandLine& command_line, ReportOptions& options) {
   command_line.value("--before", "OTHER", options.before, says::option_earlier);
   declare_contour_words(command_line, options.contour, ContourWords::Shown::shapes);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
-/// Checks one input and keeps every finding.
-validator::CheckResult check_into(ReportSubject& subject, std::string const& path, CheckJob const& job,
-                                  DiskFiles& disk, SourceSet& sources) {
-  std::vector<Finding> findings;
-  auto result = validator::check(disk, path, options_for(job, path), sources,
-                                 [&findings](Finding& finding) { findings.push_back(std::move(finding)); });
-  if (result.unreadable) throw unreadable(path, *result.unreadable);
-  for (auto const& finding : findings) add_finding(subject, finding, sources);
-  return result;
-}
-
-/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`. None after errors.
+/// The machine at `path`, and whatever else lies in a folder, in the order of `lint`; every finding is kept. None after errors.
 std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const& path,
                                       std::vector<std::string> const& inputs, CheckJob const& job) {
   std::optional<CheckedMachine> machine;
@@ -83,9 +74,15 @@ std::optional<CheckedMachine> checked(ReportSubject& subject, std::string const&
   for (auto const& input : inputs) {
     auto disk = std::make_unique<DiskFiles>(input == "-");
     SourceSet sources;
-    auto result = check_into(subject, input, job, *disk, sources);
+    CheckedInput found;
+    auto judged = judge_input(job, input, *disk, found, [&](Finding&& finding, SourceSet const&) {
+      found.findings.push_back(std::move(finding));
+    });
+    if (found.failure) throw Failure(*found.failure);
+    for (auto const& finding : found.findings) add_finding(subject, finding, found.sources);
     if (input != path) continue;
-    refused = refusal(path, result, sources, subject.language);
+    auto& result = judged.result;
+    refused = refusal(path, result, found.sources, subject.language);
     if (!result.machine) continue;
     if (!refused) require_cycle_time(path, result);
     machine.emplace(CheckedMachine{
@@ -147,12 +144,18 @@ ExitStatus report(Invocation const& invocation) {
                         .contour = read_contour_words(options.contour),
                         .language = invocation.language};
   if (!options.contour.feeds) subject.contour.feeds = {1000, 2000, 4000};
-  auto const path = machine_input(*options.input);
+  DiskFiles disk(*options.input == "-");
+  auto const path = machine_of_input({.input = *options.input, .alone = options.alone}, job, disk).machine;
   auto inputs =
       expand_inputs({*options.input}, [&](std::string const& file) { return settings.wants(file); });
   if (!inputs.failures.empty()) throw Failure(inputs.failures.front());
   invocation.streams.err.write(note_lines(inputs.notes, invocation.language));
-  if (std::find(inputs.paths.begin(), inputs.paths.end(), path) == inputs.paths.end()) inputs.paths = {path};
+  bool const is_listed = std::find(inputs.paths.begin(), inputs.paths.end(), path) != inputs.paths.end();
+  if (!is_listed) {
+    inputs.paths = {path};
+    // Of a list it is the page of its machine.
+    if (path != machine_input(*options.input)) subject.input = path;
+  }
   job.found = std::move(inputs.found);
   auto const machine = checked(subject, path, inputs.paths, job);
   std::optional<ImageFile> image;

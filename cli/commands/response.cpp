@@ -3,7 +3,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/answer_output.hpp"
+#include "cli/output/answer_output.hpp"
 
 namespace axisc::cli::says {
 

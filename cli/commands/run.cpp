@@ -10,7 +10,7 @@
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 #include "axisc/settings/json_schema.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 
 #include <algorithm>
 

@@ -6,9 +6,9 @@
 #include "cli/commands/simulate_program.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/report/progress.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/printed_errors.hpp"
+#include "cli/terminal/progress.hpp"
 
 namespace axisc::cli::says {
 
@@ -63,6 +63,7 @@ namespace {
 struct SimulateOptions {
   std::optional<std::string> machine, program, output, group, cycle_time, plant, move, most_cycles;
   SimulateFormat format = SimulateFormat::text;
+  bool alone = false;
   bool constant_velocity = false;
   bool progress = false;
   bool no_progress = false;
@@ -78,6 +79,7 @@ void declare(CommandLine& command_line, SimulateOptions& options) {
   command_line.value("--plant", "PLANT.json", options.plant, says::option_plant);
   command_line.value("--move", "AXIS:MM[:MM_PER_MIN]", options.move, says::option_move);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
   command_line.choice(
       "--format",
       {{"text", SimulateFormat::text}, {"csv", SimulateFormat::csv}, {"json", SimulateFormat::json}},
@@ -114,8 +116,9 @@ ExitStatus simulate(Invocation const& invocation) {
     throw Failure({.sentence = says::what, .arguments = {}});
   }
   bool const color = use_color(command_line.color(), system::Stream::error);
-  auto checked = checked_machine(*options.machine, asked_cycle_time(options.cycle_time),
-                                 printed_errors(invocation, color));
+  auto checked = checked_machine(
+      {.input = *options.machine, .cycle_time = asked_cycle_time(options.cycle_time), .alone = options.alone},
+      printed_errors(invocation, color));
   if (!checked) return ExitStatus::findings;
   if (closed_loop) {
     return simulate_plant(
@@ -128,7 +131,7 @@ ExitStatus simulate(Invocation const& invocation) {
                                        .program_path = *options.program,
                                        .constant_velocity = options.constant_velocity,
                                        .most_cycles = most_cycles(options)},
-                           .group = options.group,
+                           .group = options.group ? options.group : checked->group,
                            .output = options.output,
                            .format = options.format,
                            .show_progress = options.progress || (!options.no_progress && progress_is_seen()),

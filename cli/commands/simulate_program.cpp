@@ -2,8 +2,8 @@
 
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/report/progress.hpp"
+#include "cli/output/printed_errors.hpp"
+#include "cli/terminal/progress.hpp"
 
 #include <memory>
 #include <optional>

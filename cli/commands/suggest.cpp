@@ -7,19 +7,20 @@
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/compilable.hpp"
 #include "axisc/checking/machine_input.hpp"
+#include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
-#include "axisc/files/changeable_files.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/files/output_file.hpp"
 #include "axisc/files/protected_files.hpp"
+#include "axisc/workspace/changeable_files.hpp"
 #include "axisc/workspace/inputs.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/sentences.hpp"
 #include "cli/options/check_options.hpp"
 #include "cli/options/command_line.hpp"
-#include "cli/report/picture_output.hpp"
-#include "cli/report/printed_errors.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
+#include "cli/output/picture_output.hpp"
+#include "cli/output/printed_errors.hpp"
 #include "diagnostics/format_number.hpp"
 #include "diagnostics/writers/unified_diff.hpp"
 #include "validator/loading/build_version.hpp"
@@ -151,6 +152,7 @@ struct SuggestOptions {
   std::optional<std::string> machine, axis, resonance, measured, in, out, plant, tolerance, feed, radius,
       cycle_time, apply;
   bool diff = false;
+  bool alone = false;
   PictureTarget picture;
   std::optional<tuning::Goal> goal;
   Format format = Format::text;
@@ -179,6 +181,7 @@ void declare(CommandLine& command_line, SuggestOptions& options) {
   command_line.choice("--format", {{"text", Format::text}, {"json", Format::json}}, options.format,
                       says::option_format);
   command_line.value("--cycle-time", "TIME", options.cycle_time, says::option_cycle_time);
+  declare_alone(command_line, options.alone);
 }
 
 double positive(std::string const& option, std::optional<std::string> const& word, double usual) {
@@ -330,7 +333,6 @@ ExitStatus suggest(Invocation const& invocation) {
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");
-  command_line.require(options.axis.has_value(), "--axis");
   if (options.resonance.has_value() == options.measured.has_value()) {
     throw Failure({.sentence = says::one_source, .arguments = {}});
   }
@@ -344,12 +346,13 @@ ExitStatus suggest(Invocation const& invocation) {
                       .feed = positive("--feed", options.feed, 4000),
                       .radius_mm = positive("--radius", options.radius, 10)};
 
-  auto const path = machine_input(*options.machine);
   SettingsFinder settings;
   CheckJob job;
   job.options.cycle_time = asked_cycle_time(options.cycle_time);
   job.settings = &settings;
-  DiskFiles disk(path == "-");
+  DiskFiles disk(*options.machine == "-");
+  auto const [path, list] =
+      machine_of_input({.input = *options.machine, .cycle_time = {}, .alone = options.alone}, job, disk);
   SourceSet sources;
   std::optional<validator::LoadedMachine> loaded;
   auto const checked = check_machine(
@@ -364,7 +367,9 @@ ExitStatus suggest(Invocation const& invocation) {
     if (options.plant) inputs.push_back(*options.plant);
     refuse_overwriting({*options.picture.path}, inputs);
   }
-  auto const axis = axis_named(machine, *options.axis);
+  auto const listed = axis_of_list(*loaded, sources, list);
+  command_line.require(options.axis || listed, "--axis");
+  auto const axis = options.axis ? axis_named(machine, *options.axis) : *listed;
   SuggestionSubject const subject{.path = path,
                                   .job = job,
                                   .loaded = *loaded,

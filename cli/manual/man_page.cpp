@@ -1,7 +1,7 @@
 #include "cli/manual/man_page.hpp"
 
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/utf8.hpp"
 

@@ -1,6 +1,6 @@
 #include "cli/options/check_options.hpp"
 
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "schema/list_kind.hpp"
 
 namespace axisc::cli::says {
@@ -26,6 +26,8 @@ constexpr Sentence option_jobs{
     "Threads (Standardwert: einer je Kern); die Ausgabe ist für jede Anzahl gleich"};
 constexpr Sentence option_quiet{"no notes and no summary", "keine Hinweise und keine Zusammenfassung"};
 
+constexpr Sentence option_alone{"judge a list by itself, not in the machine that names it",
+                                "eine Liste für sich beurteilen, nicht in der Maschine, die sie nennt"};
 constexpr Sentence option_schema{
     "add the parameters of FILE to those that are known, or override them (repeatable)",
     "die Parameter aus DATEI zu den bekannten hinzufügen oder diese damit überschreiben (wiederholbar)"};
@@ -60,6 +62,10 @@ void declare_checking(CommandLine& command_line, CheckingOptions& options) {
   command_line.flag("--pedantic", options.pedantic, says::option_pedantic);
   declare_threads(command_line, options.threads);
   command_line.flag("-q,--quiet", options.quiet, says::option_quiet);
+}
+
+void declare_alone(CommandLine& command_line, bool& alone) {
+  command_line.flag("--alone", alone, says::option_alone);
 }
 
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files) {

@@ -14,6 +14,8 @@ namespace axisc::cli {
 void declare_control(CommandLine& command_line, CheckingOptions& options);
 /// Those and all others.
 void declare_checking(CommandLine& command_line, CheckingOptions& options);
+/// `--alone`.
+void declare_alone(CommandLine& command_line, bool& alone);
 /// `--schema FILE`, which every command that reads lists has.
 void declare_schema(CommandLine& command_line, std::vector<std::string>& files);
 

@@ -4,9 +4,9 @@
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/version.hpp"
-#include "cli/commands/commands.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/invocation.hpp"
+#include "cli/options/sentences.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>

@@ -19,6 +19,7 @@ struct LintOptions {
   std::optional<std::string> fix;
   std::optional<std::string> stdin_filename;
   bool hook = false;
+  bool alone = false;
   bool diff = false;
   bool statistics = false;
   bool print_config = false;

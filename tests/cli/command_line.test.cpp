@@ -5,7 +5,7 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/version.hpp"
 #include "cli/options/help_text.hpp"
-#include "cli/sentences.hpp"
+#include "cli/options/sentences.hpp"
 #include "support/catch.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/execution/stimulus.hpp"
-#include "axisc/asked/timed_commands.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 #include "image/runtime_host.hpp"
 
 #include <array>

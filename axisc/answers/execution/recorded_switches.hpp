@@ -1,7 +1,7 @@
 // What #FILTER commands made of an axis' linear-phase filter while a scope recorded it.
 #pragma once
 
-#include "axisc/asked/timed_commands.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 #include "comparison/readings.hpp"
 #include "image/image_contents.hpp"
 

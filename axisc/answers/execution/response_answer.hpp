@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/execution/port_response.hpp"
-#include "axisc/asked/timed_commands.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 #include "axisc/files/image_file.hpp"
 #include "presentation/document.hpp"
 

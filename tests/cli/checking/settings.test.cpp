@@ -1,4 +1,4 @@
-#include "axisc/workspace/glob.hpp"
+#include "axisc/settings/glob.hpp"
 #include "cli/program.hpp"
 #include "cli/temporary_folder.hpp"
 #include "support/catch.hpp"

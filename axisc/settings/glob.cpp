@@ -1,4 +1,4 @@
-#include "axisc/workspace/glob.hpp"
+#include "axisc/settings/glob.hpp"
 
 #include <vector>
 

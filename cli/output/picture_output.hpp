@@ -1,7 +1,7 @@
 // Where a picture goes, and in which form.
 #pragma once
 
-#include "cli/commands/commands.hpp"
+#include "cli/options/invocation.hpp"
 #include "pictures/figure.hpp"
 
 #include <cstdint>

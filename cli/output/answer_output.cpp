@@ -1,4 +1,4 @@
-#include "cli/report/answer_output.hpp"
+#include "cli/output/answer_output.hpp"
 
 #include "system/process.hpp"
 

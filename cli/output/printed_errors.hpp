@@ -3,7 +3,7 @@
 
 #include "axisc/answers/simulation/followed_program.hpp"
 #include "axisc/checking/machine_input.hpp"
-#include "cli/commands/commands.hpp"
+#include "cli/options/invocation.hpp"
 
 namespace axisc::cli {
 

@@ -1,4 +1,4 @@
-#include "cli/report/picture_output.hpp"
+#include "cli/output/picture_output.hpp"
 
 #include "axisc/answers/text_table.hpp"
 #include "axisc/environment/failure.hpp"

@@ -1,4 +1,4 @@
-#include "axisc/files/changeable_files.hpp"
+#include "axisc/workspace/changeable_files.hpp"
 
 #include "axisc/workspace/machine_outline.hpp"
 #include "system/path.hpp"

@@ -1,8 +1,8 @@
 // Prints answers in the format that the user wants. Every command that answers a question has the same formats.
 #pragma once
 
-#include "cli/commands/commands.hpp"
 #include "cli/options/command_line.hpp"
+#include "cli/options/invocation.hpp"
 #include "presentation/writers.hpp"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "cli/report/printed_errors.hpp"
+#include "cli/output/printed_errors.hpp"
 
 #include "axisc/checking/report_format.hpp"
 

@@ -1,4 +1,4 @@
-#include "cli/report/progress.hpp"
+#include "cli/terminal/progress.hpp"
 
 #include "diagnostics/format_number.hpp"
 #include "system/process.hpp"

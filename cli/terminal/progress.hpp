@@ -1,7 +1,7 @@
 // A progress line on standard error for long commands.
 #pragma once
 
-#include "cli/report/console.hpp"
+#include "cli/terminal/console.hpp"
 #include "diagnostics/message.hpp"
 
 #include <chrono>

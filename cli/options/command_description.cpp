@@ -1,4 +1,4 @@
-#include "cli/manual/command_description.hpp"
+#include "cli/options/command_description.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "cli/report/console.hpp"
+#include "cli/terminal/console.hpp"
 
 #include "axisc/environment/codes.hpp"
 #include "axisc/environment/failure.hpp"

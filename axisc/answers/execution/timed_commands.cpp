@@ -1,4 +1,4 @@
-#include "axisc/asked/timed_commands.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
