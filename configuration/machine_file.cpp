@@ -6,7 +6,7 @@
 #include "configuration/sentences.hpp"
 #include "diagnostics/ascii.hpp"
 #include "diagnostics/terminal.hpp"
-#include "machine/drive_type.hpp"
+#include "configuration/machine/drive_type.hpp"
 #include "schema/closest_word.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "configuration/json_reading.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <deque>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "diagnostics/location.hpp"
-#include "editor/open_list.hpp"
-#include "editor/places.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/places.hpp"
 #include "editor/server.hpp"
 #include "schema/value.hpp"
 #include "validator/views/units_text.hpp"

@@ -12,8 +12,8 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "diagnostics/format_number.hpp"
-#include "pictures/page.hpp"
-#include "pictures/svg_text.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
 #include "validator/engine/rule.hpp"
 #include "validator/loading/loader.hpp"
 

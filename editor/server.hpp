@@ -6,9 +6,9 @@
 #include "configuration/files.hpp"
 #include "diagnostics/message.hpp"
 #include "editor/client_settings.hpp"
-#include "editor/machine_reading.hpp"
 #include "editor/pages.hpp"
-#include "editor/text_positions.hpp"
+#include "editor/reading/machine_reading.hpp"
+#include "editor/reading/text_positions.hpp"
 #include "validator/options.hpp"
 
 #include <functional>

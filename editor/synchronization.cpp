@@ -1,8 +1,8 @@
 #include "axisc/workspace/uri.hpp"
 #include "configuration/start_up_list.hpp"
-#include "editor/edited_text.hpp"
-#include "editor/open_list.hpp"
-#include "editor/requests.hpp"
+#include "editor/reading/edited_text.hpp"
+#include "editor/reading/open_list.hpp"
+#include "editor/reading/requests.hpp"
 #include "editor/server.hpp"
 #include "validator/loading/loader.hpp"
 

@@ -7,7 +7,7 @@
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/units.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <array>
 #include <cstddef>

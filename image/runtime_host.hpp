@@ -5,7 +5,7 @@
 #include "axisrt.h"
 #include "codegen/aligned_bytes.hpp"
 #include "design/units.hpp"
-#include "machine/filter_command.hpp"
+#include "configuration/machine/filter_command.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include "configuration/files.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/not_compiled.hpp"
 #include "validator/options.hpp"
 

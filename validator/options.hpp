@@ -4,7 +4,7 @@
 #include "design/readings.hpp"
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "schema/catalogue.hpp"
 #include "validator/loading/build_version.hpp"
 

@@ -5,9 +5,9 @@
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/workspace/machine_search.hpp"
-#include "machine/machine.hpp"
-#include "motion/group_runtime.hpp"
-#include "motion/program/interpreter.hpp"
+#include "configuration/machine/machine.hpp"
+#include "analysis/motion/group_runtime.hpp"
+#include "analysis/motion/program/interpreter.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // Numbers in columns, read and written row by row: memory does not grow with the length.
 #pragma once
 
-#include "recordings/text_lines.hpp"
+#include "analysis/recordings/text_lines.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // What is wrong with a row of numbers, in words.
 #pragma once
 
-#include "recordings/number_rows.hpp"
+#include "analysis/recordings/number_rows.hpp"
 
 #include <string>
 

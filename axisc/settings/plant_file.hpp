@@ -2,7 +2,7 @@
 #pragma once
 
 #include "configuration/json_shape.hpp"
-#include "motion/plant.hpp"
+#include "analysis/motion/plant.hpp"
 
 #include <string>
 

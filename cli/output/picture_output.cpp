@@ -3,9 +3,9 @@
 #include "axisc/answers/text_table.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/output_file.hpp"
-#include "pictures/braille.hpp"
-#include "pictures/page.hpp"
-#include "pictures/svg.hpp"
+#include "presentation/pictures/braille.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg.hpp"
 #include "system/process.hpp"
 
 #include <algorithm>

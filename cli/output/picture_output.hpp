@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/options/invocation.hpp"
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 
 #include <cstdint>
 #include <optional>

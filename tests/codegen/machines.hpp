@@ -3,7 +3,7 @@
 
 #include "image/image_contents.hpp"
 #include "image/runtime_host.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 // within the velocities of the axes, with figures that are numbers.
 #include "codegen/image_writer.hpp"
 #include "grammar/line_splitter.hpp"
-#include "motion/program/interpreter.hpp"
-#include "motion/simulation.hpp"
+#include "analysis/motion/program/interpreter.hpp"
+#include "analysis/motion/simulation.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <algorithm>

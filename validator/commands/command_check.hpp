@@ -5,7 +5,7 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"
-#include "machine/filter_command.hpp"
+#include "configuration/machine/filter_command.hpp"
 #include "validator/sentences.hpp"
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 #include "design/units.hpp"
 #include "diagnostics/finding.hpp"
 #include "diagnostics/page.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 #include "validator/engine/report.hpp"
 #include "validator/loading/loading.hpp"

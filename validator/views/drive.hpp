@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/wording.hpp"
-#include "machine/drive_type.hpp"
+#include "configuration/machine/drive_type.hpp"
 #include "validator/loading/loading.hpp"
 
 namespace axisc::validator {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/wording.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 #include "schema/catalogue.hpp"
 
 #include <string>

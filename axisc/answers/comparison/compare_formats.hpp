@@ -1,9 +1,9 @@
 // What `axisc compare` prints.
 #pragma once
 
-#include "comparison/settings.hpp"
-#include "comparison/telling_motion.hpp"
-#include "comparison/verdict.hpp"
+#include "analysis/comparison/settings.hpp"
+#include "analysis/comparison/telling_motion.hpp"
+#include "analysis/comparison/verdict.hpp"
 #include "diagnostics/message.hpp"
 
 #include <string>

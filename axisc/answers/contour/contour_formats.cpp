@@ -4,7 +4,7 @@
 #include "axisc/answers/text_table.hpp"
 #include "axisc/files/csv.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
+#include "analysis/motion/point.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

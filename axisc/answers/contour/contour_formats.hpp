@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
-#include "motion/contour/contour_predictions.hpp"
+#include "analysis/motion/contour/contour_predictions.hpp"
 
 #include <cstdint>
 #include <optional>

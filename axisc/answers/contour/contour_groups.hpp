@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/contour/contour_formats.hpp"
-#include "machine/machine.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "axisc/files/image_file.hpp"
-#include "machine/part.hpp"
-#include "motion/chain_answer.hpp"
-#include "motion/group_runtime.hpp"
+#include "configuration/machine/part.hpp"
+#include "analysis/motion/chain_answer.hpp"
+#include "analysis/motion/group_runtime.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -3,10 +3,10 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/byte_source.hpp"
 #include "axisc/files/image_file.hpp"
-#include "comparison/found_switches.hpp"
-#include "comparison/residual.hpp"
-#include "comparison/turns.hpp"
-#include "machine/machine.hpp"
+#include "analysis/comparison/found_switches.hpp"
+#include "analysis/comparison/residual.hpp"
+#include "analysis/comparison/turns.hpp"
+#include "configuration/machine/machine.hpp"
 
 namespace axisc::says {
 

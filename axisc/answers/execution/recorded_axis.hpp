@@ -3,8 +3,8 @@
 
 #include "axisc/answers/execution/recorded_units.hpp"
 #include "axisc/files/recorded_columns.hpp"
-#include "comparison/telling_motion.hpp"
-#include "comparison/verdict.hpp"
+#include "analysis/comparison/telling_motion.hpp"
+#include "analysis/comparison/verdict.hpp"
 #include "image/image_contents.hpp"
 
 namespace axisc {

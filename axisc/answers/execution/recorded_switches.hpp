@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/execution/timed_commands.hpp"
-#include "comparison/readings.hpp"
+#include "analysis/comparison/readings.hpp"
 #include "image/image_contents.hpp"
 
 #include <string>

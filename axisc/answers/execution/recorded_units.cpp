@@ -1,8 +1,8 @@
 #include "axisc/answers/execution/recorded_units.hpp"
 
 #include "axisc/environment/failure.hpp"
-#include "comparison/residual.hpp"
-#include "machine/machine.hpp"
+#include "analysis/comparison/residual.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <algorithm>
 #include <charconv>

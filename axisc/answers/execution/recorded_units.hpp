@@ -1,7 +1,7 @@
 // What the numbers of a recording mean for an axis.
 #pragma once
 
-#include "comparison/verdict.hpp"
+#include "analysis/comparison/verdict.hpp"
 #include "image/image_contents.hpp"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include "axisc/files/image_file.hpp"
 #include "image/runtime_host.hpp"
-#include "machine/filter_command.hpp"
+#include "configuration/machine/filter_command.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 #include "axisc/answers/figures/contour_cases.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/contour/contour_predictions.hpp"
-#include "pictures/projection.hpp"
+#include "analysis/motion/contour/contour_predictions.hpp"
+#include "presentation/pictures/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "axisc/answers/figures/compare_figure.hpp"
 
 #include "axisc/answers/comparison/compare_formats.hpp"
-#include "comparison/overlay.hpp"
+#include "analysis/comparison/overlay.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/spectrum.hpp"
+#include "analysis/motion/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

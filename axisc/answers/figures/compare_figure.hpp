@@ -3,7 +3,7 @@
 
 #include "axisc/answers/execution/recorded_axis.hpp"
 #include "diagnostics/message.hpp"
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 
 namespace axisc {
 

@@ -1,8 +1,8 @@
 #include "axisc/answers/figures/contour_cases.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/contour/contour_predictions.hpp"
-#include "pictures/clipping.hpp"
-#include "pictures/projection.hpp"
+#include "analysis/motion/contour/contour_predictions.hpp"
+#include "presentation/pictures/clipping.hpp"
+#include "presentation/pictures/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "axisc/answers/figures/path_figure.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
-#include "pictures/projection.hpp"
+#include "analysis/motion/point.hpp"
+#include "presentation/pictures/projection.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
-#include "motion/simulation.hpp"
-#include "pictures/figure.hpp"
+#include "analysis/motion/simulation.hpp"
+#include "presentation/pictures/figure.hpp"
 
 #include <cstddef>
 #include <optional>

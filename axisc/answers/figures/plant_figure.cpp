@@ -1,8 +1,8 @@
 #include "axisc/answers/figures/plant_figure.hpp"
 
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
-#include "motion/spectrum.hpp"
+#include "analysis/motion/point.hpp"
+#include "analysis/motion/spectrum.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/answers/simulation/plant_run.hpp"
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 
 namespace axisc {
 

@@ -6,7 +6,7 @@
 #include "axisc/answers/figures/measured_response.hpp"
 #include "axisc/files/image_file.hpp"
 #include "diagnostics/message.hpp"
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 
 #include <cstddef>
 #include <optional>

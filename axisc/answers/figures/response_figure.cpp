@@ -4,7 +4,7 @@
 #include "design/kernel_analysis.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
-#include "pictures/sampling.hpp"
+#include "presentation/pictures/sampling.hpp"
 
 #include <algorithm>
 #include <cmath>

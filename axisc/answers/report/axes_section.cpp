@@ -5,9 +5,9 @@
 #include "axisc/checking/path_machine.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
-#include "machine/part.hpp"
-#include "pictures/page.hpp"
-#include "pictures/svg_text.hpp"
+#include "configuration/machine/part.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #include "axisc/answers/difference/diff_words.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
-#include "pictures/page.hpp"
+#include "presentation/pictures/page.hpp"
 
 namespace axisc::says {
 

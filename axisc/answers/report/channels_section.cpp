@@ -4,8 +4,8 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
-#include "pictures/page.hpp"
+#include "analysis/motion/point.hpp"
+#include "presentation/pictures/page.hpp"
 
 namespace axisc::says {
 

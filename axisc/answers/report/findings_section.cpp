@@ -2,7 +2,7 @@
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "diagnostics/sentences.hpp"
-#include "pictures/svg_text.hpp"
+#include "presentation/pictures/svg_text.hpp"
 #include "validator/engine/rule.hpp"
 
 #include <set>

@@ -1,6 +1,6 @@
 #include "axisc/answers/report/html.hpp"
 
-#include "pictures/svg_text.hpp"
+#include "presentation/pictures/svg_text.hpp"
 
 #include <algorithm>
 

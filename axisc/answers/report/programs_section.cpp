@@ -6,9 +6,9 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/program_lines.hpp"
 #include "diagnostics/writers/writers.hpp"
-#include "machine/part.hpp"
-#include "pictures/page.hpp"
-#include "pictures/svg_text.hpp"
+#include "configuration/machine/part.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
 #include "validator/loading/loader.hpp"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "axisc/answers/report/html.hpp"
 #include "axisc/checking/report_format.hpp"
 #include "diagnostics/format_number.hpp"
-#include "pictures/page.hpp"
-#include "pictures/svg_text.hpp"
+#include "presentation/pictures/page.hpp"
+#include "presentation/pictures/svg_text.hpp"
 
 namespace axisc::says {
 

@@ -3,7 +3,7 @@
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/program/interpreter.hpp"
+#include "analysis/motion/program/interpreter.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,9 +4,9 @@
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/program_lines.hpp"
 #include "diagnostics/finding.hpp"
-#include "machine/machine.hpp"
-#include "motion/program/interpreter.hpp"
-#include "motion/simulation.hpp"
+#include "configuration/machine/machine.hpp"
+#include "analysis/motion/program/interpreter.hpp"
+#include "analysis/motion/simulation.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
-#include "motion/closed_loop.hpp"
-#include "motion/spectrum.hpp"
+#include "analysis/motion/closed_loop.hpp"
+#include "analysis/motion/spectrum.hpp"
 
 #include <optional>
 #include <string>

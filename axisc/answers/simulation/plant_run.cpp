@@ -5,7 +5,7 @@
 #include "axisc/environment/sentences.hpp"
 #include "axisc/settings/plant_file.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
+#include "analysis/motion/point.hpp"
 
 #include <algorithm>
 #include <cmath>

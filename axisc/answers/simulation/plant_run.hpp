@@ -3,7 +3,7 @@
 
 #include "axisc/answers/simulation/plant_formats.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "motion/closed_loop.hpp"
+#include "analysis/motion/closed_loop.hpp"
 
 #include <string>
 #include <utility>

@@ -3,7 +3,7 @@
 
 #include "design/units.hpp"
 #include "diagnostics/message.hpp"
-#include "motion/simulation.hpp"
+#include "analysis/motion/simulation.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisc/checking/edited_files.hpp"
-#include "tuning/suggestion/list_lines.hpp"
+#include "analysis/tuning/suggestion/list_lines.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include "axisc/answers/suggestion/new_findings.hpp"
 #include "axisc/settings/plant_file.hpp"
-#include "tuning/position_control/control_lines.hpp"
+#include "analysis/tuning/position_control/control_lines.hpp"
 #include "validator/views/position_control_view.hpp"
 
 #include <algorithm>

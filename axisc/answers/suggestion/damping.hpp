@@ -4,7 +4,7 @@
 #pragma once
 
 #include "axisc/answers/suggestion/suggestion.hpp"
-#include "tuning/position_control/damping_search.hpp"
+#include "analysis/tuning/position_control/damping_search.hpp"
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 #include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "axisc/answers/text_table.hpp"
 #include "diagnostics/format_number.hpp"
-#include "motion/point.hpp"
-#include "tuning/position_control/control_lines.hpp"
+#include "analysis/motion/point.hpp"
+#include "analysis/tuning/position_control/control_lines.hpp"
 
 #include <fmt/format.h>
 

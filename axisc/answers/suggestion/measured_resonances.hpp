@@ -2,7 +2,7 @@
 #pragma once
 
 #include "diagnostics/message.hpp"
-#include "tuning/identification/measurement.hpp"
+#include "analysis/tuning/identification/measurement.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "design/units.hpp"
-#include "tuning/suggestion/task.hpp"
+#include "analysis/tuning/suggestion/task.hpp"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "diagnostics/format_number.hpp"
-#include "tuning/suggestion/impulse_response.hpp"
+#include "analysis/tuning/suggestion/impulse_response.hpp"
 
 #include <algorithm>
 #include <cmath>

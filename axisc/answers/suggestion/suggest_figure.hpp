@@ -3,7 +3,7 @@
 
 #include "axisc/answers/suggestion/suggestion.hpp"
 #include "diagnostics/message.hpp"
-#include "pictures/figure.hpp"
+#include "presentation/pictures/figure.hpp"
 
 namespace axisc {
 

@@ -1,7 +1,7 @@
 #include "axisc/answers/json_text.hpp"
 #include "axisc/answers/suggestion/damping_formats.hpp"
 #include "axisc/answers/suggestion/suggest_formats.hpp"
-#include "motion/point.hpp"
+#include "analysis/motion/point.hpp"
 
 #include <array>
 #include <string_view>

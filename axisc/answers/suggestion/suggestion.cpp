@@ -3,7 +3,7 @@
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/answers/suggestion/new_findings.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "motion/feed_limits.hpp"
+#include "analysis/motion/feed_limits.hpp"
 
 #include <algorithm>
 #include <cmath>

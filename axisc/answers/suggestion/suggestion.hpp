@@ -4,9 +4,9 @@
 #include "axisc/answers/suggestion/chain_edits.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
 #include "axisc/checking/check_input.hpp"
-#include "machine/machine.hpp"
-#include "motion/contour/contour_predictions.hpp"
-#include "tuning/suggestion/choice.hpp"
+#include "configuration/machine/machine.hpp"
+#include "analysis/motion/contour/contour_predictions.hpp"
+#include "analysis/tuning/suggestion/choice.hpp"
 
 #include <array>
 #include <optional>

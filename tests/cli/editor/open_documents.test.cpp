@@ -1,6 +1,6 @@
 // What many open documents cost, counted in machines that are read, and whom an opened or closed document
 // concerns.
-#include "editor/edited_text.hpp"
+#include "editor/reading/edited_text.hpp"
 #include "editor/server.hpp"
 #include "support/catch.hpp"
 #include "support/map_files.hpp"

@@ -132,7 +132,9 @@ TEST_CASE("the report's programs are those of simulate") {
   for (auto const& pass : simulated["passes"]) {
     std::ostringstream deviation;
     deviation << std::fixed << std::setprecision(4) << pass["max_contour_deviation_um"].get<double>();
-    CHECK_THAT(text, Contains(deviation.str()));
+    auto german = deviation.str();
+    german.replace(german.find('.'), 1, ",");
+    CHECK_THAT(text, Contains(german));
   }
   CHECK_THAT(text, Contains("Bahn von part.nc, Ebene X/Y") && Contains("AX9007"));
   SECTION("of each channel, and what cannot be followed says why") {
