@@ -2,6 +2,7 @@
 
 #include "cli/commands/commands.hpp"
 #include "cli/failure.hpp"
+#include "cli/help/help_page.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/report/text_table.hpp"
 #include "cli/sentences.hpp"
@@ -105,13 +106,8 @@ struct CommandLine::Parser {
   std::vector<Declared> declared;
 };
 
-CommandLine::CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples,
-                         Language language)
-    : command_(command),
-      purpose_(purpose),
-      examples_(examples),
-      language_(language),
-      parser_(std::make_unique<Parser>()) {
+CommandLine::CommandLine(std::string_view command, Language language)
+    : command_(command), language_(language), parser_(std::make_unique<Parser>()) {
   // A path that begins with a slash is never an option.
   parser_->app.allow_windows_style_options(false);
   flag("-h,--help", wants_help_, says::option_help);
@@ -285,7 +281,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
 
 bool CommandLine::answers(Invocation const& invocation) {
   if (invocation.description != nullptr) {
-    *invocation.description = {.name = command_, .purpose = purpose_, .examples = examples_};
+    *invocation.description = {.name = command_};
     for (auto const& row : parser_->declared) invocation.description->options.push_back(row);
     return true;
   }
@@ -304,6 +300,7 @@ std::string CommandLine::help() const {
   auto const say = [this](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language_);
   };
+  auto const page = help_page(command_, language_);
   auto const width = help_width();
   std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";
   std::string rows;
@@ -313,8 +310,8 @@ std::string CommandLine::help() const {
     if (row.names.empty()) usage += " " + heading;
     (row.names.empty() ? rows : options) += help_row(heading, say(row.meaning), width);
   }
-  return help_paragraphs(say(purpose_), width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
-         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(say(examples_), width);
+  return help_paragraphs(page.purpose, width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
+         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(page.examples, width);
 }
 
 std::vector<std::string> split_list(std::string_view text, char separator) {
