@@ -12,26 +12,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Runs an axis' filters on a recorded setpoint and compares the result with the setpoint that the control made of it.
-Where they differ, says which reading of the parameters fits the recording.)",
-    R"(Führt einen aufgezeichneten Sollwert durch die Filter einer Achse und vergleicht das Ergebnis mit dem Sollwert, den
-die Steuerung daraus machte. Wo beide abweichen, nennt es die Lesart der Parameter, die zur Aufzeichnung passt.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc compare machine.json scope.csv --axis X
-  axisc compare mill.axim scope.csv --axis X --in setpoint --out filtered --format json
-  axisc compare machine.json scope.csv --axis X --emit settings > axisc.json
-
-Exit status: 0 the same, perhaps but for a delay; 1 different, or the recording cannot tell; 2 something could not
-be read. With --emit settings: 0 the settings were written, 1 the recording tells none or leaves some open.)",
-                            R"(Beispiele:
-  axisc compare maschine.json scope.csv --axis X
-  axisc compare fraese.axim scope.csv --axis X --in soll --out gefiltert --format json
-  axisc compare maschine.json scope.csv --axis X --emit settings > axisc.json
-
-Rückgabewert: 0 gleich, vielleicht bis auf eine Verzögerung; 1 verschieden, oder die Aufzeichnung entscheidet es
-nicht; 2 etwas war nicht lesbar. Mit --emit settings: 0 Einstellungen geschrieben, 1 die Aufzeichnung ergibt keine
-oder lässt welche offen.)"};
 constexpr Sentence argument_recording{"what a scope recorded: two columns, a row a cycle",
                                       "was ein Scope aufzeichnete: zwei Spalten, eine Zeile je Zyklus"};
 constexpr Sentence option_axis{"the recorded axis (default: the only one)",
@@ -112,7 +92,7 @@ ExitStatus emit_settings(comparison::Comparison const& result, design::Readings 
 
 ExitStatus compare(Invocation const& invocation) {
   CompareOptions options;
-  CommandLine command_line("compare", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("compare", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");

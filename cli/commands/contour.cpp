@@ -15,21 +15,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Predicts what the filters do to a contour at constant path velocity: axis error and contour deviation at a
-corner, on a circle, on a straight line and between paths in opposite directions; the feed and the order that
-keep a tolerance. FIR and HSC filters are on, as after #FILTER ON.)",
-    R"(Sagt vorher, was die Filter bei konstanter Bahngeschwindigkeit mit einer Kontur machen: Achsfehler und
-Bahnabweichung an einer Ecke, auf einem Kreis, auf einer Geraden und zwischen gegenläufigen Bahnen; Vorschub
-und Ordnung, die eine Toleranz einhalten. FIR- und HSC-Filter sind an, wie nach #FILTER ON.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc contour machine.json --feed 4000
-  axisc contour machine.json --feed 1000,2000,4000 --order 20,40,80
-  axisc contour machine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)",
-                            R"(Beispiele:
-  axisc contour maschine.json --feed 4000
-  axisc contour maschine.json --feed 1000,2000,4000 --order 20,40,80
-  axisc contour maschine.json --feed 4000 --tolerance 0.001 --angle 60 --format json)"};
 constexpr Sentence feed_above_limit{
     "axis {axis} cannot move at {feed} mm/min; its vb_max (P-AXIS-00212) is {limit} mm/min",
     "Achse {axis} kann nicht mit {feed} mm/min fahren; ihr vb_max (P-AXIS-00212) ist {limit} mm/min"};
@@ -89,7 +74,7 @@ void remark_feeds(machine::Machine const& machine, machine::MachineGroup const& 
 
 ExitStatus contour(Invocation const& invocation) {
   ContourOptions options;
-  CommandLine command_line("contour", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("contour", invocation.language);
   declare(command_line, options);
   auto& out = invocation.streams.out;
   if (command_line.answers(invocation)) return ExitStatus::success;

@@ -14,27 +14,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Compares two machines, lists or images, or two axes of one machine: which axes there are, which channel they belong
-to, which parameters mean something else, where they are set, what needs a restart of the control, and what that does
-to the axes: delay, settling time, gain at the characteristic frequencies, deviation at a corner.
-Axes are paired by their number (kopf.achs_nr), else by name. Effective values are compared: internal default, default
-list, axis list. What one side sets to the default of the other is equal.)",
-    R"(Vergleicht zwei Maschinen, Listen oder Abbilder oder zwei Achsen einer Maschine: welche Achsen es gibt, zu welchem
-Kanal sie gehören, welche Parameter etwas anderes bedeuten, wo sie stehen, was einen Neustart der Steuerung braucht und
-was das mit den Achsen macht: Verzögerung, Einschwingzeit, Verstärkung bei den Kennfrequenzen, Abweichung an einer Ecke.
-Achsen gehören über ihre Nummer (kopf.achs_nr) zusammen, sonst über den Namen. Verglichen werden wirksame Werte:
-interner Standardwert, Standardliste, Achsliste. Was eine Seite auf den Standardwert der anderen setzt, ist gleich.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc diff old/listen/ new/listen/
-  axisc diff listen/ --axis X --axis Y
-  axisc diff x.lis.orig x.lis --cycle-time 1ms
-  axisc diff running.axim machine.json --format markdown)",
-                            R"(Beispiele:
-  axisc diff alt/listen/ neu/listen/
-  axisc diff listen/ --axis X --axis Y
-  axisc diff x.lis.orig x.lis --cycle-time 1ms
-  axisc diff laufend.axim maschine.json --format markdown)"};
 constexpr Sentence argument_diff{
     "two folders, start-up lists, machine files, lists or images, also mixed; or one, with two axes",
     "zwei Ordner, Hochlauflisten, Maschinendateien, Listen oder Abbilder, auch gemischt; oder eins mit zwei "
@@ -179,7 +158,7 @@ void require_two_sides(CommandLine const& command_line, DiffOptions const& optio
 
 ExitStatus diff(Invocation const& invocation) {
   DiffOptions options;
-  CommandLine command_line("diff", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("diff", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   require_two_sides(command_line, options);

@@ -26,31 +26,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Aligns the values and comments of axis lists. Order, comments, line ends and encoding stay, and what a list
-means never changes. Lines that cannot be read stay untouched. A file is replaced as a whole: other hard links to it
-keep the old text.)",
-    R"(Richtet Werte und Kommentare von Achslisten aus. Reihenfolge, Kommentare, Zeilenenden und Zeichencodierung
-bleiben, und was eine Liste bedeutet, ändert sich nie. Nicht lesbare Zeilen bleiben unberührt. Eine Datei wird als
-Ganzes ersetzt: andere Hardlinks auf sie behalten den alten Text.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc fmt x.lis                        aligns the list in place
-  axisc fmt machine.json                 the lists of a machine that are in its folder or below
-  axisc fmt Project.tsproj               the axis lists inside a TwinCAT project
-  axisc fmt --check axes/                for pipelines: writes nothing
-  axisc fmt @lists.txt -j 4              the lists that a file names, four at a time
-  axisc fmt - < x.lis                    to standard output
-
-Exit status: 0 done, 1 --check found a list to align, 2 something could not be read or written.)",
-                            R"(Beispiele:
-  axisc fmt x.lis                        richtet die Liste an Ort und Stelle aus
-  axisc fmt maschine.json                die Listen einer Maschine in deren Ordner oder darunter
-  axisc fmt Projekt.tsproj               die Achslisten in einem TwinCAT-Projekt
-  axisc fmt --check achsen/              für Pipelines: schreibt nichts
-  axisc fmt @listen.txt -j 4             die Listen, die eine Datei nennt, vier zugleich
-  axisc fmt - < x.lis                    auf die Standardausgabe
-
-Rückgabewert: 0 erledigt, 1 --check fand eine Liste zum Ausrichten, 2 etwas war nicht les- oder schreibbar.)"};
 constexpr Sentence option_check{"write nothing; exit status 1 when a list would change",
                                 "nichts schreiben; Rückgabewert 1, wenn sich eine Liste ändern würde"};
 constexpr Sentence option_diff{"print a patch instead of writing", "einen Patch zeigen, statt zu schreiben"};
@@ -202,7 +177,7 @@ Formatted format_list(std::string const& path, std::string const& name, FmtOptio
 
 ExitStatus fmt(Invocation const& invocation) {
   FmtOptions options;
-  CommandLine command_line("fmt", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("fmt", invocation.language);
   command_line.arguments("INPUT...", options.named, says::argument_inputs);
   command_line.value("--stdin-filename", "NAME", options.stdin_filename, says::option_stdin_filename);
   declare_hook(command_line, options.hook);

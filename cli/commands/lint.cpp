@@ -21,47 +21,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    "Checks axis lists, machine files and NC programs and prints what is wrong, and what the control would "
-    "do.",
-    "Prüft Achslisten, Maschinendateien und NC-Programme und zeigt, was falsch ist und was die Steuerung "
-    "täte."};
-constexpr Sentence examples{R"(Examples:
-  axisc lint x.lis --cycle-time 1ms      one axis
-  axisc lint machine.json                all axes of a machine together
-  axisc lint axes/                       every list and machine file in a folder
-  axisc lint x.lis --format json         for other programs, jsonl one finding a line; sarif, github and
-                                         gitlab for code hosts
-  axisc lint x.lis --fix                 applies the fixes that change nothing for the machine
-  axisc lint x.lis --fix=all --diff      shows all fixes as a patch
-  axisc lint . --write-baseline known.json
-  axisc lint . --baseline known.json     only what is new since then
-  axisc lint --changed-since origin/main what differs from a revision of git, below the working folder
-  axisc lint - --stdin-filename axes/x.lis    the text of an editor, judged in the machine of the file
-  axisc lint @changed.txt                the inputs that a file names, one per line or with a NUL after each
-
-A comment `# axisc: allow AX3005` in a list silences a code on its line or, alone on a line, on the next;
-`# axisc: allow-file AX3005` silences it in the whole file.
-
-Exit status: 0 no errors, 1 errors (or warnings with --werror), 2 something could not be read.)",
-                            R"(Beispiele:
-  axisc lint x.lis --cycle-time 1ms      eine Achse
-  axisc lint maschine.json               alle Achsen einer Maschine zusammen
-  axisc lint achsen/                     jede Liste und Maschinendatei eines Ordners
-  axisc lint x.lis --format json         für andere Programme, jsonl je Befund eine Zeile; sarif, github und
-                                         gitlab für Code-Plattformen
-  axisc lint x.lis --fix                 korrigiert, was für die Maschine nichts ändert
-  axisc lint x.lis --fix=all --diff      zeigt alle Korrekturen als Patch
-  axisc lint . --write-baseline bekannt.json
-  axisc lint . --baseline bekannt.json   nur, was seitdem neu ist
-  axisc lint --changed-since origin/main was sich von einer Revision von git unterscheidet, im Arbeitsordner
-  axisc lint - --stdin-filename achsen/x.lis    der Text eines Editors: Einstellungen und Meldungen wie bei der Datei
-  axisc lint @geaendert.txt              die Eingaben, die eine Datei nennt, eine je Zeile oder mit NUL danach
-
-Ein Kommentar `# axisc: allow AX3005` in einer Liste unterdrückt einen Code in seiner Zeile oder, allein in
-einer Zeile, in der nächsten; `# axisc: allow-file AX3005` in der ganzen Datei.
-Rückgabewert: 0 keine Fehler, 1 Fehler (mit --werror auch Warnungen), 2 etwas war nicht lesbar.)"};
-
 constexpr Sentence judged_in{
     "{file}{more} was judged in {machine}, which names it; --alone judges it by itself",
     "{file}{more} wurde in {machine} beurteilt, wo die Datei genannt ist; --alone beurteilt sie für sich"};
@@ -316,7 +275,7 @@ class Lint {
 
 ExitStatus lint(Invocation const& invocation) {
   LintOptions options;
-  CommandLine command_line("lint", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("lint", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   if (options.changed_since && options.named.empty()) options.named = {"."};

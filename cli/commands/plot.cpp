@@ -25,24 +25,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Draws what `response`, `run`, `contour`, `simulate` and `compare` compute: magnitude, phase and group delay over frequency, the answer to a
-step, the delay of each axis, a corner, a circle, a program's path, an axis in its position loop, a control's recording beside it. Several axes lie over one another; a single one is shown with each of
-its filters. A picture is an SVG file, the same bytes on every host; without -o it is drawn in the terminal.)",
-    R"(Zeichnet, was `response`, `run`, `contour`, `simulate` und `compare` berechnen: Betrag, Phase und Gruppenlaufzeit über der Frequenz, die
-Antwort auf einen Sprung, die Verzögerung jeder Achse, eine Ecke, einen Kreis, die Bahn eines Programms, eine Achse im Lageregelkreis, die Aufzeichnung einer Steuerung daneben. Mehrere Achsen liegen übereinander; eine
-einzelne zeigt jeden ihrer Filter. Ein Bild ist eine SVG-Datei, auf jedem Rechner dieselben Bytes; ohne -o wird es im
-Terminal gezeichnet.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc plot machine.json --axis X -o x.svg
-  axisc plot listen/ --axis X --mark 48Hz
-  axisc plot listen/ --before old/listen/ --axis X -o change.svg
-  axisc plot machine.json --kind corner --feed 1000,4000 -o corner.svg)",
-                            R"(Beispiele:
-  axisc plot maschine.json --axis X -o x.svg
-  axisc plot listen/ --axis X --mark 48Hz
-  axisc plot listen/ --before alt/listen/ --axis X -o aenderung.svg
-  axisc plot maschine.json --kind corner --feed 1000,4000 -o ecke.svg)"};
 constexpr Sentence argument_plotted{
     "a list, a machine file, a start-up list, a project, a folder with one machine, or an image",
     "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt, ein Ordner mit einer Maschine oder "
@@ -325,7 +307,7 @@ std::optional<pictures::Figure> followed_path(PlotOptions const& options, Checke
 
 ExitStatus plot(Invocation const& invocation) {
   PlotOptions options;
-  CommandLine command_line("plot", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("plot", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");

@@ -21,21 +21,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Writes one self-contained page about a machine: what is wrong, what its lists set, what each filter does to its
-axis, delays and contours of each channel, what its programs do, and with --before every change with its effect. It opens without a network and
-without scripts, and prints on A4. After errors the page holds the findings alone.)",
-    R"(Schreibt eine eigenständige Seite über eine Maschine: was falsch ist, was ihre Listen setzen, was jeder Filter mit
-seiner Achse macht, Verzögerungen und Konturen jedes Kanals, was seine Programme machen, und mit --before jede Änderung mit ihrer Wirkung. Sie öffnet
-ohne Netz und ohne Skripte und lässt sich auf A4 drucken. Nach Fehlern enthält die Seite nur die Befunde.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc report listen/ -o report.html
-  axisc report listen/ --before old/listen/ -o change.html
-  axisc report machine.json --feed 1000,4000 --lang de -o abnahme.html)",
-                            R"(Beispiele:
-  axisc report listen/ -o bericht.html
-  axisc report listen/ --before alt/listen/ -o aenderung.html
-  axisc report maschine.json --feed 1000,4000 -o abnahme.html)"};
 constexpr Sentence argument_reported{
     "a list, a machine file, a start-up list, a project, or a folder with one machine",
     "eine Liste, eine Maschinendatei, eine Hochlaufliste, ein Projekt oder ein Ordner mit einer Maschine"};
@@ -124,7 +109,7 @@ void write(std::string const& page, std::string const& path, Invocation const& i
 
 ExitStatus report(Invocation const& invocation) {
   ReportOptions options;
-  CommandLine command_line("report", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("report", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.input.has_value(), "INPUT");

@@ -12,22 +12,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Plans the path of an NC program within the axes' limits, executes the filters and says per block and per
-pass (from one #FILTER command to the next) how long it takes and how far the contour deviates. With --plant it
-moves one axis there and back in a closed loop and says what Improved Position Control does to the load.)",
-    R"(Plant die Bahn eines NC-Programms in den Grenzen der Achsen, führt die Filter aus und sagt je Satz und je
-Durchgang (von einem #FILTER-Befehl zum nächsten), wie lange er dauert und wie weit die Kontur abweicht. Mit --plant
-wird eine Achse im geschlossenen Regelkreis hin- und zurückgefahren und gezeigt, was die optimierte Lageregelung
-mit der Last macht.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc simulate machine.json --program part.nc
-  axisc simulate machine.json --program part.nc --output cycles.csv --format json
-  axisc simulate machine.json --plant plant.json --move X:300:20000)",
-                            R"(Beispiele:
-  axisc simulate maschine.json --program teil.nc
-  axisc simulate maschine.json --program teil.nc --output zyklen.csv --format json
-  axisc simulate maschine.json --plant strecke.json --move X:300:20000)"};
 constexpr Sentence option_program{"the NC program, or - for standard input",
                                   "das NC-Programm, oder - für die Standardeingabe"};
 constexpr Sentence option_output{"also write every NC cycle to this CSV file",
@@ -107,7 +91,7 @@ std::uint64_t most_cycles(SimulateOptions const& options) {
 
 ExitStatus simulate(Invocation const& invocation) {
   SimulateOptions options;
-  CommandLine command_line("simulate", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("simulate", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");

@@ -29,30 +29,6 @@
 
 namespace axisc::cli::says {
 
-constexpr Sentence purpose{
-    R"(Suggests filters for an axis whose mechanics swing at a known frequency. Every setting that the control has is
-compared by the runtime's own answer: three remain, each with what it does to vibration, delay and contour beside
-the present setting, the lines for every axis of the channel and the #FILTER command. With --plant the settings of
-Improved Position Control are compared as well, in the simulated position loop of the axis: suggestion 4.)",
-    R"(Schlägt Filter für eine Achse vor, deren Mechanik bei einer bekannten Frequenz schwingt. Jede Einstellung, die
-die Steuerung kennt, wird an der Antwort der Laufzeit selbst gemessen: drei bleiben, jede mit Schwingung, Verzögerung
-und Kontur neben der jetzigen Einstellung, den Zeilen für jede Achse des Kanals und dem #FILTER-Befehl. Mit --plant
-werden auch die Einstellungen der optimierten Lageregelung verglichen, im simulierten Lageregelkreis der Achse:
-Vorschlag 4.)"};
-constexpr Sentence examples{R"(Examples:
-  axisc suggest machine.json --axis X --resonance 48Hz
-  axisc suggest machine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
-  axisc suggest machine.json --axis X --resonance 48Hz --apply 2 --diff
-  axisc suggest machine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest machine.json --axis X --measured torque-velocity.csv
-  axisc suggest machine.json --axis X --resonance 53Hz,11Hz --plant plant.json)",
-                            R"(Beispiele:
-  axisc suggest maschine.json --axis X --resonance 48Hz
-  axisc suggest maschine.json --axis X --resonance 48Hz:0.03,112Hz --feed 2000 --goal surface
-  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2 --diff
-  axisc suggest maschine.json --axis X --resonance 48Hz --apply 2
-  axisc suggest maschine.json --axis X --measured drehmoment-geschwindigkeit.csv
-  axisc suggest maschine.json --axis X --resonance 53Hz,11Hz --plant strecke.json)"};
 constexpr Sentence option_axis{"the vibrating axis", "die Achse, die schwingt"};
 constexpr Sentence option_resonance{"up to three natural frequencies, each perhaps with its damping ratio",
                                     "bis zu drei Eigenfrequenzen, jede vielleicht mit ihrem Dämpfungsgrad"};
@@ -329,7 +305,7 @@ void apply(ListEdits const& edits, std::vector<std::string> const& findings, std
 
 ExitStatus suggest(Invocation const& invocation) {
   SuggestOptions options;
-  CommandLine command_line("suggest", says::purpose, says::examples, invocation.language);
+  CommandLine command_line("suggest", invocation.language);
   declare(command_line, options);
   if (command_line.answers(invocation)) return ExitStatus::success;
   command_line.require(options.machine.has_value(), "MACHINE");

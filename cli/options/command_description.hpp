@@ -24,8 +24,6 @@ struct OptionDescription {
 struct CommandDescription {
   std::string name = {};                 ///< empty for the program itself
   SentenceRef meaning = says::as_given;  ///< a few words
-  SentenceRef purpose = says::as_given;
-  SentenceRef examples = says::as_given;  ///< the last part of the help
   std::vector<OptionDescription> options = {};
 };
 

@@ -4,6 +4,7 @@
 #include "axisc/asked/quantities.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/environment/version.hpp"
+#include "cli/help/help_page.hpp"
 #include "cli/options/help_text.hpp"
 #include "cli/options/invocation.hpp"
 #include "cli/options/sentences.hpp"
@@ -106,13 +107,8 @@ struct CommandLine::Parser {
   std::vector<Declared> declared;
 };
 
-CommandLine::CommandLine(std::string_view command, SentenceRef purpose, SentenceRef examples,
-                         Language language)
-    : command_(command),
-      purpose_(purpose),
-      examples_(examples),
-      language_(language),
-      parser_(std::make_unique<Parser>()) {
+CommandLine::CommandLine(std::string_view command, Language language)
+    : command_(command), language_(language), parser_(std::make_unique<Parser>()) {
   // A path that begins with a slash is never an option.
   parser_->app.allow_windows_style_options(false);
   flag("-h,--help", wants_help_, says::option_help);
@@ -286,7 +282,7 @@ std::optional<std::string> CommandLine::read(std::span<std::string const> argume
 
 bool CommandLine::answers(Invocation const& invocation) {
   if (invocation.description != nullptr) {
-    *invocation.description = {.name = command_, .purpose = purpose_, .examples = examples_};
+    *invocation.description = {.name = command_};
     for (auto const& row : parser_->declared) invocation.description->options.push_back(row);
     return true;
   }
@@ -305,6 +301,7 @@ std::string CommandLine::help() const {
   auto const say = [this](SentenceRef text) {
     return render({.sentence = text, .arguments = {}}, language_);
   };
+  auto const page = help_page(command_, language_);
   auto const width = help_width();
   std::string usage = say(says::help_usage) + ": axisc " + command_ + " [" + say(says::help_options) + "]";
   std::string rows;
@@ -314,8 +311,8 @@ std::string CommandLine::help() const {
     if (row.names.empty()) usage += " " + heading;
     (row.names.empty() ? rows : options) += help_row(heading, say(row.meaning), width);
   }
-  return help_paragraphs(say(purpose_), width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
-         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(say(examples_), width);
+  return help_paragraphs(page.purpose, width) + "\n" + help_paragraphs(usage, width) + "\n" + rows + "\n" +
+         say(says::help_options_heading) + ":\n" + options + "\n" + help_paragraphs(page.examples, width);
 }
 
 }  // namespace axisc::cli

@@ -17,8 +17,6 @@ using namespace axisc::cli;
 
 namespace {
 
-constexpr Sentence purpose{"Checks axis lists.", "Prüft Achslisten."};
-constexpr Sentence examples{"Example: axisc lint x.lis", "Beispiel: axisc lint x.lis"};
 constexpr Sentence option_fix{
     "write the fixes that do not change what the machine does; =all: the others as well",
     "die Korrekturen schreiben, die nicht ändern, was die Maschine tut; =all: auch die anderen"};
@@ -41,7 +39,7 @@ struct Words {
 };
 
 std::optional<std::string> read(Words& words, std::vector<std::string> const& arguments) {
-  CommandLine line("lint", purpose, examples, Language::english);
+  CommandLine line("lint", Language::english);
   line.arguments("INPUT...", words.inputs, cli::says::argument_inputs);
   line.value("-o,--output", "FILE", words.output, option_image_output);
   line.values("--disable", "CODE", words.codes, option_disable);
@@ -167,7 +165,7 @@ TEST_CASE("a flag may have a word, and one option may begin like another") {
   };
   auto const given = [](std::vector<std::string> const& arguments) {
     Given words;
-    CommandLine line("lint", purpose, examples, Language::english);
+    CommandLine line("lint", Language::english);
     line.flag_with_value("--fix", "all", words.word, option_fix);
     line.value("-o,--output", "FILE", words.output, option_image_output);
     line.value("--output-folder", "FOLDER", words.folder, option_image_output);
