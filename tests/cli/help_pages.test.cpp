@@ -3,7 +3,7 @@
 #include "cli/help/help_page.hpp"
 #include "cli/manual/man_page.hpp"
 #include "cli/program.hpp"
-#include "cli/report/text_table.hpp"
+#include "axisc/answers/text_table.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 
