@@ -1,8 +1,8 @@
 // Circles as programs write them: G02 and G03 with I, J, K or R in the plane of G17, G18 or G19.
 #pragma once
 
-#include "diagnostics/sentence.hpp"
 #include "analysis/motion/segment.hpp"
+#include "diagnostics/sentence.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,9 +4,9 @@
 //     v_set = Kv (x_set - x) + f x_set',   v = v_set + v_add
 #pragma once
 
-#include "image/runtime_host.hpp"
 #include "analysis/motion/path_block.hpp"
 #include "analysis/motion/plant.hpp"
+#include "image/runtime_host.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,12 +1,12 @@
 // The runtime as one NC channel sees it: its axes in the order of the path, and its filters to switch.
 #pragma once
 
+#include "analysis/motion/point.hpp"
 #include "axisrt.h"
-#include "image/image_contents.hpp"
-#include "image/runtime_host.hpp"
 #include "configuration/machine/filter_command.hpp"
 #include "configuration/machine/machine.hpp"
-#include "analysis/motion/point.hpp"
+#include "image/image_contents.hpp"
+#include "image/runtime_host.hpp"
 
 #include <cstddef>
 #include <cstdint>

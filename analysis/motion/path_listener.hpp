@@ -1,8 +1,8 @@
 // What a program asks of the path, block by block.
 #pragma once
 
-#include "configuration/machine/filter_command.hpp"
 #include "analysis/motion/path_block.hpp"
+#include "configuration/machine/filter_command.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -4,12 +4,12 @@
 // two commands are a pass.
 #pragma once
 
-#include "axisrt.h"
 #include "analysis/motion/contour/contour_meter.hpp"
 #include "analysis/motion/group_runtime.hpp"
 #include "analysis/motion/interpolator.hpp"
 #include "analysis/motion/look_ahead.hpp"
 #include "analysis/motion/path_listener.hpp"
+#include "axisrt.h"
 
 #include <algorithm>
 #include <cstdint>

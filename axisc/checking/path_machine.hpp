@@ -1,13 +1,13 @@
 // The machine whose paths `contour` and `simulate` follow: checked, compiled, and ready for the runtime.
 #pragma once
 
+#include "analysis/motion/group_runtime.hpp"
+#include "analysis/motion/program/interpreter.hpp"
 #include "axisc/checking/machine_input.hpp"
 #include "axisc/files/disk_files.hpp"
 #include "axisc/files/image_file.hpp"
 #include "axisc/workspace/machine_search.hpp"
 #include "configuration/machine/machine.hpp"
-#include "analysis/motion/group_runtime.hpp"
-#include "analysis/motion/program/interpreter.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <memory>

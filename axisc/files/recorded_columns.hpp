@@ -2,8 +2,8 @@
 #pragma once
 
 #include "analysis/comparison/verdict.hpp"
-#include "design/units.hpp"
 #include "analysis/recordings/text_lines.hpp"
+#include "design/units.hpp"
 
 #include <cstddef>
 #include <optional>

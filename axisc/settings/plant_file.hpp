@@ -1,8 +1,8 @@
 // The plant file of `axisc simulate --plant`.
 #pragma once
 
-#include "configuration/json_shape.hpp"
 #include "analysis/motion/plant.hpp"
+#include "configuration/json_shape.hpp"
 
 #include <string>
 

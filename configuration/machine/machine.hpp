@@ -2,11 +2,11 @@
 // where a feature is off. A Machine exists only when no error was found.
 #pragma once
 
+#include "configuration/machine/filter_command.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/oscillator.hpp"
 #include "design/units.hpp"
-#include "configuration/machine/filter_command.hpp"
 
 #include <array>
 #include <cstdint>

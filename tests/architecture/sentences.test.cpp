@@ -157,8 +157,8 @@ std::vector<fs::path> readable_files() {
   for (auto at = fs::recursive_directory_iterator(AXISC_SOURCE_DIR); at != fs::recursive_directory_iterator();
        ++at) {
     std::string const name = at->path().filename().string();
-    bool const is_foreign = name == "build" || name == "tests" || name == "uplot" ||
-                            name == "node_modules" || name == "dist" || name.starts_with('.');
+    bool const is_foreign = name == "build" || name == "tests" || name == "uplot" || name == "node_modules" ||
+                            name == "dist" || name.starts_with('.');
     if (at->is_directory() && is_foreign) at.disable_recursion_pending();
     std::string const extension = at->path().extension().string();
     for (std::string_view const readable : {".cpp", ".hpp", ".md", ".json", ".ts", ".html", ".js", ".yml"}) {

@@ -1,9 +1,9 @@
 // The pages of cli/help: what commands say about themselves, in --help and on their manual pages.
+#include "axisc/answers/text_table.hpp"
 #include "cli/commands/command_table.hpp"
 #include "cli/help/help_page.hpp"
 #include "cli/manual/man_page.hpp"
 #include "cli/program.hpp"
-#include "axisc/answers/text_table.hpp"
 #include "support/catch.hpp"
 #include "support/golden.hpp"
 

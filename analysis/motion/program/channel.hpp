@@ -1,9 +1,9 @@
 // The channel that runs a program: its axes, and how it reads #FILTER commands.
 #pragma once
 
+#include "configuration/machine/filter_command.hpp"
 #include "diagnostics/finding.hpp"
 #include "grammar/nc_command.hpp"
-#include "configuration/machine/filter_command.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // The G words of a program.
 #pragma once
 
-#include "diagnostics/sentence.hpp"
 #include "analysis/motion/program/modal_words.hpp"
+#include "diagnostics/sentence.hpp"
 
 #include <array>
 #include <cstdint>

@@ -4,13 +4,13 @@
 // warning (AX9007); all others are refused (AX9008).
 #pragma once
 
-#include "grammar/nc_program.hpp"
 #include "analysis/motion/path_listener.hpp"
 #include "analysis/motion/program/channel.hpp"
 #include "analysis/motion/program/flow.hpp"
 #include "analysis/motion/program/nc_block.hpp"
 #include "analysis/motion/program/problems.hpp"
 #include "analysis/motion/program/state.hpp"
+#include "grammar/nc_program.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,9 @@
 // What a simulation does not follow, told with its place.
 #pragma once
 
-#include "diagnostics/finding.hpp"
 #include "analysis/motion/program/nc_block.hpp"
 #include "analysis/motion/program/sentences.hpp"
+#include "diagnostics/finding.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "analysis/motion/program/variables.hpp"
 
-#include "grammar/expression.hpp"
 #include "analysis/motion/program/numbers.hpp"
+#include "grammar/expression.hpp"
 
 namespace axisc::motion::says {
 

@@ -1,9 +1,9 @@
 // What an additive velocity does to a loop without function, over frequency. The plant has no teeth here: the loop is linear.
 #pragma once
 
-#include "configuration/machine/machine.hpp"
 #include "analysis/motion/plant.hpp"
 #include "analysis/tuning/suggestion/task.hpp"
+#include "configuration/machine/machine.hpp"
 
 #include <complex>
 #include <vector>

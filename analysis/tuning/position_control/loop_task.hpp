@@ -4,11 +4,11 @@
 // amplitude of the load's acceleration around its frequency, while travelling or in the half second behind the stop.
 #pragma once
 
-#include "design/units.hpp"
-#include "configuration/machine/machine.hpp"
 #include "analysis/motion/closed_loop.hpp"
 #include "analysis/motion/plant.hpp"
 #include "analysis/tuning/suggestion/task.hpp"
+#include "configuration/machine/machine.hpp"
+#include "design/units.hpp"
 
 #include <cstddef>
 #include <span>

@@ -5,8 +5,8 @@
 // INDIRECT and SET_POINT only where their dead time shifts the phase by 45° at most (AX3036).
 #pragma once
 
-#include "design/units.hpp"
 #include "configuration/machine/machine.hpp"
+#include "design/units.hpp"
 
 #include <array>
 #include <cstdint>

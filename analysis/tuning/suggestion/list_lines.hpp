@@ -1,8 +1,8 @@
 // A chain as lines of an axis list.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "analysis/tuning/suggestion/task.hpp"
+#include "diagnostics/message.hpp"
 
 #include <optional>
 #include <string>

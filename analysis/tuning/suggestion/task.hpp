@@ -1,10 +1,10 @@
 // What a filter shall do for an axis: which resonances it must not excite, and how far the contour may deviate.
 #pragma once
 
+#include "configuration/machine/machine.hpp"
 #include "design/filter_specification.hpp"
 #include "design/kernel_design.hpp"
 #include "design/units.hpp"
-#include "configuration/machine/machine.hpp"
 
 #include <cstdint>
 #include <optional>

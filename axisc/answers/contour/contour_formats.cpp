@@ -1,10 +1,10 @@
 #include "axisc/answers/contour/contour_formats.hpp"
 
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/json_text.hpp"
 #include "axisc/answers/text_table.hpp"
 #include "axisc/files/csv.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/point.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

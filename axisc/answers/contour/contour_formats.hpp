@@ -1,8 +1,8 @@
 // Results of `axisc contour`, and their output formats.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "analysis/motion/contour/contour_predictions.hpp"
+#include "diagnostics/message.hpp"
 
 #include <cstdint>
 #include <optional>

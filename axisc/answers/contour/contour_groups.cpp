@@ -1,8 +1,8 @@
 #include "axisc/answers/contour/contour_groups.hpp"
 
-#include "axisc/answers/execution/group_chains.hpp"
 #include "analysis/motion/chain_answer.hpp"
 #include "analysis/motion/feed_limits.hpp"
+#include "axisc/answers/execution/group_chains.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Chains of one channel's axes, with its filters switched as a program would.
 #pragma once
 
-#include "axisc/files/image_file.hpp"
-#include "configuration/machine/part.hpp"
 #include "analysis/motion/chain_answer.hpp"
 #include "analysis/motion/group_runtime.hpp"
+#include "axisc/files/image_file.hpp"
+#include "configuration/machine/part.hpp"
 
 #include <cstdint>
 #include <optional>

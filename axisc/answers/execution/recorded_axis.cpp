@@ -1,11 +1,11 @@
 #include "axisc/answers/execution/recorded_axis.hpp"
 
-#include "axisc/environment/failure.hpp"
-#include "axisc/files/byte_source.hpp"
-#include "axisc/files/image_file.hpp"
 #include "analysis/comparison/found_switches.hpp"
 #include "analysis/comparison/residual.hpp"
 #include "analysis/comparison/turns.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/byte_source.hpp"
+#include "axisc/files/image_file.hpp"
 #include "configuration/machine/machine.hpp"
 
 namespace axisc::says {

@@ -1,10 +1,10 @@
 // An axis' setpoint chain beside what a scope recorded of it.
 #pragma once
 
-#include "axisc/answers/execution/recorded_units.hpp"
-#include "axisc/files/recorded_columns.hpp"
 #include "analysis/comparison/telling_motion.hpp"
 #include "analysis/comparison/verdict.hpp"
+#include "axisc/answers/execution/recorded_units.hpp"
+#include "axisc/files/recorded_columns.hpp"
 #include "image/image_contents.hpp"
 
 namespace axisc {

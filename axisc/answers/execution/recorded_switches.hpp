@@ -1,8 +1,8 @@
 // What #FILTER commands made of an axis' linear-phase filter while a scope recorded it.
 #pragma once
 
-#include "axisc/answers/execution/timed_commands.hpp"
 #include "analysis/comparison/readings.hpp"
+#include "axisc/answers/execution/timed_commands.hpp"
 #include "image/image_contents.hpp"
 
 #include <string>

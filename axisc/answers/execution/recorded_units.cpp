@@ -1,7 +1,7 @@
 #include "axisc/answers/execution/recorded_units.hpp"
 
-#include "axisc/environment/failure.hpp"
 #include "analysis/comparison/residual.hpp"
+#include "axisc/environment/failure.hpp"
 #include "configuration/machine/machine.hpp"
 
 #include <algorithm>

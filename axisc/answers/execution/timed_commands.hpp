@@ -2,8 +2,8 @@
 #pragma once
 
 #include "axisc/files/image_file.hpp"
-#include "image/runtime_host.hpp"
 #include "configuration/machine/filter_command.hpp"
+#include "image/runtime_host.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
+#include "analysis/motion/contour/contour_predictions.hpp"
 #include "axisc/answers/figures/contour_cases.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/contour/contour_predictions.hpp"
 #include "presentation/pictures/projection.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "axisc/answers/figures/compare_figure.hpp"
 
-#include "axisc/answers/comparison/compare_formats.hpp"
 #include "analysis/comparison/overlay.hpp"
-#include "diagnostics/format_number.hpp"
 #include "analysis/motion/spectrum.hpp"
+#include "axisc/answers/comparison/compare_formats.hpp"
+#include "diagnostics/format_number.hpp"
 
 #include <algorithm>
 #include <cmath>

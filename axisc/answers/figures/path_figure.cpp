@@ -1,7 +1,7 @@
 #include "axisc/answers/figures/path_figure.hpp"
 
-#include "diagnostics/format_number.hpp"
 #include "analysis/motion/point.hpp"
+#include "diagnostics/format_number.hpp"
 #include "presentation/pictures/projection.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // An NC program's path, drawn.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "analysis/motion/simulation.hpp"
+#include "diagnostics/message.hpp"
 #include "presentation/pictures/figure.hpp"
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "axisc/answers/figures/plant_figure.hpp"
 
-#include "diagnostics/format_number.hpp"
 #include "analysis/motion/point.hpp"
 #include "analysis/motion/spectrum.hpp"
+#include "diagnostics/format_number.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/asked/filter_symbols.hpp"
 #include "axisc/checking/path_machine.hpp"
+#include "configuration/machine/part.hpp"
 #include "diagnostics/format_number.hpp"
 #include "image/chain_figures.hpp"
-#include "configuration/machine/part.hpp"
 #include "presentation/pictures/page.hpp"
 #include "presentation/pictures/svg_text.hpp"
 

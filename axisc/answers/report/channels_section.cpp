@@ -1,10 +1,10 @@
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/figures/plotted_groups.hpp"
 #include "axisc/answers/report/html.hpp"
 #include "axisc/answers/report/report_page.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/failure.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/point.hpp"
 #include "presentation/pictures/page.hpp"
 
 namespace axisc::says {

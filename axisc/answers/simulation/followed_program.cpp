@@ -1,9 +1,9 @@
 #include "axisc/answers/simulation/followed_program.hpp"
 
+#include "analysis/motion/program/interpreter.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/program/interpreter.hpp"
 
 #include <algorithm>
 #include <utility>

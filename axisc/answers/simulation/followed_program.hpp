@@ -1,12 +1,12 @@
 // An NC program through planner and runtime.
 #pragma once
 
-#include "axisc/environment/failure.hpp"
-#include "axisc/files/program_lines.hpp"
-#include "diagnostics/finding.hpp"
-#include "configuration/machine/machine.hpp"
 #include "analysis/motion/program/interpreter.hpp"
 #include "analysis/motion/simulation.hpp"
+#include "axisc/environment/failure.hpp"
+#include "axisc/files/program_lines.hpp"
+#include "configuration/machine/machine.hpp"
+#include "diagnostics/finding.hpp"
 
 #include <cstdint>
 #include <functional>

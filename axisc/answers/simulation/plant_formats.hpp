@@ -1,9 +1,9 @@
 // Results of `axisc simulate --plant`, and their output formats.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "analysis/motion/closed_loop.hpp"
 #include "analysis/motion/spectrum.hpp"
+#include "diagnostics/message.hpp"
 
 #include <optional>
 #include <string>

@@ -1,11 +1,11 @@
 #include "axisc/answers/simulation/plant_run.hpp"
 
+#include "analysis/motion/point.hpp"
 #include "axisc/asked/quantities.hpp"
 #include "axisc/checking/path_machine.hpp"
 #include "axisc/environment/sentences.hpp"
 #include "axisc/settings/plant_file.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/point.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // An axis in its closed loop, there and back, with and without Improved Position Control.
 #pragma once
 
+#include "analysis/motion/closed_loop.hpp"
 #include "axisc/answers/simulation/plant_formats.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "analysis/motion/closed_loop.hpp"
 
 #include <string>
 #include <utility>

@@ -1,9 +1,9 @@
 // Output formats of `axisc simulate`, written during the simulation.
 #pragma once
 
+#include "analysis/motion/simulation.hpp"
 #include "design/units.hpp"
 #include "diagnostics/message.hpp"
-#include "analysis/motion/simulation.hpp"
 
 #include <cstdint>
 #include <functional>

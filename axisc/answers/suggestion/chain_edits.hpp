@@ -1,8 +1,8 @@
 // What has to be written into the lists of a machine so that its axes get a chain.
 #pragma once
 
-#include "axisc/checking/edited_files.hpp"
 #include "analysis/tuning/suggestion/list_lines.hpp"
+#include "axisc/checking/edited_files.hpp"
 #include "validator/loading/loading.hpp"
 
 #include <cstddef>

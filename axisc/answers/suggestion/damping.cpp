@@ -1,8 +1,8 @@
 #include "axisc/answers/suggestion/damping.hpp"
 
+#include "analysis/tuning/position_control/control_lines.hpp"
 #include "axisc/answers/suggestion/new_findings.hpp"
 #include "axisc/settings/plant_file.hpp"
-#include "analysis/tuning/position_control/control_lines.hpp"
 #include "validator/views/position_control_view.hpp"
 
 #include <algorithm>

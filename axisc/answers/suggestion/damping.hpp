@@ -3,8 +3,8 @@
 // It acts within the position loop of that axis alone: the setpoints of the others stay as they are, and so do their lists.
 #pragma once
 
-#include "axisc/answers/suggestion/suggestion.hpp"
 #include "analysis/tuning/position_control/damping_search.hpp"
+#include "axisc/answers/suggestion/suggestion.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
-#include "axisc/answers/suggestion/damping_formats.hpp"
-#include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "analysis/motion/point.hpp"
 #include "analysis/tuning/position_control/control_lines.hpp"
+#include "axisc/answers/suggestion/damping_formats.hpp"
+#include "axisc/answers/suggestion/suggest_formats.hpp"
 
 #include <string_view>
 

@@ -1,9 +1,9 @@
+#include "analysis/motion/point.hpp"
+#include "analysis/tuning/position_control/control_lines.hpp"
 #include "axisc/answers/suggestion/damping_formats.hpp"
 #include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "axisc/answers/text_table.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/point.hpp"
-#include "analysis/tuning/position_control/control_lines.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // `--measured`.
 #pragma once
 
-#include "diagnostics/message.hpp"
 #include "analysis/tuning/identification/measurement.hpp"
+#include "diagnostics/message.hpp"
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // `--resonance`.
 #pragma once
 
-#include "design/units.hpp"
 #include "analysis/tuning/suggestion/task.hpp"
+#include "design/units.hpp"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "axisc/answers/suggestion/suggest_figure.hpp"
 
+#include "analysis/tuning/suggestion/impulse_response.hpp"
 #include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/tuning/suggestion/impulse_response.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/json_text.hpp"
 #include "axisc/answers/suggestion/damping_formats.hpp"
 #include "axisc/answers/suggestion/suggest_formats.hpp"
-#include "analysis/motion/point.hpp"
 
 #include <array>
 #include <string_view>

@@ -1,7 +1,7 @@
+#include "analysis/motion/point.hpp"
 #include "axisc/answers/suggestion/suggest_formats.hpp"
 #include "axisc/answers/text_table.hpp"
 #include "diagnostics/format_number.hpp"
-#include "analysis/motion/point.hpp"
 
 #include <algorithm>
 #include <array>

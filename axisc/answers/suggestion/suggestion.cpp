@@ -1,9 +1,9 @@
 #include "axisc/answers/suggestion/suggestion.hpp"
 
+#include "analysis/motion/feed_limits.hpp"
 #include "axisc/answers/execution/group_chains.hpp"
 #include "axisc/answers/suggestion/new_findings.hpp"
 #include "axisc/checking/path_machine.hpp"
-#include "analysis/motion/feed_limits.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // What `axisc suggest` answers: the present setting of an axis and three others, each with what it does.
 #pragma once
 
+#include "analysis/motion/contour/contour_predictions.hpp"
+#include "analysis/tuning/suggestion/choice.hpp"
 #include "axisc/answers/suggestion/chain_edits.hpp"
 #include "axisc/answers/suggestion/measured_resonances.hpp"
 #include "axisc/checking/check_input.hpp"
 #include "configuration/machine/machine.hpp"
-#include "analysis/motion/contour/contour_predictions.hpp"
-#include "analysis/tuning/suggestion/choice.hpp"
 
 #include <array>
 #include <optional>

@@ -1,9 +1,9 @@
 // Recordings that tests/analysis/comparison/recordings.py stored, computed by another program.
+#include "analysis/comparison/turns.hpp"
+#include "analysis/comparison/verdict.hpp"
 #include "axisc/environment/failure.hpp"
 #include "axisc/files/byte_source.hpp"
 #include "axisc/files/recorded_columns.hpp"
-#include "analysis/comparison/turns.hpp"
-#include "analysis/comparison/verdict.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>

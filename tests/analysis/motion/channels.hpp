@@ -1,11 +1,11 @@
 // Checked machines of one channel and their runtimes, for the tests of this folder.
 #pragma once
 
-#include "configuration/machine/machine.hpp"
 #include "analysis/motion/chain_answer.hpp"
 #include "analysis/motion/group_runtime.hpp"
 #include "analysis/motion/program/interpreter.hpp"
 #include "analysis/motion/simulation.hpp"
+#include "configuration/machine/machine.hpp"
 #include "validator/commands/command_check.hpp"
 
 #include <string>

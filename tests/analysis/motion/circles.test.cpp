@@ -1,6 +1,6 @@
 // Circles, dwells and slopes: figures by hand, in position units (0.1 µm) and cycles of 1 ms.
-#include "channels.hpp"
 #include "analysis/motion/arc_words.hpp"
+#include "channels.hpp"
 #include "support/catch.hpp"
 
 #include <algorithm>

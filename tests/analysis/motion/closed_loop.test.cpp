@@ -1,8 +1,8 @@
 #include "analysis/motion/closed_loop.hpp"
 
+#include "analysis/motion/spectrum.hpp"
 #include "channels.hpp"
 #include "codegen/image_writer.hpp"
-#include "analysis/motion/spectrum.hpp"
 #include "support/catch.hpp"
 
 #include <cmath>

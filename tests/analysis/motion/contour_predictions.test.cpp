@@ -1,8 +1,8 @@
 // Against the closed formulas of the filter mathematics, with kernels written down here once more.
 #include "analysis/motion/contour/contour_predictions.hpp"
 
-#include "channels.hpp"
 #include "analysis/motion/feed_limits.hpp"
+#include "channels.hpp"
 #include "plain_geometry.hpp"
 #include "support/catch.hpp"
 

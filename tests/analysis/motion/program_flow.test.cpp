@@ -1,5 +1,5 @@
-#include "channels.hpp"
 #include "analysis/motion/program/interpreter.hpp"
+#include "channels.hpp"
 #include "support/catch.hpp"
 
 #include <sstream>

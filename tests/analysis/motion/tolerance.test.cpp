@@ -1,7 +1,7 @@
 // Tolerance monitoring: no axis error exceeds the tolerance, and nothing is slower than it must be.
-#include "channels.hpp"
 #include "analysis/motion/interpolator.hpp"
 #include "analysis/motion/look_ahead.hpp"
+#include "channels.hpp"
 #include "plain_geometry.hpp"
 #include "support/catch.hpp"
 

@@ -1,5 +1,5 @@
-#include "support/catch.hpp"
 #include "analysis/tuning/identification/resonances.hpp"
+#include "support/catch.hpp"
 
 #include <cmath>
 #include <functional>

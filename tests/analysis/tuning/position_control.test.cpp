@@ -1,11 +1,11 @@
 #include "analysis/motion/point.hpp"
-#include "support/catch.hpp"
 #include "analysis/tuning/position_control/control_lines.hpp"
 #include "analysis/tuning/position_control/damping_search.hpp"
 #include "analysis/tuning/position_control/loop_answer.hpp"
 #include "analysis/tuning/position_control/loop_trials.hpp"
 #include "analysis/tuning/position_control/stage_settings.hpp"
 #include "analysis/tuning/position_control/whole_loop.hpp"
+#include "support/catch.hpp"
 
 #include <algorithm>
 #include <cmath>

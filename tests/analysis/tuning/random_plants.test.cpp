@@ -1,14 +1,14 @@
 // What is suggested for random machines, tried on their simulated mechanics.
-#include "codegen/image_writer.hpp"
-#include "image/runtime_host.hpp"
 #include "analysis/motion/interpolator.hpp"
 #include "analysis/motion/look_ahead.hpp"
+#include "analysis/tuning/suggestion/choice.hpp"
+#include "analysis/tuning/suggestion/list_lines.hpp"
+#include "codegen/image_writer.hpp"
+#include "image/runtime_host.hpp"
 #include "random_tasks.hpp"
 #include "support/catch.hpp"
 #include "support/checked.hpp"
 #include "swinging_load.hpp"
-#include "analysis/tuning/suggestion/choice.hpp"
-#include "analysis/tuning/suggestion/list_lines.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // What is suggested beside classic input shapers (Singer and Seering 1990; Singhose 1997), at an equal delay. The table is in
 // docs/suggest.md.
-#include "support/catch.hpp"
-#include "support/golden.hpp"
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "analysis/tuning/suggestion/list_lines.hpp"
+#include "support/catch.hpp"
+#include "support/golden.hpp"
 
 #include <cmath>
 #include <numbers>

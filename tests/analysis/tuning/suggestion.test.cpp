@@ -1,7 +1,7 @@
-#include "random_tasks.hpp"
-#include "support/catch.hpp"
 #include "analysis/tuning/suggestion/choice.hpp"
 #include "analysis/tuning/suggestion/list_lines.hpp"
+#include "random_tasks.hpp"
+#include "support/catch.hpp"
 
 #include <complex>
 #include <numbers>
