@@ -1,7 +1,11 @@
 # One function per kind of target, so that every folder's CMakeLists.txt is a list of files and neighbours.
 
-# Checkouts in other places share what was compiled before.
+# Checkouts in other places share what was compiled before. Where there is no cache yet nothing could be found in it, and
+# every source would be read twice.
 find_program(AXISC_CCACHE ccache)
+if("$ENV{CCACHE_DIR}" STREQUAL "" AND NOT EXISTS "$ENV{HOME}/.cache/ccache" AND NOT EXISTS "$ENV{HOME}/.ccache")
+  set(AXISC_CCACHE "")
+endif()
 if(AXISC_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT MSVC AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(launcher "${CMAKE_COMMAND}" -E env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros "${AXISC_CCACHE}")
@@ -53,20 +57,22 @@ endfunction()
 
 # The standard headers, read once for all libraries: half of what most sources cost to compile. No source relies on it:
 # the tidy preset and the cross-built runtime compile without.
+set(AXISC_STANDARD_HEADERS <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map>
+  <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
 function(axisc_standard_headers)
   set(source "${CMAKE_BINARY_DIR}/standard_headers.cpp")
   file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing: its target precompiles the standard headers.\n")
   add_library(axisc_standard_headers OBJECT "${source}")
   axisc_program_options(axisc_standard_headers)
-  target_precompile_headers(axisc_standard_headers PRIVATE <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint>
-    <filesystem> <limits> <map> <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
+  target_precompile_headers(axisc_standard_headers PRIVATE ${AXISC_STANDARD_HEADERS})
 endfunction()
 
 # axisc_library(grammar DEPENDS diagnostics PRIVATE_DEPENDS Boost::headers)
 # makes the target axisc_grammar of all sources in the folder and below it, but those under EXCEPT (paths relative to the
-# folder); SOURCES adds what the build writes. DEPENDS without "::" are folders of this project.
+# folder); SOURCES adds what the build writes. DEPENDS without "::" are folders of this project. HEADERS are what nearly all
+# of its sources include: read once, beside the standard ones.
 function(axisc_library folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS;PRIVATE_DEPENDS;HEADERS" ${ARGN})
   set(target axisc_${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" "*.cpp")
   foreach(except IN LISTS ARG_EXCEPT)
@@ -75,7 +81,12 @@ function(axisc_library folder)
   add_library(${target} STATIC ${sources} ${ARG_SOURCES})
   add_library(axisc::${folder} ALIAS ${target})
   axisc_program_options(${target})
-  target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
+  if(ARG_HEADERS)
+    list(TRANSFORM ARG_HEADERS PREPEND "${PROJECT_SOURCE_DIR}/" REGEX "^[a-z_/]+[.]hpp$")
+    target_precompile_headers(${target} PRIVATE ${AXISC_STANDARD_HEADERS} ${ARG_HEADERS})
+  else()
+    target_precompile_headers(${target} REUSE_FROM axisc_standard_headers)
+  endif()
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>")
   foreach(neighbour IN LISTS ARG_DEPENDS)
     if(neighbour MATCHES "::")
