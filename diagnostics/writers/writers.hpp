@@ -7,6 +7,7 @@
 #include "diagnostics/page.hpp"
 #include "diagnostics/repository_path.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +17,8 @@ namespace axisc {
 
 struct WriteOptions {
   Language language = Language::english;
-  bool color = false;  ///< ANSI colours in the text form
+  bool color = false;      ///< ANSI colours in the text form
+  std::size_t width = 80;  ///< columns into which lines of sources are cut in the text form, at least 40
 };
 
 struct AppliedFix {
@@ -77,7 +79,8 @@ struct ReportContext {
 ///        = fix: …
 ///     12 + filter[0].time_constant          5000       # dead time of the drive
 /// Columns are code points. Tabs stay tabs, in the line and under it, so that the caret is under its token.
-/// Lines above 160 characters are cut around the caret with "…"; control characters are shown as pictures.
+/// Lines of sources are cut around the caret with "…" where they are wider than the terminal; control characters are shown as pictures.
+/// Findings that say the same about the same text are printed once; where else they are follows at the end of the report.
 /// Related places follow as further snippets after ":::", underlined with dashes. A finding without place
 /// shows its file only. Ends with a line end; findings are meant to be separated by an empty line.
 [[nodiscard]] std::string write_text(Finding const& finding, SourceSet const& sources,

@@ -90,7 +90,7 @@ TEST_CASE("each file of a commit that is a list, a machine or a program is check
   std::vector<std::string> const all{"A.NC",      "X.LIS",        "axisc.json",  "mill.json", "old.lis",
                                      "p.tsproj",  "package.json", "plc.tsproj",  "pom.xml",   "update.xml",
                                      "README.md", "@x.lis",       "machine.json"};
-  folder.write("@x.lis", broken);
+  folder.write("@x.lis", "filter[1].order 2,5x\n");
   folder.write("x.lis", "filter[0].enable 0\n");
   folder.write("machine.json", "");
   auto const outcome = run_hook(hook_named("axisc-lint"), {"--cycle-time", "1ms"}, folder, all);
@@ -111,7 +111,7 @@ TEST_CASE("each file of a commit that is a list, a machine or a program is check
 TEST_CASE("a list that begins with @ is a file for hooks and after --") {
   TemporaryFolder const folder;
   auto const there = in_folder(folder.path());
-  folder.write("@x.lis", broken);
+  folder.write("@x.lis", "filter[1].order 2,5x\n");
   folder.write("x.lis", "ok.lis\n");
   folder.write("ok.lis", "filter[0].enable 0\n");
   for (std::vector<std::string> const& words :
