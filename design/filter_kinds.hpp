@@ -6,6 +6,7 @@
 #pragma once
 
 #include "design/filter_specification.hpp"
+#include "design/kernel_design.hpp"
 
 #include <array>
 #include <cassert>
@@ -99,6 +100,32 @@ inline constexpr std::array filter_kinds{
                .time_constant = detail::short_delay},
 };
 // clang-format on
+
+/// The prototype, P-AXIS-00153, with which a filter[i] is an HSC filter: a linear-phase kernel that programs switch on.
+inline constexpr int hsc_prototype = 5;
+
+/// Values are the numbers of P-AXIS-00204.
+enum class HscType : std::uint8_t { mean = 8, novib = 12 };
+
+/// What an HSC type uses beside prototype, order, share and time constant. Its order is 0 to longest_kernel_order.
+struct HscKind {
+  HscType type;
+  KernelType kernel;
+  bool uses_frequency = false;  ///< fg_f0: 0 < f < 0.5/T
+};
+
+inline constexpr std::array hsc_kinds{
+    HscKind{.type = HscType::mean, .kernel = KernelType::moving_average},
+    HscKind{.type = HscType::novib, .kernel = KernelType::novib, .uses_frequency = true},
+};
+
+/// The row of a number of P-AXIS-00204; null for all others.
+[[nodiscard]] constexpr HscKind const* find_hsc_kind(int number) {
+  for (HscKind const& kind : hsc_kinds) {
+    if (static_cast<int>(kind.type) == number) return &kind;
+  }
+  return nullptr;
+}
 
 /// The row of a number of P-AXIS-00204; null for HSC filters and undocumented types.
 [[nodiscard]] constexpr FilterKind const* find_filter_kind(int number) {

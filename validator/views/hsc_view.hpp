@@ -1,18 +1,17 @@
 // An HSC filter as a linear-phase kernel: prototype HSC in filter[i], types HSC_MEAN and HSC_SHAPER (NoVib).
 #pragma once
 
+#include "design/filter_kinds.hpp"
 #include "design/kernel_design.hpp"
 #include "validator/views/filter_view.hpp"
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace axisc::validator {
 
-/// Values are the numbers of P-AXIS-00204.
-enum class HscType : std::uint8_t { mean = 8, novib = 12 };
+using design::HscType;
 
 /// A filter[i] with prototype HSC: configured, whatever its type.
 [[nodiscard]] bool is_configured_hsc(FilterView const& filter);
