@@ -1,5 +1,5 @@
 // Which values of a parameter are beyond doubt: what nearly every line of nearly every list gives. What is
-// not among them is looked at more closely (validator/values/reading.hpp), and may be right as well.
+// not among them is looked at more closely (validator/values/line_value.hpp), and may be right as well.
 #pragma once
 
 #include "schema/catalogue.hpp"

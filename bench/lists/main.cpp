@@ -9,8 +9,8 @@
 #include "lists/rounds.hpp"
 #include "validator/check.hpp"
 #include "validator/engine/rule.hpp"
+#include "validator/values/line_value.hpp"
 #include "validator/values/list_reader.hpp"
-#include "validator/values/reading.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -46,7 +46,7 @@ std::vector<ValueHierarchy::Line> ValueHierarchy::lines_in(validator::LoadedList
                                                            schema::Slot slot) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < list.tree.assignments.size(); ++i) {
-    if (list.readings.slot(i) == slot) lines.push_back({.list = &list, .assignment = i});
+    if (list.line_values.slot(i) == slot) lines.push_back({.list = &list, .assignment = i});
   }
   return lines;
 }
@@ -85,7 +85,7 @@ Json ValueHierarchy::items_at(std::size_t offset) const {
   if (line == nullptr || offset < line->name.begin || line->value.end < offset) return nullptr;
   for (std::size_t i = 0; i < list->tree.assignments.size(); ++i) {
     bool const is_here = list->tree.assignments[i].line == line->line;
-    if (is_here && list->readings.slot(i)) items.push_back(item_of({.list = list, .assignment = i}));
+    if (is_here && list->line_values.slot(i)) items.push_back(item_of({.list = list, .assignment = i}));
   }
   return items.empty() ? Json() : items;
 }

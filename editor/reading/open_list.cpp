@@ -18,7 +18,7 @@ schema::ListKind kind_of(SourceText const& text) {
 
 void add_lines(validator::LoadedList const& list, schema::Slot slot, std::vector<Place>& places) {
   for (std::size_t i = 0; i < list.tree.assignments.size(); ++i) {
-    if (list.readings.slot(i) != slot) continue;
+    if (list.line_values.slot(i) != slot) continue;
     places.push_back({.source = list.source, .span = list.tree.assignments[i].name});
   }
 }

@@ -5,7 +5,7 @@
 #include "schema/parameter_row.hpp"
 #include "support/catch.hpp"
 #include "validator/same_lists.hpp"
-#include "validator/values/reading.hpp"
+#include "validator/values/line_value.hpp"
 
 #include <cstddef>
 #include <string>

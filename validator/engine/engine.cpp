@@ -67,7 +67,7 @@ class Engine {
     // A bad list yields thousands of findings: reserve once instead of growing.
     std::size_t expected = machine.findings.size();
     for (NamedList const& named : machine.lists) {
-      expected += named.list.tree.problems.size() + named.list.readings.doubtful().size();
+      expected += named.list.tree.problems.size() + named.list.line_values.doubtful().size();
     }
     reported_.findings.reserve(expected);
   }

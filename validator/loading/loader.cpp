@@ -40,9 +40,9 @@ LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue con
   list.source = source;
   list.catalogue = catalogue;
   list.tree = std::move(read.tree);
-  list.readings = std::move(read.readings);
+  list.line_values = std::move(read.line_values);
   if (text.is_translation()) number_lines(text, list.tree);
-  list.lost = lost_assignments(text, list.tree, list.readings, catalogue);
+  list.lost = lost_assignments(text, list.tree, list.line_values, catalogue);
   return list;
 }
 
@@ -50,7 +50,7 @@ LoadedList loaded(SourceText const& text, SourceId source, schema::Catalogue con
 LoadedList parse(SourceSet const& sources, SourceId source, schema::Catalogue const& catalogue) {
   SourceText const& text = sources[source];
   ReadList read = read_list(text, catalogue);
-  ListKind const kind = kind_of_list(text, read.tree, read.readings).value_or(ListKind::axis);
+  ListKind const kind = kind_of_list(text, read.tree, read.line_values).value_or(ListKind::axis);
   if (kind != ListKind::axis) read = judge_list(text, {}, catalogue);
   LoadedList list = loaded(text, source, catalogue, std::move(read));
   list.kind = kind;
@@ -162,7 +162,7 @@ void Loader::load_single(SourceId source) {
   std::optional<ListKind> kind = options_.kind;
   if (is_axis_list) {
     ReadList read = read_list(text, options_.catalogue);
-    if (!kind) kind = kind_of_list(text, read.tree, read.readings);
+    if (!kind) kind = kind_of_list(text, read.tree, read.line_values);
     // Of lines that cannot be read at least the comments tell.
     if (!kind && options_.from_folder) kind = configuration::kind_numbered_in(text.list_bytes());
     if (!kind && !options_.from_folder) kind = ListKind::axis;

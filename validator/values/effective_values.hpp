@@ -91,7 +91,7 @@ class EffectiveValues {
     std::size_t const entry = entry_of_slot_[static_cast<std::size_t>(slot)];
     if (entry != 0) return value_at(entry - 1).set();
     auto const sets = [slot](LoadedList const* list) {
-      return list != nullptr && list->readings.last_of(slot) != 0;
+      return list != nullptr && list->line_values.last_of(slot) != 0;
     };
     return sets(lists_[0]) || sets(lists_[1]);
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "configuration/list_kind.hpp"
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 
 namespace axisc::validator {
 
@@ -10,6 +10,6 @@ namespace axisc::validator {
 /// hundred count; all names where these speak against an axis list.
 [[nodiscard]] std::optional<configuration::ListKind> kind_of_list(SourceText const& source,
                                                                   grammar::AxisList const& list,
-                                                                  Readings const& readings);
+                                                                  LineValues const& line_values);
 
 }  // namespace axisc::validator

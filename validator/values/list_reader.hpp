@@ -1,7 +1,7 @@
 // Reads an axis list: what is written, and what it means.
 #pragma once
 
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 
 namespace axisc::validator {
 
@@ -9,7 +9,7 @@ namespace axisc::validator {
 /// a copy of it is no substitute.
 struct ReadList {
   grammar::AxisList tree;
-  Readings readings;
+  LineValues line_values;
 };
 
 /// Reads a list. Lines that give a parameter of the catalogue a plain value, or another one that looks simple, are read without

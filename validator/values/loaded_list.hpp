@@ -16,7 +16,7 @@ struct LoadedList {
   schema::Catalogue catalogue;
   grammar::AxisList tree;
   bool is_default_list = false;
-  Readings readings;  ///< one per assignment of the tree
+  LineValues line_values;  ///< one per assignment of the tree
   std::vector<LostAssignment> lost;
 };
 

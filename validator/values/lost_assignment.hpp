@@ -1,7 +1,7 @@
 // Lines that were meant for a parameter and do not set it.
 #pragma once
 
-#include "validator/values/readings.hpp"
+#include "validator/values/line_values.hpp"
 
 #include <cstdint>
 #include <string_view>
@@ -20,7 +20,7 @@ struct LostAssignment {
 };
 [[nodiscard]] std::vector<LostAssignment> lost_assignments(SourceText const& source,
                                                            grammar::AxisList const& list,
-                                                           Readings const& readings,
+                                                           LineValues const& line_values,
                                                            schema::Catalogue const& catalogue = {});
 
 /// The families that become part of an image: `filter`, `filter_fir`, `vib_guard`, `lr_param.add_interface`,

@@ -72,7 +72,7 @@ void expected_name(ListContext const& context, Report& report) {
     std::uint32_t const at = line.assignment().value.begin;
     Span const sign{.begin = at, .end = at + 1};
     if (signs.find(context.source.slice(sign)) == std::string_view::npos) return;
-    if (line.reading().status == ReadingStatus::value) return;
+    if (line.line_value().status == ReadingStatus::value) return;
     report_line<describe_separate>(report, line, sign);
   });
 }

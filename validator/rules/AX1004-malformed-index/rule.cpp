@@ -51,7 +51,7 @@ Span separate_index(Line const& line) {
   Span span = line.assignment().value;
   std::string_view const value = line.context.source.slice(span);
   std::size_t const end = value.find("].");
-  if (line.reading().row_known() || !value.starts_with('[') || end == std::string_view::npos || end < 2) {
+  if (line.line_value().row_known() || !value.starts_with('[') || end == std::string_view::npos || end < 2) {
     return {};
   }
   if (!std::all_of(value.begin() + 1, value.begin() + static_cast<std::ptrdiff_t>(end), ascii::is_digit)) {

@@ -44,14 +44,14 @@ bool looks_like_value(schema::Catalogue const& catalogue, std::string_view word)
 }
 
 /// After numbers, booleans and references the control ignores everything; text after symbols is left to AX1009.
-bool ends_at_blank(grammar::Assignment const& assignment, Reading const& reading) {
+bool ends_at_blank(grammar::Assignment const& assignment, LineValue const& line_value) {
   using grammar::ValueKind;
-  if (reading.status == ReadingStatus::reference) return true;
+  if (line_value.status == ReadingStatus::reference) return true;
   bool const usable =
-      reading.status == ReadingStatus::value || reading.status == ReadingStatus::out_of_data_range;
+      line_value.status == ReadingStatus::value || line_value.status == ReadingStatus::out_of_data_range;
   if (!usable) return false;
-  if (reading.row_known()) {
-    schema::Parameter const& parameter = *reading.row;
+  if (line_value.row_known()) {
+    schema::Parameter const& parameter = *line_value.row;
     if (parameter.type == schema::DataType::boolean) return true;
     if (parameter.type == schema::DataType::string && !parameter.is_enumeration()) return false;
   }
@@ -96,7 +96,7 @@ void suspicious_trailer(ListContext const& context, Report& report) {
   for_each_doubtful(context, [&](Line const& line) {
     grammar::Assignment const& assignment = line.assignment();
     bool const has_text = assignment.trailer_kind == grammar::TrailerKind::text;
-    if (!has_text || !ends_at_blank(assignment, line.reading())) return;
+    if (!has_text || !ends_at_blank(assignment, line.line_value())) return;
     Span const word = first_word(line);
     if (!looks_like_value(context.list.catalogue, context.source.slice(word))) return;
     report_line<describe>(report, line, word);

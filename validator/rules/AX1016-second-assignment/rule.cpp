@@ -18,7 +18,7 @@ namespace {
 
 /// The text behind the value that is not a comment.
 Span text_behind(Line const& line) {
-  if (!line.reading().trouble.empty()) return line.reading().trouble;
+  if (!line.line_value().trouble.empty()) return line.line_value().trouble;
   bool const is_text = line.assignment().trailer_kind == grammar::TrailerKind::text;
   return is_text ? line.assignment().trailer : Span{};
 }

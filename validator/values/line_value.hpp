@@ -32,7 +32,7 @@ struct Reference {
 };
 [[nodiscard]] Reference read_reference(std::string_view text);
 
-struct Reading {
+struct LineValue {
   using NameStatus = schema::NameLookup::Status;
 
   schema::Parameter const* row = nullptr;  ///< null where the name is unknown; lives as long as the catalogue
@@ -59,7 +59,7 @@ struct Reading {
 
 /// Fills what `reading` says of the value; its name is looked up already, `text` is the value as it stands. Texts that are not
 /// UTF-8 as they stand are kept in `transcoded`.
-void judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
+void judge(SourceText const& source, grammar::Assignment const& assignment, LineValue& line_value,
            std::forward_list<std::string>& transcoded);
 
 }  // namespace axisc::validator

@@ -1,7 +1,7 @@
 // What the assignments of one list mean, line by line.
 #pragma once
 
-#include "validator/values/reading.hpp"
+#include "validator/values/line_value.hpp"
 
 #include <cassert>
 #include <cstddef>
@@ -32,19 +32,19 @@ static_assert(sizeof(BriefReading) == 16);
 
 /// The readings of one list, one for each assignment and in the same order. They look into the source, the assignments and the
 /// catalogue, which live longer.
-class Readings {
+class LineValues {
  public:
-  Readings() = default;
-  Readings(Readings const&) = delete;
-  Readings(Readings&&) = default;
-  Readings& operator=(Readings const&) = delete;
-  Readings& operator=(Readings&&) = default;
-  ~Readings() = default;
+  LineValues() = default;
+  LineValues(LineValues const&) = delete;
+  LineValues(LineValues&&) = default;
+  LineValues& operator=(LineValues const&) = delete;
+  LineValues& operator=(LineValues&&) = default;
+  ~LineValues() = default;
 
   [[nodiscard]] std::size_t size() const { return brief_.size(); }
-  [[nodiscard]] Reading operator[](std::size_t assignment) const;
+  [[nodiscard]] LineValue operator[](std::size_t assignment) const;
   /// The same of an assignment that was looked at more closely, as all doubtful ones were.
-  [[nodiscard]] Reading const& closer(std::size_t assignment) const {
+  [[nodiscard]] LineValue const& closer(std::size_t assignment) const {
     assert(brief_[assignment].other != 0);
     return others_[brief_[assignment].other - 1];
   }
@@ -90,7 +90,7 @@ class Readings {
   std::span<grammar::Assignment const> assignments_;
   schema::Catalogue catalogue_;
   std::vector<BriefReading> brief_;
-  std::vector<Reading> others_;
+  std::vector<LineValue> others_;
   std::vector<std::uint32_t> last_of_slot_;  ///< in axis lists
   std::unordered_map<schema::Slot, std::uint32_t>
       last_of_many_;  ///< in lists whose tables have millions of slots

@@ -1,4 +1,4 @@
-#include "validator/values/reading.hpp"
+#include "validator/values/line_value.hpp"
 
 #include "diagnostics/ascii.hpp"
 #include "grammar/lexical.hpp"
@@ -31,9 +31,9 @@ std::size_t comment_opener(std::string_view text) {
 /// Judges one assignment.
 class Judge {
  public:
-  Judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
+  Judge(SourceText const& source, grammar::Assignment const& assignment, LineValue& line_value,
         std::forward_list<std::string>& transcoded)
-      : source_(source), assignment_(assignment), reading_(reading), transcoded_(transcoded) {
+      : source_(source), assignment_(assignment), reading_(line_value), transcoded_(transcoded) {
     reading_.quoted = assignment.kind == ValueKind::quoted;
   }
 
@@ -258,7 +258,7 @@ class Judge {
 
   SourceText const& source_;
   grammar::Assignment const& assignment_;
-  Reading& reading_;
+  LineValue& reading_;
   std::forward_list<std::string>& transcoded_;
 };
 
@@ -277,10 +277,10 @@ Reference read_reference(std::string_view text) {
   return reference;
 }
 
-void judge(SourceText const& source, grammar::Assignment const& assignment, Reading& reading,
+void judge(SourceText const& source, grammar::Assignment const& assignment, LineValue& line_value,
            std::forward_list<std::string>& transcoded) {
   // Nothing is known about the value of an unknown parameter.
-  if (reading.row_known()) Judge(source, assignment, reading, transcoded).with(*reading.row);
+  if (line_value.row_known()) Judge(source, assignment, line_value, transcoded).with(*line_value.row);
 }
 
 }  // namespace axisc::validator
