@@ -1,6 +1,6 @@
 // The panel of pictures: which one, of what, and the picture itself.
 import { byId, element, save } from './elements';
-import type { Page } from './page';
+import type { Desk } from './desk';
 import { Picture } from './picture';
 import { say } from './texts';
 
@@ -39,7 +39,7 @@ export class Pictures {
   private svg = '';
 
   constructor(
-    private readonly page: Page,
+    private readonly page: Desk,
     refresh: () => void,
   ) {
     byId('save-picture').addEventListener('click', () => save('picture.svg', this.svg, 'image/svg+xml'));
