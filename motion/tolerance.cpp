@@ -159,7 +159,7 @@ void ToleranceMonitor::measure(TriedPath const& path, std::span<Corner> corners,
                 {.from = first,
                  .to = last,
                  .phase = aligns ? phase_of(tried_[i].time) : 0,
-                 .looks_between = trial == Trial::proof});
+                 .proves = trial == Trial::proof ? std::optional(tolerance_) : std::nullopt});
     bool const exceeds =
         std::any_of(tried_.begin() + static_cast<std::ptrdiff_t>(i),
                     tried_.begin() + static_cast<std::ptrdiff_t>(next), [&](TriedCorner const& cell) {
