@@ -4,6 +4,7 @@
 #include "cli/temporary_folder.hpp"
 #include "support/golden.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -132,7 +133,9 @@ TEST_CASE("the report's programs are those of simulate") {
   for (auto const& pass : simulated["passes"]) {
     std::ostringstream deviation;
     deviation << std::fixed << std::setprecision(4) << pass["max_contour_deviation_um"].get<double>();
-    CHECK_THAT(text, Contains(deviation.str()));
+    std::string german = deviation.str();
+    std::replace(german.begin(), german.end(), '.', ',');
+    CHECK_THAT(text, Contains(german));
   }
   CHECK_THAT(text, Contains("Bahn von part.nc, Ebene X/Y") && Contains("AX9007"));
   SECTION("of each channel, and what cannot be followed says why") {
